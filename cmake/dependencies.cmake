@@ -1,0 +1,20 @@
+# Libraries by package manager; nothing is copied or downloaded. Debian: see ./dev; elsewhere: vcpkg.json.
+find_package(Threads REQUIRED)
+
+# Header-only packages become SYSTEM interface targets, so that our warnings stay ours.
+function(sillon_header_library target header)
+  find_path(${target}_dir NAMES ${header} REQUIRED)
+  add_library(${target} INTERFACE)
+  target_include_directories(${target} SYSTEM INTERFACE ${${target}_dir})
+endfunction()
+
+sillon_header_library(sillon_stb stb/stb_image.h)
+sillon_header_library(sillon_json nlohmann/json.hpp)
+sillon_header_library(sillon_svgpp svgpp/svgpp.hpp)
+sillon_header_library(sillon_rapidxml rapidxml/rapidxml.hpp)
+if(SILLON_EXAMPLES)
+  sillon_header_library(sillon_cli11 CLI/CLI.hpp)
+endif()
+if(SILLON_TESTS)
+  sillon_header_library(sillon_doctest doctest/doctest.h)
+endif()

@@ -1,0 +1,49 @@
+// Pictures to bead directions and direction modes (Sec. 4).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sillon/result.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// How a picture encodes directions.
+enum class DirectionEncoding {
+  Angle,     ///< grey 0..1 is -90..90 degrees, as in the paper; colour pictures use their luma
+  Rotation,  ///< grey 0..1 is 0..180 degrees, the rotation map of texture tools
+  Tangent,   ///< red, green in 0..1 are x, y in -1..1, y up, as in glTF's KHR_materials_anisotropy
+};
+
+/// Bead direction per texel, stretched over the page; row 0 on top.
+struct DirectionMap {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint16_t> angle;  ///< angle / 65535 * pi - pi/2 [rad], counter-clockwise from +x
+};
+
+/// What a place asks of its beads.
+enum class DirectionMode : std::uint8_t {
+  Parallel,     ///< to the nearest border, smoothly
+  Orthogonal,   ///< to the nearest border, smoothly
+  Smoothest,    ///< whatever bends least
+  Constrained,  ///< the direction map
+};
+
+/// Mode per texel, stretched over the page; row 0 on top. 1 x 1 for a whole plate.
+struct ModeMap {
+  int width = 0;
+  int height = 0;
+  std::vector<DirectionMode> mode;
+};
+
+Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding);
+/// \param degrees  bead direction counter-clockwise from +x; any finite angle.
+Result<DirectionMap> uniformDirection(double degrees);
+
+/// Grey 0, 1/3, 2/3, 1 (nearest) is parallel, orthogonal, smoothest, constrained.
+Result<ModeMap> modeMap(const Image& image);
+ModeMap uniformMode(DirectionMode mode);
+
+}  // namespace sillon

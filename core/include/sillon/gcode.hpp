@@ -1,0 +1,85 @@
+// Toolpath to G-code that printers take. Rules and reasons: docs/gcode.md.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/outline.hpp"
+#include "sillon/result.hpp"
+#include "sillon/shape.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+enum class GcodeFlavor { Marlin, Klipper };
+
+/// A machine with its filament. Lengths mm, speeds mm/s, accelerations mm/s², temperatures in degrees Celsius.
+struct Printer {
+  std::string name = "Generic";
+  GcodeFlavor flavor = GcodeFlavor::Marlin;
+  Vec2 bedMin{0, 0};
+  Vec2 bedMax{220, 220};
+  double maxZ = 200;
+  double nozzle = 0.4;                   ///< (0, 2]
+  double filamentDiameter = 1.75;
+  double filamentDensity = 1.24;         ///< [g/cm³]
+  std::string filamentType = "PLA";
+  double nozzleTemperature = 215;        ///< 170..300
+  double firstLayerNozzleTemperature = 220;
+  double bedTemperature = 60;            ///< 0..120
+  double speed = 50;
+  double firstLayerSpeed = 20;
+  double travelSpeed = 120;
+  double acceleration = 1000;
+  double cornerSpeed = 5;                ///< Klipper's square corner velocity; Marlin's jerk is twice this
+  double maxFlow = 10;                   ///< [mm³/s]
+  double maxSegmentsPerSecond = 300;
+  double pressureAdvance = 0.04;         ///< [s]; bounds the change of width along the path, is written only if setPressureAdvance
+  bool setPressureAdvance = false;
+  double retractLength = 0.8;
+  double retractSpeed = 35;
+  double lift = 0.4;
+};
+
+/// How one plate is stacked and placed.
+struct PrintParams {
+  int layers = 1;                        ///< oriented layers, 1..1000
+  int base = 2;                          ///< hatched layers below, 0..1000
+  int skirt = 1;                         ///< loops around the plate, 0..20
+  double layerHeight = 0.2;              ///< 0.05..0.8 nozzle
+  double firstLayerHeight = 0;           ///< 0: same as layerHeight
+  double flow = 0.95;                    ///< of oriented layers, (0, 2]
+  double baseFlow = 1;
+  std::optional<Vec2> place;             ///< page's lower left corner on the bed [mm]; unset: plate centred
+  std::string date = "1970-01-01 at 00:00:00 UTC";  ///< written into line 1; core never reads a clock
+  std::vector<std::string> notes;        ///< extra header lines, without the semicolon
+};
+
+/// Totals of what was written, and what the user should know.
+struct GcodeSummary {
+  double filamentMm = 0;
+  double filamentCm3 = 0;
+  double filamentGrams = 0;
+  double seconds = 0;                    ///< estimate: trapezoids with look-ahead
+  std::int64_t moves = 0;
+  std::int64_t bytes = 0;
+  double clampedLengthMm = 0;            ///< extruded with a width held at 0.6 or 1.6 nozzle
+  std::vector<std::string> warnings;
+};
+
+/// Receives the file in pieces; returning false stops the writing (Cancelled).
+using GcodeSink = std::function<bool(std::string_view)>;
+
+/// Checks the whole job, then writes it. Nothing reaches the sink if anything is wrong.
+/// \return InvalidArgument, DoesNotFit (overhang per side), EmptyShape.
+Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+                                const PrintParams& params, const GcodeSink& sink);
+
+/// Filament for a bead: height * width * length / filament area [mm], the bead as the cell it fills.
+double extrusion(double layerHeight, double width, double length, double filamentDiameter, double flow);
+
+}  // namespace sillon

@@ -1,0 +1,25 @@
+// Encoded pictures in and out. The only place that knows PNG, JPEG, BMP and TGA.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sillon/result.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+inline constexpr int kMaxImageSide = 32768;                ///< pixels
+inline constexpr std::int64_t kMaxImagePixels = 100'000'000;
+
+/// Decodes PNG, JPEG, BMP or TGA. Stored values as they are: no gamma, no colour profile. The EXIF orientation of a
+/// JPEG is applied. \param name  used in messages only.
+Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// 8-bit PNG of an RGB picture. \param rgb  width * height * 3 bytes, row 0 on top.
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
+
+}  // namespace sillon

@@ -1,0 +1,54 @@
+// How good a plate is: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings. Definitions: docs/metrics.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sillon/direction_map.hpp"
+#include "sillon/outline.hpp"
+#include "sillon/params.hpp"
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// Length-weighted distribution of the delivered widths, in spacings.
+struct WidthMeasures {
+  double p01 = 0;
+  double median = 0;
+  double p99 = 0;
+  double belowHalf = 0;  ///< share of the length narrower than half a spacing
+  double clamped = 0;    ///< share of the length held at the allowed minimum or maximum
+};
+
+/// Areas are shares of the shape's area in percent. NaN never occurs; an empty toolpath measures 0.
+struct Measures {
+  double lengthMm = 0;
+  double alignment = 0;             ///< -1 perfect, -0.5 chance, 0 orthogonal; every piece
+  double alignmentInterior = 0;     ///< pieces deeper than 1.05 tau
+  double alignmentConstrained = 0;  ///< interior pieces in constrained areas; 0 where there are none
+  double coverage = 0;              ///< [%]
+  double overlap = 0;               ///< [%]
+  double spill = 0;                 ///< [%]
+  double fillRatio = 0;             ///< bead area / shape area, a ratio
+  double lostAreaMm2 = 0;           ///< what no bead of one spacing can reach, pieces above tau²/4
+  std::int64_t uTurns = 0;
+  std::int64_t kinks = 0;
+  std::int64_t crossings = 0;       ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
+  WidthMeasures width;
+  std::string digest;               ///< 16 hex digits of the toolpath on a grid of 1 µm
+};
+
+/// Judges a toolpath as delivered. Costs more than making it: the area is rastered at tau/20.
+Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
+                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run);
+
+/// Pairs of non-consecutive segments that share a point, all cycles together, exact on integers of 1 µm.
+std::int64_t countCrossings(const Toolpath& toolpath);
+
+/// Digest of points and widths in µm: equal digests mean equal plates.
+std::string digestOf(const Toolpath& toolpath);
+
+}  // namespace sillon

@@ -1,0 +1,38 @@
+// What a person may choose about the toolpath. Each field is a row of the documentation: default, unit, range.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace sillon {
+
+/// How beads meet the border.
+enum class PerimeterMode {
+  None,   ///< beads end at the border in hairpins
+  Soft,   ///< beads follow the border where the directions allow it, and end there where they do not
+  Count,  ///< `perimeters` beads follow the border
+};
+
+enum class MapFilter {
+  Average,  ///< lines averaged over a cell, as numbers e^{2i angle}
+  Nearest,  ///< the texel under the cell's centre
+};
+
+struct ToolpathParams {
+  double spacing = 0.4;                              ///< tau [mm], distance between neighbouring beads, 0.05..20
+  PerimeterMode perimeterMode = PerimeterMode::Count;
+  int perimeters = 1;                                ///< beads along the border in mode Count, 0..100
+  std::optional<double> bridge;                      ///< solids nearer than this count as one part [mm], >= 0; unset: one spacing
+  MapFilter mapFilter = MapFilter::Average;
+  std::uint64_t seed = 0;                            ///< 0: regular sample points; others: moved by up to tau/40, another plate of like quality
+  int sweepsPerLevel = 8;                            ///< smoothing sweeps on each level of the hierarchy, 1..1000
+  double borderPull = 3;                             ///< soft border: weight of the border's wave against a neighbour's, 0..100
+  double stitchAlignment = 0.7;                      ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
+  int relaxationRounds = 3;                          ///< rounds of spacing relaxation, 0..100
+  double relaxationSmoothing = 0.4;                  ///< pull towards the neighbours' middle per round, 0..1
+  double minWidth = 0.5;                             ///< narrowest bead [tau], 0.1..1
+  double maxWidth = 2;                               ///< widest bead [tau], 1..4
+  double simplifyTolerance = 0.005;                  ///< largest change of position and width by leaving out points [mm], 0..1
+};
+
+}  // namespace sillon

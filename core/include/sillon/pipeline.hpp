@@ -1,0 +1,45 @@
+// From shape and directions to the toolpath: the stages in order, no maths (Alg. 1).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sillon/direction_map.hpp"
+#include "sillon/params.hpp"
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+#include "sillon/shape.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// Decoded inputs of one plate.
+struct PlateInput {
+  Shape shape;
+  DirectionMap directions;
+  ModeMap modes;
+};
+
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+};
+
+/// The toolpath and what was seen on the way.
+struct Plate {
+  Toolpath toolpath;
+  int nx = 0;                      ///< cells of tau/2
+  int ny = 0;
+  std::int64_t parts = 0;          ///< connected parts after bridging
+  std::int64_t contourCycles = 0;  ///< closed curves before stitching
+  double longestJointMm = 0;
+  std::vector<StageTime> time;     ///< in order; the sum is the total
+};
+
+/// \return InvalidArgument (which field, its value, its range), EmptyShape, TooLarge or Cancelled.
+Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run);
+
+/// The checks generateToolpath begins with, for forms and command lines. Empty string: all in range.
+std::string invalidParameter(const ToolpathParams& params);
+
+}  // namespace sillon

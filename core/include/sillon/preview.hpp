@@ -1,0 +1,29 @@
+// Pictures of a toolpath: beads coloured by direction with a legend, and their look under one light.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+struct PreviewParams {
+  int width = 1600;            ///< of one panel [pixels], 16..16384; the height follows the page
+  double lightAzimuth = 60;    ///< of the light in the look panel, degrees counter-clockwise from +x
+  double lightElevation = 35;  ///< degrees above the plate, 1..90
+};
+
+struct RgbImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< row 0 on top
+};
+
+/// Both panels side by side (stacked for wide pages): directions with legend, then the look: an anisotropic microfacet
+/// lobe (Beckmann) along each bead plus the bead's round profile.
+Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run);
+
+}  // namespace sillon

@@ -1,0 +1,44 @@
+// The 2D shape to fill: painted paths on a page, and the built-in ones.
+#pragma once
+
+#include <vector>
+
+#include "sillon/result.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+enum class FillRule { NonZero, EvenOdd };
+
+using Ring = std::vector<Vec2>;  ///< closed polygon [mm], first point not repeated, any winding
+
+/// One painted element: its rings under one fill rule.
+struct FilledPath {
+  std::vector<Ring> rings;
+  FillRule fillRule = FillRule::NonZero;
+};
+
+/// The union of its paths on a page of `page` mm; maps are stretched over the page.
+struct Shape {
+  std::vector<FilledPath> paths;
+  Vec2 page;
+};
+
+/// Axis-parallel rectangle that fills its page. \param size  width and height [mm], each > 0.
+Result<Shape> makeRectangle(Vec2 size);
+/// \param radius  corner radius [mm], >= 0, clamped to half the shorter side.
+Result<Shape> makeRoundedRectangle(Vec2 size, double radius);
+/// Disc that fills its page. \param diameter  [mm], > 0.
+Result<Shape> makeDisc(double diameter);
+
+/// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width (Sec. 2 of the docs).
+/// An image with transparent pixels is read by its alpha alone. \param width  of the page [mm], > 0; the height follows.
+Result<Shape> shapeFromMask(const Image& mask, double width);
+
+/// The same shape and page scaled so that the page is `width` mm wide. \param width  [mm], > 0.
+Result<Shape> scaledToWidth(const Shape& shape, double width);
+
+/// Box around all rings.
+Bounds bounds(const Shape& shape);
+
+}  // namespace sillon
