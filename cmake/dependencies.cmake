@@ -10,7 +10,7 @@ endfunction()
 
 sillon_header_library(sillon_stb stb/stb_image.h)
 sillon_header_library(sillon_json nlohmann/json.hpp)
-sillon_header_library(sillon_svgpp svgpp/svgpp.hpp)
+sillon_header_library(sillon_fast_float fast_float/fast_float.h)
 sillon_header_library(sillon_rapidxml rapidxml/rapidxml.hpp)
 if(SILLON_EXAMPLES)
   sillon_header_library(sillon_cli11 CLI/CLI.hpp)

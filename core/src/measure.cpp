@@ -1,1 +1,459 @@
-// placeholder
+#include "sillon/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curves.hpp"
+#include "fast_math.hpp"
+#include "parallel_for.hpp"
+#include "sillon/constraints.hpp"
+#include "sillon/sdf.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kPixelsPerSpacing = 20;
+constexpr int kTile = 128;  ///< pixels; the state of one tile stays in the second-level cache
+
+Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+// ---------------------------------------------------------------------------------------------- area
+
+// A bead from a to b, with the arc length at a along its cycle.
+struct Bead {
+  Vec2f a;
+  Vec2f b;
+  float ra;
+  float rb;
+  float along;
+  float length;
+  std::int32_t cycle;
+};
+
+// Position [0, length] at which the bead covers p, or -1. The bead is the union of discs centred on its segment.
+float coveredAt(const Bead& bead, Vec2f p) {
+  const Vec2f to = p - bead.a;
+  if (bead.length <= 0) return dot(to, to) <= bead.ra * bead.ra ? 0.0f : -1.0f;
+  const Vec2f u = (bead.b - bead.a) * (1 / bead.length);
+  const float slope = (bead.rb - bead.ra) / bead.length;
+  const float x = dot(to, u);
+  const float y = std::abs(cross(u, to));
+  // The disc that reaches furthest towards p is not the nearest one where the radius changes.
+  const float shift = std::abs(slope) < 0.99f ? slope * y / std::sqrt(1 - slope * slope) : slope * 1e3f;
+  const float s = std::clamp(x + shift, 0.0f, bead.length);
+  const float r = bead.ra + slope * s;
+  return (x - s) * (x - s) + y * y <= r * r ? s : -1.0f;
+}
+
+std::vector<Bead> beadsOf(const Toolpath& toolpath, std::vector<float>& lengthOfCycle) {
+  std::vector<Bead> beads;
+  for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
+    const Cycle& cycle = toolpath.cycles[c];
+    double along = 0;
+    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+      const std::size_t next = k + 1 < cycle.points.size() ? k + 1 : 0;
+      const float size = length(cycle.points[next] - cycle.points[k]);
+      beads.push_back({cycle.points[k], cycle.points[next], 0.5f * cycle.widths[k], 0.5f * cycle.widths[next],
+                       static_cast<float>(along), size, static_cast<std::int32_t>(c)});
+      along += static_cast<double>(size);
+    }
+    lengthOfCycle.push_back(static_cast<float>(along));
+  }
+  return beads;
+}
+
+// How often beads pass over each pixel of a tile. Positions at most `apart` from the last one belong to the same pass,
+// the end of a cycle to its beginning.
+class TilePasses {
+ public:
+  TilePasses(const std::vector<float>& lengthOfCycle, float apart)
+      : lengthOfCycle_(lengthOfCycle), apart_(apart), pixels_(kTile * kTile) {}
+
+  void reset() { std::fill(pixels_.begin(), pixels_.end(), Pixel{}); }
+
+  void cover(int pixel, std::int32_t cycle, float along) {
+    Pixel& p = pixels_[static_cast<std::size_t>(pixel)];
+    if (p.cycle != cycle) {
+      close(p);
+      p.cycle = cycle;
+      p.first = along;
+      p.passes = 1;
+    } else if (along - p.last > apart_) {
+      ++p.passes;
+    }
+    p.last = along;
+  }
+
+  int passes(int pixel) {
+    Pixel& p = pixels_[static_cast<std::size_t>(pixel)];
+    close(p);
+    return p.total;
+  }
+
+ private:
+  struct Pixel {
+    std::int32_t cycle = -1;
+    float first = 0;
+    float last = 0;
+    std::int16_t passes = 0;  ///< of the current cycle
+    std::int16_t total = 0;   ///< of the cycles before
+  };
+
+  void close(Pixel& p) {
+    if (p.passes > 1 && p.first + lengthOfCycle_[static_cast<std::size_t>(p.cycle)] - p.last <= apart_) --p.passes;
+    p.total = static_cast<std::int16_t>(p.total + p.passes);
+    p.passes = 0;
+    p.cycle = -1;
+  }
+
+  const std::vector<float>& lengthOfCycle_;
+  float apart_;
+  std::vector<Pixel> pixels_;
+};
+
+struct AreaCount {
+  std::int64_t covered = 0;
+  std::int64_t spilled = 0;
+  std::int64_t overlapped = 0;
+  std::int64_t shape = 0;
+};
+
+AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& box, const RunContext& run) {
+  std::vector<float> lengthOfCycle;
+  const std::vector<Bead> beads = beadsOf(toolpath, lengthOfCycle);
+  const double pixel = toolpath.spacing / kPixelsPerSpacing;
+  const double margin = 2 * toolpath.spacing;
+  const Grid raster{{box.min.x - margin, box.min.y - margin},
+                    pixel,
+                    static_cast<int>((box.size().x + 2 * margin) / pixel) + 1,
+                    static_cast<int>((box.size().y + 2 * margin) / pixel) + 1};
+  const auto inside = insideIntervals(shape, raster.centre(0, 0).y, pixel, raster.ny);
+  const int tx = (raster.nx - 1) / kTile + 1;
+  const int ty = (raster.ny - 1) / kTile + 1;
+
+  const auto pixelOf = [&](double v, double origin, int count) {
+    return std::clamp(static_cast<int>(std::floor((v - origin) / pixel)), 0, count - 1);
+  };
+  struct Reach {
+    int x0, x1, y0, y1;
+  };
+  const auto reachOf = [&](const Bead& b) {
+    const double r = static_cast<double>(std::max(b.ra, b.rb));
+    const Vec2 a = wide(b.a);
+    const Vec2 e = wide(b.b);
+    return Reach{pixelOf(std::min(a.x, e.x) - r, raster.origin.x, raster.nx),
+                 pixelOf(std::max(a.x, e.x) + r, raster.origin.x, raster.nx),
+                 pixelOf(std::min(a.y, e.y) - r, raster.origin.y, raster.ny),
+                 pixelOf(std::max(a.y, e.y) + r, raster.origin.y, raster.ny)};
+  };
+  const auto forTiles = [&](const Bead& bead, const auto& visit) {
+    const Reach r = reachOf(bead);
+    for (int y = r.y0 / kTile; y <= r.y1 / kTile; ++y) {
+      for (int x = r.x0 / kTile; x <= r.x1 / kTile; ++x) visit(static_cast<std::size_t>(y * tx + x));
+    }
+  };
+  std::vector<std::size_t> begin(static_cast<std::size_t>(tx) * static_cast<std::size_t>(ty) + 1, 0);
+  for (const Bead& bead : beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
+  for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
+  std::vector<std::int32_t> beadOf(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t k = 0; k < beads.size(); ++k) {
+    forTiles(beads[k], [&](std::size_t t) { beadOf[next[t]++] = static_cast<std::int32_t>(k); });
+  }
+
+  const int tiles = tx * ty;
+  std::vector<AreaCount> counts(static_cast<std::size_t>(tiles));
+  parallelFor(run, tiles, std::max(1, tiles / (16 * run.threads())), [&](int firstTile, int lastTile) {
+    TilePasses passes(lengthOfCycle, static_cast<float>(3 * toolpath.spacing));
+    for (int tile = firstTile; tile < lastTile && !run.cancelled(); ++tile) {
+      passes.reset();
+      const int left = tile % tx * kTile;
+      const int bottom = tile / tx * kTile;
+      for (std::size_t at = begin[static_cast<std::size_t>(tile)]; at < begin[static_cast<std::size_t>(tile) + 1]; ++at) {
+        const Bead& bead = beads[static_cast<std::size_t>(beadOf[at])];
+        const Reach r = reachOf(bead);
+        for (int y = std::max(r.y0, bottom); y <= std::min(r.y1, bottom + kTile - 1); ++y) {
+          for (int x = std::max(r.x0, left); x <= std::min(r.x1, left + kTile - 1); ++x) {
+            const Vec2 p = raster.centre(x, y);
+            const float s = coveredAt(bead, {static_cast<float>(p.x), static_cast<float>(p.y)});
+            if (s >= 0) passes.cover((y - bottom) * kTile + x - left, bead.cycle, bead.along + s);
+          }
+        }
+      }
+      AreaCount& count = counts[static_cast<std::size_t>(tile)];
+      for (int y = bottom; y < std::min(bottom + kTile, raster.ny); ++y) {
+        const std::vector<Interval>& row = inside[static_cast<std::size_t>(y)];
+        std::size_t interval = 0;
+        for (int x = left; x < std::min(left + kTile, raster.nx); ++x) {
+          const double px = raster.centre(x, y).x;
+          while (interval < row.size() && row[interval].end < px) ++interval;
+          const bool in = interval < row.size() && row[interval].begin <= px;
+          const int n = passes.passes((y - bottom) * kTile + x - left);
+          count.shape += in ? 1 : 0;
+          count.covered += in && n > 0 ? 1 : 0;
+          count.spilled += !in && n > 0 ? 1 : 0;
+          count.overlapped += n > 1 ? 1 : 0;
+        }
+      }
+    }
+  });
+  AreaCount total;
+  for (const AreaCount& count : counts) {
+    total.covered += count.covered;
+    total.spilled += count.spilled;
+    total.overlapped += count.overlapped;
+    total.shape += count.shape;
+  }
+  return total;
+}
+
+// Shape minus its opening by a disc of radius tau/2, pieces above tau²/4: samples tau/8 apart.
+Result<double> lostArea(const Shape& shape, const BorderIndex& border, const Bounds& box, double spacing,
+                        const RunContext& run) {
+  constexpr int kSamples = 8;
+  const double cell = spacing / kSamples;
+  const Grid grid{{box.min.x - spacing, box.min.y - spacing},
+                  cell,
+                  static_cast<int>((box.size().x + 2 * spacing) / cell) + 1,
+                  static_cast<int>((box.size().y + 2 * spacing) / cell) + 1};
+  const Result<std::vector<float>> distance = bandDistance(shape, border, grid, static_cast<float>(spacing), run);
+  if (!distance) return distance.error();
+  const std::vector<float>& sd = distance.value();
+  const float deep = static_cast<float>(-0.5 * spacing);
+  std::vector<char> lost(grid.size(), 0);
+  constexpr int kReach = kSamples / 2 + 1;
+  constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
+  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        if (sd[i] > 0 || sd[i] <= deep) continue;
+        bool reached = false;
+        for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
+          for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
+            if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny) continue;
+            reached = sd[grid.index(x + dx, y + dy)] <= deep;
+          }
+        }
+        lost[i] = reached ? 0 : 1;
+      }
+    }
+  });
+  double area = 0;
+  std::vector<std::size_t> stack;
+  for (std::size_t start = 0; start < lost.size(); ++start) {
+    if (!lost[start]) continue;
+    std::size_t size = 0;
+    stack.assign(1, start);
+    lost[start] = 0;
+    while (!stack.empty()) {
+      const std::size_t i = stack.back();
+      stack.pop_back();
+      ++size;
+      const std::size_t nx = static_cast<std::size_t>(grid.nx);
+      for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {  // the frame is never lost, so no index runs out
+        if (!lost[j]) continue;
+        lost[j] = 0;
+        stack.push_back(j);
+      }
+    }
+    const double piece = static_cast<double>(size) * cell * cell;
+    if (piece > 0.25 * spacing * spacing) area += piece;
+  }
+  return area;
+}
+
+// --------------------------------------------------------------------------------- alignment and turns
+
+struct AlignmentSums {
+  double length = 0;
+  double along = 0;  ///< length times cos²
+
+  void add(double size, double cos2) {
+    length += size;
+    along += size * cos2;
+  }
+  [[nodiscard]] double value() const { return length > 0 ? -along / length : 0; }
+};
+
+struct Alignment {
+  AlignmentSums all, interior, constrained;
+};
+
+// Eq. 17 over pieces of at most tau/8, against the nearest texel of the map as stored.
+Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, const DirectionMap& directions,
+                      const ModeMap& modes, const ToolpathParams& params) {
+  Alignment sums;
+  const double spacing = params.spacing;
+  const double shell = params.perimeterMode == PerimeterMode::Count ? std::max(params.perimeters, 1) : 1;
+  for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+    const Vec2 a = wide(cycle.points[k]);
+    const Vec2 b = wide(cycle.points[k + 1 < cycle.points.size() ? k + 1 : 0]);
+    const double size = length(b - a);
+    if (size <= 0) continue;
+    const Vec2 t = (b - a) * (1 / size);
+    const int pieces = static_cast<int>(std::ceil(size / (spacing / 8)));
+    for (int piece = 0; piece < pieces; ++piece) {
+      const Vec2 p = a + (b - a) * ((piece + 0.5) / pieces);
+      const TexelIndex at = texelAt(p, page, directions.width, directions.height);
+      const Vec2f z = beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
+                                                static_cast<std::size_t>(at.x)]);
+      // cos² of the angle between the lines, from their doubled angles.
+      const double cos2 = 0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
+      const double share = size / pieces;
+      sums.all.add(share, cos2);
+      const double depth = static_cast<double>(border.blockDistance(p)) > (shell + 0.05) * spacing
+                               ? 1e9
+                               : -static_cast<double>(border.nearest(p).distance);
+      if (depth > 1.05 * spacing) sums.interior.add(share, cos2);
+      if (depth > (shell + 0.05) * spacing) {
+        const TexelIndex m = texelAt(p, page, modes.width, modes.height);
+        if (modes.mode[static_cast<std::size_t>(m.y) * static_cast<std::size_t>(modes.width) +
+                       static_cast<std::size_t>(m.x)] == DirectionMode::Constrained) {
+          sums.constrained.add(share, cos2);
+        }
+      }
+    }
+  }
+  return sums;
+}
+
+// Runs of steps whose heading differs by at least the given angle from that `apart` steps on, round the cycle.
+std::int64_t countTurns(const Vec2f* points, int n, int apart, float cosine) {
+  const auto heading = [&](int k) {
+    const Vec2f e = points[(k + 1) % n] - points[k % n];
+    const float size = length(e);
+    return size > 0 ? e * (1 / size) : Vec2f{};
+  };
+  std::int64_t runs = 0;
+  bool before = dot(heading(n - 1), heading(n - 1 + apart)) <= cosine;
+  const bool all = before;
+  for (int k = 0; k < n; ++k) {
+    const bool turns = dot(heading(k), heading(k + apart)) <= cosine;
+    runs += turns && !before ? 1 : 0;
+    before = turns;
+  }
+  return runs == 0 && all ? 1 : runs;
+}
+
+WidthMeasures widthsOf(const Toolpath& toolpath, const ToolpathParams& params, double totalLength) {
+  std::vector<std::pair<float, float>> weighted;  // width, length
+  WidthMeasures out;
+  const double spacing = toolpath.spacing;
+  for (const Cycle& cycle : toolpath.cycles) {
+    const std::size_t n = cycle.points.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const float share = 0.5f * (length(cycle.points[k] - cycle.points[(k + n - 1) % n]) +
+                                  length(cycle.points[(k + 1) % n] - cycle.points[k]));
+      weighted.emplace_back(cycle.widths[k], share);
+      const double w = static_cast<double>(cycle.widths[k]) / spacing;
+      if (w < 0.5 - 1e-9) out.belowHalf += static_cast<double>(share);
+      if (w <= params.minWidth + 1e-3 || w >= params.maxWidth - 1e-3) out.clamped += static_cast<double>(share);
+    }
+  }
+  if (totalLength <= 0) return out;
+  std::sort(weighted.begin(), weighted.end());
+  double sum = 0;
+  const auto quantiles = {std::pair{0.01, &out.p01}, std::pair{0.5, &out.median}, std::pair{0.99, &out.p99}};
+  for (const auto& [width, share] : weighted) {
+    const double before = sum;
+    sum += static_cast<double>(share);
+    for (const auto& [q, value] : quantiles) {
+      if (before <= q * totalLength && sum > q * totalLength) *value = static_cast<double>(width) / spacing;
+    }
+  }
+  out.belowHalf /= totalLength;
+  out.clamped /= totalLength;
+  return out;
+}
+
+ClosedCurves curvesOf(const Toolpath& toolpath) {
+  ClosedCurves curves;
+  for (const Cycle& cycle : toolpath.cycles) {
+    curves.begin.push_back(static_cast<int>(curves.points.size()));
+    curves.points.insert(curves.points.end(), cycle.points.begin(), cycle.points.end());
+  }
+  curves.begin.push_back(static_cast<int>(curves.points.size()));
+  return curves;
+}
+
+}  // namespace
+
+std::int64_t countCrossings(const Toolpath& toolpath) {
+  return static_cast<std::int64_t>(findCrossings(curvesOf(toolpath), RunContext(1)).size());
+}
+
+std::string digestOf(const Toolpath& toolpath) {
+  std::uint64_t hash = 0;
+  const auto add = [&](std::int64_t v) { hash = hash64(hash ^ static_cast<std::uint64_t>(v)); };
+  const auto addLength = [&](float v) { add(std::llround(static_cast<double>(v) * 1000)); };
+  for (const Cycle& cycle : toolpath.cycles) {
+    add(static_cast<std::int64_t>(cycle.points.size()));
+    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+      addLength(cycle.points[k].x);
+      addLength(cycle.points[k].y);
+      addLength(cycle.widths[k]);
+    }
+  }
+  std::string digits(16, '0');
+  for (std::size_t k = 0; k < 16; ++k) digits[k] = "0123456789abcdef"[(hash >> (60 - 4 * k)) & 15];
+  return digits;
+}
+
+Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
+                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+  const Result<Outline> outline = resolveOutline(shape);
+  if (!outline) return outline.error();
+  Bounds box = outline.value().bounds;
+  for (const Cycle& cycle : toolpath.cycles) {
+    for (const Vec2f p : cycle.points) box.add(wide(p));
+  }
+  const Result<BorderIndex> border = buildBorderIndex(outline.value(), makeGrid(box, params.spacing), run);
+  if (!border) return border.error();
+
+  Measures out;
+  out.digest = digestOf(toolpath);
+  Alignment alignment;
+  double beadArea = 0;
+  for (const Cycle& cycle : toolpath.cycles) {
+    const std::size_t n = cycle.points.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const double size = static_cast<double>(length(cycle.points[(k + 1) % n] - cycle.points[k]));
+      out.lengthMm += size;
+      beadArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[(k + 1) % n]);
+    }
+    const Alignment sums = alignmentOf(cycle, border.value(), shape.page, directions, modes, params);
+    for (const auto& [total, part] : {std::pair{&alignment.all, &sums.all}, std::pair{&alignment.interior, &sums.interior},
+                                      std::pair{&alignment.constrained, &sums.constrained}}) {
+      total->length += part->length;
+      total->along += part->along;
+    }
+  }
+  out.alignment = alignment.all.value();
+  out.alignmentInterior = alignment.interior.value();
+  out.alignmentConstrained = alignment.constrained.value();
+
+  const AreaCount area = countArea(toolpath, shape, box, run);
+  const double pixels = std::max<double>(1, static_cast<double>(area.shape));
+  out.coverage = 100 * static_cast<double>(area.covered) / pixels;
+  out.spill = 100 * static_cast<double>(area.spilled) / pixels;
+  out.overlap = 100 * static_cast<double>(area.overlapped) / pixels;
+  out.fillRatio = beadArea / outline.value().area;
+  const Result<double> lost = lostArea(shape, border.value(), outline.value().bounds, params.spacing, run);
+  if (!lost) return lost.error();
+  out.lostAreaMm2 = lost.value();
+
+  const ClosedCurves curves = curvesOf(toolpath);
+  const ClosedCurves fine = resampled(curves, static_cast<float>(params.spacing / 8));
+  for (int c = 0; c < fine.count(); ++c) {
+    const Vec2f* points = fine.points.data() + fine.begin[static_cast<std::size_t>(c)];
+    out.uTurns += countTurns(points, fine.size(c), 12, -0.5f);
+    out.kinks += countTurns(points, fine.size(c), 2, 0.5f);
+  }
+  out.crossings = static_cast<std::int64_t>(findCrossings(curves, run).size());
+  out.width = widthsOf(toolpath, params, out.lengthMm);
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return out;
+}
+
+}  // namespace sillon

@@ -1,1 +1,372 @@
-// placeholder
+#include "sillon/phase_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast_math.hpp"
+#include "hierarchy.hpp"
+#include "parallel_for.hpp"
+#include "simd.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kNoPhase = 1e-9f;    ///< a sum shorter than this keeps the old phase
+constexpr float kJitter = 1.0f / 40;  ///< largest move of a sample point [tau] when the seed is not 0
+constexpr std::size_t kEdges = 4;    ///< edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1)
+constexpr int kEdgeX[kEdges] = {1, 0, 1, -1};
+constexpr int kEdgeY[kEdges] = {0, 1, 1, 1};
+
+// How the phase of one cell follows from a neighbour's: with a = w |d_i.d_j| e^{i theta0} and s = sign(d_i.d_j),
+// q_i += (s Re(a q_j), Im(a q_j)) (Eq. 8 and 10). The other way round is the transposed 2 x 2 matrix.
+struct Transport {
+  Planes re;
+  Planes im;
+  Planes sign;
+};
+
+struct PhaseLevel {
+  LevelShape shape;
+  float step = 0;  ///< frequency times the level's cell side [rad]
+  int depth = 0;
+  Planes dx, dy;   ///< lines; 0 where masked
+  Planes qr, qi;   ///< phases
+  Planes free;     ///< 1 where sweeps may change the phase, else 0
+  Planes ar, ai;   ///< soft border: the border's wave times its weight; else empty
+  std::array<Transport, kEdges> edges;
+};
+
+// Displacement of a sample point, in cell sides of its level; zero for seed 0.
+class Jitter {
+ public:
+  explicit Jitter(std::uint64_t seed) : seed_(seed) {}
+  [[nodiscard]] Vec2f at(int depth, int x, int y) const {
+    if (seed_ == 0) return {};
+    const std::uint64_t cell = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
+    const std::uint64_t bits = hash64(hash64(seed_ + static_cast<std::uint64_t>(depth)) ^ cell);
+    const auto unit = [](std::uint64_t v) { return static_cast<float>(v & 0xffffff) * (1.0f / 0x800000) - 1; };
+    return {2 * kJitter * unit(bits), 2 * kJitter * unit(bits >> 32)};
+  }
+
+ private:
+  std::uint64_t seed_;
+};
+
+Vec2f multiply(Vec2f a, Vec2f b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+
+// The wave of j seen from i, without weight: the phase flips to pi - phase where the lines oppose each other.
+Vec2f transported(Vec2f offsetSteps, Vec2f di, Vec2f dj, Vec2f qj) {
+  const float s = dot(di, dj) > 0 ? 1.0f : -1.0f;
+  const SinCos turn = sinCos(0.5f * dot(offsetSteps, dj + di * s));
+  const Vec2f q = multiply({turn.cos, turn.sin}, qj);
+  return {s * q.x, q.y};
+}
+
+Vec2f lineAt(const PhaseLevel& level, std::size_t colour, std::size_t i) {
+  return {level.dx[colour][i], level.dy[colour][i]};
+}
+
+bool isMasked(const PhaseLevel& level, std::size_t colour, std::size_t i) {
+  return level.dx[colour][i] == 0 && level.dy[colour][i] == 0;
+}
+
+PhaseLevel makeLevel(LevelShape shape, float step, int depth, bool anchors) {
+  PhaseLevel level;
+  level.shape = shape;
+  level.step = step;
+  level.depth = depth;
+  for (Planes* planes : {&level.dx, &level.dy, &level.qr, &level.qi, &level.free}) *planes = makePlanes(shape);
+  if (anchors) {
+    level.ar = makePlanes(shape);
+    level.ai = makePlanes(shape);
+  }
+  return level;
+}
+
+// Precomputes w |d_i.d_j| e^{i theta} per edge; masked ends get 0.
+void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run) {
+  const LevelShape& shape = level.shape;
+  for (std::size_t e = 0; e < kEdges; ++e) {
+    level.edges[e] = {makePlanes(shape), makePlanes(shape), makePlanes(shape)};
+    const bool corner = kEdgeX[e] != 0 && kEdgeY[e] != 0;
+    for (std::size_t colour = 0; colour < kColours; ++colour) {
+      const NeighbourPlane n = neighbourPlane(shape, colour, kEdgeX[e], kEdgeY[e]);
+      Transport& edge = level.edges[e];
+      parallelFor(run, shape.py, rowGrain(run, shape.py, 10.0 * shape.px), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+          for (int x = 0; x < shape.px; x += 4) {
+            const std::size_t i = shape.at(x, y);
+            const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
+            F4 ox = splat(static_cast<float>(-kEdgeX[e]));
+            F4 oy = splat(static_cast<float>(-kEdgeY[e]));
+            for (int k = 0; k < 4; ++k) {
+              const int cx = 2 * (x + k) + colourX(colour);
+              const int cy = 2 * y + colourY(colour);
+              const Vec2f move = jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
+              ox[k] += move.x;
+              oy[k] += move.y;
+            }
+            const F4 dix = load4(&level.dx[colour][i]);
+            const F4 diy = load4(&level.dy[colour][i]);
+            const F4 djx = load4(&level.dx[n.colour][j]);
+            const F4 djy = load4(&level.dy[n.colour][j]);
+            const F4 along = dix * djx + diy * djy;
+            const F4 sign = select4(along > splat(0), splat(1), splat(-1));
+            const F4 angle = splat(0.5f * level.step) * (ox * (djx + sign * dix) + oy * (djy + sign * diy));
+            const SinCos4 turn = sinCos(angle);
+            const F4 weight = splat(corner ? kCornerWeight : kSideWeight) * (sign * along);
+            store4(&edge.re[colour][i], weight * turn.cos);
+            store4(&edge.im[colour][i], weight * turn.sin);
+            store4(&edge.sign[colour][i], sign);
+          }
+        }
+      });
+    }
+  }
+}
+
+struct Source {
+  const float* re;
+  const float* im;
+  const float* sign;
+  const float* qr;
+  const float* qi;
+};
+
+// Eq. 10 for one colour, in place: q_i <- the normalised sum of the neighbours' transported phases.
+void sweepColour(PhaseLevel& level, std::size_t colour, const RunContext& run) {
+  const LevelShape& shape = level.shape;
+  std::array<Source, kEdges> ahead{};   // edges this cell owns
+  std::array<Source, kEdges> behind{};  // edges owned by the neighbour
+  for (std::size_t e = 0; e < kEdges; ++e) {
+    const NeighbourPlane a = neighbourPlane(shape, colour, kEdgeX[e], kEdgeY[e]);
+    const NeighbourPlane b = neighbourPlane(shape, colour, -kEdgeX[e], -kEdgeY[e]);
+    const Transport& edge = level.edges[e];
+    ahead[e] = {edge.re[colour].data(), edge.im[colour].data(), edge.sign[colour].data(),
+                level.qr[a.colour].data() + a.offset, level.qi[a.colour].data() + a.offset};
+    behind[e] = {edge.re[b.colour].data() + b.offset, edge.im[b.colour].data() + b.offset,
+                 edge.sign[b.colour].data() + b.offset, level.qr[b.colour].data() + b.offset,
+                 level.qi[b.colour].data() + b.offset};
+  }
+  float* qr = level.qr[colour].data();
+  float* qi = level.qi[colour].data();
+  const float* free = level.free[colour].data();
+  const float* ar = level.ar[colour].empty() ? nullptr : level.ar[colour].data();
+  const float* ai = level.ai[colour].empty() ? nullptr : level.ai[colour].data();
+  parallelFor(run, shape.py, rowGrain(run, shape.py, 8.0 * shape.px), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < shape.px; x += 4) {
+        const std::size_t i = shape.at(x, y);
+        F4 sumRe = ar != nullptr ? load4(ar + i) : splat(0);
+        F4 sumIm = ai != nullptr ? load4(ai + i) : splat(0);
+        for (const Source& s : ahead) {
+          const F4 re = load4(s.re + i);
+          const F4 im = load4(s.im + i);
+          const F4 jr = load4(s.qr + i);
+          const F4 ji = load4(s.qi + i);
+          sumRe = sumRe + load4(s.sign + i) * (re * jr - im * ji);
+          sumIm = sumIm + (re * ji + im * jr);
+        }
+        for (const Source& s : behind) {
+          const F4 sign = load4(s.sign + i);
+          const F4 re = load4(s.re + i);
+          const F4 im = load4(s.im + i);
+          const F4 jr = load4(s.qr + i);
+          const F4 ji = load4(s.qi + i);
+          sumRe = sumRe + (sign * (re * jr) + im * ji);
+          sumIm = sumIm + (re * ji - sign * (im * jr));
+        }
+        const F4 size2 = sumRe * sumRe + sumIm * sumIm;
+        const I4 change = (size2 > splat(kNoPhase * kNoPhase)) & (load4(free + i) > splat(0));
+        const F4 scale = splat(1) / sqrt4(max4(size2, splat(kNoPhase * kNoPhase)));
+        store4(qr + i, select4(change, sumRe * scale, load4(qr + i)));
+        store4(qi + i, select4(change, sumIm * scale, load4(qi + i)));
+      }
+    }
+  });
+}
+
+// Offset from a child's point to its parent's, in child cell sides.
+Vec2f toParent(std::size_t colour) { return {0.5f - static_cast<float>(colourX(colour)), 0.5f - static_cast<float>(colourY(colour))}; }
+
+Vec2f parentOffset(const PhaseLevel& fine, std::size_t colour, int px, int py, const Jitter& jitter) {
+  const Vec2f parent = jitter.at(fine.depth + 1, px, py) * 2.0f;
+  const Vec2f child = jitter.at(fine.depth, 2 * px + colourX(colour), 2 * py + colourY(colour));
+  return toParent(colour) + parent - child;
+}
+
+// Eq. 12. Lines: z-sum of the children. Phases: only those of fixed children matter, a free phase is overwritten by
+// prolongation. The border's wave of soft borders adds up. A parent with a fixed child is fixed.
+PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
+  const bool anchors = !fine.ar[0].empty();
+  PhaseLevel coarse = makeLevel(fine.shape.coarser(), 2 * fine.step, fine.depth + 1, anchors);
+  parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < fine.shape.px; ++x) {
+        const std::size_t child = fine.shape.at(x, y);
+        Vec2f z{};
+        Vec2f any{};
+        for (std::size_t c = 0; c < kColours; ++c) {
+          const Vec2f d = lineAt(fine, c, child);
+          if (isMasked(fine, c, child)) continue;
+          any = d;
+          z = z + Vec2f{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
+        }
+        if (any == Vec2f{}) continue;
+        const std::size_t colour = colourOf(x, y);
+        const std::size_t at = coarse.shape.atCell(x, y);
+        const float size = length(z);
+        Vec2f d = any;
+        if (size > 1e-6f) {
+          z = z * (1 / size);
+          const float cosine = std::sqrt(std::max(0.0f, 0.5f * (1 + z.x)));
+          const float sine = std::sqrt(std::max(0.0f, 0.5f * (1 - z.x)));
+          d = {cosine, z.y < 0 ? -sine : sine};
+          d = d * (1 / length(d));
+        }
+        coarse.dx[colour][at] = d.x;
+        coarse.dy[colour][at] = d.y;
+        Vec2f fixedSum{};
+        Vec2f anchorSum{};
+        bool fixed = false;
+        for (std::size_t c = 0; c < kColours; ++c) {
+          if (isMasked(fine, c, child)) continue;
+          const Vec2f dj = lineAt(fine, c, child);
+          const Vec2f offset = parentOffset(fine, c, x, y, jitter) * fine.step;
+          const float along = std::abs(dot(d, dj));
+          if (fine.free[c][child] == 0) {
+            fixed = true;
+            fixedSum = fixedSum + transported(offset, d, dj, {fine.qr[c][child], fine.qi[c][child]}) * along;
+          }
+          if (anchors) anchorSum = anchorSum + transported(offset, d, dj, {fine.ar[c][child], fine.ai[c][child]}) * along;
+        }
+        const float sum = length(fixedSum);
+        const Vec2f q = sum > kNoPhase ? fixedSum * (1 / sum) : Vec2f{1, 0};
+        coarse.qr[colour][at] = q.x;
+        coarse.qi[colour][at] = q.y;
+        coarse.free[colour][at] = fixed ? 0.0f : 1.0f;
+        if (anchors) {
+          coarse.ar[colour][at] = anchorSum.x;
+          coarse.ai[colour][at] = anchorSum.y;
+        }
+      }
+    }
+  });
+  return coarse;
+}
+
+void prolong(const PhaseLevel& coarse, PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
+  parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < fine.shape.px; ++x) {
+        const std::size_t colour = colourOf(x, y);
+        const std::size_t parent = coarse.shape.atCell(x, y);
+        const std::size_t child = fine.shape.at(x, y);
+        const Vec2f dp = lineAt(coarse, colour, parent);
+        const Vec2f qp{coarse.qr[colour][parent], coarse.qi[colour][parent]};
+        for (std::size_t c = 0; c < kColours; ++c) {
+          if (fine.free[c][child] == 0) continue;
+          const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
+          const Vec2f q = transported(offset, lineAt(fine, c, child), dp, qp);
+          fine.qr[c][child] = q.x;
+          fine.qi[c][child] = q.y;
+        }
+      }
+    }
+  });
+}
+
+// The wave whose first zero lies half a bead inside the border: phase pi (sd/tau + 1/2) along the outward normal.
+Vec2f borderPhase(float distance, float spacing) {
+  const SinCos v = sinCos(kPi * (distance / spacing + 0.5f));
+  return {v.cos, v.sin};
+}
+
+PhaseLevel finestLevel(const LineField& lines, const SignedDistanceField& sdf, const CellConstraints& cells,
+                       const ToolpathParams& params, const Jitter& jitter) {
+  const Grid& grid = lines.grid;
+  const float spacing = static_cast<float>(params.spacing);
+  const bool soft = params.perimeterMode == PerimeterMode::Soft;
+  const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
+  PhaseLevel level = makeLevel(LevelShape(grid.nx, grid.ny), 0.5f * kPi, 0, soft);
+  for (int y = 0; y < grid.ny; ++y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = grid.index(x, y);
+      if (cells.zone[i] == Zone::Masked) continue;
+      const std::size_t colour = colourOf(x, y);
+      const std::size_t at = level.shape.atCell(x, y);
+      const Vec2f d = lines.direction[i];
+      level.dx[colour][at] = d.x;
+      level.dy[colour][at] = d.y;
+      level.free[colour][at] = 1;
+      level.qr[colour][at] = 1;
+      if (cells.zone[i] != Zone::Ring || !(ring || soft)) continue;
+      const Vec2f n = sdf.normal[i];
+      const float along = dot(d, n);
+      Vec2f q = borderPhase(sdf.distance[i], spacing);
+      if (along < 0) q.x = -q.x;  // (d, phi) = (-d, pi - phi)
+      const SinCos move = sinCos(level.step * dot(jitter.at(0, x, y), d));
+      q = multiply({move.cos, move.sin}, q);
+      if (ring) {
+        level.qr[colour][at] = q.x;
+        level.qi[colour][at] = q.y;
+        level.free[colour][at] = 0;
+      } else {
+        const float weight = static_cast<float>(params.borderPull) * std::abs(along);
+        level.ar[colour][at] = weight * q.x;
+        level.ai[colour][at] = weight * q.y;
+      }
+    }
+  }
+  return level;
+}
+
+}  // namespace
+
+float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency) {
+  const float s = dot(di, dj) > 0 ? 1.0f : -1.0f;
+  const float along = phaseJ + 0.5f * frequency * dot(offset, dj + di * s);
+  return s > 0 ? along : kPi - along;  // opposed lines run backwards
+}
+
+Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField& sdf, const CellConstraints& cells,
+                              const ToolpathParams& params, const RunContext& run) {
+  const Jitter jitter(params.seed);
+  std::vector<PhaseLevel> levels;
+  levels.push_back(finestLevel(lines, sdf, cells, params, jitter));
+  while (!levels.back().shape.coarsest()) levels.push_back(restricted(levels.back(), jitter, run));
+  for (std::size_t k = levels.size() - 1; k-- > 0;) {
+    PhaseLevel& level = levels[k];
+    prolong(levels[k + 1], level, jitter, run);
+    levels.pop_back();
+    computeEdges(level, jitter, run);
+    for (int sweep = 0; sweep < params.sweepsPerLevel && !run.cancelled(); ++sweep) {
+      for (std::size_t colour = 0; colour < kColours; ++colour) sweepColour(level, colour, run);
+      if (k == 0) run.report((sweep + 1.0) / params.sweepsPerLevel);
+    }
+  }
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+
+  const PhaseLevel& finest = levels.front();
+  const Grid& grid = lines.grid;
+  SineField field{grid, params.spacing, lines.direction, std::vector<Vec2f>(grid.size())};
+  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 4.0 * grid.nx), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        if (cells.zone[i] == Zone::Masked) continue;
+        const std::size_t colour = colourOf(x, y);
+        const std::size_t at = finest.shape.atCell(x, y);
+        Vec2f q{finest.qr[colour][at], finest.qi[colour][at]};
+        if (params.seed != 0) {  // back from the moved sample point to the cell's centre
+          const SinCos move = sinCos(-finest.step * dot(jitter.at(0, x, y), field.direction[i]));
+          q = multiply({move.cos, move.sin}, q);
+        }
+        field.phase[i] = q;
+      }
+    }
+  });
+  return field;
+}
+
+}  // namespace sillon

@@ -1,1 +1,575 @@
-// placeholder
+// Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from the same samples.
+// Microfacets: Beckmann and Spizzichino 1963, anisotropic as in Heitz 2014, "Understanding the Masking-Shadowing Function".
+#include "sillon/preview.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <new>
+#include <string>
+
+#include "direction_colour.hpp"
+#include "parallel_for.hpp"
+#include "sillon/image_io.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kSamples = 2;      // per pixel and axis
+constexpr int kBandRows = 16;    // pixel rows that one task rasterises and shades
+constexpr float kMaxWidth = 1000;  // [mm], of a bead
+
+constexpr Rgb kBackground{38, 36, 34};  // warm grey, dark enough for both panels
+constexpr Rgb kInk{168, 162, 154};      // ticks of the legend
+
+// ---- layout ----
+
+struct Box {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+struct Layout {
+  int width = 0;
+  int height = 0;
+  Box directions;         // the page in panel 1 [pixels]
+  Box look;               // the page in panel 2
+  double pixelsPerMm = 0;
+  double legendX = 0;     // centre of the half wheel's base
+  double legendY = 0;
+  double legendRadius = 0;
+  double lampX = 0;       // centre of the small disc that shows where the light is
+};
+
+/// \return width 0 if the picture would be beyond the limits.
+Layout layOut(Vec2 page, int panelWidth) {
+  Layout layout;
+  const int margin = std::max(1, panelWidth / 14);
+  const int pageWidth = panelWidth - 2 * margin;
+  layout.pixelsPerMm = pageWidth / page.x;
+  const double exactHeight = page.y * layout.pixelsPerMm;
+  if (!(exactHeight <= kMaxImageSide)) return layout;
+  const int pageHeight = std::max(1, static_cast<int>(std::ceil(exactHeight)));
+  const int footer = std::max(2, panelWidth / 9);  // under each page, with the legend
+  const int panelHeight = margin + pageHeight + footer;
+
+  const auto strangeness = [](double w, double h) { return std::abs(std::log(w / h * 3 / 4)); };
+  const bool stacked = strangeness(panelWidth, 2.0 * panelHeight) < strangeness(2.0 * panelWidth, panelHeight);
+  const std::int64_t width = stacked ? panelWidth : 2 * panelWidth;
+  const std::int64_t height = stacked ? 2 * panelHeight : panelHeight;
+  if (width > kMaxImageSide || height > kMaxImageSide || width * height > kMaxImagePixels) return layout;
+
+  layout.width = static_cast<int>(width);
+  layout.height = static_cast<int>(height);
+  layout.directions = {margin, margin, pageWidth, pageHeight};
+  layout.look = layout.directions;
+  (stacked ? layout.look.y : layout.look.x) += stacked ? panelHeight : panelWidth;
+  layout.legendRadius = footer * 0.42;
+  layout.legendX = margin + layout.legendRadius;
+  layout.legendY = margin + pageHeight + footer * 0.78;
+  layout.lampX = layout.look.x + layout.legendRadius * 0.55;
+  return layout;
+}
+
+// ---- beads ----
+
+/// One bead segment in samples, y down, with what shading needs at both ends.
+struct Bead {
+  Vec2f a, b;
+  float radiusA = 0, radiusB = 0;
+  Vec2f tangentA, tangentB;                // unit, y up
+  float colourA = 0, colourDelta = 0;      // place among the direction colours; change towards b, the short way round
+};
+
+Vec2f unit(Vec2f v) {
+  const float size = length(v);
+  return size > 0 ? v * (1 / size) : Vec2f{1, 0};
+}
+
+/// Mean direction of two pieces at their joint; a piece keeps its own direction at sharp turns.
+Vec2f jointTangent(Vec2f own, Vec2f other) { return dot(own, other) > 0.5f ? unit(own + other) : own; }
+
+/// \param scale  samples per mm.
+std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale) {
+  std::vector<Bead> beads;
+  for (const Cycle& cycle : toolpath.cycles) {
+    const std::size_t count = cycle.points.size();
+    const auto at = [&](std::size_t k) { return cycle.points[k % count]; };
+    const auto sampleAt = [&](std::size_t k) {
+      return Vec2f{static_cast<float>(at(k).x * scale), static_cast<float>((page.y - at(k).y) * scale)};
+    };
+    const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[k % count] * scale / 2); };
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vec2f own = unit(at(k + 1) - at(k));
+      const Vec2f tangentA = jointTangent(own, unit(at(k) - at(k + count - 1)));
+      const Vec2f tangentB = jointTangent(own, unit(at(k + 2) - at(k + 1)));
+      const double colourA = directionColourPlace(tangentA.x, tangentA.y);
+      const double turned = (directionColourPlace(tangentB.x, tangentB.y) - colourA) / kDirectionColours;
+      const double colourDelta = (turned - std::floor(turned + 0.5)) * kDirectionColours;
+      beads.push_back({sampleAt(k), sampleAt(k + 1), radiusAt(k), radiusAt(k + 1), tangentA, tangentB,
+                       static_cast<float>(colourA), static_cast<float>(colourDelta)});
+    }
+  }
+  return beads;
+}
+
+/// Beads by the bands of rows they touch, in order of index, so that ties fall the same way everywhere.
+struct Bands {
+  int rows = 0;                      // sample rows per band
+  std::vector<std::size_t> begin;    // per band, and one more
+  std::vector<std::uint32_t> beads;
+};
+
+Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
+  const int bands = (height + rows - 1) / rows;
+  Bands sorted{rows, std::vector<std::size_t>(static_cast<std::size_t>(bands) + 1, 0), {}};
+  const auto forEachBand = [&](const Bead& bead, const auto& body) {
+    const float reach = std::max(bead.radiusA, bead.radiusB) + 1;
+    const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
+    if (bottom < 0 || top >= static_cast<float>(height)) return;
+    const int first = static_cast<int>(std::max(top, 0.0f)) / rows;
+    const int last = static_cast<int>(std::min(bottom, static_cast<float>(height - 1))) / rows;
+    for (int band = first; band <= last; ++band) body(static_cast<std::size_t>(band));
+  };
+  for (const Bead& bead : beads) forEachBand(bead, [&](std::size_t band) { ++sorted.begin[band + 1]; });
+  for (std::size_t band = 0; band + 1 < sorted.begin.size(); ++band) sorted.begin[band + 1] += sorted.begin[band];
+  sorted.beads.resize(sorted.begin.back());
+  std::vector<std::size_t> next = sorted.begin;
+  for (std::size_t k = 0; k < beads.size(); ++k) {
+    forEachBand(beads[k], [&](std::size_t band) { sorted.beads[next[band]++] = static_cast<std::uint32_t>(k); });
+  }
+  return sorted;
+}
+
+/// What one sample sees: the bead whose axis is nearest in relation to its width.
+struct Hit {
+  float squaredOffset = 1;  // (distance / radius)²; 1: nothing
+  std::uint32_t bead = 0;
+};
+
+/// Share of the way from a to b nearest to p.
+float shareAlong(const Bead& bead, Vec2f p) {
+  const Vec2f d = bead.b - bead.a;
+  const float squared = dot(d, d);
+  return squared > 0 ? std::clamp(dot(p - bead.a, d) / squared, 0.0f, 1.0f) : 0.0f;
+}
+
+/// Rasterises capsules with linearly varying width. \param hits  width * rows samples from sample row `firstRow` on.
+void rasterise(const std::vector<Bead>& beads, const Bands& bands, std::size_t band, int firstRow, int rows, int width,
+               std::vector<Hit>& hits) {
+  hits.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows), {});
+  for (std::size_t k = bands.begin[band]; k < bands.begin[band + 1]; ++k) {
+    const std::uint32_t index = bands.beads[k];
+    const Bead& bead = beads[index];
+    const Vec2f d = bead.b - bead.a;
+    const float squared = dot(d, d);
+    const float perSquared = squared > 0 ? 1 / squared : 0;
+    const float reach = std::max(bead.radiusA, bead.radiusB);
+    const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
+    const int rowBegin = std::max(firstRow, static_cast<int>(std::max(top - 0.5f, 0.0f)));
+    const int rowEnd = std::min(firstRow + rows, static_cast<int>(std::min(bottom, 1e6f)) + 1);
+    for (int row = rowBegin; row < rowEnd; ++row) {
+      const float y = static_cast<float>(row) + 0.5f;
+      // Only the part of the axis within reach of this row can colour it: keeps long slanted beads cheap.
+      float t0 = 0, t1 = 1;
+      if (std::abs(d.y) > 1e-3f) {
+        const float u = (y - reach - bead.a.y) / d.y, v = (y + reach - bead.a.y) / d.y;
+        t0 = std::clamp(std::min(u, v), 0.0f, 1.0f);
+        t1 = std::clamp(std::max(u, v), 0.0f, 1.0f);
+      }
+      const float x0 = bead.a.x + t0 * d.x, x1 = bead.a.x + t1 * d.x;
+      const float left = std::min(x0, x1) - reach, right = std::max(x0, x1) + reach;
+      const int begin = static_cast<int>(std::clamp(left - 0.5f, 0.0f, static_cast<float>(width)));
+      const int end = static_cast<int>(std::clamp(right + 1.5f, 0.0f, static_cast<float>(width)));
+      Hit* line = &hits[static_cast<std::size_t>(row - firstRow) * static_cast<std::size_t>(width)];
+      for (int column = begin; column < end; ++column) {
+        const Vec2f fromA{static_cast<float>(column) + 0.5f - bead.a.x, y - bead.a.y};
+        const float t = std::clamp(dot(fromA, d) * perSquared, 0.0f, 1.0f);
+        const Vec2f off = fromA - d * t;
+        const float radius = bead.radiusA + (bead.radiusB - bead.radiusA) * t;
+        const float offset = dot(off, off);
+        if (offset < line[column].squaredOffset * (radius * radius)) line[column] = {offset / (radius * radius), index};
+      }
+    }
+  }
+}
+
+/// How clearly single beads can be seen: 0 below 1.5 pixels of width, 1 above 3.5. In between their relief fades, which
+/// keeps fine plates free of moiré.
+float reliefOf(const Bead& bead) {
+  const float pixels = (bead.radiusA + bead.radiusB) / kSamples;
+  return std::clamp((pixels - 1.5f) / 2, 0.0f, 1.0f);
+}
+
+// ---- panel 1: directions ----
+
+/// Brightness across a bead: full on its top, dark towards the furrow, with the same mean where beads are too fine to see.
+float furrow(float squaredOffset, float relief) {
+  constexpr float kDepth = 0.78f, kMean = 0.86f;
+  const float t = std::clamp((squaredOffset - 0.3f) / 0.7f, 0.0f, 1.0f);
+  const float shade = 1 - kDepth * t * t * (3 - 2 * t);
+  return kMean + (shade - kMean) * relief;
+}
+
+struct Colour {
+  float red = 0, green = 0, blue = 0;
+
+  friend Colour operator+(Colour a, Colour b) { return {a.red + b.red, a.green + b.green, a.blue + b.blue}; }
+  friend Colour operator*(Colour a, Colour b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
+  friend Colour operator*(Colour a, float s) { return {a.red * s, a.green * s, a.blue * s}; }
+};
+
+Colour asColour(Rgb c) { return {static_cast<float>(c.red), static_cast<float>(c.green), static_cast<float>(c.blue)}; }
+
+Colour directionShade(const Bead& bead, const Hit& hit, float t) {
+  const Rgb colour = directionColourAt(bead.colourA + bead.colourDelta * t);
+  return asColour(colour) * furrow(hit.squaredOffset, reliefOf(bead));
+}
+
+// ---- panel 2: the look ----
+
+// RMS slopes of a glossy blue or grey PLA along and across the bead (measured: 2 to 4 % and 12 to 18 %), rounder and
+// wider so that the picture reads as metal at a glance.
+constexpr float kSlopeAlong = 0.08f;
+constexpr float kSlopeAcross = 0.35f;
+constexpr float kLampSlope = 0.11f;     // the lamp is a softbox, not a point: widens every highlight
+constexpr float kProfileSlope = 0.30f;  // of the bead's round top at its edge, flattened by the nozzle
+constexpr float kRoomSlope = 3.2f;      // the room's reflection is this much wider than the lamp's
+
+constexpr Colour kMetal{0.93f, 0.93f, 0.95f};
+constexpr Colour kLampColour{1.00f, 0.97f, 0.92f};
+constexpr Colour kRoomColour{0.78f, 0.88f, 1.00f};
+
+/// e^-x for x >= 0 as (1 - x/256)^256: within 2 % wherever it matters for a highlight, and the same on every platform.
+float decay(float x) {
+  float v = std::max(0.0f, 1 - x * (1.0f / 256));
+  for (int k = 0; k < 8; ++k) v *= v;
+  return v;
+}
+
+struct Lamp {
+  float x = 0, y = 0, z = 1;  // unit, towards the light
+  float exposure = 1;
+};
+
+/// Exposed so that flat beads lying across the light, seen from above, come out bright but not burnt.
+Lamp lampOf(const PreviewParams& params) {
+  const double azimuth = params.lightAzimuth * kPi / 180, elevation = params.lightElevation * kPi / 180;
+  Lamp lamp{static_cast<float>(std::cos(azimuth) * std::cos(elevation)),
+            static_cast<float>(std::sin(azimuth) * std::cos(elevation)), static_cast<float>(std::sin(elevation)), 1};
+  const float tilt = std::sqrt(lamp.x * lamp.x + lamp.y * lamp.y) / (1 + lamp.z);
+  const float across = kSlopeAcross * kSlopeAcross + kLampSlope * kLampSlope;
+  lamp.exposure = 1 / std::max(0.02f, decay(tilt * tilt / (2 * across)));
+  return lamp;
+}
+
+/// Tilt of the half vector between light and eye against the plate's normal, as slopes along x and y (y up).
+Vec2f halfTilt(const Lamp& lamp, Vec2f eye) {
+  const float size = 1 / std::sqrt(eye.x * eye.x + eye.y * eye.y + 1);
+  return Vec2f{lamp.x + eye.x * size, lamp.y + eye.y * size} * (1 / (lamp.z + size));
+}
+
+/// Light that reaches the eye, linear. \param side  signed offset from the axis in radii, positive to the left of b - a.
+Colour lookShade(const Bead& bead, float t, float side, Vec2f tilt, const Lamp& lamp) {
+  const Vec2f along = unit(bead.tangentA + (bead.tangentB - bead.tangentA) * t);
+  const float relief = reliefOf(bead);
+  const float slope = kProfileSlope * side * relief;
+  const float tiltAlong = dot(tilt, along), tiltAcross = cross(along, tilt) - slope;
+  const float blur = kProfileSlope * kProfileSlope * (1 - relief) / 3;  // profile of beads too fine to see, as roughness
+  const float varianceAlong = kSlopeAlong * kSlopeAlong + kLampSlope * kLampSlope;
+  const float varianceAcross = kSlopeAcross * kSlopeAcross + kLampSlope * kLampSlope + blur;
+  const float exponent =
+      tiltAlong * tiltAlong / (2 * varianceAlong) + tiltAcross * tiltAcross / (2 * varianceAcross);
+  const float highlight = decay(exponent);
+  const float room = decay(exponent / (kRoomSlope * kRoomSlope));
+  const float squared = side * side;
+  const float open = 1 - relief * 0.62f * squared * squared;  // furrows see less of the room
+  return kMetal * (kLampColour * (0.95f * highlight * lamp.exposure) + kRoomColour * (0.20f * room + 0.045f)) * open;
+}
+
+/// sRGB byte of linear light, with a soft shoulder instead of clipping.
+std::uint8_t toneMapped(float linear) {
+  constexpr int kSteps = 4096;
+  static const std::array<std::uint8_t, kSteps + 1> table = [] {
+    std::array<std::uint8_t, kSteps + 1> made{};
+    for (int k = 0; k <= kSteps; ++k) {
+      const double x = 4.0 * k / kSteps * k / kSteps;  // light 0..4, finest steps in the dark
+      const double shown = x * (1 + x / 5.5) / (1 + x * 0.95);
+      const double clamped = std::clamp(shown, 0.0, 1.0);
+      const double encoded = clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1 / 2.4) - 0.055;
+      made[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(encoded * 255));
+    }
+    return made;
+  }();
+  const float place = std::sqrt(std::clamp(linear, 0.0f, 4.0f) / 4) * kSteps;
+  return table[static_cast<std::size_t>(place + 0.5f)];
+}
+
+/// Soft shadow of the plate, by a coarse mask and three box blurs (nearly Gaussian).
+struct Shadow {
+  int cell = 1;        // [pixels]
+  int border = 0;      // cells around the page
+  int width = 0;
+  int height = 0;
+  std::vector<float> dark;  // 0..1
+};
+
+void boxBlur(std::vector<float>& values, int width, int height, int radius) {
+  std::vector<float> line;
+  const auto blurLine = [&](std::size_t start, std::size_t step, int count) {
+    line.resize(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) line[static_cast<std::size_t>(k)] = values[start + step * static_cast<std::size_t>(k)];
+    float sum = 0;
+    for (int k = -radius; k < count + radius; ++k) {
+      if (k + radius < count && k + radius >= 0) sum += line[static_cast<std::size_t>(k + radius)];
+      if (k - radius - 1 >= 0 && k - radius - 1 < count) sum -= line[static_cast<std::size_t>(k - radius - 1)];
+      if (k >= 0 && k < count) {
+        values[start + step * static_cast<std::size_t>(k)] = sum / static_cast<float>(2 * radius + 1);
+      }
+    }
+  };
+  for (int y = 0; y < height; ++y) blurLine(static_cast<std::size_t>(y) * static_cast<std::size_t>(width), 1, width);
+  for (int x = 0; x < width; ++x) blurLine(static_cast<std::size_t>(x), static_cast<std::size_t>(width), height);
+}
+
+Shadow shadowOf(const Toolpath& toolpath, Vec2 page, const Layout& layout) {
+  Shadow shadow;
+  const int panelWidth = layout.look.width;
+  shadow.cell = std::max(1, panelWidth / 400);
+  const int blur = std::max(1, panelWidth / shadow.cell / 70);
+  const int pageWidth = (layout.look.width + shadow.cell - 1) / shadow.cell;
+  const int pageHeight = (layout.look.height + shadow.cell - 1) / shadow.cell;
+  shadow.border = 4 * blur;
+  shadow.width = pageWidth + 2 * shadow.border;
+  shadow.height = pageHeight + 2 * shadow.border;
+  shadow.dark.assign(static_cast<std::size_t>(shadow.width) * static_cast<std::size_t>(shadow.height), 0);
+
+  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm / shadow.cell);
+  const Bands bands = sortIntoBands(beads, pageHeight, pageHeight);
+  std::vector<Hit> hits;
+  rasterise(beads, bands, 0, 0, pageHeight, pageWidth, hits);
+  for (int y = 0; y < pageHeight; ++y) {
+    for (int x = 0; x < pageWidth; ++x) {
+      const Hit& hit = hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x)];
+      const std::size_t to = static_cast<std::size_t>(y + shadow.border) * static_cast<std::size_t>(shadow.width) +
+                             static_cast<std::size_t>(x + shadow.border);
+      shadow.dark[to] = hit.squaredOffset < 1 ? 1.0f : 0.0f;
+    }
+  }
+  for (int pass = 0; pass < 3; ++pass) boxBlur(shadow.dark, shadow.width, shadow.height, blur);
+  return shadow;
+}
+
+/// \param x  pixels from the page's left edge; y from its top. Bilinear.
+float shadowAt(const Shadow& shadow, float x, float y) {
+  const float u = x / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;
+  const float v = y / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;
+  if (!(u >= 0 && v >= 0 && u < static_cast<float>(shadow.width - 1) && v < static_cast<float>(shadow.height - 1))) return 0;
+  const int i = static_cast<int>(u), j = static_cast<int>(v);
+  const float fu = u - static_cast<float>(i), fv = v - static_cast<float>(j);
+  const float* row = &shadow.dark[static_cast<std::size_t>(j) * static_cast<std::size_t>(shadow.width) + static_cast<std::size_t>(i)];
+  const float* below = row + shadow.width;
+  return (row[0] * (1 - fu) + row[1] * fu) * (1 - fv) + (below[0] * (1 - fu) + below[1] * fu) * fv;
+}
+
+// ---- drawing into the picture ----
+
+void put(RgbImage& image, int x, int y, Rgb colour) {
+  std::uint8_t* p = &image.rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3];
+  p[0] = colour.red;
+  p[1] = colour.green;
+  p[2] = colour.blue;
+}
+
+Rgb rounded(Colour c) {
+  const auto byte = [](float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 255.0f) + 0.5f); };
+  return {byte(c.red), byte(c.green), byte(c.blue)};
+}
+
+/// Paints every pixel within `radius` of (cx, cy) by averaging 4 x 4 samples of colourAt(dx, dy), y up.
+template <class ColourAt>
+void paintAround(RgbImage& image, double cx, double cy, double radius, const ColourAt& colourAt) {
+  constexpr int kFine = 4;
+  const int x0 = std::max(0, static_cast<int>(cx - radius)), x1 = std::min(image.width, static_cast<int>(cx + radius) + 2);
+  const int y0 = std::max(0, static_cast<int>(cy - radius)), y1 = std::min(image.height, static_cast<int>(cy + radius) + 2);
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      Colour sum;
+      for (int k = 0; k < kFine * kFine; ++k) {
+        const double dx = x + (k % kFine + 0.5) / kFine - cx, dy = cy - (y + (k / kFine + 0.5) / kFine);
+        sum = sum + asColour(colourAt(dx, dy));
+      }
+      put(image, x, y, rounded(sum * (1.0f / (kFine * kFine))));
+    }
+  }
+}
+
+/// Half wheel: a direction has the colour at its angle. Ticks at 0, 45, 90, 135 and 180 degrees.
+void drawLegend(RgbImage& image, const Layout& layout) {
+  const double radius = layout.legendRadius;
+  const double outer = 0.86 * radius, inner = 0.46 * radius, tick = 0.91 * radius, half = std::max(0.5, radius * 0.008);
+  paintAround(image, layout.legendX, layout.legendY, radius + 1, [&](double dx, double dy) {
+    const double distance = std::sqrt(dx * dx + dy * dy);
+    if (dy >= 0 && distance >= inner && distance <= outer) return directionColourAt(directionColourPlace(dx, dy));
+    if (distance < tick || distance > radius || dy < -half) return kBackground;
+    const double diagonal = std::abs(std::abs(dx) - dy) * std::sqrt(0.5);
+    return std::abs(dy) <= half || std::abs(dx) <= half || diagonal <= half ? kInk : kBackground;
+  });
+}
+
+/// A ring with a dot: where the light stands, seen from above.
+void drawLamp(RgbImage& image, const Layout& layout, const PreviewParams& params) {
+  const double radius = layout.legendRadius * 0.45, half = std::max(0.5, radius * 0.02), dot = radius * 0.16;
+  const double azimuth = params.lightAzimuth * kPi / 180;
+  const double reach = radius * std::cos(params.lightElevation * kPi / 180);
+  const double lampX = reach * std::cos(azimuth), lampY = reach * std::sin(azimuth);
+  paintAround(image, layout.lampX, layout.legendY - radius, radius + dot + 2, [&](double dx, double dy) {
+    const double toLamp = (dx - lampX) * (dx - lampX) + (dy - lampY) * (dy - lampY);
+    if (toLamp <= dot * dot) return Rgb{255, 236, 200};
+    return std::abs(std::sqrt(dx * dx + dy * dy) - radius) <= half ? kInk : kBackground;
+  });
+}
+
+/// Everything the bands read.
+struct Scene {
+  const Layout& layout;
+  const std::vector<Bead>& beads;
+  const Bands& bands;
+  const Shadow& shadow;
+  Lamp lamp;
+};
+
+/// Background of the look panel: darker where the plate stands between it and the light.
+Colour shadowed(const Scene& scene, int x, int y) {
+  const float away = static_cast<float>(scene.layout.look.width) / 90;  // the shadow falls away from the light
+  const float sx = static_cast<float>(x) + 0.5f + scene.lamp.x * away, sy = static_cast<float>(y) + 0.5f - scene.lamp.y * away;
+  return asColour(kBackground) * (1 - 0.72f * shadowAt(scene.shadow, sx, sy));
+}
+
+/// Both panels of the page, rows of one band.
+void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
+  const Layout& layout = scene.layout;
+  const int pageWidth = layout.directions.width, pageHeight = layout.directions.height;
+  const int top = static_cast<int>(band) * kBandRows;
+  const int rows = std::min(kBandRows, pageHeight - top);
+  const int width = pageWidth * kSamples;
+  std::vector<Hit> hits;
+  rasterise(scene.beads, scene.bands, band, top * kSamples, rows * kSamples, width, hits);
+
+  // The eye looks straight down from 2.4 page widths: highlights move across the plate as they do in the hand.
+  const float perEye = 1 / (2.4f * static_cast<float>(std::max(pageWidth, pageHeight)));
+  constexpr float kShare = 1.0f / (kSamples * kSamples);
+  for (int y = top; y < top + rows; ++y) {
+    for (int x = 0; x < pageWidth; ++x) {
+      const Vec2f eye{(static_cast<float>(pageWidth) / 2 - static_cast<float>(x)) * perEye,
+                      (static_cast<float>(y) - static_cast<float>(pageHeight) / 2) * perEye};
+      const Vec2f tilt = halfTilt(scene.lamp, eye);
+      Colour direction, look;
+      int covered = 0;
+      for (int k = 0; k < kSamples * kSamples; ++k) {
+        const int column = x * kSamples + k % kSamples, row = y * kSamples + k / kSamples;
+        const Hit& hit = hits[static_cast<std::size_t>(row - top * kSamples) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(column)];
+        if (!(hit.squaredOffset < 1)) continue;
+        ++covered;
+        const Bead& bead = scene.beads[hit.bead];
+        const Vec2f p{static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f};
+        const float t = shareAlong(bead, p);
+        const float left = cross(bead.b - bead.a, p - bead.a) < 0 ? 1.0f : -1.0f;  // samples run y down
+        direction = direction + directionShade(bead, hit, t);
+        look = look + lookShade(bead, t, left * std::sqrt(hit.squaredOffset), tilt, scene.lamp);
+      }
+      const float empty = static_cast<float>(kSamples * kSamples - covered) * kShare;
+      put(image, layout.directions.x + x, layout.directions.y + y,
+          rounded(direction * kShare + asColour(kBackground) * empty));
+      // Mixed after tone mapping: edges stay smooth against the dark page.
+      Colour shown = shadowed(scene, x, y) * empty;
+      if (covered > 0) {
+        const Colour mean = look * (1 / static_cast<float>(covered));
+        const Rgb plate{toneMapped(mean.red), toneMapped(mean.green), toneMapped(mean.blue)};
+        shown = shown + asColour(plate) * (1 - empty);
+      }
+      put(image, layout.look.x + x, layout.look.y + y, rounded(shown));
+    }
+  }
+}
+
+/// Background, with the plate's shadow around the page of the look panel.
+void drawBackground(const Scene& scene, RgbImage& image) {
+  const Layout& layout = scene.layout;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) put(image, x, y, kBackground);
+  }
+  const int reach = scene.shadow.border * scene.shadow.cell + layout.look.width / 90;
+  const int x0 = std::max(0, layout.look.x - reach), x1 = std::min(image.width, layout.look.x + layout.look.width + reach);
+  const int y0 = std::max(0, layout.look.y - reach), y1 = std::min(image.height, layout.look.y + layout.look.height + reach);
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      put(image, x, y, rounded(shadowed(scene, x - layout.look.x, y - layout.look.y)));
+    }
+  }
+}
+
+std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& params) {
+  const auto within = [](double v, double low, double high) { return v >= low && v <= high; };
+  if (!within(params.width, 16, 16384)) {
+    return "preview width is " + std::to_string(params.width) + " pixels; it must be 16 to 16384";
+  }
+  if (!within(params.lightElevation, 1, 90)) return "light elevation is outside its range of 1 to 90 degrees";
+  if (!within(params.lightAzimuth, -36000, 36000)) return "light azimuth is outside its range of -36000 to 36000 degrees";
+  if (!within(page.x, 1e-3, 1e5) || !within(page.y, 1e-3, 1e5)) return "page is outside its range of 0.001 to 100000 mm per side";
+  for (const Cycle& cycle : toolpath.cycles) {
+    if (cycle.widths.size() != cycle.points.size()) return "toolpath has a cycle with " + std::to_string(cycle.points.size()) +
+        " points and " + std::to_string(cycle.widths.size()) + " widths; there must be as many";
+    for (const Vec2f p : cycle.points) {
+      if (!within(p.x, -1e5, 1e5) || !within(p.y, -1e5, 1e5)) return "toolpath has a point outside -100000 to 100000 mm";
+    }
+    for (const float width : cycle.widths) {
+      if (!within(width, 0, kMaxWidth)) return "toolpath has a bead width outside 0 to 1000 mm";
+    }
+  }
+  return "";
+}
+
+Result<RgbImage> renderChecked(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run) {
+  const Layout layout = layOut(page, params.width);
+  if (layout.width == 0) {
+    return Error{ErrorCode::TooLarge, "preview of panels " + std::to_string(params.width) + " pixels wide would be beyond " +
+                                          std::to_string(kMaxImageSide) + " pixels per side or 100 million in all; choose fewer"};
+  }
+  RgbImage image{layout.width, layout.height, {}};
+  image.rgb.resize(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3);
+
+  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples);
+  const Bands bands = sortIntoBands(beads, layout.directions.height * kSamples, kBandRows * kSamples);
+  const Shadow shadow = shadowOf(toolpath, page, layout);
+  const Scene scene{layout, beads, bands, shadow, lampOf(params)};
+
+  drawBackground(scene, image);
+  drawLegend(image, layout);
+  drawLamp(image, layout, params);
+  parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
+    for (int band = begin; band < end; ++band) drawBand(scene, static_cast<std::size_t>(band), image);
+  });
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "preview was cancelled"};
+  return image;
+}
+
+}  // namespace
+
+Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run) {
+  if (const std::string defect = defectOf(toolpath, page, params); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, defect};
+  }
+  try {
+    return renderChecked(toolpath, page, params, run);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::TooLarge, "preview needs more memory than there is; choose a smaller width"};
+  }
+}
+
+}  // namespace sillon

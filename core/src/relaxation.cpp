@@ -1,1 +1,115 @@
-// placeholder
+#include "sillon/relaxation.hpp"
+
+#include <algorithm>
+
+#include "curves.hpp"
+#include "neighbour_gaps.hpp"
+#include "parallel_for.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kCap = 1.5f;       ///< gaps wider than this count as this [tau]
+constexpr float kMaxMove = 0.15f;  ///< per round [tau]
+constexpr int kAttempts = 8;
+
+int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
+
+// The move of every point: towards the wider side, smoothed along the path with (1, 2, 4, 2, 1) / 10.
+std::vector<Vec2f> movesOf(const ClosedCurves& curves, const NeighbourGaps& gaps, float spacing, const RunContext& run) {
+  std::vector<Vec2f> raw(curves.points.size());
+  std::vector<Vec2f> moves(curves.points.size());
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    parallelFor(run, n, 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const std::size_t i = static_cast<std::size_t>(first + k);
+        const Vec2f tangent = tangentAt(curves, c, first + k);
+        const float move = std::clamp(0.25f * (gaps.left[i] - gaps.right[i]), -kMaxMove * spacing, kMaxMove * spacing);
+        raw[i] = Vec2f{-tangent.y, tangent.x} * move;
+      }
+    });
+    parallelFor(run, n, 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const auto at = [&](int offset) { return raw[static_cast<std::size_t>(first + wrapped(k + offset, n))]; };
+        moves[static_cast<std::size_t>(first + k)] = (at(-2) + at(2) + (at(-1) + at(1)) * 2.0f + at(0) * 4.0f) * 0.1f;
+      }
+    });
+  }
+  return moves;
+}
+
+// Moves and smooths, both scaled per point by `share`.
+ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, const std::vector<float>& share,
+                   float smoothing, const RunContext& run) {
+  ClosedCurves out = curves;
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    const auto at = [&](int k) {
+      const std::size_t i = static_cast<std::size_t>(first + wrapped(k, n));
+      return curves.points[i] + moves[i] * share[i];
+    };
+    parallelFor(run, n, 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const std::size_t i = static_cast<std::size_t>(first + k);
+        const Vec2f p = at(k);
+        out.points[i] = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (smoothing * share[i]);
+      }
+    });
+  }
+  return out;
+}
+
+// Scales `share` by `factor` around the points of `before` that lie where `after` crosses itself.
+void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vector<std::pair<int, int>>& crossings,
+          int reach, float factor, std::vector<float>& share) {
+  const std::vector<std::int32_t> curveOf = curveOfPoints(after);
+  std::vector<char> marked(share.size(), 0);
+  for (const auto& [a, b] : crossings) {
+    for (const int point : {a, b}) {
+      const int c = curveOf[static_cast<std::size_t>(point)];
+      const int n = before.size(c);
+      const int first = before.begin[static_cast<std::size_t>(c)];
+      // Equal arc steps: the same share of the way round is the same place, as the lengths hardly differ.
+      const double part = static_cast<double>(point - after.begin[static_cast<std::size_t>(c)]) / after.size(c);
+      const int middle = static_cast<int>(part * n);
+      for (int k = -std::min(reach, n / 2); k <= std::min(reach, n / 2); ++k) {
+        marked[static_cast<std::size_t>(first + wrapped(middle + k, n))] = 1;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    if (marked[k]) share[k] *= factor;
+  }
+}
+
+}  // namespace
+
+Result<ClosedCurves> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
+                                  const RunContext& run) {
+  const float spacing = static_cast<float>(params.spacing);
+  const float step = 0.25f * spacing;
+  const float smoothing = static_cast<float>(params.relaxationSmoothing);
+  ClosedCurves path = resampled(curves, step);
+  for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
+    const NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
+    const std::vector<Vec2f> moves = movesOf(path, gaps, spacing, run);
+    std::vector<float> share(path.points.size(), 1.0f);
+    for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
+      ClosedCurves next = resampled(moved(path, moves, share, smoothing, run), step);
+      const auto crossings = findCrossings(next, run);
+      if (crossings.empty()) {
+        path = std::move(next);
+        break;
+      }
+      damp(path, next, crossings, 8 << attempt, attempt < 3 ? 0.5f : 0.0f, share);
+    }
+    run.report((round + 1.0) / params.relaxationRounds);
+  }
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return path;
+}
+
+}  // namespace sillon

@@ -1,1 +1,108 @@
-// placeholder
+// The report as JSON text. Numbers have fixed decimals and come from integers: the same bytes on every platform.
+#include "sillon/report.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "sillon/version.hpp"
+#include "text.hpp"
+
+namespace sillon {
+namespace {
+
+/// Fixed decimals, or null: JSON has no NaN.
+std::string number(double value, int decimals) { return std::abs(value) < 1e12 ? fixed(value, decimals) : "null"; }
+
+std::string inQuotes(std::string_view text) {
+  constexpr char kHex[] = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20) {
+      out += std::string("\\u00") + kHex[byte >> 4] + kHex[byte & 15];
+    } else {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+/// An object with one member per line; members are JSON texts.
+class Object {
+ public:
+  explicit Object(std::string indent) : indent_(std::move(indent)) {}
+
+  void add(std::string_view key, const std::string& value) {
+    body_ += (body_.empty() ? "\n" : ",\n") + indent_ + "  " + inQuotes(key) + ": " + value;
+  }
+  void add(std::string_view key, std::int64_t value) { add(key, std::to_string(value)); }
+  void add(std::string_view key, double value, int decimals) { add(key, number(value, decimals)); }
+  [[nodiscard]] std::string text() const { return "{" + body_ + "\n" + indent_ + "}"; }
+
+ private:
+  std::string indent_;
+  std::string body_;
+};
+
+std::string widthJson(const WidthMeasures& width) {
+  Object object("  ");
+  object.add("p01", width.p01, 4);
+  object.add("median", width.median, 4);
+  object.add("p99", width.p99, 4);
+  object.add("belowHalf", width.belowHalf, 5);
+  object.add("clamped", width.clamped, 5);
+  return object.text();
+}
+
+std::string timeJson(const std::vector<StageTime>& stages) {
+  Object object("  ");
+  double total = 0;
+  for (const StageTime& stage : stages) {
+    object.add(stage.stage, stage.seconds, 4);
+    total += stage.seconds;
+  }
+  object.add("total", total, 4);
+  return object.text();
+}
+
+std::int64_t pointCount(const Toolpath& toolpath) {
+  std::int64_t count = 0;
+  for (const Cycle& cycle : toolpath.cycles) count += static_cast<std::int64_t>(cycle.points.size());
+  return count;
+}
+
+}  // namespace
+
+std::string reportJson(const Plate& plate, const Measures& measures, int threads, std::int64_t peakBytes) {
+  Object report("");
+  report.add("version", inQuotes(kVersion));
+  report.add("spacing", plate.toolpath.spacing, 4);
+  report.add("grid", "[" + std::to_string(plate.nx) + ", " + std::to_string(plate.ny) + "]");
+  report.add("parts", plate.parts);
+  report.add("cycles", plate.contourCycles);
+  report.add("toolpaths", static_cast<std::int64_t>(plate.toolpath.cycles.size()));
+  report.add("points", pointCount(plate.toolpath));
+  report.add("lengthMm", measures.lengthMm, 3);
+  report.add("alignment", measures.alignment, 4);
+  report.add("alignmentInterior", measures.alignmentInterior, 4);
+  report.add("alignmentConstrained", measures.alignmentConstrained, 4);
+  report.add("coverage", measures.coverage, 3);
+  report.add("overlap", measures.overlap, 3);
+  report.add("spill", measures.spill, 3);
+  report.add("uTurns", measures.uTurns);
+  report.add("kinks", measures.kinks);
+  report.add("crossings", measures.crossings);
+  report.add("width", widthJson(measures.width));
+  report.add("fillRatio", measures.fillRatio, 4);
+  report.add("lostAreaMm2", measures.lostAreaMm2, 4);
+  report.add("longestJointMm", plate.longestJointMm, 4);
+  report.add("time", timeJson(plate.time));
+  report.add("peakBytes", peakBytes);
+  report.add("threads", static_cast<std::int64_t>(threads));
+  report.add("digest", inQuotes(measures.digest));
+  return report.text() + "\n";
+}
+
+}  // namespace sillon

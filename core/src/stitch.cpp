@@ -1,1 +1,407 @@
-// placeholder
+#include "sillon/stitch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+#include "curves.hpp"
+#include "parallel_for.hpp"
+#include "point_grid.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kSpan = 4;               ///< segments taken out of each curve: one spacing, so two beads fit side by side
+constexpr float kFirstReach = 1.8f;    ///< how far apart joined pieces may lie at first [tau]
+constexpr float kLengthCost = 0.65f;   ///< cost of a mm of added length
+constexpr float kGapCost = 8;          ///< cost of a mm outside the shape: only where nothing else joins
+constexpr int kMaxRounds = 40;
+
+struct Candidate {
+  float cost;
+  int i;  ///< middle of the piece of one curve
+  int j;  ///< of the other
+};
+
+// The state of the curves while they are being joined.
+class Joining {
+ public:
+  Joining(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border, const ToolpathParams& params)
+      : curves_(curves),
+        lines_(lines),
+        border_(border),
+        spacing_(static_cast<float>(params.spacing)),
+        bridge_(static_cast<float>(params.bridge.value_or(params.spacing))),
+        alignmentCost_(static_cast<float>(params.stitchAlignment)),
+        curveOf_(curveOfPoints(curves)),
+        next_(curves.points.size()),
+        used_(curves.points.size(), 0),
+        root_(static_cast<std::size_t>(curves.count())) {
+    for (int c = 0; c < curves.count(); ++c) {
+      for (int k = 0; k < curves.size(c); ++k) {
+        const int point = curves.begin[static_cast<std::size_t>(c)] + k;
+        next_[static_cast<std::size_t>(point)] = nextOf(curves, c, point);
+      }
+    }
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  [[nodiscard]] int curveOf(int point) const { return curveOf_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] int setOf(int curve) {
+    while (root_[static_cast<std::size_t>(curve)] != curve) {
+      int& up = root_[static_cast<std::size_t>(curve)];
+      up = root_[static_cast<std::size_t>(up)];
+      curve = up;
+    }
+    return curve;
+  }
+  [[nodiscard]] bool used(int point) const { return used_[static_cast<std::size_t>(point)] != 0; }
+
+  // What joining the pieces around i and j costs; curves run in opposite senses, so the edges cross over.
+  [[nodiscard]] float cost(int i, int j) const {
+    const Piece a = pieceAround(i);
+    const Piece b = pieceAround(j);
+    const float gap = length(at(a.begin) - at(b.end)) + length(at(b.begin) - at(a.end));
+    const float added = gap - a.length - b.length;
+    const float misaligned = misalignment(at(a.begin), at(b.end)) + misalignment(at(b.begin), at(a.end)) -
+                             misalignment(a) - misalignment(b);
+    return kLengthCost * added + alignmentCost_ * misaligned;
+  }
+
+  // Joins if nothing stands against it.
+  bool join(const Candidate& candidate, const PointGrid& grid) {
+    const int si = setOf(curveOf(candidate.i));
+    const int sj = setOf(curveOf(candidate.j));
+    if (si == sj) return false;
+    const Piece a = pieceAround(candidate.i);
+    const Piece b = pieceAround(candidate.j);
+    if (touchesUsed(a) || touchesUsed(b)) return false;
+    const Edge e{a.begin, b.end};
+    const Edge f{b.begin, a.end};
+    if (leavesShape(e) || leavesShape(f)) return false;
+    if (meet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
+    markUsed(a);
+    markUsed(b);  // taken out, so that the new edges may pass over them
+    if (meetsLiveEdge(e, f, grid) || meetsLiveEdge(f, e, grid)) {
+      unmark(a);
+      unmark(b);
+      return false;
+    }
+    next_[static_cast<std::size_t>(e.from)] = e.to;
+    next_[static_cast<std::size_t>(f.from)] = f.to;
+    for (const Edge& edge : {e, f}) {
+      addJoint(edge);
+      longest_ = std::max(longest_, length(at(edge.from) - at(edge.to)));
+    }
+    root_[static_cast<std::size_t>(std::max(si, sj))] = std::min(si, sj);
+    return true;
+  }
+
+  [[nodiscard]] Stitched result() {
+    Stitched out;
+    std::vector<char> done(static_cast<std::size_t>(curves_.count()), 0);
+    for (int c = 0; c < curves_.count(); ++c) {
+      const int set = setOf(c);
+      if (done[static_cast<std::size_t>(set)]) continue;
+      done[static_cast<std::size_t>(set)] = 1;
+      // Begin at a point that is still part of the path.
+      int start = curves_.begin[static_cast<std::size_t>(c)];
+      while (start < curves_.begin[static_cast<std::size_t>(c) + 1] && inner(start)) ++start;
+      out.curves.begin.push_back(static_cast<int>(out.curves.points.size()));
+      int k = start;
+      do {
+        out.curves.points.push_back(at(k));
+        k = next_[static_cast<std::size_t>(k)];
+      } while (k != start);
+    }
+    out.curves.begin.push_back(static_cast<int>(out.curves.points.size()));
+    out.longestJoint = static_cast<double>(longest_);
+    return out;
+  }
+
+  [[nodiscard]] Vec2f at(int point) const { return curves_.points[static_cast<std::size_t>(point)]; }
+
+ private:
+  struct Piece {
+    int begin;
+    int end;
+    int segments;
+    float length;
+  };
+  struct Edge {
+    int from;
+    int to;
+  };
+  enum : char { kFree = 0, kEnd = 1, kInner = 2 };
+
+  [[nodiscard]] bool inner(int point) const { return used_[static_cast<std::size_t>(point)] == kInner; }
+
+  [[nodiscard]] Piece pieceAround(int point) const {
+    const int curve = curveOf(point);
+    const int first = curves_.begin[static_cast<std::size_t>(curve)];
+    const int n = curves_.size(curve);
+    const int span = std::min(kSpan, n / 2);
+    const int begin = first + (point - first - span / 2 + n) % n;
+    const int end = first + (begin - first + span) % n;
+    Piece piece{begin, end, span, 0};
+    forSegments(piece, [&](int a, int b) { piece.length += length(at(a) - at(b)); });
+    return piece;
+  }
+
+  template <class Visit>
+  void forSegments(const Piece& piece, const Visit& visit) const {
+    const int curve = curveOf(piece.begin);
+    int a = piece.begin;
+    for (int k = 0; k < piece.segments; ++k) {
+      const int b = nextOf(curves_, curve, a);
+      visit(a, b);
+      a = b;
+    }
+  }
+
+  // Length times sin² of the angle to the wanted bead: the part of it along d.
+  [[nodiscard]] float misalignment(Vec2f a, Vec2f b) const {
+    const Vec2f e = b - a;
+    const float size = length(e);
+    if (size <= 0) return 0;
+    const Grid& grid = lines_.grid;
+    const double x = (0.5 * static_cast<double>(a.x + b.x) - grid.origin.x) / grid.cell;
+    const double y = (0.5 * static_cast<double>(a.y + b.y) - grid.origin.y) / grid.cell;
+    const int cx = std::clamp(static_cast<int>(x), 0, grid.nx - 1);
+    const int cy = std::clamp(static_cast<int>(y), 0, grid.ny - 1);
+    const float across = dot(e, lines_.direction[grid.index(cx, cy)]);
+    return across * across / size;
+  }
+  [[nodiscard]] float misalignment(const Piece& piece) const {
+    float sum = 0;
+    forSegments(piece, [&](int a, int b) { sum += misalignment(at(a), at(b)); });
+    return sum;
+  }
+
+  [[nodiscard]] bool touchesUsed(const Piece& piece) const {
+    bool touches = used(piece.begin);
+    forSegments(piece, [&](int, int b) { touches = touches || used(b); });
+    return touches;
+  }
+  void markUsed(const Piece& piece) {
+    forSegments(piece, [&](int, int b) { used_[static_cast<std::size_t>(b)] = kInner; });
+    used_[static_cast<std::size_t>(piece.begin)] = kEnd;
+    used_[static_cast<std::size_t>(piece.end)] = kEnd;
+  }
+  void unmark(const Piece& piece) {
+    used_[static_cast<std::size_t>(piece.begin)] = kFree;
+    forSegments(piece, [&](int, int b) { used_[static_cast<std::size_t>(b)] = kFree; });
+  }
+
+  // An edge of a curve is live unless it was taken out with a piece.
+  [[nodiscard]] bool live(int point) const {
+    const int next = nextOf(curves_, curveOf(point), point);
+    return next_[static_cast<std::size_t>(point)] == next && !inner(point) && !inner(next) &&
+           !(used(point) && used(next) && takenOut(point, next));
+  }
+  // Both ends of a piece of one segment are ends; the edge between them is out once the piece's begin was redirected.
+  [[nodiscard]] bool takenOut(int point, int next) const { return next_[static_cast<std::size_t>(point)] != next; }
+
+  // Strictly or touching; shared end points are excluded by the callers.
+  static bool meet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) {
+    const auto side = [](Vec2f p, Vec2f q, Vec2f r) {
+      return (static_cast<double>(q.x) - static_cast<double>(p.x)) * (static_cast<double>(r.y) - static_cast<double>(p.y)) -
+             (static_cast<double>(q.y) - static_cast<double>(p.y)) * (static_cast<double>(r.x) - static_cast<double>(p.x));
+    };
+    const double abc = side(a, b, c);
+    const double abd = side(a, b, d);
+    const double cda = side(c, d, a);
+    const double cdb = side(c, d, b);
+    return ((abc >= 0) != (abd > 0) || abc == 0 || abd == 0) && ((cda >= 0) != (cdb > 0) || cda == 0 || cdb == 0) &&
+           std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
+           std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
+  }
+
+  [[nodiscard]] bool meetsLiveEdge(const Edge& edge, const Edge& sibling, const PointGrid& grid) const {
+    const Vec2f a = at(edge.from);
+    const Vec2f b = at(edge.to);
+    const Vec2f middle = (a + b) * 0.5f;
+    // Points sit tau/4 apart, so an edge that meets ours begins within this reach.
+    const float reach = 0.5f * length(b - a) + 0.5f * spacing_;
+    bool meets = false;
+    grid.around(middle, reach, [&](int begin, int end) {
+      for (int k = begin; k < end && !meets; ++k) {
+        const int p = grid.id[static_cast<std::size_t>(k)];
+        const int q = nextOf(curves_, curveOf(p), p);
+        if (p == edge.from || p == edge.to || q == edge.from || q == edge.to || !live(p)) continue;
+        meets = meet(a, b, at(p), at(q));
+      }
+    });
+    if (meets) return true;
+    const auto key = jointCell(middle);
+    const int cells = static_cast<int>(length(b - a) / jointCellSize()) + 1;
+    for (int dy = -cells; dy <= cells; ++dy) {
+      for (int dx = -cells; dx <= cells; ++dx) {
+        const auto found = joints_.find(packed(key.first + dx, key.second + dy));
+        if (found == joints_.end()) continue;
+        for (const Edge& other : found->second) {
+          if (other.from == sibling.from && other.to == sibling.to) continue;
+          if (meet(a, b, at(other.from), at(other.to))) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // How much of the edge lies outside the shape, by samples tau/16 apart, against the gap that may be bridged.
+  [[nodiscard]] bool leavesShape(const Edge& edge) const {
+    const Vec2 a{static_cast<double>(at(edge.from).x), static_cast<double>(at(edge.from).y)};
+    const Vec2 b{static_cast<double>(at(edge.to).x), static_cast<double>(at(edge.to).y)};
+    const double size = length(b - a);
+    const int samples = static_cast<int>(size / (static_cast<double>(spacing_) / 16)) + 1;
+    int outside = 0;
+    for (int k = 1; k < samples; ++k) {
+      const Vec2 p = a + (b - a) * (static_cast<double>(k) / samples);
+      if (static_cast<double>(border_.blockDistance(p)) > static_cast<double>(spacing_)) continue;
+      outside += border_.nearest(p).distance > 0 ? 1 : 0;
+    }
+    return outside > 0 && outside * size / samples > static_cast<double>(bridge_) * 1.05;
+  }
+
+  [[nodiscard]] float jointCellSize() const { return 2 * spacing_; }
+  [[nodiscard]] std::pair<int, int> jointCell(Vec2f p) const {
+    return {static_cast<int>(std::floor(p.x / jointCellSize())), static_cast<int>(std::floor(p.y / jointCellSize()))};
+  }
+  static std::uint64_t packed(int x, int y) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
+  }
+  // Registered in every cell it may pass, so that a search around any edge finds it.
+  void addJoint(const Edge& edge) {
+    const Vec2f a = at(edge.from);
+    const Vec2f b = at(edge.to);
+    const int steps = static_cast<int>(length(b - a) / (0.5f * jointCellSize())) + 1;
+    std::pair<int, int> last{INT32_MIN, INT32_MIN};
+    for (int k = 0; k <= steps; ++k) {
+      const auto key = jointCell(a + (b - a) * (static_cast<float>(k) / static_cast<float>(steps)));
+      if (key != last) joints_[packed(key.first, key.second)].push_back(edge);
+      last = key;
+    }
+  }
+
+  const ClosedCurves& curves_;
+  const LineField& lines_;
+  const BorderIndex& border_;
+  float spacing_;
+  float bridge_;
+  float alignmentCost_;
+  std::vector<std::int32_t> curveOf_;
+  std::vector<int> next_;
+  std::vector<char> used_;
+  std::vector<int> root_;
+  std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;
+  float longest_ = 0;
+};
+
+int partOf(const Parts& parts, Vec2f p) {
+  const Grid& grid = parts.grid;
+  const int x = std::clamp(static_cast<int>((static_cast<double>(p.x) - grid.origin.x) / grid.cell), 0, grid.nx - 1);
+  const int y = std::clamp(static_cast<int>((static_cast<double>(p.y) - grid.origin.y) / grid.cell), 0, grid.ny - 1);
+  return parts.label[grid.index(x, y)];
+}
+
+// For each point asked for, the nearest point of another set within reach on either side, as a candidate.
+std::vector<Candidate> findCandidates(Joining& joining, const PointGrid& grid, const ClosedCurves& curves,
+                                      const std::vector<int>& setOfCurve, const std::vector<int>& partOfCurve,
+                                      const std::vector<char>& wanted, int stride, float reach, const RunContext& run) {
+  const int count = static_cast<int>(curves.points.size());
+  constexpr int kGrain = 4096;
+  std::vector<std::vector<Candidate>> found(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
+  const Joining& state = joining;
+  parallelFor(run, count, kGrain, [&](int begin, int end) {
+    std::vector<Candidate>& out = found[static_cast<std::size_t>(begin / kGrain)];
+    for (int i = begin; i < end; ++i) {
+      const int curve = state.curveOf(i);
+      const std::size_t c = static_cast<std::size_t>(curve);
+      if (!wanted[c] || (i - curves.begin[c]) % stride != 0 || state.used(i)) continue;
+      const Vec2f p = state.at(i);
+      const Vec2f along = state.at(nextOf(curves, curve, i)) - p;
+      float best[2] = {reach * reach, reach * reach};
+      int bestPoint[2] = {-1, -1};
+      grid.around(p, reach, [&](int first, int last) {
+        for (int k = first; k < last; ++k) {
+          const std::size_t s = static_cast<std::size_t>(k);
+          const Vec2f to{grid.x[s] - p.x, grid.y[s] - p.y};
+          const float distance = dot(to, to);
+          const std::size_t side = cross(along, to) > 0 ? 1 : 0;
+          if (distance > best[side]) continue;
+          const int j = grid.id[s];
+          const std::size_t other = static_cast<std::size_t>(state.curveOf(j));
+          if (setOfCurve[other] == setOfCurve[c] || partOfCurve[other] != partOfCurve[c] || state.used(j)) continue;
+          if (distance == best[side] && bestPoint[side] >= 0 && j > bestPoint[side]) continue;
+          best[side] = distance;
+          bestPoint[side] = j;
+        }
+      });
+      for (const int j : bestPoint) {
+        if (j >= 0) out.push_back({state.cost(i, j), i, j});
+      }
+    }
+  });
+  std::vector<Candidate> candidates;
+  for (const std::vector<Candidate>& part : found) candidates.insert(candidates.end(), part.begin(), part.end());
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.cost != b.cost ? a.cost < b.cost : (a.i != b.i ? a.i < b.i : a.j < b.j);
+  });
+  return candidates;
+}
+
+}  // namespace
+
+Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                              const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+  const float spacing = static_cast<float>(params.spacing);
+  Joining joining(curves, lines, border, params);
+  const std::size_t count = static_cast<std::size_t>(curves.count());
+  std::vector<int> partOfCurve(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    partOfCurve[c] = partOf(parts, curves.points[static_cast<std::size_t>(curves.begin[c])]);
+  }
+
+  const PointGrid grid(curves.points, spacing, run);
+  float reach = kFirstReach * spacing;
+  const float diagonal = static_cast<float>(length(Vec2{parts.grid.nx * parts.grid.cell, parts.grid.ny * parts.grid.cell}));
+  std::vector<int> setOfCurve(count);
+  for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
+    // All sets of a part but its largest look for others; the first time all points do, with a coarser step.
+    std::vector<int> pointsOfSet(count, 0);
+    std::vector<int> setsOfPart(static_cast<std::size_t>(*std::max_element(parts.label.begin(), parts.label.end())) + 1, 0);
+    for (std::size_t c = 0; c < count; ++c) {
+      setOfCurve[c] = joining.setOf(static_cast<int>(c));
+      pointsOfSet[static_cast<std::size_t>(setOfCurve[c])] += curves.size(static_cast<int>(c));
+      if (setOfCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0) ++setsOfPart[static_cast<std::size_t>(partOfCurve[c])];
+    }
+    std::vector<int> largest(setsOfPart.size(), -1);
+    for (std::size_t c = 0; c < count; ++c) {
+      if (partOfCurve[c] < 0 || setOfCurve[c] != static_cast<int>(c)) continue;
+      int& top = largest[static_cast<std::size_t>(partOfCurve[c])];
+      if (top < 0 || pointsOfSet[c] > pointsOfSet[static_cast<std::size_t>(top)]) top = static_cast<int>(c);
+    }
+    std::vector<char> wanted(count, 0);
+    bool any = false;
+    for (std::size_t c = 0; c < count; ++c) {
+      if (partOfCurve[c] < 0 || setsOfPart[static_cast<std::size_t>(partOfCurve[c])] < 2) continue;
+      wanted[c] = setOfCurve[c] != largest[static_cast<std::size_t>(partOfCurve[c])] ? 1 : 0;
+      any = any || wanted[c];
+    }
+    if (!any) break;
+    const std::vector<Candidate> candidates = findCandidates(joining, grid, curves, setOfCurve, partOfCurve, wanted,
+                                                             round == 0 ? 2 : 1, reach, run);
+    int joined = 0;
+    for (const Candidate& candidate : candidates) joined += joining.join(candidate, grid) ? 1 : 0;
+    if (joined == 0) {
+      if (reach > diagonal) break;
+      reach *= 2;
+    }
+  }
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return joining.result();
+}
+
+}  // namespace sillon

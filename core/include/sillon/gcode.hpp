@@ -35,11 +35,12 @@ struct Printer {
   double firstLayerSpeed = 20;
   double travelSpeed = 120;
   double acceleration = 1000;
+  double machineAcceleration = 0;        ///< put back at the end; 0: `acceleration` is only estimated with, not set
   double cornerSpeed = 5;                ///< Klipper's square corner velocity; Marlin's jerk is twice this
   double maxFlow = 10;                   ///< [mm³/s]
   double maxSegmentsPerSecond = 300;
-  double pressureAdvance = 0.04;         ///< [s]; bounds the change of width along the path, is written only if setPressureAdvance
-  bool setPressureAdvance = false;
+  double pressureAdvance = 0.04;         ///< [s]; bounds the change of width along the path
+  bool setPressureAdvance = false;       ///< write it, and 0 at the end; else the printer's own stays
   double retractLength = 0.8;
   double retractSpeed = 35;
   double lift = 0.4;
@@ -49,7 +50,7 @@ struct Printer {
 struct PrintParams {
   int layers = 1;                        ///< oriented layers, 1..1000
   int base = 2;                          ///< hatched layers below, 0..1000
-  int skirt = 1;                         ///< loops around the plate, 0..20
+  int skirt = 1;                         ///< loops around the plate, 0..20; without one a purge line primes
   double layerHeight = 0.2;              ///< 0.05..0.8 nozzle
   double firstLayerHeight = 0;           ///< 0: same as layerHeight
   double flow = 0.95;                    ///< of oriented layers, (0, 2]

@@ -11,7 +11,7 @@
 namespace sillon {
 
 struct PreviewParams {
-  int width = 1600;            ///< of one panel [pixels], 16..16384; the height follows the page
+  int width = 1600;            ///< of one panel with its margins [pixels], 16..16384; the height follows the page
   double lightAzimuth = 60;    ///< of the light in the look panel, degrees counter-clockwise from +x
   double lightElevation = 35;  ///< degrees above the plate, 1..90
 };
@@ -22,8 +22,9 @@ struct RgbImage {
   std::vector<std::uint8_t> rgb;  ///< row 0 on top
 };
 
-/// Both panels side by side (stacked for wide pages): directions with legend, then the look: an anisotropic microfacet
-/// lobe (Beckmann) along each bead plus the bead's round profile.
+/// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then the look: an anisotropic
+/// microfacet lobe (Beckmann) along each bead plus the bead's round profile. The look is made for the eye, not measured.
+/// \param page  [mm]. \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million) or Cancelled.
 Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -1,0 +1,33 @@
+// Alignment of the local waves (Sec. 5.2, Eq. 6-12).
+#pragma once
+
+#include <vector>
+
+#include "sillon/line_field.hpp"
+#include "sillon/params.hpp"
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+#include "sillon/sdf.hpp"
+
+namespace sillon {
+
+/// One wave per cell: sin(pi/tau (x - p) . d + phi) around the cell's centre p (Eq. 6); (d, phi) = (-d, pi - phi).
+/// Phases are kept as unit numbers q = e^{i phi}. Masked cells have d = q = 0.
+struct SineField {
+  Grid grid;
+  double spacing = 0;            ///< tau; a period of 2 tau holds two beads
+  std::vector<Vec2f> direction;  ///< d, unit
+  std::vector<Vec2f> phase;      ///< q, unit
+};
+
+/// Phase of i [rad, not wrapped] that lays its wave over that of j: Eq. 8 at the midpoint, which is second order where
+/// the published form, which takes only the line of j, is first order.
+/// \param offset  p_i - p_j [mm]. \param frequency  pi/tau [rad/mm].
+float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency);
+
+/// Aligns all waves over the hierarchy. In mode Count the ring's phase is fixed so that the first bead lies half a bead
+/// inside the border; in mode Soft the border's wave joins the sum of ring cells as one more neighbour.
+Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField& sdf, const CellConstraints& cells,
+                              const ToolpathParams& params, const RunContext& run);
+
+}  // namespace sillon

@@ -1,0 +1,19 @@
+// The finished toolpath: rounded to what is written, without points that say nothing.
+#pragma once
+
+#include <vector>
+
+#include "sillon/params.hpp"
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// Rounds to 1 µm and leaves out points whose position and width follow from those kept within
+/// `simplifyTolerance` (segments stay below 2 mm, so that widths and speeds can follow). Where that would make the path
+/// meet itself, the points stay.
+Result<Toolpath> finishToolpath(const ClosedCurves& curves, const std::vector<float>& widths,
+                                const ToolpathParams& params, const RunContext& run);
+
+}  // namespace sillon

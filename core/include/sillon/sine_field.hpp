@@ -1,0 +1,19 @@
+// The scalar field whose zeros are the beads (Sec. 5.4, Eq. 13).
+#pragma once
+
+#include <vector>
+
+#include "sillon/phase_field.hpp"
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+
+namespace sillon {
+
+/// Values of the field on the node lattice of its grid (nodeLattice), row-major: the Gaussian mean (sigma = tau/3, cells
+/// within two and a half) of the waves, in [-1, 1]. Within tau/2 of the border the ramp 2 sd/tau + 1, outside 1, so that
+/// all contours close inside the shape.
+/// \param nodeDistance  signed distance on the same lattice [mm], exact where >= -tau/2.
+Result<std::vector<float>> evaluateSineField(const SineField& field, const std::vector<float>& nodeDistance,
+                                             const RunContext& run);
+
+}  // namespace sillon

@@ -1,0 +1,27 @@
+// Joins the contour's cycles into one per connected part (Sec. 5.5, Eq. 14, Alg. 2).
+#pragma once
+
+#include "sillon/line_field.hpp"
+#include "sillon/params.hpp"
+#include "sillon/parts.hpp"
+#include "sillon/result.hpp"
+#include "sillon/run_context.hpp"
+#include "sillon/sdf.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+struct Stitched {
+  ClosedCurves curves;       ///< in order of their parts' lowest cells
+  double longestJoint = 0;   ///< [mm]
+};
+
+/// Joins two curves by taking a piece about one spacing long out of each and closing the gap with two new edges. All
+/// places where different curves run side by side are candidates; they are taken in order of cost (a minimal spanning
+/// tree: n log n), unless a new edge meets another, leaves the shape by more than `bridge`, or touches a used piece.
+/// The cost is 0.65 times the added length (Eq. 14) plus `stitchAlignment` times the misaligned length added.
+/// \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
+Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                              const Parts& parts, const ToolpathParams& params, const RunContext& run);
+
+}  // namespace sillon

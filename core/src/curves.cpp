@@ -1,0 +1,174 @@
+#include "curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "parallel_for.hpp"
+
+namespace sillon {
+namespace {
+
+struct Point64 {
+  std::int64_t x;
+  std::int64_t y;
+  friend bool operator==(const Point64&, const Point64&) = default;
+};
+
+Point64 rounded(Vec2f p) {
+  return {std::llround(static_cast<double>(p.x) * 1000), std::llround(static_cast<double>(p.y) * 1000)};
+}
+
+int side(Point64 a, Point64 b, Point64 c) {
+  const std::int64_t v = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return v > 0 ? 1 : (v < 0 ? -1 : 0);
+}
+
+bool between(std::int64_t a, std::int64_t b, std::int64_t v) { return v >= std::min(a, b) && v <= std::max(a, b); }
+
+bool onSegment(Point64 a, Point64 b, Point64 p) { return between(a.x, b.x, p.x) && between(a.y, b.y, p.y); }
+
+bool sharePoint(Point64 a, Point64 b, Point64 c, Point64 d) {
+  const int abc = side(a, b, c);
+  const int abd = side(a, b, d);
+  const int cda = side(c, d, a);
+  const int cdb = side(c, d, b);
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return (abc == 0 && onSegment(a, b, c)) || (abd == 0 && onSegment(a, b, d)) || (cda == 0 && onSegment(c, d, a)) ||
+         (cdb == 0 && onSegment(c, d, b));
+}
+
+struct Segment {
+  Point64 a;
+  Point64 b;
+  int id;        ///< of its first point
+  int previous;  ///< id of the segment before it on its curve, among those that do not vanish
+};
+
+std::vector<Segment> segmentsOf(const ClosedCurves& curves) {
+  std::vector<Segment> segments;
+  segments.reserve(curves.points.size());
+  for (int c = 0; c < curves.count(); ++c) {
+    const std::size_t first = segments.size();
+    for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
+      const Point64 a = rounded(curves.points[static_cast<std::size_t>(k)]);
+      const Point64 b = rounded(curves.points[static_cast<std::size_t>(nextOf(curves, c, k))]);
+      if (a == b) continue;
+      segments.push_back({a, b, k, segments.size() > first ? segments.back().id : -1});
+    }
+    if (segments.size() > first) segments[first].previous = segments.back().id;
+  }
+  return segments;
+}
+
+}  // namespace
+
+ClosedCurves resampled(const ClosedCurves& curves, float step) {
+  ClosedCurves out;
+  out.points.reserve(curves.points.size());
+  std::vector<double> along;
+  for (int c = 0; c < curves.count(); ++c) {
+    out.begin.push_back(static_cast<int>(out.points.size()));
+    const Vec2f* p = curves.points.data() + curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    along.assign(1, 0);
+    for (int k = 0; k < n; ++k) along.push_back(along.back() + static_cast<double>(length(p[k + 1 < n ? k + 1 : 0] - p[k])));
+    const int count = std::max(kMinPoints, static_cast<int>(along.back() / static_cast<double>(step) + 0.5));
+    int k = 0;
+    for (int s = 0; s < count; ++s) {
+      const double at = along.back() * s / count;
+      while (k + 1 < n && along[static_cast<std::size_t>(k) + 1] <= at) ++k;
+      const double size = along[static_cast<std::size_t>(k) + 1] - along[static_cast<std::size_t>(k)];
+      const float t = size > 0 ? static_cast<float>((at - along[static_cast<std::size_t>(k)]) / size) : 0.0f;
+      out.points.push_back(p[k] + (p[k + 1 < n ? k + 1 : 0] - p[k]) * t);
+    }
+  }
+  out.begin.push_back(static_cast<int>(out.points.size()));
+  return out;
+}
+
+std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves) {
+  std::vector<std::int32_t> curve(curves.points.size());
+  for (int c = 0; c < curves.count(); ++c) {
+    std::fill(curve.begin() + curves.begin[static_cast<std::size_t>(c)],
+              curve.begin() + curves.begin[static_cast<std::size_t>(c) + 1], c);
+  }
+  return curve;
+}
+
+std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run) {
+  const std::vector<Segment> segments = segmentsOf(curves);
+  if (segments.empty()) return {};
+  Point64 low = segments.front().a;
+  Point64 high = low;
+  double total = 0;
+  for (const Segment& s : segments) {
+    low = {std::min(low.x, s.a.x), std::min(low.y, s.a.y)};
+    high = {std::max(high.x, s.a.x), std::max(high.y, s.a.y)};
+    total += std::hypot(static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y));
+  }
+  // Cells about two mean segments wide, and not many more cells than segments.
+  const double area = (static_cast<double>(high.x - low.x) + 1) * (static_cast<double>(high.y - low.y) + 1);
+  const double mean = total / static_cast<double>(segments.size());
+  const std::int64_t cell = std::max<std::int64_t>(
+      1, static_cast<std::int64_t>(std::max(2 * mean, std::sqrt(area / (4.0 * static_cast<double>(segments.size()))))));
+  const int nx = static_cast<int>((high.x - low.x) / cell) + 1;
+  const int ny = static_cast<int>((high.y - low.y) / cell) + 1;
+
+  // The cells a segment passes, row by row: exact within a row by the slope, widened by a cell's rounding.
+  const auto forCells = [&](const Segment& s, const auto& visit) {
+    const int y0 = static_cast<int>((std::min(s.a.y, s.b.y) - low.y) / cell);
+    const int y1 = static_cast<int>((std::max(s.a.y, s.b.y) - low.y) / cell);
+    for (int y = y0; y <= y1; ++y) {
+      double x0 = static_cast<double>(std::min(s.a.x, s.b.x));
+      double x1 = static_cast<double>(std::max(s.a.x, s.b.x));
+      if (y0 != y1) {
+        const double slope = static_cast<double>(s.b.x - s.a.x) / static_cast<double>(s.b.y - s.a.y);
+        const double bottom = static_cast<double>(low.y + y * cell);
+        const double u = static_cast<double>(s.a.x) + (bottom - static_cast<double>(s.a.y)) * slope;
+        const double v = u + static_cast<double>(cell) * slope;
+        x0 = std::max(x0, std::min(u, v) - 1);
+        x1 = std::min(x1, std::max(u, v) + 1);
+      }
+      const int c0 = std::max(0, static_cast<int>((x0 - static_cast<double>(low.x)) / static_cast<double>(cell)));
+      const int c1 = std::min(nx - 1, static_cast<int>((x1 - static_cast<double>(low.x)) / static_cast<double>(cell)));
+      for (int x = c0; x <= c1; ++x) visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
+    }
+  };
+  std::vector<int> begin(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) + 1, 0);
+  for (const Segment& s : segments) forCells(s, [&](std::size_t k) { ++begin[k + 1]; });
+  for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<int> entries(static_cast<std::size_t>(begin.back()));
+  {
+    std::vector<int> next(begin.begin(), begin.end() - 1);
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      forCells(segments[k], [&](std::size_t at) { entries[static_cast<std::size_t>(next[at]++)] = static_cast<int>(k); });
+    }
+  }
+
+  std::vector<std::pair<int, int>> crossings;
+  std::mutex mutex;
+  parallelFor(run, ny, rowGrain(run, ny, 20.0 * nx), [&](int beginRow, int endRow) {
+    std::vector<std::pair<int, int>> found;
+    const std::size_t firstCell = static_cast<std::size_t>(beginRow) * static_cast<std::size_t>(nx);
+    const std::size_t lastCell = static_cast<std::size_t>(endRow) * static_cast<std::size_t>(nx);
+    for (std::size_t at = firstCell; at < lastCell; ++at) {
+      for (int i = begin[at]; i < begin[at + 1]; ++i) {
+        const Segment& s = segments[static_cast<std::size_t>(entries[static_cast<std::size_t>(i)])];
+        for (int j = i + 1; j < begin[at + 1]; ++j) {
+          const Segment& t = segments[static_cast<std::size_t>(entries[static_cast<std::size_t>(j)])];
+          if (t.previous == s.id || s.previous == t.id || !sharePoint(s.a, s.b, t.a, t.b)) continue;
+          found.emplace_back(std::min(s.id, t.id), std::max(s.id, t.id));
+        }
+      }
+    }
+    if (found.empty()) return;
+    const std::lock_guard lock(mutex);
+    crossings.insert(crossings.end(), found.begin(), found.end());
+  });
+  std::sort(crossings.begin(), crossings.end());
+  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  return crossings;
+}
+
+}  // namespace sillon

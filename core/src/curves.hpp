@@ -1,0 +1,30 @@
+// Small tools on closed curves: resampling and exact crossings.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sillon/run_context.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// The same curves with points at equal arc lengths of about `step`, at least `kMinPoints` each; the first point stays.
+ClosedCurves resampled(const ClosedCurves& curves, float step);
+inline constexpr int kMinPoints = 6;
+
+/// Index of the curve that holds each point.
+std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves);
+
+/// Index of the next point along its curve.
+inline int nextOf(const ClosedCurves& curves, int curve, int point) {
+  const std::size_t c = static_cast<std::size_t>(curve);
+  return point + 1 == curves.begin[c + 1] ? curves.begin[c] : point + 1;
+}
+
+/// All pairs of non-consecutive segments that share a point, exact on coordinates rounded to 1 µm, each pair once in
+/// ascending order. A segment is named by its first point. Segments that vanish in rounding are passed over.
+std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run);
+
+}  // namespace sillon

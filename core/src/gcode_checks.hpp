@@ -1,0 +1,15 @@
+// Ranges of everything G-code export is given.
+#pragma once
+
+#include <optional>
+
+#include "sillon/gcode.hpp"
+
+namespace sillon {
+
+/// What can be judged number by number, before anything is placed: text, ranges, finite coordinates and widths.
+/// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles).
+std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+                                     const PrintParams& params);
+
+}  // namespace sillon

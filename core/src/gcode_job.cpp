@@ -1,0 +1,305 @@
+#include "gcode_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base_layers.hpp"
+#include "gcode_checks.hpp"
+#include "text.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kMinWidth = 0.6;          // [nozzle], thinner beads tear
+constexpr double kMaxWidth = 1.6;          // [nozzle], wider beads do not reach their sides
+constexpr double kMinFlowSpeed = 5;        // [mm/s], slower than this the hot end is the wrong one
+constexpr double kOutsideTolerance = 0.1;  // [mm]
+constexpr double kEdge = 5;                // [mm] from the bed's edge to the purge line
+constexpr double kPurgeLength = 60;        // [mm]
+constexpr double kSlack = 1e-6;            // [mm], widths and points are floats
+constexpr double kMinHatch = 0.9;          // [area of the shape]
+constexpr double kMinArea = 1e-6;          // [mm²], less is rounding
+
+std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
+
+PointUm rounded(Vec2 p) { return {std::llround(p.x * 1000), std::llround(p.y * 1000)}; }
+
+// Where the page's origin lies on the bed, on the grid of the file, so that the path keeps its own rounding.
+PointUm placement(const Bounds& box, const Printer& printer, const PrintParams& params) {
+  if (params.place) return rounded(*params.place);
+  return rounded(0.5 * (printer.bedMin + printer.bedMax) - 0.5 * (box.min + box.max));
+}
+
+BeadPath placed(const Polyline& line, PointUm offset, double width, bool closed) {
+  BeadPath path;
+  path.closed = closed;
+  for (const Vec2 p : line) {
+    const PointUm point = rounded(p) + offset;
+    if (path.points.empty() || path.points.back() != point) path.points.push_back(point);
+  }
+  path.widths.assign(path.points.size(), width);
+  return path;
+}
+
+double lengthMm(PointUm d) { return length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000; }
+
+// The cycles on the bed: equal vertices merged, widths held between the limits. Counts what was held.
+std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, double nozzle, GcodeJob& job,
+                                 double& beadArea) {
+  const double low = kMinWidth * nozzle;
+  const double high = kMaxWidth * nozzle;
+  double total = 0;
+  beadArea = 0;
+  for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
+    const Cycle& cycle = toolpath.cycles[c];
+    BeadPath path;
+    path.closed = true;
+    path.points.reserve(cycle.points.size() + 1);
+    path.widths.reserve(cycle.points.size() + 1);
+    std::vector<bool> held;
+    held.reserve(cycle.points.size() + 1);
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+      const PointUm point = rounded({cycle.points[i].x, cycle.points[i].y}) + offset;
+      if (!path.points.empty() && path.points.back() == point) continue;
+      const double width = cycle.widths[i];
+      path.points.push_back(point);
+      path.widths.push_back(std::clamp(width, low, high));
+      held.push_back(width < low - 1e-6 || width > high + 1e-6);  // widths are floats, limits are not
+    }
+    while (path.points.size() > 1 && path.points.back() == path.points.front()) {
+      path.points.pop_back();
+      path.widths.pop_back();
+    }
+    const std::size_t count = path.points.size();
+    if (count < 3) {
+      return invalid("cycle " + std::to_string(c) + " (from 0) has " + std::to_string(count) +
+                     " different points at 0.001 mm; it must have at least 3");
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = i + 1 < count ? i + 1 : 0;
+      const double piece = lengthMm(path.points[next] - path.points[i]);
+      total += piece;
+      beadArea += piece * (path.widths[i] + path.widths[next]) / 2;
+      job.clampedMm += piece / 2 * (static_cast<int>(held[i]) + static_cast<int>(held[next]));
+    }
+    job.cycles.push_back(std::move(path));
+  }
+  if (job.clampedMm > 0.01 * total) {
+    job.warnings.push_back(fixed(100 * job.clampedMm / total, 1) + " % of the path is printed with a width held at " +
+                           decimal(low, 3) + " or " + decimal(high, 3) + " mm (0.6 and 1.6 nozzle)");
+  }
+  return std::nullopt;
+}
+
+// Beads with half their width to every side [mm].
+void addBeads(Bounds& box, const BeadPath& path) {
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Vec2 p{static_cast<double>(path.points[i].x) / 1000, static_cast<double>(path.points[i].y) / 1000};
+    const Vec2 half{path.widths[i] / 2, path.widths[i] / 2};
+    box.add(p - half);
+    box.add(p + half);
+  }
+}
+
+bool fits(const Bounds& box, const Printer& printer) {
+  return box.min.x >= printer.bedMin.x - kSlack && box.min.y >= printer.bedMin.y - kSlack &&
+         box.max.x <= printer.bedMax.x + kSlack && box.max.y <= printer.bedMax.y + kSlack;
+}
+
+std::optional<Error> checkFit(const Bounds& box, const Printer& printer) {
+  if (fits(box, printer)) return std::nullopt;
+  std::string sides;
+  const auto add = [&](double overhang, const char* side) {
+    if (overhang <= kSlack) return;
+    sides += (sides.empty() ? "" : ", ") + fixed(std::max(overhang, 0.001), 3) + " mm " + side;
+  };
+  add(printer.bedMin.x - box.min.x, "on the left");
+  add(box.max.x - printer.bedMax.x, "on the right");
+  add(printer.bedMin.y - box.min.y, "in front");
+  add(box.max.y - printer.bedMax.y, "at the back");
+  return Error{ErrorCode::DoesNotFit, "the plate of " + fixed(box.size().x, 1) + " x " + fixed(box.size().y, 1) +
+                                          " mm reaches over the edge of the bed by " + sides};
+}
+
+// The hot end must melt the widest bead at a speed worth printing.
+std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  double widest = 0;
+  for (const BeadPath& path : job.cycles) {
+    for (const double width : path.widths) widest = std::max(widest, width);
+  }
+  const double height = std::max(params.layerHeight, firstLayerHeight(params));
+  double area = params.flow * height * widest;
+  if (params.base > 0 || params.skirt > 0) area = std::max(area, params.baseFlow * height * printer.nozzle);
+  if (printer.maxFlow >= kMinFlowSpeed * area) return std::nullopt;
+  return invalid("maxFlow is " + decimal(printer.maxFlow, 3) + " mm3/s; beads of " + decimal(area, 4) +
+                 " mm2 need at least " + decimal(kMinFlowSpeed * area, 3) + " to print at 5 mm/s");
+}
+
+// The shape along horizontal lines, fine enough to measure its area and to tell what lies outside.
+struct Scan {
+  std::vector<std::vector<Interval>> rows;
+  double firstY = 0;
+  double step = 0;
+  double area = 0;
+};
+
+Scan scan(const Shape& shape, const Bounds& box) {
+  Scan result;
+  const int count = std::clamp(static_cast<int>(box.size().y / 0.05), 1, 4000);
+  result.step = box.size().y / count;
+  result.firstY = box.min.y + result.step / 2;
+  if (!(result.step > 0)) return result;
+  result.rows = insideIntervals(shape, result.firstY, result.step, count);
+  for (const std::vector<Interval>& row : result.rows) {
+    for (const Interval& piece : row) result.area += (piece.end - piece.begin) * result.step;
+  }
+  return result;
+}
+
+bool rowHolds(const std::vector<Interval>& row, double x) {
+  const auto after = std::upper_bound(row.begin(), row.end(), x + kOutsideTolerance,
+                                      [](double value, const Interval& piece) { return value < piece.begin; });
+  return after != row.begin() && std::prev(after)->end >= x - kOutsideTolerance;
+}
+
+std::int64_t countOutside(const Toolpath& toolpath, const Scan& scan) {
+  const auto last = static_cast<double>(scan.rows.size()) - 1;
+  const auto holds = [&](double row, double x) {
+    return row >= 0 && row <= last && rowHolds(scan.rows[static_cast<std::size_t>(row)], x);
+  };
+  std::int64_t outside = 0;
+  for (const Cycle& cycle : toolpath.cycles) {
+    for (const Vec2f p : cycle.points) {
+      const double at = (static_cast<double>(p.y) - scan.firstY) / scan.step;
+      const double reach = kOutsideTolerance / scan.step;
+      bool found = holds(std::floor(at), p.x);  // nearly always
+      for (double row = std::floor(at - reach); !found && row <= std::ceil(at + reach); ++row) found = holds(row, p.x);
+      if (!found) ++outside;
+    }
+  }
+  return outside;
+}
+
+// A straight line near the front or the left edge, if the plate leaves room there: nothing else would prime the nozzle.
+void addPurgeLine(GcodeJob& job, const Bounds& box, const Printer& printer) {
+  const double width = printer.nozzle;
+  const double gap = width / 2 + 2;
+  const Vec2 corner = printer.bedMin + Vec2{kEdge, kEdge};
+  const Vec2 room = printer.bedMax - printer.bedMin - Vec2{2 * kEdge, 2 * kEdge};
+  if (box.min.y > corner.y + gap && room.x >= 10) {
+    job.skirt.push_back(placed({corner, corner + Vec2{std::min(kPurgeLength, room.x), 0}}, {}, width, false));
+  } else if (box.min.x > corner.x + gap && room.y >= 10) {
+    job.skirt.push_back(placed({corner, corner + Vec2{0, std::min(kPurgeLength, room.y)}}, {}, width, false));
+  } else {
+    job.warnings.emplace_back(
+        "the plate leaves no room for a purge line; the nozzle is not primed before the first bead");
+  }
+}
+
+void addSkirt(GcodeJob& job, const Bounds& box, const Printer& printer, int loops) {
+  for (const Polyline& loop : skirtLoops(box, printer.nozzle, loops)) {
+    job.skirt.push_back(placed(loop, {}, printer.nozzle, true));
+  }
+  Bounds outer;
+  for (const BeadPath& loop : job.skirt) addBeads(outer, loop);
+  if (!outer.empty() && !fits(outer, printer)) {
+    job.skirt.clear();
+    job.warnings.emplace_back("the skirt does not fit the bed and was left out");
+  }
+  if (job.skirt.empty()) addPurgeLine(job, box, printer);
+}
+
+// A base layer that is missing somewhere leaves the layers above it hanging in the air there.
+std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double area, PointUm offset,
+                                   const Printer& printer, int base) {
+  double least = 1;
+  for (std::size_t k = 0; k < job.hatches.size() && static_cast<int>(k) < base; ++k) {
+    double covered = 0;
+    for (const Polyline& line : hatchLines(shape, printer.nozzle, k % 2 == 1)) {
+      BeadPath path = placed(line, offset, printer.nozzle, false);
+      if (path.points.size() < 2) continue;
+      for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+        covered += printer.nozzle * lengthMm(path.points[i + 1] - path.points[i]);
+      }
+      job.hatches[k].push_back(std::move(path));
+    }
+    least = std::min(least, covered / area);
+  }
+  if (base > 0 && least <= 0) {
+    return invalid("base is " + std::to_string(base) + ", but the shape is too thin for lines of " +
+                   decimal(printer.nozzle, 3) + " mm; it must be 0 here");
+  }
+  if (least < kMinHatch) {
+    job.warnings.push_back("the base layers cover only " + fixed(100 * least, 0) +
+                           " % of the shape; what is thinner than their lines has nothing below it");
+  }
+  return std::nullopt;
+}
+
+void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  const double d = printer.filamentDiameter;
+  if (std::abs(d - 1.75) > 0.1 && std::abs(d - 2.85) > 0.15) {
+    job.warnings.push_back("filamentDiameter is " + decimal(d, 3) + " mm; filament is sold with 1.75 and 2.85");
+  }
+  if (params.layerHeight < 0.2 * printer.nozzle) {
+    job.warnings.push_back("layerHeight is " + decimal(params.layerHeight, 3) + " mm; below 0.2 nozzle layers tear");
+  }
+  const auto unusualFlow = [&](const char* name, double flow) {
+    if (flow >= 0.8 && flow <= 1.1) return;
+    job.warnings.push_back(std::string(name) + " is " + decimal(flow, 3) + "; usual are 0.8 to 1.1");
+  };
+  unusualFlow("flow", params.flow);
+  unusualFlow("baseFlow", params.baseFlow);
+  std::int64_t flat = 0;
+  for (const BeadPath& path : job.cycles) {
+    flat += std::count_if(path.widths.begin(), path.widths.end(), [&](double w) { return w <= params.layerHeight; });
+  }
+  if (flat > 0) {
+    job.warnings.push_back(std::to_string(flat) + " points have beads no wider than the layer is high (" +
+                           decimal(params.layerHeight, 3) + " mm)");
+  }
+  if (job.fillRatio < 0.97 || job.fillRatio > 1.05) {
+    job.warnings.push_back("the beads cover " + fixed(100 * job.fillRatio, 1) +
+                           " % of the shape's area; 97 to 105 print well");
+  }
+  if (printer.setPressureAdvance) {
+    job.warnings.emplace_back(
+        "pressure advance is 0 after the print, until the printer restarts or another file sets it");
+  }
+}
+
+}  // namespace
+
+Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+                                 const PrintParams& params) {
+  if (auto error = checkGcodeInput(toolpath, shape, printer, params)) return *error;
+  const Bounds shapeBox = bounds(shape);
+  if (shapeBox.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+
+  GcodeJob job;
+  job.spacing = toolpath.spacing;
+  job.plate = shapeBox.size();
+  const PointUm offset = placement(shapeBox, printer, params);
+  double beadArea = 0;
+  if (auto error = placeCycles(toolpath, offset, printer.nozzle, job, beadArea)) return *error;
+  const Vec2 shift{static_cast<double>(offset.x) / 1000, static_cast<double>(offset.y) / 1000};
+  Bounds box{shapeBox.min + shift, shapeBox.max + shift};
+  for (const BeadPath& path : job.cycles) addBeads(box, path);
+  if (auto error = checkFit(box, printer)) return *error;
+  if (auto error = checkFlow(job, printer, params)) return *error;
+
+  const Scan inside = scan(shape, shapeBox);
+  if (!(inside.area > kMinArea))
+    return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
+  job.fillRatio = beadArea / inside.area;
+  if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
+    job.warnings.push_back(std::to_string(outside) + " points of the path lie more than 0.1 mm outside the shape");
+  }
+  if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params.base)) return *error;
+  addSkirt(job, box, printer, params.skirt);
+  addWarnings(job, printer, params);
+  return job;
+}
+
+}  // namespace sillon

@@ -1,0 +1,222 @@
+#include "motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sillon {
+namespace {
+
+// Segments per second are averaged over half of a small firmware's buffer of 16 moves: a single short segment between
+// long ones does no harm.
+constexpr std::size_t kSegmentWindow = 8;
+constexpr double kSlopeShare = 0.75;          // of the slope at which pressure advance would pull filament back
+constexpr double kRounding = 1e-6;            // [mm/s], so that 14.9999999 is 15
+constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed are not worth a visible step
+constexpr double kKlipperExtruderCorner = 1;  // [mm/s of filament], instantaneous_corner_velocity
+constexpr double kMarlinExtruderJerk = 5;     // [mm/s of filament], DEFAULT_EJERK
+
+void order(const BeadPath& path, std::size_t start, Motion& motion) {
+  const std::size_t count = path.points.size();
+  const std::size_t total = path.closed ? count + 1 : count;
+  motion.points.resize(total);
+  motion.widths.resize(total);
+  for (std::size_t i = 0; i < total; ++i) {
+    std::size_t k = start + i;
+    if (k >= count) k -= count;
+    motion.points[i] = path.points[k];
+    motion.widths[i] = path.widths[k];
+  }
+  motion.lengths.resize(total - 1);
+  for (std::size_t i = 0; i + 1 < total; ++i) {
+    const PointUm d = motion.points[i + 1] - motion.points[i];
+    motion.lengths[i] = length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000;
+  }
+}
+
+// Highest speed per segment such that no window of kSegmentWindow segments passes faster than the limit.
+std::vector<double> segmentSpeeds(Motion& motion, const MotionLimits& limits) {
+  const std::vector<double>& lengths = motion.lengths;
+  std::vector<double> speeds(lengths.size(), limits.speed);
+  double window = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    // Summed anew now and then, so that rounding cannot pile up over a long path.
+    if (i % 1024 == 0) {
+      window = 0;
+      for (std::size_t k = i < kSegmentWindow ? 0 : i - kSegmentWindow; k < i; ++k) window += lengths[k];
+    }
+    window += lengths[i];
+    if (i >= kSegmentWindow) window -= lengths[i - kSegmentWindow];
+    if (i + 1 < kSegmentWindow) continue;
+    const double speed = limits.maxSegmentsPerSecond * window / static_cast<double>(kSegmentWindow);
+    if (speed >= limits.speed) continue;
+    for (std::size_t k = i + 1 - kSegmentWindow; k <= i; ++k) speeds[k] = std::min(speeds[k], speed);
+  }
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    if (speeds[i] < limits.speed) motion.segmentSlowedMm += lengths[i];
+  }
+  return speeds;
+}
+
+// Where the two envelopes differ the widths become a blend of both, one per stretch, chosen to keep the volume there.
+void blend(Motion& motion, const std::vector<double>& low, const std::vector<double>& high, bool closed) {
+  const std::size_t segments = motion.lengths.size();
+  const std::size_t count = closed ? segments : segments + 1;
+  std::vector<double>& widths = motion.widths;
+  // A closed path is walked from a smooth vertex on, so that no stretch is cut by the seam.
+  std::size_t first = 0;
+  while (closed && first < count && low[first] < high[first]) ++first;
+  const auto at = [&](std::size_t k) { return first + k < count ? first + k : (first + k) % count; };
+  for (std::size_t begin = 0; begin < count; ++begin) {
+    double wanted = 0;
+    double room = 0;
+    std::size_t end = begin;
+    for (; end < count && low[at(end)] < high[at(end)]; ++end) {
+      const std::size_t i = at(end);
+      const double before = i > 0 ? motion.lengths[i - 1] : closed ? motion.lengths[segments - 1] : 0;
+      const double share = before + (i < segments ? motion.lengths[i] : 0);
+      wanted += share * (widths[i] - low[i]);
+      room += share * (high[i] - low[i]);
+    }
+    if (end == begin) continue;
+    const double t = std::clamp(wanted / room, 0.0, 1.0);
+    for (; begin < end; ++begin) widths[at(begin)] = low[at(begin)] + t * (high[at(begin)] - low[at(begin)]);
+  }
+  if (closed) widths.back() = widths.front();
+}
+
+// Holds |dw/dL| <= 0.75 w / (K v). Two envelopes keep that slope: the largest function below the widths and the
+// smallest above. They meet wherever the widths are smooth enough already, so those stay bit for bit; between, any
+// convex combination keeps the slope too, and the one of equal volume is taken, one per rough stretch.
+void limitSlope(Motion& motion, const std::vector<double>& speeds, const MotionLimits& limits, bool closed) {
+  if (limits.pressureAdvance <= 0) return;
+  const std::size_t segments = motion.lengths.size();
+  std::vector<double>& widths = motion.widths;
+  std::vector<double> growth(segments);  // largest ratio of the widths at the two ends
+  bool smooth = true;
+  for (std::size_t i = 0; i < segments; ++i) {
+    growth[i] = 1 + kSlopeShare * motion.lengths[i] / (limits.pressureAdvance * speeds[i]);
+    smooth = smooth && widths[i + 1] <= widths[i] * growth[i] && widths[i] <= widths[i + 1] * growth[i];
+  }
+  if (smooth) return;
+
+  std::vector<double> low = widths;
+  std::vector<double> high = widths;
+  const int rounds = closed ? 2 : 1;  // the second carries what came round to the first point
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < segments; ++i) {
+      low[i + 1] = std::min(low[i + 1], low[i] * growth[i]);
+      high[i + 1] = std::max(high[i + 1], high[i] / growth[i]);
+    }
+    for (std::size_t i = segments; i-- > 0;) {
+      low[i] = std::min(low[i], low[i + 1] * growth[i]);
+      high[i] = std::max(high[i], high[i + 1] / growth[i]);
+    }
+    if (closed) {
+      low.front() = low.back() = std::min(low.front(), low.back());
+      high.front() = high.back() = std::max(high.front(), high.back());
+    }
+  }
+
+  blend(motion, low, high, closed);
+}
+
+// Feedrate per segment in whole mm/s, never above what flow and segment rate allow.
+void setFeedrates(Motion& motion, const std::vector<double>& speeds, const MotionLimits& limits) {
+  motion.feedrates.resize(motion.lengths.size());
+  double current = 0;
+  for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+    const double area = limits.flow * limits.layerHeight * std::max(motion.widths[i], motion.widths[i + 1]);
+    const double byFlow = limits.maxFlow / area;
+    if (byFlow < limits.speed) motion.flowSlowedMm += motion.lengths[i];
+    const double allowed = std::min(speeds[i], byFlow);
+    const double step = allowed < limits.speed ? std::floor(allowed + kRounding) : limits.speed;
+    if (step < current || step >= current + kFeedrateHysteresis) current = step;
+    // Below 1 mm/s, which only a swarm of micrometre segments asks for, whole mm/min are the steps.
+    const double feedrate =
+        current >= 1 ? std::floor(current * 60) : std::max(1.0, std::floor(allowed * 60 + kRounding));
+    motion.feedrates[i] = static_cast<std::int32_t>(feedrate);
+  }
+}
+
+// Square of the highest speed through the corner between two unit directions.
+double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionLimits& limits) {
+  constexpr double kUnlimited = 1e12;
+  if (limits.flavor == GcodeFlavor::Marlin) {
+    const double change = std::max(std::abs(after.x - before.x), std::abs(after.y - before.y));
+    const double jerk = 2 * limits.cornerSpeed;
+    return change * change * kUnlimited <= jerk * jerk ? kUnlimited : jerk * jerk / (change * change);
+  }
+  const double cosine = dot(before, after);
+  if (cosine >= 1 - 1e-9) return kUnlimited;
+  if (cosine <= -1 + 1e-9) return 0;
+  const double half = std::sqrt((1 + cosine) / 2);                // cos(turn / 2)
+  const double tangent = std::sqrt((1 - cosine) / (1 + cosine));  // tan(turn / 2)
+  const double deviation = (std::sqrt(2.0) - 1) * limits.cornerSpeed * limits.cornerSpeed * half / (1 - half);
+  return std::min(deviation, 0.5 * shorter * limits.acceleration / tangent);
+}
+
+// Trapezoids with look-ahead, from rest to rest.
+void setSeconds(Motion& motion, const MotionLimits& limits) {
+  const std::size_t segments = motion.lengths.size();
+  const double bead = limits.flow * limits.layerHeight / limits.filamentArea / 2;
+  const double extruderStep = limits.flavor == GcodeFlavor::Klipper ? kKlipperExtruderCorner : kMarlinExtruderJerk;
+  std::vector<double> squared(segments + 1, 0.0);  // of the speed at each point
+  Vec2 before;
+  double speedBefore = 0;
+  double feedBefore = 0;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const PointUm d = motion.points[i + 1] - motion.points[i];
+    const double scale = 0.001 / motion.lengths[i];
+    const Vec2 direction{static_cast<double>(d.x) * scale, static_cast<double>(d.y) * scale};
+    const double speed = motion.feedrates[i] / 60.0;
+    const double feed = bead * (motion.widths[i] + motion.widths[i + 1]);  // filament per mm
+    if (i > 0) {
+      const double slower = std::min(speed, speedBefore);
+      const double shorter = std::min(motion.lengths[i], motion.lengths[i - 1]);
+      squared[i] = std::min(slower * slower, cornerSpeedSquared(before, direction, shorter, limits));
+      const double jump = (feed - feedBefore) * (feed - feedBefore);
+      if (jump * squared[i] > extruderStep * extruderStep) squared[i] = extruderStep * extruderStep / jump;
+    }
+    before = direction;
+    speedBefore = speed;
+    feedBefore = feed;
+  }
+
+  const double twice = 2 * limits.acceleration;
+  for (std::size_t i = segments; i-- > 0;) {
+    squared[i] = std::min(squared[i], squared[i + 1] + twice * motion.lengths[i]);
+  }
+  motion.seconds.resize(segments);
+  double entry = 0;
+  for (std::size_t i = 0; i < segments; ++i) {
+    squared[i + 1] = std::min(squared[i + 1], squared[i] + twice * motion.lengths[i]);
+    const double exit = std::sqrt(squared[i + 1]);
+    double top = motion.feedrates[i] / 60.0;
+    const double reachable = (squared[i] + squared[i + 1]) / 2 + limits.acceleration * motion.lengths[i];
+    if (reachable < top * top) top = std::sqrt(reachable);
+    const double ramps = (2 * top * top - squared[i] - squared[i + 1]) / twice;
+    const double cruise = std::max(0.0, motion.lengths[i] - ramps);
+    motion.seconds[i] = (2 * top - entry - exit) / limits.acceleration + cruise / top;
+    motion.totalSeconds += motion.seconds[i];
+    entry = exit;
+  }
+}
+
+}  // namespace
+
+double travelSeconds(double length, double speed, double acceleration) {
+  if (length * acceleration < speed * speed) return 2 * std::sqrt(length / acceleration);
+  return length / speed + speed / acceleration;
+}
+
+Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& limits) {
+  Motion motion;
+  order(path, start, motion);
+  const std::vector<double> speeds = segmentSpeeds(motion, limits);
+  limitSlope(motion, speeds, limits, path.closed);
+  setFeedrates(motion, speeds, limits);
+  setSeconds(motion, limits);
+  return motion;
+}
+
+}  // namespace sillon

@@ -1,0 +1,55 @@
+// How a printer runs along one path: widths it can follow, feedrates, and the time it takes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sillon/gcode.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+using PointUm = Vec2T<std::int64_t>;  ///< on the bed [µm], exactly as it is written
+
+/// One path before its motion is planned. No two neighbouring points are equal.
+struct BeadPath {
+  std::vector<PointUm> points;
+  std::vector<double> widths;  ///< one per point [mm], > 0
+  bool closed = false;         ///< a segment leads from the last point back to the first
+};
+
+/// What the layer and the printer allow.
+struct MotionLimits {
+  GcodeFlavor flavor = GcodeFlavor::Marlin;
+  double layerHeight = 0;  ///< [mm]
+  double flow = 1;
+  double filamentArea = 0;  ///< [mm²]
+  double speed = 0;         ///< [mm/s]
+  double acceleration = 0;  ///< [mm/s²]
+  double cornerSpeed = 0;   ///< square corner velocity [mm/s]; Marlin's jerk is twice this
+  double maxFlow = 0;       ///< [mm³/s]
+  double maxSegmentsPerSecond = 0;
+  double pressureAdvance = 0;  ///< [s]
+};
+
+/// One path in printing order. Segment i leads from point i to point i + 1.
+struct Motion {
+  std::vector<PointUm> points;          ///< a closed path repeats its first point at the end
+  std::vector<double> widths;           ///< per point [mm]; slope within 0.75 w / (K v)
+  std::vector<double> lengths;          ///< per segment [mm]
+  std::vector<std::int32_t> feedrates;  ///< per segment [mm/min]
+  std::vector<double> seconds;          ///< per segment
+  double totalSeconds = 0;
+  double flowSlowedMm = 0;     ///< length slowed by maxFlow
+  double segmentSlowedMm = 0;  ///< length slowed by maxSegmentsPerSecond
+};
+
+/// Plans a path from rest to rest. Geometry stays as it is.
+/// \param start  vertex a closed path begins at; 0 for open ones.
+Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& limits);
+
+/// Time for a straight move from rest to rest [s].
+double travelSeconds(double length, double speed, double acceleration);
+
+}  // namespace sillon

@@ -1,0 +1,99 @@
+#include "neighbour_gaps.hpp"
+
+#include <cmath>
+
+#include "curves.hpp"
+#include "parallel_for.hpp"
+#include "point_grid.hpp"
+#include "simd.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kOwnChain = 10;       ///< points tau/4 apart: 2.5 spacings along the path
+constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
+
+// Curvatures 1/g of the touching circles, the largest on either side.
+struct Curvatures {
+  float left;
+  float right;
+};
+
+float laneMax(F4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
+
+// Over all sorted points: (N . to) / |to|² is the signed curvature of the circle through `to` touching the path at p.
+Curvatures nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int point, int first, int size) {
+  F4 left = splat(1 / cap);
+  F4 right = splat(1 / cap);
+  const F4 px = splat(p.x);
+  const F4 py = splat(p.y);
+  const F4 nx = splat(normal.x);
+  const F4 ny = splat(normal.y);
+  const I4 own = splatInt(point);
+  const I4 begin = splatInt(first);
+  const I4 end = splatInt(first + size);
+  const I4 near = splatInt(kOwnChain);
+  const I4 minusNear = splatInt(-kOwnChain);
+  const I4 wrapped = splatInt(size - kOwnChain);
+  const I4 minusWrapped = splatInt(kOwnChain - size);
+  grid.around(p, cap, [&](int from, int to) {
+    for (int k = from; k < to; k += 4) {
+      const std::size_t s = static_cast<std::size_t>(k);
+      const F4 dx = load4(&grid.x[s]) - px;
+      const F4 dy = load4(&grid.y[s]) - py;
+      const I4 id = load4(&grid.id[s]);
+      const I4 apart = id - own;
+      const I4 sameCurve = ((id < begin) == splatInt(0)) & (id < end);
+      const I4 close = ((apart > minusNear) & (apart < near)) | (apart > wrapped) | (apart < minusWrapped);
+      const F4 distance2 = max4(dx * dx + dy * dy, splat(1e-12f));
+      const F4 curvature = select4(sameCurve & close, splat(0), (nx * dx + ny * dy) / distance2);
+      left = max4(left, curvature);
+      right = max4(right, -curvature);
+    }
+  });
+  return {laneMax(left), laneMax(right)};
+}
+
+}  // namespace
+
+Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
+  const std::size_t c = static_cast<std::size_t>(curve);
+  const int before = point == curves.begin[c] ? curves.begin[c + 1] - 1 : point - 1;
+  const Vec2f chord = curves.points[static_cast<std::size_t>(nextOf(curves, curve, point))] -
+                      curves.points[static_cast<std::size_t>(before)];
+  const float size = length(chord);
+  return size > 0 ? chord * (1 / size) : Vec2f{};
+}
+
+NeighbourGaps neighbourGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
+                            const RunContext& run) {
+  const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
+  NeighbourGaps gaps{std::vector<float>(curves.points.size(), cap), std::vector<float>(curves.points.size(), cap)};
+  const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
+  // In sorted order neighbours in the loop are neighbours on the plate, so that their buckets stay in the cache.
+  parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const std::size_t i = static_cast<std::size_t>(grid.id[static_cast<std::size_t>(k)]);
+      const int curve = curveOf[i];
+      const Vec2f tangent = tangentAt(curves, curve, static_cast<int>(i));
+      const Vec2f normal{-tangent.y, tangent.x};
+      const Vec2f p = curves.points[i];
+      Curvatures nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
+                                     curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
+      const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
+        const NearestBorder b = border.nearest(at);
+        const float along = dot(b.normal, normal);
+        if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
+          const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
+          (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
+        }
+      }
+      gaps.left[i] = 1 / nearest.left;
+      gaps.right[i] = 1 / nearest.right;
+    }
+  });
+  return gaps;
+}
+
+}  // namespace sillon

@@ -1,0 +1,86 @@
+// Points of closed curves sorted into square buckets, for all questions about neighbouring beads.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "parallel_for.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// Buckets are kept row by row, so that the buckets [x0, x1] of one row are one contiguous run of points.
+class PointGrid {
+ public:
+  PointGrid(const std::vector<Vec2f>& points, float bucket, const RunContext& run) : inverse_(1 / bucket) {
+    Vec2f low{1e30f, 1e30f};
+    Vec2f high{-1e30f, -1e30f};
+    for (const Vec2f p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    if (points.empty()) low = high = {};
+    low_ = low;
+    nx_ = static_cast<int>((high.x - low.x) * inverse_) + 1;
+    ny_ = static_cast<int>((high.y - low.y) * inverse_) + 1;
+    begin_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) + 1, 0);
+    std::vector<int> bucketOf(points.size());
+    const int count = static_cast<int>(points.size());
+    parallelFor(run, count, 1 << 14, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const Vec2f p = points[static_cast<std::size_t>(k)];
+        bucketOf[static_cast<std::size_t>(k)] = row(p.y) * nx_ + column(p.x);
+      }
+    });
+    for (const int b : bucketOf) ++begin_[static_cast<std::size_t>(b) + 1];
+    for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
+    // Four far points at the end let vector loads run over.
+    x.assign(points.size() + 4, 1e9f);
+    y.assign(points.size() + 4, 1e9f);
+    id.assign(points.size() + 4, -1);
+    std::vector<int> next(begin_.begin(), begin_.end() - 1);
+    for (int k = 0; k < count; ++k) {
+      const std::size_t at = static_cast<std::size_t>(next[static_cast<std::size_t>(bucketOf[static_cast<std::size_t>(k)])]++);
+      x[at] = points[static_cast<std::size_t>(k)].x;
+      y[at] = points[static_cast<std::size_t>(k)].y;
+      id[at] = k;
+    }
+  }
+
+  [[nodiscard]] int count() const { return static_cast<int>(id.size()) - 4; }
+
+  /// Calls visit(begin, end) with the runs of sorted points that hold all points within `reach` of p, lowest row first.
+  template <class Visit>
+  void around(Vec2f p, float reach, const Visit& visit) const {
+    const int x0 = column(p.x - reach);
+    const int x1 = column(p.x + reach);
+    const int y1 = row(p.y + reach);
+    for (int by = row(p.y - reach); by <= y1; ++by) {
+      const std::size_t first = static_cast<std::size_t>(by) * static_cast<std::size_t>(nx_);
+      const int begin = begin_[first + static_cast<std::size_t>(x0)];
+      const int end = begin_[first + static_cast<std::size_t>(x1) + 1];
+      if (begin < end) visit(begin, end);
+    }
+  }
+
+  std::vector<float> x;  ///< sorted, padded by four far points
+  std::vector<float> y;
+  std::vector<std::int32_t> id;  ///< index of each sorted point in the curves
+
+ private:
+  [[nodiscard]] int column(float v) const { return clampTo((v - low_.x) * inverse_, nx_); }
+  [[nodiscard]] int row(float v) const { return clampTo((v - low_.y) * inverse_, ny_); }
+  static int clampTo(float v, int count) {
+    return v <= 0 ? 0 : (v >= static_cast<float>(count) ? count - 1 : static_cast<int>(v));
+  }
+
+  Vec2f low_;
+  float inverse_;
+  int nx_ = 1;
+  int ny_ = 1;
+  std::vector<int> begin_;
+};
+
+}  // namespace sillon

@@ -1,0 +1,99 @@
+// Four floats at a time: one source for SSE2, NEON and WebAssembly. Lane-wise IEEE operations only, so that lanes and
+// platforms cannot change a result. The compilers' vector types do what we need; a library would add dispatch only.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#elif defined(__ARM_NEON) && defined(__aarch64__)
+#include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
+
+namespace sillon {
+
+#if defined(__GNUC__) || defined(__clang__)
+
+using F4 = float __attribute__((vector_size(16)));
+using I4 = std::int32_t __attribute__((vector_size(16)));
+
+inline F4 splat(float v) { return F4{v, v, v, v}; }
+inline I4 splatInt(std::int32_t v) { return I4{v, v, v, v}; }
+inline F4 load4(const float* p) {
+  F4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+inline I4 load4(const std::int32_t* p) {
+  I4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
+inline F4 select4(I4 mask, F4 a, F4 b) { return mask ? a : b; }
+inline F4 toFloat(I4 v) { return __builtin_convertvector(v, F4); }
+inline I4 toInt(F4 v) { return __builtin_convertvector(v, I4); }  // towards zero
+
+#else
+// The same by plain loops, for compilers without vector types.
+struct I4 {
+  std::int32_t lane[4];
+  std::int32_t operator[](int k) const { return lane[k]; }
+};
+struct F4 {
+  float lane[4];
+  float operator[](int k) const { return lane[k]; }
+};
+#define SILLON_LANES(Out, expression) \
+  Out out;                            \
+  for (int k = 0; k < 4; ++k) out.lane[k] = (expression); \
+  return out
+inline F4 splat(float v) { return F4{{v, v, v, v}}; }
+inline I4 splatInt(std::int32_t v) { return I4{{v, v, v, v}}; }
+inline F4 load4(const float* p) { F4 v; std::memcpy(&v, p, sizeof v); return v; }
+inline I4 load4(const std::int32_t* p) { I4 v; std::memcpy(&v, p, sizeof v); return v; }
+inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
+inline F4 operator+(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] + b.lane[k]); }
+inline F4 operator-(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] - b.lane[k]); }
+inline F4 operator*(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] * b.lane[k]); }
+inline F4 operator/(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] / b.lane[k]); }
+inline F4 operator-(F4 a) { SILLON_LANES(F4, -a.lane[k]); }
+inline I4 operator<(F4 a, F4 b) { SILLON_LANES(I4, a.lane[k] < b.lane[k] ? -1 : 0); }
+inline I4 operator>(F4 a, F4 b) { SILLON_LANES(I4, a.lane[k] > b.lane[k] ? -1 : 0); }
+inline I4 operator<(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] < b.lane[k] ? -1 : 0); }
+inline I4 operator>(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] > b.lane[k] ? -1 : 0); }
+inline I4 operator==(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] == b.lane[k] ? -1 : 0); }
+inline I4 operator!=(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] != b.lane[k] ? -1 : 0); }
+inline I4 operator+(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] + b.lane[k]); }
+inline I4 operator-(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] - b.lane[k]); }
+inline I4 operator&(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] & b.lane[k]); }
+inline I4 operator|(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] | b.lane[k]); }
+inline F4 select4(I4 m, F4 a, F4 b) { SILLON_LANES(F4, m.lane[k] ? a.lane[k] : b.lane[k]); }
+inline F4 toFloat(I4 v) { SILLON_LANES(F4, static_cast<float>(v.lane[k])); }
+inline I4 toInt(F4 v) { SILLON_LANES(I4, static_cast<std::int32_t>(v.lane[k])); }
+#undef SILLON_LANES
+#endif
+
+/// Correctly rounded on every platform. The vector types have no square root, hence the intrinsics.
+inline F4 sqrt4(F4 v) {
+#if defined(__SSE2__) && (defined(__GNUC__) || defined(__clang__))
+  return (F4)_mm_sqrt_ps((__m128)v);
+#elif defined(__ARM_NEON) && defined(__aarch64__)
+  return (F4)vsqrtq_f32((float32x4_t)v);
+#elif defined(__wasm_simd128__)
+  return (F4)wasm_f32x4_sqrt((v128_t)v);
+#else
+  float lane[4] = {std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+  return load4(lane);
+#endif
+}
+
+inline F4 max4(F4 a, F4 b) { return select4(a > b, a, b); }
+inline F4 min4(F4 a, F4 b) { return select4(a < b, a, b); }
+inline F4 abs4(F4 a) { return max4(a, -a); }
+
+}  // namespace sillon

@@ -1,0 +1,35 @@
+// The command line as values.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sillon/project.hpp"
+#include "sillon/result.hpp"
+
+namespace cli {
+
+/// Where each output goes; empty: not wanted.
+struct OutputPaths {
+  std::string gcode;
+  std::string svg;
+  std::string report;
+  std::string preview;
+  std::string project;
+};
+
+struct Arguments {
+  std::string answer;  ///< help or version: print it, done
+  std::string scene;   ///< JSON file; empty: options only
+  /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
+  std::vector<std::function<std::string(sillon::Project&)>> changes;
+  OutputPaths outputs;
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// \return InvalidArgument with one sentence, or the arguments.
+sillon::Result<Arguments> readArguments(int argc, const char* const* argv);
+
+}  // namespace cli

@@ -1,0 +1,145 @@
+// sillon generate: reads, computes, then writes everything at once.
+// Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "arguments.hpp"
+#include "assemble.hpp"
+#include "files.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+
+namespace {
+
+using sillon::Error;
+using sillon::ErrorCode;
+
+std::atomic<sillon::RunContext*> running{nullptr};
+static_assert(std::atomic<sillon::RunContext*>::is_always_lock_free, "used in a signal handler");
+
+// The first Ctrl-C asks the work to stop, the second one ends the program the hard way.
+extern "C" void cancelRun(int signal) {
+  if (sillon::RunContext* run = running.load()) run->requestCancel();
+  std::signal(signal, SIG_DFL);
+}
+
+/// Signals cancel `run` while this lives.
+class CancelOnSignal {
+ public:
+  explicit CancelOnSignal(sillon::RunContext& run) {
+    running.store(&run);
+    std::signal(SIGINT, cancelRun);
+    std::signal(SIGTERM, cancelRun);
+  }
+  ~CancelOnSignal() { running.store(nullptr); }
+  CancelOnSignal(const CancelOnSignal&) = delete;
+  CancelOnSignal& operator=(const CancelOnSignal&) = delete;
+};
+
+int exitCode(ErrorCode code) {
+  if (code == ErrorCode::Cancelled) return 3;
+  return code == ErrorCode::Internal ? 1 : 2;
+}
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "sillon: %s\n", error.message.c_str());
+  return exitCode(error.code);
+}
+
+/// The scene with the options laid over it, every field in range.
+sillon::Result<sillon::Project> readInput(const cli::Arguments& arguments) {
+  sillon::Project project;
+  if (!arguments.scene.empty()) {
+    sillon::Result<sillon::Project> scene = cli::loadProject(arguments.scene);
+    if (!scene) return scene.error();
+    project = std::move(scene).value();
+  }
+  for (const auto& change : arguments.changes) {
+    if (std::string problem = change(project); !problem.empty()) {
+      return Error{ErrorCode::InvalidArgument, std::move(problem)};
+    }
+  }
+  if (std::string problem = sillon::invalidProject(project); !problem.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  }
+  return project;
+}
+
+/// Everything up to the first byte on the disk.
+sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& arguments, cli::Job& job,
+                                                     sillon::RunContext& run) {
+  cli::ProgressBar bar(!arguments.quiet);
+  run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
+
+  sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project);
+  if (!input) return input.error();
+  job.input = std::move(input).value();
+
+  sillon::Result<sillon::Plate> plate = sillon::generateToolpath(job.input, job.project.toolpath, run);
+  if (!plate) return plate.error();
+  job.plate = std::move(plate).value();
+
+  // Measuring costs more than making: only if the report, the header of the G-code or the summary shows it.
+  if (!arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet) {
+    sillon::Result<sillon::Measures> measures = sillon::measureToolpath(
+        job.plate.toolpath, job.input.shape, job.input.directions, job.input.modes, job.project.toolpath, run);
+    if (!measures) return measures.error();
+    job.measures = std::move(measures).value();
+  }
+
+  auto files = cli::makeOutputs(job, arguments.outputs, run);
+  run.onProgress({});
+  return files;
+}
+
+int generate(const cli::Arguments& arguments) {
+  sillon::RunContext run(arguments.threads);
+  const CancelOnSignal cancelOnSignal(run);
+
+  cli::Job job;
+  sillon::Result<std::string> date = cli::runDate();
+  if (!date) return fail(date.error());
+  job.date = std::move(date).value();
+
+  sillon::Result<sillon::Project> project = readInput(arguments);
+  if (!project) return fail(project.error());
+  job.project = std::move(project).value();
+
+  std::vector<std::string> inputs = cli::inputFiles(job.project);
+  if (!arguments.scene.empty()) inputs.push_back(arguments.scene);
+  if (const std::optional<Error> problem = cli::checkOutputs(cli::outputNames(arguments.outputs), inputs)) {
+    return fail(*problem);
+  }
+
+  const auto files = prepare(arguments, job, run);
+  if (!files) return fail(files.error());
+  // From here on it is faster to finish than to stop.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  if (run.cancelled()) return fail({ErrorCode::Cancelled, "cancelled; nothing was written"});
+  if (const std::optional<Error> problem = cli::writeTogether(files.value())) return fail(*problem);
+  if (!arguments.quiet) std::fputs(cli::summary(job, run.threads(), files.value()).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
+    if (!arguments) return fail(arguments.error());
+    if (!arguments.value().answer.empty()) {
+      std::fputs(arguments.value().answer.c_str(), stdout);
+      return 0;
+    }
+    return generate(arguments.value());
+  } catch (const std::exception& error) {  // out of memory, for one
+    std::fprintf(stderr, "sillon: stopped by %s; this is a fault of the program\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,202 @@
+#include "outputs.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include "assemble.hpp"
+#include "sillon/image_io.hpp"
+#include "sillon/preview.hpp"
+#include "sillon/report.hpp"
+#include "sillon/toolpath_svg.hpp"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+namespace cli {
+namespace {
+
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::Measures;
+using sillon::Result;
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+std::string
+print(const char* format, ...) {
+  char text[512];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  return text;
+}
+
+/// The most memory the process held; 0 where the system does not tell.
+std::int64_t peakBytes() {
+#if defined(__unix__) || defined(__APPLE__)
+  rusage usage{};
+  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#if defined(__APPLE__)
+  return static_cast<std::int64_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+#endif
+#else
+  return 0;
+#endif
+}
+
+std::string perimeterText(const sillon::ToolpathParams& params) {
+  switch (params.perimeterMode) {
+    case sillon::PerimeterMode::None:
+      return "none";
+    case sillon::PerimeterMode::Soft:
+      return "soft";
+    case sillon::PerimeterMode::Count:
+      break;
+  }
+  return std::to_string(params.perimeters);
+}
+
+/// Header lines of the G-code beyond the writer's own: what made the path and how good it is.
+std::vector<std::string> gcodeNotes(const Job& job) {
+  const sillon::ToolpathParams& params = job.project.toolpath;
+  std::vector<std::string> notes;
+  notes.push_back(print("seed = %llu, perimeters = %s", static_cast<unsigned long long>(params.seed),
+                        perimeterText(params).c_str()));
+  if (job.measures) {
+    const Measures& m = *job.measures;
+    notes.push_back(print("alignment = %.4f, coverage = %.2f, overlap = %.2f, crossings = %lld", m.alignment,
+                          m.coverage, m.overlap, static_cast<long long>(m.crossings)));
+    notes.push_back("toolpath digest = " + m.digest);
+  }
+  return notes;
+}
+
+Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
+  sillon::PrintParams print = job.project.print;
+  print.date = job.date;
+  print.notes = gcodeNotes(job);
+  std::string text;
+  auto summary =
+      sillon::writeGcode(job.plate.toolpath, job.input.shape, job.project.printer, print, [&](std::string_view piece) {
+        text += piece;
+        return !run.cancelled();
+      });
+  if (!summary) return summary.error();
+  job.gcode = std::move(summary).value();
+  return text;
+}
+
+Result<std::string> previewPng(const Job& job, const sillon::RunContext& run) {
+  const auto picture = sillon::renderPreview(job.plate.toolpath, job.input.shape.page, {}, run);
+  if (!picture) return picture.error();
+  const sillon::RgbImage& image = picture.value();
+  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+  return std::string(png.begin(), png.end());
+}
+
+std::string durationText(double seconds) {
+  const auto minutes = static_cast<long long>(std::llround(seconds / 60));
+  if (minutes < 1) return print("%.0f s", seconds);
+  return minutes < 60 ? print("%lld min", minutes) : print("%lld h %02lld min", minutes / 60, minutes % 60);
+}
+
+std::string sizeText(std::size_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size < 1e3) return print("%.0f bytes", size);
+  return size < 1e6 ? print("%.1f kB", size / 1e3) : print("%.1f MB", size / 1e6);
+}
+
+}  // namespace
+
+Result<std::string> runDate() {
+  std::int64_t seconds = 0;
+  if (const char* given = std::getenv("SOURCE_DATE_EPOCH"); given != nullptr && *given != '\0') {
+    const std::string text = given;
+    const bool digits = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 12;
+    seconds = digits ? std::strtoll(given, nullptr, 10) : -1;
+    if (seconds < 0 || seconds > 253402300799) {  // the last second of the year 9999
+      return Error{ErrorCode::InvalidArgument,
+                   "SOURCE_DATE_EPOCH is \"" + text + "\"; it must be whole seconds from 0 to 253402300799"};
+    }
+  } else {
+    seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  }
+  const std::int64_t days = seconds / 86400;
+  const std::int64_t rest = seconds % 86400;
+  const std::chrono::year_month_day date{std::chrono::sys_days{std::chrono::days{days}}};
+  return print("%04d-%02u-%02u at %02d:%02d:%02d UTC", static_cast<int>(date.year()),
+               static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(rest / 3600),
+               static_cast<int>(rest / 60 % 60), static_cast<int>(rest % 60));
+}
+
+std::vector<std::string> outputNames(const OutputPaths& paths) {
+  std::vector<std::string> names;
+  for (const std::string* path : {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.project}) {
+    if (!path->empty()) names.push_back(*path);
+  }
+  return names;
+}
+
+Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
+  std::vector<OutputFile> files;
+  if (!paths.gcode.empty()) {
+    Result<std::string> text = gcodeText(job, run);
+    if (!text) return text.error();
+    files.push_back({paths.gcode, std::move(text).value()});
+  }
+  if (!paths.svg.empty()) files.push_back({paths.svg, sillon::toolpathSvg(job.plate.toolpath, job.input.shape.page)});
+  if (!paths.preview.empty()) {
+    Result<std::string> png = previewPng(job, run);
+    if (!png) return png.error();
+    files.push_back({paths.preview, std::move(png).value()});
+  }
+  if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
+  // Last, so that the peak holds all that came before.
+  if (!paths.report.empty() && job.measures) {
+    files.push_back({paths.report, sillon::reportJson(job.plate, *job.measures, run.threads(), peakBytes())});
+  }
+  return files;
+}
+
+std::string summary(const Job& job, int threads, const std::vector<OutputFile>& files) {
+  const sillon::Plate& plate = job.plate;
+  const std::size_t toolpaths = plate.toolpath.cycles.size();
+  double seconds = 0;
+  for (const sillon::StageTime& stage : plate.time) seconds += stage.seconds;
+
+  std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", job.input.shape.page.x, job.input.shape.page.y,
+                          plate.toolpath.spacing);
+  out += print("toolpath   %lld cycles joined to %zu toolpath%s", static_cast<long long>(plate.contourCycles),
+               toolpaths, toolpaths == 1 ? "" : "s");
+  if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);
+  out += "\n";
+  if (job.measures) {
+    const Measures& m = *job.measures;
+    out += print("quality    alignment %.3f (interior %.3f), coverage %.1f %%, overlap %.2f %%, crossings %lld\n",
+                 m.alignment, m.alignmentInterior, m.coverage, m.overlap, static_cast<long long>(m.crossings));
+  }
+  out += print("time       %.2f s on %d thread%s\n", seconds, threads, threads == 1 ? "" : "s");
+  if (job.gcode) {
+    out += print("print      %s, %.2f m filament, %.1f g\n", durationText(job.gcode->seconds).c_str(),
+                 job.gcode->filamentMm / 1000, job.gcode->filamentGrams);
+  }
+  for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
+  if (job.gcode) {
+    for (const std::string& warning : job.gcode->warnings) out += "warning    " + warning + "\n";
+  }
+  return out;
+}
+
+}  // namespace cli

@@ -1,0 +1,1096 @@
+#include "sillon/gcode.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base_layers.hpp"
+#include "motion.hpp"
+#include "support/gcode_check.hpp"
+#include "text.hpp"
+
+using namespace sillon;
+using namespace sillon::test;
+using doctest::Approx;
+
+namespace {
+
+constexpr double kArea = 2.4052818754046854;  // of filament of 1.75 mm [mm²]
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Written {
+  Result<GcodeSummary> result;
+  std::string text;
+  std::size_t chunks;
+};
+
+struct Job {
+  Toolpath toolpath;
+  Shape shape;
+  Printer printer;
+  PrintParams params;
+
+  [[nodiscard]] Written write() const {
+    std::string text;
+    std::size_t chunks = 0;
+    auto result = writeGcode(toolpath, shape, printer, params, [&](std::string_view piece) {
+      CHECK(piece.size() <= 64 * 1024);
+      text += piece;
+      ++chunks;
+      return true;
+    });
+    return {std::move(result), std::move(text), chunks};
+  }
+};
+
+Shape rectangle(double width, double height) {
+  return {{{{{{0, 0}, {width, 0}, {width, height}, {0, height}}}, FillRule::NonZero}}, {width, height}};
+}
+
+// A comb that covers width x height with beads of `spacing` and comes back along the bottom: cells exactly filled.
+Cycle comb(double width, double height, double spacing, double step) {
+  Cycle cycle;
+  const auto add = [&](double x, double y) {
+    const Vec2f p{static_cast<float>(std::round(x * 1000) / 1000), static_cast<float>(std::round(y * 1000) / 1000)};
+    if (!cycle.points.empty()) {
+      const Vec2f from = cycle.points.back();
+      const int pieces = std::max(1, static_cast<int>(length(p - from) / step));
+      for (int k = 1; k < pieces; ++k) {
+        const float t = static_cast<float>(k) / static_cast<float>(pieces);
+        const Vec2f q = from + t * (p - from);
+        cycle.points.push_back({std::round(q.x * 1000) / 1000, std::round(q.y * 1000) / 1000});
+      }
+    }
+    cycle.points.push_back(p);
+  };
+  const int columns = static_cast<int>(width / spacing / 2) * 2;  // even: the comb ends at the bottom
+  add(spacing / 2, spacing / 2);
+  for (int k = 0; k < columns; ++k) {
+    const double x = (k + 0.5) * spacing;
+    const double bottom = k == 0 ? spacing / 2 : 1.5 * spacing;
+    const double top = height - spacing / 2;
+    add(x, k % 2 == 0 ? bottom : top);
+    add(x, k % 2 == 0 ? top : k + 1 == columns ? spacing / 2 : bottom);
+  }
+  cycle.points.erase(cycle.points.begin());
+  cycle.widths.assign(cycle.points.size(), static_cast<float>(spacing));
+  return cycle;
+}
+
+double pathVolume(const Cycle& cycle) {  // sum of w L
+  double sum = 0;
+  for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+    const std::size_t j = (i + 1) % cycle.points.size();
+    const Vec2 a{cycle.points[i].x, cycle.points[i].y};
+    const Vec2 b{cycle.points[j].x, cycle.points[j].y};
+    sum += length(b - a) * (double(cycle.widths[i]) + double(cycle.widths[j])) / 2;
+  }
+  return sum;
+}
+
+Job plate(double width = 30, double height = 20, double step = 5) {
+  Job job;
+  job.shape = rectangle(width, height);
+  job.toolpath.cycles = {comb(width, height, 0.4, step)};
+  job.toolpath.spacing = 0.4;
+  return job;
+}
+
+bool contains(const std::vector<std::string>& list, std::string_view part) {
+  return std::any_of(list.begin(), list.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
+}
+
+// Everything that holds for every file.
+ReadFile checkFile(const Job& job, const Written& written) {
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  const GcodeSummary& summary = written.result.value();
+  CHECK(grammarError(written.text) == "");
+  ReadFile file = readGcode(written.text);
+  CHECK_MESSAGE(file.faults.empty(), file.faults.front());
+  CHECK(file.minX >= job.printer.bedMin.x);
+  CHECK(file.minY >= job.printer.bedMin.y);
+  CHECK(file.maxX <= job.printer.bedMax.x);
+  CHECK(file.maxY <= job.printer.bedMax.y);
+  CHECK(file.maxZ <= job.printer.maxZ);
+  CHECK(file.layers == job.params.base + job.params.layers);
+  CHECK(file.moves == summary.moves);
+  CHECK(static_cast<std::int64_t>(written.text.size()) == summary.bytes);
+  CHECK(file.filament == Approx(summary.filamentMm).epsilon(1e-9));
+  CHECK(valueOf(written.text, "; filament used [mm] = ") == fixed(file.filament, 2));
+  CHECK(valueOf(written.text, "; total layers count = ") == std::to_string(file.layers));
+
+  double oriented = 0;
+  for (const ReadPath& path : file.paths) {
+    const bool isOriented = path.role == "Top solid infill";
+    if (isOriented || (path.role == "Skirt/Brim" && path.moves.size() > 1)) CHECK(path.closed());
+    CHECK(path.retractsAfter == (job.printer.retractLength > 0));
+    const double height =
+        path.layer == 1 && job.params.firstLayerHeight > 0 ? job.params.firstLayerHeight : job.params.layerHeight;
+    const double speed = path.layer == 1 ? job.printer.firstLayerSpeed : job.printer.speed;
+    if (isOriented) oriented += path.filament() / height / job.params.flow;
+    double fastest = 0;
+    double volumeRate = 0;
+    for (const ReadMove& move : path.moves) {
+      fastest = std::max(fastest, double(move.feedrate) / 60);
+      if (move.length() > 0.02) {
+        volumeRate =
+            std::max(volumeRate, double(move.e - 1) / 1e5 * kArea / move.length() * double(move.feedrate) / 60);
+      }
+    }
+    CHECK(fastest <= speed + 1e-9);
+    CHECK(volumeRate <= job.printer.maxFlow);
+    for (std::size_t i = 0; i + 8 <= path.moves.size(); ++i) {
+      double seconds = 0;
+      for (std::size_t k = i; k < i + 8; ++k) seconds += path.moves[k].length() * 60 / double(path.moves[k].feedrate);
+      if (seconds * job.printer.maxSegmentsPerSecond < 8 * (1 - 1e-9)) FAIL_CHECK("too many segments per second");
+    }
+  }
+  if (summary.clampedLengthMm == 0) {
+    double expected = 0;
+    for (const Cycle& cycle : job.toolpath.cycles) expected += pathVolume(cycle) / kArea;
+    CHECK(oriented == Approx(expected * job.params.layers).epsilon(1e-5));
+  }
+  return file;
+}
+
+const ReadPath& lastPath(const ReadFile& file) { return file.paths.back(); }
+
+// A rough closed path: a wavy circle whose widths jump.
+Cycle roughCircle(std::mt19937& random, double radius, int count, double low, double high) {
+  Cycle cycle;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / count;
+    const double r = radius + 0.3 * double(random() % 1000) / 1000;
+    cycle.points.push_back({static_cast<float>(std::round((15 + r * std::cos(angle)) * 1000) / 1000),
+                            static_cast<float>(std::round((15 + r * std::sin(angle)) * 1000) / 1000)});
+    cycle.widths.push_back(static_cast<float>(low + (high - low) * double(random() % 1000) / 999));
+  }
+  return cycle;
+}
+
+MotionLimits someLimits(GcodeFlavor flavor = GcodeFlavor::Klipper) {
+  MotionLimits limits;
+  limits.flavor = flavor;
+  limits.layerHeight = 0.2;
+  limits.filamentArea = kArea;
+  limits.speed = 50;
+  limits.acceleration = 1000;
+  limits.cornerSpeed = flavor == GcodeFlavor::Klipper ? 5 : 4;
+  limits.maxFlow = 100;
+  limits.maxSegmentsPerSecond = 100000;
+  limits.pressureAdvance = 0.04;
+  return limits;
+}
+
+BeadPath pathOf(const std::vector<Vec2>& mm, double width, bool closed = false) {
+  BeadPath path;
+  path.closed = closed;
+  for (const Vec2 p : mm) path.points.push_back({std::llround(p.x * 1000), std::llround(p.y * 1000)});
+  path.widths.assign(mm.size(), width);
+  return path;
+}
+
+double volumeOf(const std::vector<double>& widths, const std::vector<double>& lengths) {
+  double sum = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) sum += lengths[i] * (widths[i] + widths[i + 1]) / 2;
+  return sum;
+}
+
+}  // namespace
+
+// ---- numbers
+
+TEST_CASE("numbers are printed with fixed digits and never as minus zero") {
+  CHECK(fixed(0.4, 2) == "0.40");
+  CHECK(fixed(-0.0001, 3) == "0.000");
+  CHECK(fixed(-1.0005, 3) == "-1.001");
+  CHECK(fixed(12345678.9, 0) == "12345679");
+  CHECK(decimal(60, 3) == "60");
+  CHECK(decimal(0.25, 3) == "0.25");
+  CHECK(decimal(-12.5, 6) == "-12.5");
+  CHECK(decimal(1000, 0) == "1000");
+  CHECK(decimal(kNan, 3) == "not a number");
+  CHECK(decimal(-kInfinity, 3) == "-infinite");
+  CHECK(decimal(1e300, 3) == "above 1e12");
+  char text[32];
+  CHECK(std::string(text, printScaled(text, std::numeric_limits<std::int64_t>::min(), 5)) == "-92233720368547.75808");
+  CHECK(std::string(text, printScaled(text, -1, 3)) == "-0.001");
+}
+
+TEST_CASE("the checker's grammar refuses what kills prints") {
+  CHECK(grammarError("G1 X1.000 Y-2.500 E0.00001 F3000\n;note\nM104 S0\nSET_PRESSURE_ADVANCE ADVANCE=0.0400\n") == "");
+  for (const char* bad : {"G1 E1.2e-05", "G1X50Y50", "g1 X5", "G1 Xnan", "G1 X-0.000", "G1 X1 X2", "G1 X+1", "G1 X1,5",
+                          "G1  X1", "G1 X1 ", "G1 X.5", "G1 X5.", "G1 X05", "M117 hello", "G1 X1\r", "set_x A=1"}) {
+    CAPTURE(bad);
+    CHECK(grammarError(std::string(bad) + "\n") != "");
+  }
+  CHECK(grammarError("G1 X1") != "");
+}
+
+// ---- extrusion
+
+TEST_CASE("filament equals the plastic of the cell a bead fills") {
+  CHECK(extrusion(0.2, 0.4, 10, 1.75, 1) == Approx(0.33260).epsilon(2e-5));
+  CHECK(extrusion(0.2, 0.5, 2, 1.75, 1) == Approx(0.08315).epsilon(6e-5));
+  CHECK(extrusion(0.2, 0.4, 10, 1.75, 0.95) == Approx(0.31597).epsilon(2e-5));
+  CHECK(extrusion(0.2, 0.4, 4000, 1.75, 1) == Approx(133.041).epsilon(4e-6));
+}
+
+TEST_CASE("the file carries the same plastic: constant width, growing width, flow") {
+  Job job = plate();
+  job.params.base = 0;
+  job.params.skirt = 0;
+  job.params.flow = 1;
+  job.printer.firstLayerSpeed = 20;
+  job.shape = rectangle(12, 12);
+  // Ten mm at 0.4, then 0.4 to 0.6 over 2 mm, which 20 mm/s and K 0.04 allow (slope 0.1 against 0.375).
+  job.toolpath.cycles = {{{{1, 1}, {11, 1}, {11, 3}, {11, 11}}, {0.4f, 0.4f, 0.6f, 0.6f}}};
+  const ReadFile file = checkFile(job, job.write());
+  REQUIRE(lastPath(file).moves.size() == 4);
+  CHECK(lastPath(file).moves[0].e == 33260);
+  CHECK(lastPath(file).moves[1].e == 8315);
+  job.params.flow = 0.95;
+  CHECK(lastPath(checkFile(job, job.write())).moves[0].e == 31597);
+}
+
+TEST_CASE("a full layer of 40 x 40 mm takes 133.041 mm of filament") {
+  Job job = plate(40, 40, 1);
+  job.params.base = 0;
+  job.params.flow = 1;
+  // The comb misses its area by less than a cell per column.
+  CHECK(pathVolume(job.toolpath.cycles[0]) == Approx(1600).epsilon(0.001));
+  const ReadFile file = checkFile(job, job.write());
+  CHECK(lastPath(file).filament() == Approx(133.041).epsilon(0.001));
+}
+
+TEST_CASE("tiny steps lose no plastic to rounding") {
+  Job job = plate(30, 20, 0.02);
+  job.params.base = 0;
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  double exact = 0;
+  double printed = 0;
+  double worst = 0;
+  for (const ReadMove& move : lastPath(file).moves) {
+    exact += extrusion(0.2, 0.4, move.length(), 1.75, 0.95);
+    printed += double(move.e) / 1e5;
+    worst = std::max(worst, std::abs(exact - printed));
+  }
+  CHECK(worst < 1.2e-5);  // float widths add a little to the half unit on either end
+}
+
+// ---- skeleton
+
+TEST_CASE("the file has the skeleton hosts look for") {
+  Job job = plate();
+  job.params.layers = 2;
+  job.params.base = 1;
+  job.params.firstLayerHeight = 0.25;
+  job.params.date = "2026-11-21 at 10:11:12 UTC";
+  job.params.notes = {"seed = 7"};
+  for (const GcodeFlavor flavor : {GcodeFlavor::Marlin, GcodeFlavor::Klipper}) {
+    job.printer.flavor = flavor;
+    const Written written = job.write();
+    checkFile(job, written);
+    const std::string& text = written.text;
+    CHECK(text.starts_with("; generated by Sillon "));
+    CHECK(text.substr(0, text.find('\n')).ends_with(" on 2026-11-21 at 10:11:12 UTC"));
+    std::size_t at = 0;
+    for (const char* piece :
+         {"; generated by Sillon ",
+          "\n; plate = 30.0x20.0 mm, spacing = 0.40",
+          "\n; seed = 7\n",
+          "\n; external perimeters extrusion width = 0.44mm\n",
+          "\n; max_z_height: 0.65\n",
+          "\n; total layer number: 3\n",
+          "\nM73 P0 R",
+          "\n;TYPE:Custom\n; FEATURE: Custom\nM140 S60\nM104 S150\nG28\nM190 S60\nM109 S220\n",
+          "\nG21\nG90\nM83\nG92 E0\n",
+          "\n;BEFORE_LAYER_CHANGE\n;0.25\n;LAYER_CHANGE\n;Z:0.25\n;HEIGHT:0.25\n",
+          "\nM106 S0\n",
+          "\n;TYPE:Skirt/Brim\n; FEATURE: Skirt\n",
+          "\n;TYPE:Solid infill\n",
+          "\n;LAYER_CHANGE\n;Z:0.45\n;HEIGHT:0.2\n",
+          "\nM106 S255\nM104 S215\n",
+          "\n;TYPE:Top solid infill\n; FEATURE: Top surface\n",
+          "\n;Z:0.65\n",
+          "\n;TYPE:Custom\n; FEATURE: Custom\nG1 Z",
+          "\nM104 S0\nM140 S0\nM107\n",
+          "\nM84\nM73 P100 R0\n",
+          "; filament used [mm] = ",
+          "\n; filament used [cm3] = ",
+          "\n; filament used [g] = ",
+          "\n; total filament used [g] = ",
+          "\n; total layers count = 3\n",
+          "\n; estimated printing time (normal mode) = ",
+          "\n; layer_height = 0.2\n; first_layer_height = 0.25\n; nozzle_diameter = 0.4\n; filament_diameter = 1.75\n",
+          "\n; filament_type = PLA\n",
+          "\n; bed_shape = 0x0,220x0,220x220,0x220\n",
+          "\n; printer_model = Generic\n"}) {
+      CAPTURE(piece);
+      const std::size_t found = text.find(piece, at);
+      REQUIRE(found != std::string::npos);
+      at = found;
+    }
+    CHECK(text.find("PrusaSlicer") == std::string::npos);
+    const bool klipper = flavor == GcodeFlavor::Klipper;
+    CHECK((text.find("SET_PRINT_STATS_INFO TOTAL_LAYER=3") != std::string::npos) == klipper);
+    CHECK(text.find(klipper ? "gcode_flavor = klipper" : "gcode_flavor = marlin2") != std::string::npos);
+  }
+}
+
+TEST_CASE("nothing outlives the print") {
+  Job job = plate();
+  for (const char* code : {"M92", "M301", "M304", "M500", "M851", "M203", "M201", "M205", "SAVE_CONFIG", "M204", "M900",
+                           "SET_VELOCITY_LIMIT", "SET_PRESSURE_ADVANCE"}) {
+    CAPTURE(code);
+    CHECK(job.write().text.find(code) == std::string::npos);
+  }
+  job.printer.setPressureAdvance = true;
+  job.printer.machineAcceleration = 4000;
+  std::string text = job.write().text;
+  CHECK(text.find("M900 K0.0400\n") < text.find("M900 K0\n"));
+  CHECK(text.find("M900 K0\n") != std::string::npos);
+  CHECK(text.find("M204 P1000 T1000\n") < text.find("M204 P4000 T4000\n"));
+  CHECK(text.find("M204 P4000 T4000\n") != std::string::npos);
+  job.printer.flavor = GcodeFlavor::Klipper;
+  const Written written = job.write();
+  checkFile(job, written);
+  text = written.text;
+  CHECK(text.find("ADVANCE=0.0400\n") < text.find("ADVANCE=0\n"));
+  CHECK(text.find("ADVANCE=0\n") != std::string::npos);
+  CHECK(text.find("M204 S1000\n") < text.find("M204 S4000\n"));
+  CHECK(text.find("M204 S4000\n") != std::string::npos);
+}
+
+TEST_CASE("text of the user stays inside its comment") {
+  Job job = plate();
+  job.params.notes = {"first\nM112\r\nG28 \xc3\xa9", std::string(200000, 'x')};
+  job.printer.name = "Mine\nM112";
+  const Written written = job.write();
+  checkFile(job, written);
+  CHECK(written.text.find("\nM112") == std::string::npos);
+  CHECK(written.text.find("; first M112  G28 ??\n") != std::string::npos);
+  CHECK(written.text.find(std::string(200000, 'x')) != std::string::npos);
+}
+
+TEST_CASE("progress rises and ends at 100") {
+  Job job = plate();
+  const std::string text = job.write().text;
+  int last = -1;
+  int lastMinutes = 1 << 30;
+  for (std::size_t at = text.find("\nM73 P"); at != std::string::npos; at = text.find("\nM73 P", at + 1)) {
+    const int percent = std::atoi(text.c_str() + at + 6);
+    const int minutes = std::atoi(text.c_str() + text.find(" R", at) + 2);
+    CHECK(percent > last);
+    CHECK(minutes <= lastMinutes);
+    last = percent;
+    lastMinutes = minutes;
+  }
+  CHECK(last == 100);
+  CHECK(lastMinutes == 0);
+}
+
+TEST_CASE("the same job gives the same bytes") {
+  std::mt19937 random(7);
+  Job job = plate(30, 30);
+  job.toolpath.cycles = {roughCircle(random, 12, 500, 0.3, 0.5)};
+  const std::string once = job.write().text;
+  CHECK(once == job.write().text);
+  job.params.flow = 0.94;
+  CHECK(once != job.write().text);
+}
+
+// ---- cycles
+
+TEST_CASE("a cycle is written vertex by vertex, closing segment included") {
+  Job job = plate(30, 20, 1.3);
+  job.params.place = Vec2{20, 30};
+  const ReadFile file = checkFile(job, job.write());
+  const Cycle& cycle = job.toolpath.cycles[0];
+  const std::vector<ReadMove>& moves = lastPath(file).moves;
+  REQUIRE(moves.size() == cycle.points.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    CHECK(moves[i].x0 == std::llround(double(cycle.points[i].x) * 1000) + 20000);
+    CHECK(moves[i].y0 == std::llround(double(cycle.points[i].y) * 1000) + 30000);
+  }
+}
+
+TEST_CASE("vertices that round to the same place are merged") {
+  Job job = plate();
+  job.params.base = 0;
+  job.toolpath.cycles = {{{{1, 1}, {1.0001f, 1}, {9, 1}, {9, 9}, {9, 9}, {1, 9}, {1, 1}}, std::vector<float>(7, 0.4f)}};
+  const ReadFile file = checkFile(job, job.write());
+  CHECK(lastPath(file).moves.size() == 4);
+}
+
+TEST_CASE("the seam moves from layer to layer") {
+  Job job = plate();
+  job.params.layers = 4;
+  const ReadFile file = checkFile(job, job.write());
+  std::vector<std::pair<std::int64_t, std::int64_t>> starts;
+  for (const ReadPath& path : file.paths) {
+    if (path.role == "Top solid infill") starts.emplace_back(path.moves[0].x0, path.moves[0].y0);
+  }
+  REQUIRE(starts.size() == 4);
+  std::sort(starts.begin(), starts.end());
+  CHECK(std::adjacent_find(starts.begin(), starts.end()) == starts.end());
+}
+
+TEST_CASE("between cycles: retract, wipe 2 to 5 mm back on the path, lift, travel, lower, prime") {
+  Job job = plate();
+  job.params.base = 0;
+  job.params.skirt = 0;
+  job.params.place = Vec2{50, 50};
+  job.toolpath.cycles = {{{{1, 1}, {9, 1}, {9, 9}, {1, 9}}, std::vector<float>(4, 0.4f)},
+                         {{{11, 1}, {19, 1}, {19, 9}, {11, 9}}, std::vector<float>(4, 0.4f)}};
+  const Written written = job.write();
+  checkFile(job, written);
+  // The first cycle ends at its start (51, 51), having come down from (51, 59).
+  const std::string tail =
+      "G1 E-0.80000 F2100\nG1 X51.000 Y54.000 F1200\nG1 Z0.600 F600\nG1 X61.000 Y51.000 F7200\nG1 Z0.200 F600\n"
+      "G1 E0.80000 F2100\nG1 X69.000 Y51.000 E";
+  const std::size_t at = written.text.find("G1 E-0.80000 F2100\nG1 X51.000 Y54.000 F1200\n");
+  REQUIRE(at != std::string::npos);
+  CHECK(written.text.substr(at, tail.size()) == tail);
+  // No fast way across the print without a lift.
+  for (const ReadMove& move : readGcode(written.text).travels) {
+    if (move.feedrate == 7200 && move.z < 1000) CHECK(move.z == 600);
+  }
+}
+
+TEST_CASE("without retraction length no empty E lines are written") {
+  Job job = plate();
+  job.printer.retractLength = 0;
+  job.printer.lift = 0;
+  const Written written = job.write();
+  CHECK(grammarError(written.text) == "");
+  CHECK(written.text.find("\nG1 E") == std::string::npos);
+}
+
+// ---- widths
+
+TEST_CASE("widths beyond 0.6 and 1.6 nozzle are held there and reported") {
+  Job job = plate();
+  job.params.base = 0;
+  job.params.layers = 3;
+  job.params.flow = 1;
+  job.toolpath.cycles = {{{{1, 1}, {11, 1}, {11, 11}, {1, 11}}, {0.1f, 0.1f, 0.4f, 0.4f}}};
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  CHECK(written.result.value().clampedLengthMm == Approx(60));  // one whole segment and two halves, three times
+  CHECK(
+      contains(written.result.value().warnings, "50.0 % of the path is printed with a width held at 0.24 or 0.64 mm"));
+  CHECK(lastPath(file).filament() == Approx(extrusion(0.2, 0.24 + 0.32 + 0.4 + 0.32, 10, 1.75, 1)).epsilon(1e-4));
+  job.toolpath.cycles[0].widths = {0.24f, 0.24f, 0.64f, 0.64f};
+  CHECK(job.write().result.value().clampedLengthMm == 0);
+}
+
+TEST_CASE("smooth widths stay bit for bit") {
+  BeadPath path = pathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4, true);
+  path.widths = {0.4, 0.5, 0.45, 0.3};
+  const Motion motion = planMotion(path, 0, someLimits());
+  CHECK(motion.widths == std::vector<double>{0.4, 0.5, 0.45, 0.3, 0.4});
+}
+
+TEST_CASE("rough widths are held to the slope of pressure advance and keep the plastic, wherever the seam is") {
+  std::mt19937 random(3);
+  for (int round = 0; round < 40; ++round) {
+    const Cycle cycle = roughCircle(random, 2 + round % 8, 20 + 23 * round, 0.25, 0.6);
+    BeadPath path;
+    path.closed = round % 4 != 3;
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+      path.points.push_back(
+          {std::llround(double(cycle.points[i].x) * 1000), std::llround(double(cycle.points[i].y) * 1000)});
+      path.widths.push_back(i % 50 < 20 ? double(cycle.widths[i]) : 0.4);
+    }
+    MotionLimits limits = someLimits();
+    limits.maxSegmentsPerSecond = 300;
+    const std::size_t start = path.closed ? random() % path.points.size() : 0;
+    const Motion motion = planMotion(path, start, limits);
+    limits.pressureAdvance = 0;
+    const Motion raw = planMotion(path, start, limits);
+    CHECK(volumeOf(motion.widths, motion.lengths) == Approx(volumeOf(raw.widths, raw.lengths)).epsilon(1e-9));
+    double worst = 0;
+    for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+      const double slope = std::abs(motion.widths[i + 1] - motion.widths[i]) / motion.lengths[i];
+      const double speed = motion.feedrates[i] / 60.0;
+      worst = std::max(worst, slope * 0.04 * speed / (0.75 * std::min(motion.widths[i], motion.widths[i + 1])));
+    }
+    CHECK(worst <= 1 + 1e-9);
+    CHECK(worst > 0.3);  // no smoother than needed
+    if (path.closed) CHECK(motion.widths.front() == motion.widths.back());
+    CHECK(*std::min_element(motion.widths.begin(), motion.widths.end()) >= 0.25 - 1e-6);
+    CHECK(*std::max_element(motion.widths.begin(), motion.widths.end()) <= 0.6 + 1e-6);
+  }
+}
+
+TEST_CASE("the slope limit holds in the printed text") {
+  std::mt19937 random(11);
+  Job job = plate(30, 30);
+  job.params.base = 0;
+  job.params.skirt = 0;
+  job.printer.firstLayerSpeed = 50;
+  job.toolpath.cycles = {roughCircle(random, 12, 400, 0.25, 0.6)};
+  const ReadFile file = checkFile(job, job.write());
+  const std::vector<ReadMove>& moves = lastPath(file).moves;
+  for (std::size_t i = 0; i + 1 < moves.size(); ++i) {
+    const auto width = [&](const ReadMove& m) { return double(m.e) / 1e5 * kArea / (0.95 * 0.2 * m.length()); };
+    const double reach = (moves[i].length() + moves[i + 1].length()) / 2;
+    const double slope = std::abs(width(moves[i + 1]) - width(moves[i])) / reach;
+    const double speed = double(std::max(moves[i].feedrate, moves[i + 1].feedrate)) / 60;
+    CHECK(slope <= 0.75 * std::max(width(moves[i]), width(moves[i + 1])) / (0.04 * speed) * 1.15 + 0.01);
+  }
+}
+
+// ---- speed
+
+TEST_CASE("speed follows the flow limit in whole mm/s and does not flicker") {
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 200; ++k) points.push_back({k * 1.0, 0});
+  BeadPath path = pathOf(points, 0.4);
+  for (std::size_t k = 0; k < path.widths.size(); ++k) path.widths[k] = 0.5 + 0.004 * double(k / 2 % 2);
+  MotionLimits limits = someLimits();
+  limits.maxFlow = 4;  // 40 mm/s at 0.5, 39.7 at 0.504
+  const Motion flat = planMotion(path, 0, limits);
+  CHECK(flat.feedrates.front() == 40 * 60);
+  for (std::size_t k = 1; k < flat.feedrates.size(); ++k) CHECK(flat.feedrates[k] == 39 * 60);
+  CHECK(flat.flowSlowedMm == Approx(200));
+
+  for (std::size_t k = 0; k < path.widths.size(); ++k) path.widths[k] = 0.3 + 0.002 * double(k);
+  const Motion rising = planMotion(path, 0, limits);
+  int changes = 0;
+  for (std::size_t k = 0; k < rising.feedrates.size(); ++k) {
+    const double speed = rising.feedrates[k] / 60.0;
+    CHECK(speed * 0.2 * rising.widths[k + 1] <= 4 + 1e-9);
+    CHECK(speed * 0.2 * rising.widths[k + 1] > 4 - 0.2 * 0.75 * 3 - (speed == 50 ? 10 : 0));
+    CHECK(rising.feedrates[k] % 60 == 0);
+    if (k > 0) changes += rising.feedrates[k] != rising.feedrates[k - 1];
+  }
+  CHECK(changes >= 15);
+  CHECK(changes <= 25);
+}
+
+TEST_CASE("short segments slow down only where they come in numbers") {
+  std::vector<Vec2> points;
+  for (int k = 0; k < 100; ++k) points.push_back({k * 1.0, 0});
+  points.push_back({99.05, 0});
+  for (int k = 1; k < 100; ++k) points.push_back({99.05 + k, 0});
+  MotionLimits limits = someLimits();
+  limits.maxSegmentsPerSecond = 300;
+  for (const std::int32_t feedrate : planMotion(pathOf(points, 0.4), 0, limits).feedrates) CHECK(feedrate == 3000);
+
+  points.clear();
+  for (int k = 0; k < 100; ++k) points.push_back({k * 0.05, 0});
+  const Motion dense = planMotion(pathOf(points, 0.4), 0, limits);
+  for (const std::int32_t feedrate : dense.feedrates) CHECK(feedrate == 15 * 60);
+  CHECK(dense.segmentSlowedMm == Approx(4.95));
+
+  points.clear();
+  for (int k = 0; k < 100; ++k) points.push_back({k * 0.001, 0});  // the printer crawls, but it moves
+  for (const std::int32_t feedrate : planMotion(pathOf(points, 0.4), 0, limits).feedrates) CHECK(feedrate == 18);
+}
+
+TEST_CASE("a straight line takes L / v + v / a, however it is cut") {
+  const MotionLimits limits = someLimits();
+  CHECK(planMotion(pathOf({{0, 0}, {100, 0}}, 0.4), 0, limits).totalSeconds == Approx(2.05));
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 1000; ++k) points.push_back({k * 0.1, 0});
+  for (const GcodeFlavor flavor : {GcodeFlavor::Marlin, GcodeFlavor::Klipper}) {
+    CHECK(planMotion(pathOf(points, 0.4), 0, someLimits(flavor)).totalSeconds == Approx(2.05));
+  }
+  // Too short to reach the speed: a triangle.
+  CHECK(planMotion(pathOf({{0, 0}, {1, 0}}, 0.4), 0, limits).totalSeconds == Approx(2 * std::sqrt(1 / 1000.0)));
+  CHECK(travelSeconds(100, 50, 1000) == Approx(2.05));
+  CHECK(travelSeconds(1, 50, 1000) == Approx(2 * std::sqrt(1 / 1000.0)));
+  CHECK(travelSeconds(0, 50, 1000) == 0);
+}
+
+// Passing a corner at u instead of v costs (v - u)² / (a v), so the time tells the corner's speed.
+TEST_CASE("corners slow down as Klipper and Marlin say") {
+  const auto cornerSpeed = [](const MotionLimits& limits, double degrees) {
+    const double turn = degrees * 3.14159265358979 / 180;
+    const double leg = 60;
+    const Motion motion =
+        planMotion(pathOf({{0, 0}, {leg, 0}, {leg + leg * std::cos(turn), leg * std::sin(turn)}}, 0.4), 0, limits);
+    const double v = limits.speed;
+    const double lost = motion.totalSeconds - 2 * leg / v - v / limits.acceleration;
+    return v - std::sqrt(std::max(0.0, lost) * limits.acceleration * v);
+  };
+  MotionLimits klipper = someLimits();
+  klipper.speed = 150;
+  const double table[][2] = {{5, 104}, {10, 52}, {20, 26}, {30, 17}, {45, 11}, {60, 8}, {90, 5}, {120, 3}};
+  for (const auto& row : table) {
+    CAPTURE(row[0]);
+    CHECK(std::abs(cornerSpeed(klipper, row[0]) - row[1]) < 0.6);
+  }
+  CHECK(cornerSpeed(klipper, 180) == Approx(0).epsilon(0.01));
+  const MotionLimits marlin = someLimits(GcodeFlavor::Marlin);  // jerk 8 mm/s
+  CHECK(cornerSpeed(marlin, 9) == Approx(50).epsilon(0.01));
+  CHECK(cornerSpeed(marlin, 90) == Approx(8).epsilon(0.01));
+  CHECK(cornerSpeed(marlin, 180) == Approx(4).epsilon(0.01));
+}
+
+TEST_CASE("short segments around corners go as their room allows") {
+  // v2 of the table: a zigzag of 0.2 mm legs that turns by 90 degrees each time runs at 10 mm/s or less.
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 1000; ++k) points.push_back({(k + 1) / 2 * 0.2, k / 2 * 0.2});
+  MotionLimits limits = someLimits();
+  limits.cornerSpeed = 100;  // leaves v2 alone
+  const double seconds = planMotion(pathOf(points, 0.4), 0, limits).totalSeconds;
+  // Corner at 10 mm/s, in the middle sqrt(100 + 2 * 1000 * 0.1) = 17.3.
+  CHECK(seconds == Approx(1000 * 2 * (std::sqrt(300.0) - 10) / 1000).epsilon(0.02));
+}
+
+TEST_CASE("width jumps slow the extruder as Klipper does") {
+  std::vector<Vec2> points;
+  for (int k = 0; k <= 400; ++k) points.push_back({k * 0.5, 0});
+  BeadPath path = pathOf(points, 0.4);
+  MotionLimits limits = someLimits();
+  limits.pressureAdvance = 0;
+  const double even = planMotion(path, 0, limits).totalSeconds;
+  // Means of neighbouring segments alternate when widths go 0.4 0.4 0.6 0.6; Klipper keeps 50 mm/s up to 0.24.
+  const auto alternate = [&](double jump) {
+    for (std::size_t k = 0; k < path.widths.size(); ++k) path.widths[k] = 0.4 + (k / 2 % 2 == 1 ? 2 * jump : 0);
+    return planMotion(path, 0, limits).totalSeconds;
+  };
+  CHECK(alternate(0.23) == Approx(even));
+  CHECK(alternate(0.30) > even * 1.02);
+}
+
+// ---- base layers and skirt
+
+TEST_CASE("hatched layers fill the shape at 45 and 135 degrees and stay half a line inside") {
+  std::vector<Shape> shapes = {rectangle(30, 20), makeDisc(25).value()};
+  Shape frame = rectangle(30, 30);
+  frame.paths[0].rings.push_back({{10, 10}, {10, 20}, {20, 20}, {20, 10}});
+  frame.paths[0].fillRule = FillRule::EvenOdd;
+  shapes.push_back(frame);
+  const double areas[] = {600, 3.14159265 * 25 * 25 / 4, 800};
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    for (const bool falling : {false, true}) {
+      CAPTURE(s);
+      CAPTURE(falling);
+      const std::vector<Polyline> lines = hatchLines(shapes[s], 0.4, falling);
+      double total = 0;
+      double hatched = 0;
+      double nearest = 1e9;
+      std::size_t points = 0;
+      for (const Polyline& line : lines) {
+        points += line.size();
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+          const Vec2 d = line[i + 1] - line[i];
+          total += length(d);
+          if (std::abs(d.x + (falling ? d.y : -d.y)) < 1e-9 && length(d) >= 0.4 - 1e-9) hatched += length(d);
+        }
+        for (const Vec2 p : line) {
+          if (s == 0) nearest = std::min({nearest, p.x, p.y, 30 - p.x, 20 - p.y});
+          if (s == 1) nearest = std::min(nearest, 12.5 - length(p - Vec2{12.5, 12.5}));
+          if (s == 2) {
+            const double hole = std::max(std::abs(p.x - 15), std::abs(p.y - 15)) - 5;
+            nearest = std::min({nearest, p.x, p.y, 30 - p.x, 30 - p.y, hole});
+          }
+        }
+      }
+      CHECK(nearest > 0.49 * 0.4 - 0.005);
+      CHECK(nearest < 0.25);
+      CHECK(total * 0.4 == Approx(areas[s]).epsilon(0.02));
+      CHECK(hatched > 0.93 * total);
+      CHECK(lines.size() <= 12);
+      CHECK(points > 100);
+    }
+  }
+}
+
+TEST_CASE("shapes thinner than a line get no hatch, degenerate ones no crash") {
+  CHECK(hatchLines(rectangle(20, 0.3), 0.4, false).empty());
+  CHECK(hatchLines(Shape{}, 0.4, false).empty());
+  CHECK(hatchLines(rectangle(0, 0), 0.4, true).empty());
+}
+
+TEST_CASE("base layers take turns and carry the volume of the plate") {
+  Job job = plate();
+  job.params.base = 3;
+  const ReadFile file = checkFile(job, job.write());
+  double filament[4] = {};
+  double slope[4] = {};
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Solid infill") continue;
+    filament[path.layer] += path.filament();
+    for (const ReadMove& m : path.moves) {
+      slope[path.layer] += m.length() > 3 ? double(m.x1 - m.x0) * double(m.y1 - m.y0) : 0;
+    }
+  }
+  for (int layer = 1; layer <= 3; ++layer) {
+    CHECK(filament[layer] == Approx(600 * 0.2 / kArea).epsilon(0.02));
+    CHECK((slope[layer] > 0) == (layer % 2 == 1));
+  }
+}
+
+TEST_CASE("skirt loops run 5 mm off the plate, on the first layer only") {
+  Job job = plate();
+  job.params.skirt = 2;
+  job.params.place = Vec2{50, 60};
+  const ReadFile file = checkFile(job, job.write());
+  REQUIRE(file.paths.size() > 2);
+  CHECK(file.paths[0].role == "Skirt/Brim");
+  CHECK(file.paths[0].moves[0].x0 == 50000 - 5400);
+  CHECK(file.paths[1].moves[0].x0 == 50000 - 5000);
+  CHECK(file.paths[1].moves[0].x1 == 80000 + 5000);
+  CHECK(file.paths[1].moves[1].y1 == 80000 + 5000);
+  CHECK(std::count_if(file.paths.begin(), file.paths.end(), [](auto& p) { return p.role == "Skirt/Brim"; }) == 2);
+}
+
+TEST_CASE("a skirt that does not fit is left out with a warning, and a purge line primes instead") {
+  Job job = plate();
+  job.printer.bedMax = {32, 60};
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  CHECK(contains(written.result.value().warnings, "skirt does not fit"));
+  REQUIRE(file.paths[0].role == "Skirt/Brim");
+  CHECK(file.paths[0].moves.size() == 1);
+  CHECK(file.paths[0].moves[0].y0 == 5000);
+
+  job.printer.bedMax = {60, 22};
+  CHECK(checkFile(job, job.write()).paths[0].moves[0].x0 == 5000);
+
+  job.printer.bedMax = {31, 21};
+  const Written tight = job.write();
+  CHECK(checkFile(job, tight).paths[0].role == "Solid infill");
+  CHECK(contains(tight.result.value().warnings, "no room for a purge line"));
+}
+
+// ---- placement
+
+TEST_CASE("the plate is centred by its box unless placed by its page") {
+  Job job = plate();
+  for (Vec2f& p : job.toolpath.cycles[0].points) p = p + Vec2f{100, 7};
+  for (Vec2& p : job.shape.paths[0].rings[0]) p = p + Vec2{100, 7};
+  job.params.base = 0;
+  job.params.skirt = 0;
+  ReadPath path = lastPath(checkFile(job, job.write()));
+  CHECK(path.moves[0].x0 == 110000 - 15000 + 200);
+  CHECK(path.moves[0].y0 == 110000 - 10000 + 200);
+  job.params.place = Vec2{-90, 5};
+  path = lastPath(checkFile(job, job.write()));
+  CHECK(path.moves[0].x0 == 10200);
+  CHECK(path.moves[0].y0 == 12200);
+  // Origin in the middle of the bed: negative coordinates are legal.
+  job.params.place.reset();
+  job.printer.bedMin = {-110, -110};
+  job.printer.bedMax = {110, 110};
+  path = lastPath(checkFile(job, job.write()));
+  CHECK(path.moves[0].x0 == -14800);
+}
+
+TEST_CASE("what does not fit is refused with the overhang of each side") {
+  Job job = plate();
+  job.params.place = Vec2{-2, 205.5};
+  Written written = job.write();
+  REQUIRE(!written.result.ok());
+  CHECK(written.result.error().code == ErrorCode::DoesNotFit);
+  CHECK(written.result.error().message.find("2.000 mm on the left, 5.500 mm at the back") != std::string::npos);
+  CHECK(written.text.empty());
+  job.params.place.reset();
+  job.printer.bedMax = {30, 20};
+  CHECK(job.write().result.ok());  // exactly fits
+  job.printer.bedMax = {29.9, 20};
+  written = job.write();
+  REQUIRE(!written.result.ok());
+  CHECK(written.result.error().message.find("0.050 mm on the left, 0.050 mm on the right") != std::string::npos);
+  // Half a bead counts.
+  job.printer.bedMax = {30, 20};
+  job.toolpath.cycles[0].points[0].x = 0;
+  written = job.write();
+  REQUIRE(!written.result.ok());
+  CHECK(written.result.error().message.find("0.200 mm on the left") != std::string::npos);
+  job.toolpath.cycles[0].points[0] = {30, 20};
+  written = job.write();
+  REQUIRE(!written.result.ok());
+  CHECK(written.result.error().message.find("0.200 mm on the right, 0.200 mm at the back") != std::string::npos);
+  job.toolpath.cycles[0].points[0] = {0.2f, 0.2f};
+  job.printer.maxZ = 0.9;
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
+  job.printer.maxZ = 1;
+  CHECK(job.write().result.ok());
+}
+
+// ---- bad input
+
+TEST_CASE("bad input is refused by name before a byte is written") {
+  struct Row {
+    const char* part;
+    std::function<void(Job&)> spoil;
+    ErrorCode code = ErrorCode::InvalidArgument;
+  };
+  const Row rows[] = {
+      {"nozzle is 0 mm; it must be above 0 and at most 2", [](Job& j) { j.printer.nozzle = 0; }},
+      {"nozzle is 2.1 mm", [](Job& j) { j.printer.nozzle = 2.1; }},
+      {"nozzle is not a number", [](Job& j) { j.printer.nozzle = kNan; }},
+      {"filamentDiameter", [](Job& j) { j.printer.filamentDiameter = 0; }},
+      {"filamentDensity", [](Job& j) { j.printer.filamentDensity = -1; }},
+      {"layerHeight is 0.33 mm; it must be 0.05 to 0.32", [](Job& j) { j.params.layerHeight = 0.33; }},
+      {"layerHeight is 0.04 mm", [](Job& j) { j.params.layerHeight = 0.04; }},
+      {"layerHeight is not a number", [](Job& j) { j.params.layerHeight = kNan; }},
+      {"firstLayerHeight is 0.4 mm", [](Job& j) { j.params.firstLayerHeight = 0.4; }},
+      {"firstLayerHeight is -1 mm", [](Job& j) { j.params.firstLayerHeight = -1; }},
+      {"firstLayerHeight is not a number", [](Job& j) { j.params.firstLayerHeight = kNan; }},
+      {"flow is 0; it must be above 0 and at most 2", [](Job& j) { j.params.flow = 0; }},
+      {"flow is 2.5", [](Job& j) { j.params.flow = 2.5; }},
+      {"baseFlow is -1", [](Job& j) { j.params.baseFlow = -1; }},
+      {"layers is 0; it must be 1 to 1000", [](Job& j) { j.params.layers = 0; }},
+      {"layers is 1001", [](Job& j) { j.params.layers = 1001; }},
+      {"base is -1", [](Job& j) { j.params.base = -1; }},
+      {"skirt is 21", [](Job& j) { j.params.skirt = 21; }},
+      {"high with the lift",
+       [](Job& j) {
+         j.params.layers = 1000;
+         j.printer.maxZ = 100;
+       },
+       ErrorCode::DoesNotFit},
+      {"nozzleTemperature is 169", [](Job& j) { j.printer.nozzleTemperature = 169; }},
+      {"firstLayerNozzleTemperature is 301", [](Job& j) { j.printer.firstLayerNozzleTemperature = 301; }},
+      {"bedTemperature is 121", [](Job& j) { j.printer.bedTemperature = 121; }},
+      {"speed is 0 mm/s", [](Job& j) { j.printer.speed = 0; }},
+      {"firstLayerSpeed is infinite", [](Job& j) { j.printer.firstLayerSpeed = kInfinity; }},
+      {"travelSpeed", [](Job& j) { j.printer.travelSpeed = -5; }},
+      {"acceleration is 0", [](Job& j) { j.printer.acceleration = 0; }},
+      {"machineAcceleration", [](Job& j) { j.printer.machineAcceleration = -1; }},
+      {"cornerSpeed", [](Job& j) { j.printer.cornerSpeed = 0; }},
+      {"maxFlow is 0 mm3/s", [](Job& j) { j.printer.maxFlow = 0; }},
+      {"need at least 0.4 to print at 5 mm/s", [](Job& j) { j.printer.maxFlow = 0.39; }},
+      {"maxSegmentsPerSecond", [](Job& j) { j.printer.maxSegmentsPerSecond = 0; }},
+      {"pressureAdvance", [](Job& j) { j.printer.pressureAdvance = -0.1; }},
+      {"retractLength", [](Job& j) { j.printer.retractLength = 21; }},
+      {"retractSpeed", [](Job& j) { j.printer.retractSpeed = 0; }},
+      {"lift is -0.1", [](Job& j) { j.printer.lift = -0.1; }},
+      {"maxZ is 0", [](Job& j) { j.printer.maxZ = 0; }},
+      {"bedMin.x is not a number", [](Job& j) { j.printer.bedMin.x = kNan; }},
+      {"bedMax.y is 0 mm; it must be 10 to 5000", [](Job& j) { j.printer.bedMax.y = 0; }},
+      {"place.x is not a number",
+       [](Job& j) {
+         j.params.place = Vec2{kNan, 0};
+       }},
+      {"place.y is above 1e12",
+       [](Job& j) {
+         j.params.place = Vec2{0, 1e200};
+       }},
+      {"date does not look like", [](Job& j) { j.params.date = "today"; }},
+      {"generated by", [](Job& j) { j.params.notes = {"Generated By PrusaSlicer"}; }},
+      {"generated by", [](Job& j) { j.printer.name = "generated by SuperSlicer"; }},
+      {"no cycles", [](Job& j) { j.toolpath.cycles.clear(); }, ErrorCode::EmptyShape},
+      {"spacing is 0 mm", [](Job& j) { j.toolpath.spacing = 0; }},
+      {"cycle 1 (from 0) has 0 points", [](Job& j) { j.toolpath.cycles.emplace_back(); }},
+      {"cycle 0 (from 0) has 2 points; it must have at least 3",
+       [](Job& j) {
+         j.toolpath.cycles = {{{{1, 1}, {2, 2}}, {0.4f, 0.4f}}};
+       }},
+      {"has 2 different points at 0.001 mm",
+       [](Job& j) {
+         j.toolpath.cycles = {{{{1, 1}, {2, 2}, {2, 2}}, {0.4f, 0.4f, 0.4f}}};
+       }},
+      {"widths for", [](Job& j) { j.toolpath.cycles[0].widths.pop_back(); }},
+      {"vertex 3 of cycle 0 (from 0) is at (not a number, ",
+       [](Job& j) { j.toolpath.cycles[0].points[3].x = static_cast<float>(kNan); }},
+      {"vertex 3 of cycle 0 (from 0) is at (", [](Job& j) { j.toolpath.cycles[0].points[3].y = 1e30f; }},
+      {"vertex 5 of cycle 0 (from 0) is 0 mm wide", [](Job& j) { j.toolpath.cycles[0].widths[5] = 0; }},
+      {"vertex 5 of cycle 0 (from 0) is not a number mm wide",
+       [](Job& j) { j.toolpath.cycles[0].widths[5] = static_cast<float>(kNan); }},
+      {"Klipper takes at most 4 nozzle2 = 0.64",
+       [](Job& j) {
+         j.printer.flavor = GcodeFlavor::Klipper;
+         j.toolpath.cycles[0].widths[5] = 3.3f;
+       }},
+      {"the shape has a point at (infinite, ", [](Job& j) { j.shape.paths[0].rings[0][1].x = kInfinity; }},
+      {"the shape is too thin for lines of 0.4 mm",
+       [](Job& j) {
+         j.shape = rectangle(30, 0.3);
+         j.toolpath.cycles = {{{{1, 0.1f}, {29, 0.1f}, {29, 0.2f}, {1, 0.2f}}, std::vector<float>(4, 0.24f)}};
+       }},
+      {"the shape has no points", [](Job& j) { j.shape.paths.clear(); }, ErrorCode::EmptyShape},
+      {"the shape has no area",
+       [](Job& j) {
+         j.shape.paths[0].rings[0] = {{0, 0}, {30, 20}, {0, 0}};
+       },
+       ErrorCode::EmptyShape},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(std::string(row.part));
+    Job job = plate();
+    row.spoil(job);
+    const Written written = job.write();
+    REQUIRE(!written.result.ok());
+    CAPTURE(written.result.error().message);
+    CHECK(written.result.error().code == row.code);
+    CHECK(written.result.error().message.find(row.part) != std::string::npos);
+    CHECK(written.chunks == 0);
+  }
+  const Job job = plate();
+  CHECK(!writeGcode(job.toolpath, job.shape, job.printer, job.params, {}).ok());
+}
+
+TEST_CASE("what is odd but printable is written with a warning") {
+  struct Row {
+    const char* part;
+    std::function<void(Job&)> change;
+  };
+  const Row rows[] = {
+      {"filamentDiameter is 2.2 mm", [](Job& j) { j.printer.filamentDiameter = 2.2; }},
+      {"below 0.2 nozzle", [](Job& j) { j.params.layerHeight = 0.06; }},
+      {"flow is 0.7; usual are 0.8 to 1.1", [](Job& j) { j.params.flow = 0.7; }},
+      {"baseFlow is 1.2", [](Job& j) { j.params.baseFlow = 1.2; }},
+      {"no wider than the layer is high",
+       [](Job& j) {
+         j.params.layerHeight = 0.3;
+         j.toolpath.cycles[0].widths[9] = 0.25f;
+       }},
+      {"% of the shape's area", [](Job& j) { j.shape = rectangle(30, 40); }},
+      {"points of the path lie more than 0.1 mm outside the shape", [](Job& j) { j.shape = rectangle(30, 15); }},
+      {"maxFlow slows", [](Job& j) { j.printer.maxFlow = 2; }},
+      {"maxSegmentsPerSecond slows", [](Job& j) { j.printer.maxSegmentsPerSecond = 2; }},
+      {"pressure advance is 0 after the print", [](Job& j) { j.printer.setPressureAdvance = true; }},
+  };
+  const Written normal = plate().write();
+  REQUIRE(normal.result.ok());
+  CHECK(normal.result.value().warnings.empty());
+  for (const Row& row : rows) {
+    CAPTURE(std::string(row.part));
+    Job job = plate();
+    row.change(job);
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    CHECK(contains(written.result.value().warnings, row.part));
+    CHECK(grammarError(written.text) == "");
+  }
+}
+
+TEST_CASE("a sink that refuses stops the writing") {
+  const Job job = plate(60, 60, 0.1);
+  int calls = 0;
+  const auto result = writeGcode(job.toolpath, job.shape, job.printer, job.params, [&](std::string_view) {
+    ++calls;
+    return calls < 2;
+  });
+  REQUIRE(!result.ok());
+  CHECK(result.error().code == ErrorCode::Cancelled);
+  CHECK(calls == 2);
+}
+
+// ---- everything at once
+
+TEST_CASE("every rule holds on random rough plates, for both flavours") {
+  std::mt19937 random(20);
+  for (int round = 0; round < 30; ++round) {
+    CAPTURE(round);
+    Job job;
+    job.shape = makeDisc(30).value();
+    job.toolpath.spacing = 0.4;
+    const int cycles = 1 + round % 3;
+    for (int k = 0; k < cycles; ++k) {
+      job.toolpath.cycles.push_back(roughCircle(random, 3 + 4 * k, 10 + static_cast<int>(random() % 3000), 0.26, 0.62));
+    }
+    job.printer.flavor = round % 2 == 0 ? GcodeFlavor::Marlin : GcodeFlavor::Klipper;
+    job.printer.maxFlow = 2 + round % 7;
+    job.printer.maxSegmentsPerSecond = round % 5 == 0 ? 100 : 1000;
+    job.params.layers = 1 + round % 4;
+    job.params.base = round % 3;
+    job.params.skirt = round % 3;
+    job.params.firstLayerHeight = round % 4 == 1 ? 0.28 : 0;
+    job.params.place = Vec2{7 + double(random() % 1000000) / 7000, 7 + double(random() % 1000000) / 7000};
+    checkFile(job, job.write());
+  }
+}
+
+TEST_CASE("parts too thin for the base layers are reported") {
+  Job job = plate();
+  job.shape.paths.push_back({{{{30, 0}, {60, 0}, {60, 30}, {59.7, 30}, {59.7, 0.3}, {30, 0.3}}}, FillRule::NonZero});
+  job.shape.paths.push_back({{{{0, 20}, {0.35, 20}, {0.35, 190}, {0, 190}}}, FillRule::NonZero});
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  CHECK(contains(written.result.value().warnings, "the base layers cover only 8"));
+}
+
+TEST_CASE("hostile values end in a valid file or in an error") {
+  const double values[] = {kNan, kInfinity, -kInfinity, 1e300, -1e300, 0,  -0.0, 5e-324, 1e-9,
+                           -1,   0.05,      0.2,        1,     3,      40, 200,  1e5,    1e9};
+  std::mt19937 random(5);
+  int written = 0;
+  for (int round = 0; round < 1500; ++round) {
+    Job job = plate(10, 10, 3);
+    Printer& p = job.printer;
+    PrintParams& q = job.params;
+    double place = kNan;
+    double* fields[] = {&p.bedMin.x,
+                        &p.bedMin.y,
+                        &p.bedMax.x,
+                        &p.bedMax.y,
+                        &p.maxZ,
+                        &p.nozzle,
+                        &p.filamentDiameter,
+                        &p.filamentDensity,
+                        &p.nozzleTemperature,
+                        &p.firstLayerNozzleTemperature,
+                        &p.bedTemperature,
+                        &p.speed,
+                        &p.firstLayerSpeed,
+                        &p.travelSpeed,
+                        &p.acceleration,
+                        &p.machineAcceleration,
+                        &p.cornerSpeed,
+                        &p.maxFlow,
+                        &p.maxSegmentsPerSecond,
+                        &p.pressureAdvance,
+                        &p.retractLength,
+                        &p.retractSpeed,
+                        &p.lift,
+                        &q.layerHeight,
+                        &q.firstLayerHeight,
+                        &q.flow,
+                        &q.baseFlow,
+                        &place,
+                        &job.toolpath.spacing,
+                        &job.shape.paths[0].rings[0][2].x,
+                        &job.shape.paths[0].rings[0][2].y};
+    for (int k = 0; k <= round % 2; ++k) *fields[random() % std::size(fields)] = values[random() % std::size(values)];
+    if (!std::isnan(place)) q.place = Vec2{place, 100};
+    Cycle& cycle = job.toolpath.cycles[0];
+    if (round % 6 == 0)
+      cycle.points[random() % cycle.points.size()].x = static_cast<float>(values[random() % std::size(values)]);
+    if (round % 6 == 1)
+      cycle.widths[random() % cycle.widths.size()] = static_cast<float>(values[random() % std::size(values)]);
+    if (round % 7 == 0) p.flavor = GcodeFlavor::Klipper;
+    const Written file = job.write();
+    if (!file.result.ok()) {
+      CHECK(file.text.empty());
+      CHECK(!file.result.error().message.empty());
+      continue;
+    }
+    ++written;
+    CHECK(grammarError(file.text) == "");
+    CHECK(std::isfinite(file.result.value().seconds));
+    const ReadFile read = readGcode(file.text);
+    CHECK(read.minX >= p.bedMin.x);
+    CHECK(read.maxX <= p.bedMax.x);
+  }
+  CHECK(written > 100);
+}
+
+TEST_CASE("the time in the footer is the time of the summary") {
+  Job job = plate();
+  const Written written = job.write();
+  const double seconds = written.result.value().seconds;
+  const std::string expected =
+      std::to_string(std::llround(seconds) / 60) + "m " + std::to_string(std::llround(seconds) % 60) + "s";
+  CHECK(valueOf(written.text, "; estimated printing time (normal mode) = ") == expected);
+  // Two base layers and one oriented of about 1500 mm each, the first at 20 mm/s: 1500 / 20 + 2 * 1500 / 50 and
+  // corners.
+  CHECK(seconds > 135);
+  CHECK(seconds < 200);
+}
