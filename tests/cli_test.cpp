@@ -340,7 +340,7 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--spacing 0x1p-1", "it must be a number");
   refused("--spacing 1,5", "--spacing is \"1,5\"; it must be a number");
   refused("--spacing 1e9", "spacing is");
-  refused("--spacing 15", "");  // wider than the disc
+  refused("--spacing 15", "spacing is 15 mm");  // wider than the disc
   refused("--angle inf", "--angle is \"inf\"");
   refused("--bridge -1", "bridge is -1 mm");
   refused("--seed -1", "--seed is \"-1\"");
@@ -356,8 +356,8 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--mode diagonal", "parallel, orthogonal, smoothest or constrained");
   refused("--flavor bambu", "marlin or klipper");
   refused("--bed 200", "--bed is \"200\"");
-  refused("--bed 10x10", "");  // smaller than the plate
-  refused("--place 300,300", "");
+  refused("--bed 10x10", "bed");  // smaller than the plate
+  refused("--place 300,300", "bed");
   refused("--threads 0", "--threads is \"0\"; it must be a whole number from 1 to 256");
   refused("--sweeps 0", "weeps");
   refused("--min-width nan", "--min-width");

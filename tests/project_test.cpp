@@ -52,6 +52,7 @@ Project unusualProject() {
   p.toolpath.stitchAlignment = 0.6;
   p.toolpath.relaxationRounds = 4;
   p.toolpath.relaxationSmoothing = 0.3;
+  p.toolpath.widthBalance = 0.7;
   p.toolpath.minWidth = 0.6;
   p.toolpath.maxWidth = 1.9;
   p.toolpath.simplifyTolerance = 0.004;

@@ -3,27 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "neighbour_gaps.hpp"
 #include "parallel_for.hpp"
 
 namespace sillon {
-namespace {
-
-constexpr float kCap = 1.5f;  ///< a gap with nothing in it is not wider than this [tau]
-
-}  // namespace
-
-Result<std::vector<float>> beadWidths(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
-                                      const RunContext& run) {
+Result<std::vector<float>> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
+                                      const ToolpathParams& params, const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
-  const NeighbourGaps gaps = neighbourGaps(curves, border, params.spacing, kCap * spacing, run);
   const float low = static_cast<float>(params.minWidth) * spacing;
+  const float balance = static_cast<float>(params.widthBalance);
   const float high = static_cast<float>(params.maxWidth) * spacing;
   std::vector<float> widths(curves.points.size());
   parallelFor(run, static_cast<int>(widths.size()), 4096, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
-      float width = std::clamp(0.5f * (gaps.left[i] + gaps.right[i]), low, high);
+      const float least = std::min(gaps.left[i], gaps.right[i]);
+      const float both = 0.5f * (gaps.left[i] + gaps.right[i]);
+      float width = std::clamp(least + balance * (both - least), low, high);
       const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
       if (border.blockDistance(p) < 0.5f * width) {
         // A joint across a gap or a neck keeps a thread, or the cycle would not print as one.

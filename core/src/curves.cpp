@@ -45,18 +45,25 @@ struct Segment {
   int previous;  ///< id of the segment before it on its curve, among those that do not vanish
 };
 
-std::vector<Segment> segmentsOf(const ClosedCurves& curves) {
+std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<char>& among) {
   std::vector<Segment> segments;
-  segments.reserve(curves.points.size());
+  if (among.empty()) segments.reserve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
-    const std::size_t first = segments.size();
-    for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
-      const Point64 a = rounded(curves.points[static_cast<std::size_t>(k)]);
-      const Point64 b = rounded(curves.points[static_cast<std::size_t>(nextOf(curves, c, k))]);
+    const int begin = curves.begin[static_cast<std::size_t>(c)];
+    const int end = curves.begin[static_cast<std::size_t>(c) + 1];
+    const auto at = [&](int k) { return rounded(curves.points[static_cast<std::size_t>(k)]); };
+    for (int k = begin; k < end; ++k) {
+      const int next = nextOf(curves, c, k);
+      if (!among.empty() && !among[static_cast<std::size_t>(k)] && !among[static_cast<std::size_t>(next)]) continue;
+      const Point64 a = at(k);
+      const Point64 b = at(next);
       if (a == b) continue;
-      segments.push_back({a, b, k, segments.size() > first ? segments.back().id : -1});
+      int previous = k;
+      do {
+        previous = previous == begin ? end - 1 : previous - 1;
+      } while (previous != k && at(previous) == at(nextOf(curves, c, previous)));
+      segments.push_back({a, b, k, previous});
     }
-    if (segments.size() > first) segments[first].previous = segments.back().id;
   }
   return segments;
 }
@@ -96,8 +103,9 @@ std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves) {
   return curve;
 }
 
-std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run) {
-  const std::vector<Segment> segments = segmentsOf(curves);
+std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run,
+                                               const std::vector<char>& among) {
+  const std::vector<Segment> segments = segmentsOf(curves, among);
   if (segments.empty()) return {};
   Point64 low = segments.front().a;
   Point64 high = low;

@@ -25,6 +25,8 @@ inline int nextOf(const ClosedCurves& curves, int curve, int point) {
 
 /// All pairs of non-consecutive segments that share a point, exact on coordinates rounded to 1 µm, each pair once in
 /// ascending order. A segment is named by its first point. Segments that vanish in rounding are passed over.
-std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run);
+/// \param among  if not empty, only segments with a marked end (1 per point) are looked at.
+std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run,
+                                               const std::vector<char>& among = {});
 
 }  // namespace sillon

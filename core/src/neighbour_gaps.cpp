@@ -1,4 +1,4 @@
-#include "neighbour_gaps.hpp"
+#include "sillon/neighbour_gaps.hpp"
 
 #include <cmath>
 
@@ -10,21 +10,25 @@
 namespace sillon {
 namespace {
 
-constexpr int kOwnChain = 10;       ///< points tau/4 apart: 2.5 spacings along the path
+constexpr int kOwnChain = 4;       ///< points tau/4 apart
+constexpr float kTight = 0.3f;        ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
 constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
 
 // Curvatures 1/g of the touching circles, the largest on either side.
-struct Curvatures {
+struct Nearest {
   float left;
   float right;
+  float distance2;  ///< to the nearest point of another piece
 };
 
+float laneMin(F4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
 float laneMax(F4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
 
 // Over all sorted points: (N . to) / |to|² is the signed curvature of the circle through `to` touching the path at p.
-Curvatures nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int point, int first, int size) {
+Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int point, int first, int size) {
   F4 left = splat(1 / cap);
   F4 right = splat(1 / cap);
+  F4 closest = splat(cap * cap);
   const F4 px = splat(p.x);
   const F4 py = splat(p.y);
   const F4 nx = splat(normal.x);
@@ -46,12 +50,28 @@ Curvatures nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, in
       const I4 sameCurve = ((id < begin) == splatInt(0)) & (id < end);
       const I4 close = ((apart > minusNear) & (apart < near)) | (apart > wrapped) | (apart < minusWrapped);
       const F4 distance2 = max4(dx * dx + dy * dy, splat(1e-12f));
-      const F4 curvature = select4(sameCurve & close, splat(0), (nx * dx + ny * dy) / distance2);
+      const I4 ownChain = sameCurve & close;
+      const F4 curvature = select4(ownChain, splat(0), (nx * dx + ny * dy) / distance2);
+      closest = min4(closest, select4(ownChain, splat(1e9f), distance2));
       left = max4(left, curvature);
       right = max4(right, -curvature);
     }
   });
-  return {laneMax(left), laneMax(right)};
+  return {laneMax(left), laneMax(right), laneMin(closest)};
+}
+
+// Whether one of the next segments within the own chain heads backwards: only then can it meet this one.
+bool turnsBack(const ClosedCurves& curves, int curve, int point) {
+  const auto at = [&](int k) { return curves.points[static_cast<std::size_t>(k)]; };
+  int next = nextOf(curves, curve, point);
+  const Vec2f first = at(next) - at(point);
+  bool back = false;
+  for (int k = 1; k <= kOwnChain + 1; ++k) {
+    const int after = nextOf(curves, curve, next);
+    back = back || dot(first, at(after) - at(next)) < 0;
+    next = after;
+  }
+  return back;
 }
 
 }  // namespace
@@ -68,17 +88,19 @@ Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
 NeighbourGaps neighbourGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
                             const RunContext& run) {
   const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
-  NeighbourGaps gaps{std::vector<float>(curves.points.size(), cap), std::vector<float>(curves.points.size(), cap)};
+  const std::size_t count = curves.points.size();
+  NeighbourGaps gaps{std::vector<float>(count, cap), std::vector<float>(count, cap), std::vector<char>(count, 0)};
+  const float tight = kTight * static_cast<float>(spacing);
   const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
-  // In sorted order neighbours in the loop are neighbours on the plate, so that their buckets stay in the cache.
+  // In path order: the next point's buckets are mostly the same.
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      const std::size_t i = static_cast<std::size_t>(grid.id[static_cast<std::size_t>(k)]);
+      const std::size_t i = static_cast<std::size_t>(k);
       const int curve = curveOf[i];
       const Vec2f tangent = tangentAt(curves, curve, static_cast<int>(i));
       const Vec2f normal{-tangent.y, tangent.x};
       const Vec2f p = curves.points[i];
-      Curvatures nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
+      Nearest nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
                                      curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
       const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
       if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
@@ -89,6 +111,7 @@ NeighbourGaps neighbourGaps(const ClosedCurves& curves, const BorderIndex& borde
           (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
         }
       }
+      gaps.tight[i] = nearest.distance2 < tight * tight || turnsBack(curves, curve, static_cast<int>(i)) ? 1 : 0;
       gaps.left[i] = 1 / nearest.left;
       gaps.right[i] = 1 / nearest.right;
     }

@@ -70,6 +70,7 @@ std::string invalidParameter(const ToolpathParams& p) {
     return outOfRange("relaxationRounds", p.relaxationRounds, "", "0 to 100");
   }
   if (!within(p.relaxationSmoothing, 0, 1)) return outOfRange("relaxationSmoothing", p.relaxationSmoothing, "", "0 to 1");
+  if (!within(p.widthBalance, 0, 1)) return outOfRange("widthBalance", p.widthBalance, "", "0 to 1");
   if (!within(p.minWidth, 0.1, 1)) return outOfRange("minWidth", p.minWidth, " spacings", "0.1 to 1 spacings");
   if (!within(p.maxWidth, 1, 4)) return outOfRange("maxWidth", p.maxWidth, " spacings", "1 to 4 spacings");
   if (!within(p.simplifyTolerance, 0, 1)) return outOfRange("simplifyTolerance", p.simplifyTolerance, " mm", "0 to 1 mm");
@@ -148,15 +149,16 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   plate.longestJointMm = stitched.value().longestJoint;
 
   clock.start("relaxation", 0.88);
-  const Result<ClosedCurves> path = relaxSpacing(stitched.value().curves, border.value(), params, run);
-  if (!path) return path.error();
+  const Result<Relaxed> relaxed = relaxSpacing(stitched.value().curves, border.value(), params, run);
+  if (!relaxed) return relaxed.error();
+  const ClosedCurves& path = relaxed.value().curves;
 
   clock.start("width", 0.95);
-  const Result<std::vector<float>> widths = beadWidths(path.value(), border.value(), params, run);
+  const Result<std::vector<float>> widths = beadWidths(path, relaxed.value().gaps, border.value(), params, run);
   if (!widths) return widths.error();
 
   clock.start("simplify", 1);
-  Result<Toolpath> toolpath = finishToolpath(path.value(), widths.value(), params, run);
+  Result<Toolpath> toolpath = finishToolpath(path, widths.value(), params, run);
   if (!toolpath) return toolpath.error();
   plate.toolpath = std::move(toolpath).value();
   clock.stop();

@@ -91,6 +91,7 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.number("stitchAlignment", p.toolpath.stitchAlignment);
   v.integer("relaxationRounds", p.toolpath.relaxationRounds);
   v.number("relaxationSmoothing", p.toolpath.relaxationSmoothing);
+  v.number("widthBalance", p.toolpath.widthBalance);
   v.number("minWidth", p.toolpath.minWidth);
   v.number("maxWidth", p.toolpath.maxWidth);
   v.number("simplifyTolerance", p.toolpath.simplifyTolerance);

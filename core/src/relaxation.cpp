@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "curves.hpp"
-#include "neighbour_gaps.hpp"
 #include "parallel_for.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr float kCap = 1.5f;       ///< gaps wider than this count as this [tau]
+constexpr float kCap = 1.5f;       ///< gaps wider than this count as this [tau]; also the width a bead has with nothing beside it
 constexpr float kMaxMove = 0.15f;  ///< per round [tau]
 constexpr int kAttempts = 8;
 
@@ -87,21 +86,23 @@ void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vect
 
 }  // namespace
 
-Result<ClosedCurves> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
+Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
                                   const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
   const float step = 0.25f * spacing;
   const float smoothing = static_cast<float>(params.relaxationSmoothing);
   ClosedCurves path = resampled(curves, step);
+  NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
-    const NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
     const std::vector<Vec2f> moves = movesOf(path, gaps, spacing, run);
     std::vector<float> share(path.points.size(), 1.0f);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
       ClosedCurves next = resampled(moved(path, moves, share, smoothing, run), step);
-      const auto crossings = findCrossings(next, run);
+      NeighbourGaps nextGaps = neighbourGaps(next, border, params.spacing, kCap * spacing, run);
+      const auto crossings = findCrossings(next, run, nextGaps.tight);
       if (crossings.empty()) {
         path = std::move(next);
+        gaps = std::move(nextGaps);
         break;
       }
       damp(path, next, crossings, 8 << attempt, attempt < 3 ? 0.5f : 0.0f, share);
@@ -109,7 +110,7 @@ Result<ClosedCurves> relaxSpacing(const ClosedCurves& curves, const BorderIndex&
     run.report((round + 1.0) / params.relaxationRounds);
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
-  return path;
+  return Relaxed{std::move(path), std::move(gaps)};
 }
 
 }  // namespace sillon

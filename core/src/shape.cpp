@@ -27,13 +27,14 @@ std::string decimal(double value) {
   if (!(std::abs(value) < 1e12)) return value > 0 ? "more than 1e12" : "less than -1e12";
   const long long scaled = std::llround(std::abs(value) * 1e6);
   std::array<char, 24> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), scaled).ptr;
-  std::string text(digits.data(), end);
-  if (text.size() < 7) text.insert(0, 7 - text.size(), '0');
-  text.insert(text.size() - 6, ".");
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), 1'000'000 + scaled % 1'000'000).ptr;
+  std::string text = value < 0 && scaled != 0 ? "-" : "";
+  text += std::to_string(scaled / 1'000'000);
+  text += '.';
+  text.append(digits.data() + 1, end);  // without the 1 that keeps leading zeros
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
-  return (value < 0 && scaled != 0 ? "-" : "") + text;
+  return text;
 }
 
 bool validSize(double mm) { return snapped(mm) > 0 && mm <= kMaxSize; }  // false for NaN

@@ -17,12 +17,14 @@ constexpr int kSpan = 4;               ///< segments taken out of each curve: on
 constexpr float kFirstReach = 1.8f;    ///< how far apart joined pieces may lie at first [tau]
 constexpr float kLengthCost = 0.65f;   ///< cost of a mm of added length
 constexpr float kGapCost = 8;          ///< cost of a mm outside the shape: only where nothing else joins
-constexpr int kMaxRounds = 40;
+constexpr int kMaxRounds = 60;
+constexpr std::size_t kAlternatives = 24;  ///< partners tried per point where the nearest ones cannot be joined
 
 struct Candidate {
   float cost;
-  int i;  ///< middle of the piece of one curve
-  int j;  ///< of the other
+  int i;     ///< middle of the piece of one curve
+  int j;     ///< of the other
+  int span;  ///< segments taken out of each
 };
 
 // The state of the curves while they are being joined.
@@ -60,9 +62,9 @@ class Joining {
   [[nodiscard]] bool used(int point) const { return used_[static_cast<std::size_t>(point)] != 0; }
 
   // What joining the pieces around i and j costs; curves run in opposite senses, so the edges cross over.
-  [[nodiscard]] float cost(int i, int j) const {
-    const Piece a = pieceAround(i);
-    const Piece b = pieceAround(j);
+  [[nodiscard]] float cost(int i, int j, int span) const {
+    const Piece a = pieceAround(i, span);
+    const Piece b = pieceAround(j, span);
     const float gap = length(at(a.begin) - at(b.end)) + length(at(b.begin) - at(a.end));
     const float added = gap - a.length - b.length;
     const float misaligned = misalignment(at(a.begin), at(b.end)) + misalignment(at(b.begin), at(a.end)) -
@@ -75,8 +77,8 @@ class Joining {
     const int si = setOf(curveOf(candidate.i));
     const int sj = setOf(curveOf(candidate.j));
     if (si == sj) return false;
-    const Piece a = pieceAround(candidate.i);
-    const Piece b = pieceAround(candidate.j);
+    const Piece a = pieceAround(candidate.i, candidate.span);
+    const Piece b = pieceAround(candidate.j, candidate.span);
     if (touchesUsed(a) || touchesUsed(b)) return false;
     const Edge e{a.begin, b.end};
     const Edge f{b.begin, a.end};
@@ -138,11 +140,11 @@ class Joining {
 
   [[nodiscard]] bool inner(int point) const { return used_[static_cast<std::size_t>(point)] == kInner; }
 
-  [[nodiscard]] Piece pieceAround(int point) const {
+  [[nodiscard]] Piece pieceAround(int point, int wanted) const {
     const int curve = curveOf(point);
     const int first = curves_.begin[static_cast<std::size_t>(curve)];
     const int n = curves_.size(curve);
-    const int span = std::min(kSpan, n / 2);
+    const int span = std::min(wanted, n / 2);
     const int begin = first + (point - first - span / 2 + n) % n;
     const int end = first + (begin - first + span) % n;
     Piece piece{begin, end, span, 0};
@@ -198,11 +200,8 @@ class Joining {
   // An edge of a curve is live unless it was taken out with a piece.
   [[nodiscard]] bool live(int point) const {
     const int next = nextOf(curves_, curveOf(point), point);
-    return next_[static_cast<std::size_t>(point)] == next && !inner(point) && !inner(next) &&
-           !(used(point) && used(next) && takenOut(point, next));
+    return next_[static_cast<std::size_t>(point)] == next && !inner(point) && !inner(next);
   }
-  // Both ends of a piece of one segment are ends; the edge between them is out once the piece's begin was redirected.
-  [[nodiscard]] bool takenOut(int point, int next) const { return next_[static_cast<std::size_t>(point)] != next; }
 
   // Strictly or touching; shared end points are excluded by the callers.
   static bool meet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) {
@@ -306,48 +305,81 @@ int partOf(const Parts& parts, Vec2f p) {
   return parts.label[grid.index(x, y)];
 }
 
-// For each point asked for, the nearest point of another set within reach on either side, as a candidate.
-std::vector<Candidate> findCandidates(Joining& joining, const PointGrid& grid, const ClosedCurves& curves,
-                                      const std::vector<int>& setOfCurve, const std::vector<int>& partOfCurve,
-                                      const std::vector<char>& wanted, int stride, float reach, const RunContext& run) {
+struct Search {
+  const std::vector<int>& setOfCurve;
+  const std::vector<int>& partOfCurve;
+  const std::vector<char>& wanted;  ///< curves whose points look for partners
+  int stride;                       ///< every how many points
+  float reach;
+  bool thorough;                    ///< not only the nearest partner on either side, and shorter pieces too
+};
+
+struct Partner {
+  float distance2;
+  int point;
+};
+
+// Free points of other sets of the same part within reach, nearest first; in the quick search one on either side.
+void findPartners(const Joining& state, const PointGrid& grid, const ClosedCurves& curves, const Search& search, int i,
+                  std::vector<Partner>& partners) {
+  partners.clear();
+  const int curve = state.curveOf(i);
+  const std::size_t c = static_cast<std::size_t>(curve);
+  const Vec2f p = state.at(i);
+  const Vec2f along = state.at(nextOf(curves, curve, i)) - p;
+  Partner nearest[2] = {{search.reach * search.reach, -1}, {search.reach * search.reach, -1}};
+  grid.around(p, search.reach, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      const std::size_t s = static_cast<std::size_t>(k);
+      const Vec2f to{grid.x[s] - p.x, grid.y[s] - p.y};
+      const float distance2 = dot(to, to);
+      Partner& best = nearest[cross(along, to) > 0 ? 1 : 0];
+      if (distance2 > (search.thorough ? search.reach * search.reach : best.distance2)) continue;
+      const int j = grid.id[s];
+      const std::size_t other = static_cast<std::size_t>(state.curveOf(j));
+      if (search.setOfCurve[other] == search.setOfCurve[c] || search.partOfCurve[other] != search.partOfCurve[c] ||
+          state.used(j)) {
+        continue;
+      }
+      if (search.thorough) {
+        partners.push_back({distance2, j});
+      } else if (distance2 < best.distance2 || best.point < 0 || j < best.point) {
+        best = {distance2, j};
+      }
+    }
+  });
+  for (const Partner& partner : nearest) {
+    if (partner.point >= 0) partners.push_back(partner);
+  }
+  std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
+    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.point < b.point;
+  });
+  if (partners.size() > kAlternatives) partners.resize(kAlternatives);
+}
+
+std::vector<Candidate> findCandidates(const Joining& state, const PointGrid& grid, const ClosedCurves& curves,
+                                      const Search& search, const RunContext& run) {
   const int count = static_cast<int>(curves.points.size());
   constexpr int kGrain = 4096;
   std::vector<std::vector<Candidate>> found(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
-  const Joining& state = joining;
   parallelFor(run, count, kGrain, [&](int begin, int end) {
     std::vector<Candidate>& out = found[static_cast<std::size_t>(begin / kGrain)];
+    std::vector<Partner> partners;
     for (int i = begin; i < end; ++i) {
-      const int curve = state.curveOf(i);
-      const std::size_t c = static_cast<std::size_t>(curve);
-      if (!wanted[c] || (i - curves.begin[c]) % stride != 0 || state.used(i)) continue;
-      const Vec2f p = state.at(i);
-      const Vec2f along = state.at(nextOf(curves, curve, i)) - p;
-      float best[2] = {reach * reach, reach * reach};
-      int bestPoint[2] = {-1, -1};
-      grid.around(p, reach, [&](int first, int last) {
-        for (int k = first; k < last; ++k) {
-          const std::size_t s = static_cast<std::size_t>(k);
-          const Vec2f to{grid.x[s] - p.x, grid.y[s] - p.y};
-          const float distance = dot(to, to);
-          const std::size_t side = cross(along, to) > 0 ? 1 : 0;
-          if (distance > best[side]) continue;
-          const int j = grid.id[s];
-          const std::size_t other = static_cast<std::size_t>(state.curveOf(j));
-          if (setOfCurve[other] == setOfCurve[c] || partOfCurve[other] != partOfCurve[c] || state.used(j)) continue;
-          if (distance == best[side] && bestPoint[side] >= 0 && j > bestPoint[side]) continue;
-          best[side] = distance;
-          bestPoint[side] = j;
+      const std::size_t c = static_cast<std::size_t>(state.curveOf(i));
+      if (!search.wanted[c] || (i - curves.begin[c]) % search.stride != 0 || state.used(i)) continue;
+      findPartners(state, grid, curves, search, i, partners);
+      for (const Partner& partner : partners) {
+        for (int span = kSpan; span >= (search.thorough ? 1 : kSpan); span /= 2) {
+          out.push_back({state.cost(i, partner.point, span), i, partner.point, span});
         }
-      });
-      for (const int j : bestPoint) {
-        if (j >= 0) out.push_back({state.cost(i, j), i, j});
       }
     }
   });
   std::vector<Candidate> candidates;
   for (const std::vector<Candidate>& part : found) candidates.insert(candidates.end(), part.begin(), part.end());
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.cost != b.cost ? a.cost < b.cost : (a.i != b.i ? a.i < b.i : a.j < b.j);
+    return a.cost != b.cost ? a.cost < b.cost : (a.i != b.i ? a.i < b.i : (a.j != b.j ? a.j < b.j : a.span > b.span));
   });
   return candidates;
 }
@@ -366,6 +398,7 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
 
   const PointGrid grid(curves.points, spacing, run);
   float reach = kFirstReach * spacing;
+  bool thorough = false;
   const float diagonal = static_cast<float>(length(Vec2{parts.grid.nx * parts.grid.cell, parts.grid.ny * parts.grid.cell}));
   std::vector<int> setOfCurve(count);
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
@@ -391,14 +424,15 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
       any = any || wanted[c];
     }
     if (!any) break;
-    const std::vector<Candidate> candidates = findCandidates(joining, grid, curves, setOfCurve, partOfCurve, wanted,
-                                                             round == 0 ? 2 : 1, reach, run);
+    const Search search{setOfCurve, partOfCurve, wanted, round == 0 ? 2 : 1, reach, thorough};
     int joined = 0;
-    for (const Candidate& candidate : candidates) joined += joining.join(candidate, grid) ? 1 : 0;
-    if (joined == 0) {
-      if (reach > diagonal) break;
-      reach *= 2;
+    for (const Candidate& candidate : findCandidates(joining, grid, curves, search, run)) {
+      joined += joining.join(candidate, grid) ? 1 : 0;
     }
+    if (joined > 0) continue;
+    if (reach > diagonal) break;
+    if (thorough) reach *= 2;
+    thorough = true;
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   return joining.result();

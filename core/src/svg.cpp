@@ -192,7 +192,7 @@ class NestingCheck {
 
   void skipPast(std::string_view end, std::size_t offset) {
     const std::size_t found = text_.find(end, at_ + offset);
-    if (found == std::string_view::npos) malformed("the end of the file instead of '" + std::string(end) + "' after what begins");
+    if (found == std::string_view::npos) malformed("no '" + std::string(end) + "' closes what begins");
     at_ = found + end.size();
   }
 
@@ -585,9 +585,10 @@ class Outliner {
   void arc(Vec2 from, Vec2 center, Vec2 u, Vec2 v, double angle, double sweep, Vec2 to) {
     begin(from);
     const Vec2 c = toWorld_.point(center), p = toWorld_.vector(u), q = toWorld_.vector(v);
-    const double radius = std::sqrt(dot(p, p) + dot(q, q));  // at least the longest half axis, at most sqrt(2) times it
-    const double longest = std::sqrt((radius * radius + std::sqrt(square(dot(p, p) - dot(q, q)) + 4 * square(dot(p, q)))) / 2);
-    const int n = std::max(pieces(longest * sweep * sweep), static_cast<int>(std::ceil(std::abs(sweep) / (kPi / 4))));
+    // The second derivative stays below the longest half axis of the transformed ellipse.
+    const double pp = dot(p, p), qq = dot(q, q), pq = dot(p, q);
+    const double axis = std::sqrt((pp + qq + std::sqrt((pp - qq) * (pp - qq) + 4 * pq * pq)) / 2);
+    const int n = std::max(pieces(axis * sweep * sweep), static_cast<int>(std::ceil(std::abs(sweep) / (kPi / 4))));
     for (int i = 1; i < n; ++i) {
       const double at = angle + sweep * i / n;
       add(c + std::cos(at) * p + std::sin(at) * q);
@@ -609,8 +610,6 @@ class Outliner {
   }
 
  private:
-  static double square(double x) { return x * x; }
-
   // A curve over t in [0, 1] whose second derivative stays below `bend` leaves the chord of a piece of 1/n by at most
   // bend / (8 n²).
   [[nodiscard]] int pieces(double bend) const {
@@ -668,6 +667,8 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
   Vec2 h = back.vector(0.5 * (from - to));
   h = {h.x / rx, h.y / ry};
   const double half = dot(h, h);
+  if (!(half < 1e100)) refuse("the radii of an arc are too small for its length");
+  if (half < 1e-14 && !large) return out.line(from, to);  // leaves the chord by less than 1e-7 of it
   if (half > 1) {  // too small to reach: grown until they do
     rx *= std::sqrt(half);
     ry *= std::sqrt(half);
@@ -1084,7 +1085,8 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
     document->parse<rapidxml::parse_validate_closing_tags>(buffer.data());
     const Node* root = document->first_node();
     if (!root || elementName(*root) != "svg") {
-      refuse(root ? "the file is not an SVG: it begins with <" + std::string(quoted(root->name())) + ">" : "the file holds no SVG");
+      refuse(root ? "the first element is " + quoted({root->name(), root->name_size()}) + "; it must be <svg>"
+                  : "the file holds no <svg> element");
     }
     try {
       return drawing.read(*root);

@@ -383,6 +383,9 @@ void addAdvanced(Options& options) {
       "--relaxation-smoothing", "F", "pull to the neighbours' middle per round",
       [](Project & p) -> auto& { return p.toolpath.relaxationSmoothing; });
   options.number(
+      "--width-balance", "F", "0: beads never overlap, 1: plastic fills the plate",
+      [](Project & p) -> auto& { return p.toolpath.widthBalance; });
+  options.number(
       "--min-width", "F", "narrowest bead in spacings", [](Project & p) -> auto& { return p.toolpath.minWidth; });
   options.number(
       "--max-width", "F", "widest bead in spacings", [](Project & p) -> auto& { return p.toolpath.maxWidth; });

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sillon/neighbour_gaps.hpp"
 #include "sillon/params.hpp"
 #include "sillon/result.hpp"
 #include "sillon/run_context.hpp"
@@ -11,11 +12,11 @@
 
 namespace sillon {
 
-/// Width at every point: half the gaps on both sides together, so that the plastic laid down fills the plate (Eq. 16
-/// takes twice the smaller one and leaves 2-3 % of the area empty), held to [minWidth, maxWidth] spacings and, so that
-/// no bead spills, to twice the distance to the border.
-/// \param curves  points about tau/4 apart.
-Result<std::vector<float>> beadWidths(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
-                                      const RunContext& run);
+/// Width at every point: between the smaller of the two gaps at its sides (Eq. 16: no overlap, but 1-2 % of the area
+/// stays empty) and their mean (the right volume of plastic, some overlap), by `widthBalance`; held to
+/// [minWidth, maxWidth] spacings and, so that no bead spills, to twice the distance to the border.
+/// \param gaps  of these curves.
+Result<std::vector<float>> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
+                                      const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

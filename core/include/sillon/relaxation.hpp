@@ -1,6 +1,7 @@
 // Evens out the spacing of the stitched path; replaces the repulsion of Sec. 5.6 (Eq. 15).
 #pragma once
 
+#include "sillon/neighbour_gaps.hpp"
 #include "sillon/params.hpp"
 #include "sillon/result.hpp"
 #include "sillon/run_context.hpp"
@@ -9,11 +10,16 @@
 
 namespace sillon {
 
+struct Relaxed {
+  ClosedCurves curves;  ///< points tau/4 apart
+  NeighbourGaps gaps;   ///< of the curves as they are now, at most 1.5 tau
+};
+
 /// Each round moves every point a quarter of the difference of its gaps towards the wider side (at most 0.15 tau),
 /// smooths the moves along the path, pulls each point towards the middle of its neighbours and resamples at tau/4.
 /// Where a round would make the path meet itself, its moves are halved there, to nothing in the end: a simple path stays
 /// simple (checked exactly on 1 µm). The published repulsion pushes apart only what is nearer than tau/2.
-Result<ClosedCurves> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
+Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
                                   const RunContext& run);
 
 }  // namespace sillon

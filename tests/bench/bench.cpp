@@ -1,0 +1,262 @@
+// Benches of the core: quality per scene, time per stage, threads, growth. Prints tables; asserts nothing.
+//
+//   sillon_bench quality [none|soft|N] [SCENE.json ...]   figures of the delivered toolpath
+//   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
+//   sillon_bench growth                                   0.25 to 16 million cells: time exponent and bytes per cell
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "assemble.hpp"
+#include "sillon/measure.hpp"
+#include "sillon/pipeline.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using sillon::Plate;
+using sillon::PlateInput;
+using sillon::Project;
+using sillon::RunContext;
+
+std::vector<std::string> publishedScenes() {
+  const fs::path folder = fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes";
+  std::vector<std::string> scenes;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".json") scenes.push_back(entry.path().string());
+    }
+  }
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+std::vector<std::string> exampleScenes() {
+  std::vector<std::string> scenes;
+  for (const auto& entry : fs::directory_iterator(fs::path(SILLON_SOURCE_DIR) / "examples")) {
+    if (entry.path().extension() == ".json") scenes.push_back(entry.path().string());
+  }
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+struct Loaded {
+  std::string name;
+  Project project;
+  PlateInput input;
+};
+
+bool load(const std::string& path, Loaded& out) {
+  out.name = fs::path(path).stem().string();
+  const auto project = cli::loadProject(path);
+  if (!project) {
+    std::printf("%s: %s\n", path.c_str(), project.error().message.c_str());
+    return false;
+  }
+  out.project = project.value();
+  auto input = cli::assemblePlate(out.project);
+  if (!input) {
+    std::printf("%s: %s\n", path.c_str(), input.error().message.c_str());
+    return false;
+  }
+  out.input = std::move(input).value();
+  return true;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double totalOf(const Plate& plate) {
+  double sum = 0;
+  for (const auto& stage : plate.time) sum += stage.seconds;
+  return sum;
+}
+
+void quality(const std::vector<std::string>& scenes, const std::string& perimeters) {
+  std::printf("%-27s %8s %8s %8s %7s %7s %7s %6s %6s %5s %6s %5s %6s %7s\n", "scene", "align", "inner", "constr.", "cover%",
+              "over%", "spill%", "U-turn", "kinks", "cross", "cycles", "parts", "paths", "fill");
+  const RunContext run(2);
+  for (const std::string& path : scenes) {
+    Loaded scene;
+    if (!load(path, scene)) continue;
+    sillon::ToolpathParams params = scene.project.toolpath;
+    if (perimeters == "none") params.perimeterMode = sillon::PerimeterMode::None;
+    if (perimeters == "soft") params.perimeterMode = sillon::PerimeterMode::Soft;
+    if (!perimeters.empty() && std::isdigit(perimeters[0])) {
+      params.perimeterMode = sillon::PerimeterMode::Count;
+      params.perimeters = std::stoi(perimeters);
+    }
+    const auto plate = generateToolpath(scene.input, params, run);
+    if (!plate) {
+      std::printf("%-27s %s\n", scene.name.c_str(), plate.error().message.c_str());
+      continue;
+    }
+    const auto m = measureToolpath(plate.value().toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
+                                   params, run);
+    if (!m) continue;
+    const auto& v = m.value();
+    std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %6d %6d %5d %6d %5d %6d %7.3f\n", scene.name.c_str(), v.alignment,
+                v.alignmentInterior, v.alignmentConstrained, v.coverage, v.overlap, v.spill, static_cast<int>(v.uTurns),
+                static_cast<int>(v.kinks), static_cast<int>(v.crossings), static_cast<int>(plate.value().contourCycles),
+                static_cast<int>(plate.value().parts), static_cast<int>(plate.value().toolpath.cycles.size()), v.fillRatio);
+    std::fflush(stdout);
+  }
+}
+
+void times(const std::vector<std::string>& scenes) {
+  constexpr int kWarmUps = 2;
+  constexpr int kRuns = 9;
+  const RunContext one(1);
+  const RunContext two(2);
+  for (const std::string& path : scenes) {
+    Loaded scene;
+    if (!load(path, scene)) continue;
+    std::vector<std::vector<double>> stages;
+    std::vector<double> totals;
+    std::vector<double> totals2;
+    std::vector<double> ratios;
+    std::vector<std::string> names;
+    for (int k = 0; k < kWarmUps + kRuns; ++k) {
+      const auto a = generateToolpath(scene.input, scene.project.toolpath, one);
+      const auto b = generateToolpath(scene.input, scene.project.toolpath, two);
+      if (!a || !b) {
+        std::printf("%s: %s\n", scene.name.c_str(), (a ? b : a).error().message.c_str());
+        break;
+      }
+      if (k < kWarmUps) continue;
+      const auto& time = a.value().time;
+      stages.resize(time.size());
+      names.clear();
+      for (std::size_t s = 0; s < time.size(); ++s) {
+        names.push_back(time[s].stage);
+        stages[s].push_back(time[s].seconds);
+      }
+      totals.push_back(totalOf(a.value()));
+      totals2.push_back(totalOf(b.value()));
+      ratios.push_back(totals.back() / totals2.back());
+    }
+    if (totals.empty()) continue;
+    std::printf("%s: median of %d after %d warm-ups, inputs decoded -> toolpath\n", scene.name.c_str(), kRuns, kWarmUps);
+    const double total = median(totals);
+    for (std::size_t s = 0; s < names.size(); ++s) {
+      std::printf("  %-12s %8.4f s  %5.1f %%\n", names[s].c_str(), median(stages[s]), 100 * median(stages[s]) / total);
+    }
+    std::printf("  %-12s %8.4f s  (least %.4f)\n", "1 thread", total, *std::min_element(totals.begin(), totals.end()));
+    std::printf("  %-12s %8.4f s  (least %.4f), %.2f times faster (median of pairs)\n", "2 threads", median(totals2),
+                *std::min_element(totals2.begin(), totals2.end()), median(ratios));
+  }
+}
+
+// A plate of waves whose page grows at one spacing, so that cells are all alike. Each size runs in a process of its own,
+// whose peak memory is the run's.
+void growth() {
+  std::printf("%12s %10s %12s %14s\n", "cells", "seconds", "ns/cell", "bytes/cell");
+  std::vector<double> logCells;
+  std::vector<double> logTime;
+  for (const double millions : {0.25, 1.0, 4.0, 16.0}) {
+    int pipeEnds[2];
+    if (pipe(pipeEnds) != 0) return;
+    const pid_t child = fork();
+    if (child == 0) {
+      const double side = std::sqrt(millions * 1e6) * 0.2;
+      PlateInput input;
+      input.shape = sillon::makeRectangle({side, side}).value();
+      input.modes = sillon::uniformMode(sillon::DirectionMode::Constrained);
+      input.directions.width = input.directions.height = 256;
+      input.directions.angle.resize(256 * 256);
+      for (int y = 0; y < 256; ++y) {
+        for (int x = 0; x < 256; ++x) {
+          const double wave = std::sin(x * 0.1) + std::sin(y * 0.07 + x * 0.03);
+          input.directions.angle[static_cast<std::size_t>(y * 256 + x)] = static_cast<std::uint16_t>(32767 + 12000 * wave);
+        }
+      }
+      rusage before{};
+      getrusage(RUSAGE_SELF, &before);
+      const RunContext run(1);
+      const auto plate = generateToolpath(input, {}, run);
+      rusage after{};
+      getrusage(RUSAGE_SELF, &after);
+      double row[3] = {0, 0, 0};
+      if (plate && std::getenv("SILLON_BENCH_STAGES") != nullptr) {
+        for (const auto& stage : plate.value().time) std::printf("  %s %.3f\n", stage.stage.c_str(), stage.seconds);
+        std::fflush(stdout);
+      }
+      if (plate) {
+        row[0] = static_cast<double>(plate.value().nx) * plate.value().ny;
+        row[1] = totalOf(plate.value());
+        row[2] = static_cast<double>(after.ru_maxrss - before.ru_maxrss) * 1024 / row[0];
+      }
+      if (write(pipeEnds[1], row, sizeof row) != sizeof row) _exit(1);
+      _exit(0);
+    }
+    double row[3] = {0, 0, 0};
+    const bool got = read(pipeEnds[0], row, sizeof row) == sizeof row;
+    waitpid(child, nullptr, 0);
+    close(pipeEnds[0]);
+    close(pipeEnds[1]);
+    if (!got || row[0] == 0) {
+      std::printf("%12.0f  failed\n", millions * 1e6);
+      continue;
+    }
+    std::printf("%12.0f %10.3f %12.1f %14.0f\n", row[0], row[1], row[1] / row[0] * 1e9, row[2]);
+    std::fflush(stdout);
+    logCells.push_back(std::log(row[0]));
+    logTime.push_back(std::log(row[1]));
+  }
+  const double n = static_cast<double>(logCells.size());
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t k = 0; k < logCells.size(); ++k) {
+    sx += logCells[k];
+    sy += logTime[k];
+    sxx += logCells[k] * logCells[k];
+    sxy += logCells[k] * logTime[k];
+  }
+  std::printf("fitted exponent of time over cells: %.3f\n", (n * sxy - sx * sy) / (n * sxx - sx * sx));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const std::string what = arguments.empty() ? "" : arguments[0];
+  std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
+  std::string perimeters;
+  if (what == "quality" && !rest.empty() && rest[0].find(".json") == std::string::npos) {
+    perimeters = rest[0];
+    rest.erase(rest.begin());
+  }
+  const bool named = !rest.empty();
+  if (rest.empty()) rest = publishedScenes();
+  if (rest.empty()) {
+    std::printf("the published scenes are not there (../shared/scenes); using the examples\n");
+    rest = exampleScenes();
+  }
+  if (what == "quality") {
+    quality(rest, perimeters);
+  } else if (what == "time") {
+    if (!named) {
+      std::erase_if(rest, [](const std::string& path) {
+        const std::string name = fs::path(path).stem().string();
+        return path.find("shared") != std::string::npos && name != "brain" && name != "wave";
+      });
+    }
+    times(rest);
+  } else if (what == "growth") {
+    growth();
+  } else {
+    std::printf("sillon_bench quality [none|soft|N] [SCENE.json ...] | time [SCENE.json ...] | growth\n");
+    return 2;
+  }
+  return 0;
+}
