@@ -575,7 +575,7 @@ double midrib(double x) { return 36 + 4 * std::sin((x - 8) / 110 * kPi * 1.6); }
 
 double leafHalfWidth(double x) {
   const double t = std::clamp((x - 14) / 100, 0.0, 1.0);
-  return 58 * std::pow(t, 0.62) * std::pow(1 - t, 0.95);
+  return 66 * std::pow(t, 0.62) * std::pow(1 - t, 0.95);
 }
 
 /// Polylines: the midrib, then pairs of veins that leave it and bend forward.
@@ -626,7 +626,7 @@ void strokes() {
     outline.push_back({x, midrib(x) + std::max(1.5, leafHalfWidth(x))});
   }
   outline.push_back({5, midrib(5) + 1.4});
-  writeSvg("strokes.svg", kLeafPage, PathText(kLeafPage.y).closedCurve(outline).circle({69.5, 15.5}, 3));
+  writeSvg("strokes.svg", kLeafPage, PathText(kLeafPage.y).closedCurve(outline).circle({71, 22.5}, 3));
 
   constexpr double kHalfVein = 0.9;
   const auto veins = leafVeins();
@@ -667,16 +667,16 @@ void canal(PathText& path, Vec2 centre, double radius, double gap) {
 void islands() {
   const Vec2 page{120, 80};
   PathText path(page.y);
-  path.closedCurve(blob({31, 47}, {24, 24}, 0.34, 4));   // atoll,
-  path.closedCurve(blob({30, 47}, {11, 10}, 0.30, 21));  // its lagoon,
-  path.closedCurve(blob({30, 47}, {4.5, 4}, 0.30, 9));   // and an islet in it
-  // The letter S of the chart's name would have no hole; B has two.
+  path.closedCurve(blob({31, 49.5}, {24, 22}, 0.34, 4));   // atoll,
+  path.closedCurve(blob({30, 49.5}, {11, 10}, 0.30, 21));  // its lagoon,
+  path.closedCurve(blob({30, 49.5}, {4.5, 4}, 0.30, 9));   // and an islet in it
+  // A letter with two holes.
   path.moveTo({66, 36}).lineTo({66, 73}).lineTo({79, 73});
   path.cubicTo({92, 73}, {92, 56}, {82, 55.2}).cubicTo({95, 54}, {94, 36}, {80, 36}).close();
   path.moveTo({72, 58.5}).lineTo({72, 67.5}).lineTo({78, 67.5}).cubicTo({84, 67.5}, {84, 58.5}, {78, 58.5}).close();
   path.moveTo({72, 42}).lineTo({72, 52}).lineTo({79, 52}).cubicTo({86.5, 52}, {86.5, 42}, {79, 42}).close();
-  canal(path, {22, 11}, 8.5, 0.25);  // narrower than a bead: both halves become one path
-  canal(path, {45, 11}, 8.5, 1);     // wider: two paths
+  canal(path, {22, 11}, 8, 0.25);  // narrower than a bead: both halves become one path
+  canal(path, {45, 11}, 8, 1);     // wider: two paths
   path.closedCurve(blob({80, 17}, {20, 11}, 0.40, 33));
   path.circle({74, 17}, 2.6).circle({83, 19}, 1.6);
   path.closedCurve(blob({108, 57}, {8, 17}, 0.34, 40));

@@ -98,7 +98,7 @@ TEST_CASE("a disc stays within 0.001 mm of its circle and touches its page") {
 TEST_CASE("a rounded rectangle loses its corners, never more than half its shorter side") {
   const auto area = [](double radius) { return signedArea(get(makeRoundedRectangle({40, 20}, radius))); };
   CHECK(area(0) == 800);
-  CHECK(area(5) == doctest::Approx(800 - (4 - kPi) * 25).epsilon(1e-5));
+  CHECK(area(5) == doctest::Approx(800 - (4 - kPi) * 25).epsilon(5e-5));
   CHECK(area(10) == doctest::Approx(800 - (4 - kPi) * 100).epsilon(1e-4));
   CHECK(area(1e6) == area(10));
   const Shape shape = get(makeRoundedRectangle({40, 20}, 5));
@@ -120,7 +120,8 @@ TEST_CASE("sizes out of range are refused with their value") {
     checkRefused(shapeFromMask(picture({"#"}), size), ErrorCode::InvalidArgument, "width");
     checkRefused(scaledToWidth(get(makeRectangle({5, 5})), size), ErrorCode::InvalidArgument, "width");
   }
-  checkRefused(makeRectangle({-0.4, 5}), ErrorCode::InvalidArgument, "is -0.4 mm; it must be more than 0 and at most 10000 mm");
+  checkRefused(makeRectangle({-0.4, 5}), ErrorCode::InvalidArgument,
+               "is -0.4 mm; it must be more than 0 and at most 10000 mm");
   checkRefused(makeRectangle({kNan, 5}), ErrorCode::InvalidArgument, "not a number");
   for (const double radius : {-1.0, kNan}) {
     checkRefused(makeRoundedRectangle({5, 5}, radius), ErrorCode::InvalidArgument, "radius");
@@ -180,7 +181,7 @@ TEST_CASE("a smooth mask gives its circle back") {
 TEST_CASE("holes turn the other way, parts are rings, saddles keep rings apart or join them by their mean") {
   const Shape ring = get(shapeFromMask(picture({"#####", "#   #", "# # #", "#   #", "#####"}), 5));
   REQUIRE(ring.paths.at(0).rings.size() == 3);
-  CHECK(std::abs(signedArea(ring)) == doctest::Approx(25 - 0.5 - (9 - 0.0 + 0.0) + 0.5 + 0.5).epsilon(0.03));
+  CHECK(std::abs(signedArea(ring)) == doctest::Approx(25 - 0.5 - (9 - 0.5) + 0.5).epsilon(0.001));
   // Diagonal neighbours of equal strength: the mean is exactly at the level, which counts as inside.
   CHECK(get(shapeFromMask(picture({"# ", " #"}), 2)).paths[0].rings.size() == 1);
   CHECK(get(shapeFromMask(picture({"6 ", " 6"}), 2)).paths[0].rings.size() == 2);
@@ -226,7 +227,7 @@ TEST_CASE("transparent pictures are read by alpha alone, opaque ones by luma") {
   image.width = 2;
   image.height = 1;
   image.channels = 4;
-  const auto left = [](const Shape& shape) { return bounds(shape).max.x <= 1 && bounds(shape).min.x < 0.1; };
+  const auto left = [](const Shape& shape) { return bounds(shape).max.x < 1.5 && bounds(shape).min.x < 0.5; };
   image.samples = {0, 0, 0, 65535, 65535, 65535, 65535, 0};  // opaque black, transparent white
   CHECK(left(get(shapeFromMask(image, 2))));
   image.samples = {0, 65535, 0, 65535, 65535, 0, 65535, 65535};  // green is bright, magenta is not
@@ -253,7 +254,8 @@ TEST_CASE("masks without bright pixels are empty, masks without pixels invalid, 
   noise.width = noise.height = 2400;
   noise.channels = 1;
   noise.samples.resize(2400 * 2400);
-  for (std::size_t i = 0; i < noise.samples.size(); ++i) noise.samples[i] = static_cast<std::uint16_t>(hash(i) & 0xffff);
+  for (std::size_t i = 0; i < noise.samples.size(); ++i)
+    noise.samples[i] = static_cast<std::uint16_t>(hash(i) & 0xffff);
   checkRefused(shapeFromMask(noise, 100), ErrorCode::TooLarge, "4 million");
 }
 

@@ -47,6 +47,11 @@ std::string page(const std::string& body, const std::string& attributes = "") {
          attributes + ">" + body + "</svg>";
 }
 
+// A polygon inside a curve loses at most two thirds of the tolerance times the length of the curve; outside it gains.
+void checkArea(const Shape& shape, double expected, double curveLength) {
+  CHECK(std::abs(ringArea(shape) - expected) <= 1e-6 * expected + 0.00134 * curveLength);
+}
+
 Shape read(const std::string& text, const SvgOptions& options = {}) {
   const Result<Shape> shape = readSvg(text, options);
   INFO(text.substr(0, 400));
@@ -98,10 +103,11 @@ TEST_CASE("a rectangle lands where it is drawn, y up, with exact corners") {
 
 TEST_CASE("straight path commands work absolute, relative and repeated") {
   const double expected = 600;
-  for (const char* d : {"M10 10 L40 10 L40 30 L10 30 Z", "M10,10 40,10 40,30 10,30", "m10 10 30 0 0 20 -30 0z",
-                        "M10 10H40V30H10Z", "m10 10h30v20h-30z", "m10 10h10 20v5 15h-30z", "M10 10l30 0l0 20L10 30",
-                        "M10-10m0,20h30v20h-30", "M+10+10L4e1 1.e1 40,30.0 .1E2 30z", "M 1e1 10 40 10 40 30 10 30 Z M 0 0"}) {
-    CAPTURE(d);
+  for (const char* d :
+       {"M10 10 L40 10 L40 30 L10 30 Z", "M10,10 40,10 40,30 10,30", "m10 10 30 0 0 20 -30 0z", "M10 10H40V30H10Z",
+        "m10 10h30v20h-30z", "m10 10h10 20v5 15h-30z", "M10 10l30 0l0 20L10 30", "M10-10m0,20h30v20h-30",
+        "M+10+10L4e1 1.e1 40,30.0 .1E2 30z", "M 1e1 10 40 10 40 30 10 30 Z M 0 0"}) {
+    CAPTURE(std::string(d));
     const Shape shape = readPath(d);
     CHECK(ringCount(shape) == 1);
     CHECK(ringArea(shape) == doctest::Approx(expected));
@@ -120,22 +126,22 @@ TEST_CASE("after Z drawing goes on from the start of the part") {
 TEST_CASE("cubic and quadratic curves have the areas calculus gives") {
   // Control polygon (0,0) (0,40) (60,40) (60,0), symmetric: y(t) = 120 t (1-t), x'(t) = 360 t (1-t), area 43200 / 30.
   for (const char* d : {"M20 20C20 60 80 60 80 20Z", "m20 20c0 40 60 40 60 0z", "M20 20C20 60 80 60 80 20"}) {
-    CAPTURE(d);
+    CAPTURE(std::string(d));
     const Shape shape = readPath(d);
-    CHECK(ringArea(shape) == doctest::Approx(1440).epsilon(2e-5));
+    checkArea(shape, 1440, 100);
     checkBounds(shape, 20, 50, 80, 80, 0.002);
   }
   for (const char* d : {"M20 20Q50 80 80 20Z", "m20 20q30 60 60 0z"}) {
-    CAPTURE(d);
+    CAPTURE(std::string(d));
     const Shape shape = readPath(d);
-    CHECK(ringArea(shape) == doctest::Approx(60 * 60 / 2 * 2.0 / 3).epsilon(2e-5));
+    checkArea(shape, 60 * 60 / 2 * 2.0 / 3, 90);
     checkBounds(shape, 20, 50, 80, 80, 0.002);
   }
 }
 
 TEST_CASE("smooth curves continue with the mirrored control point, and only after a curve of their kind") {
   const auto same = [](const char* smooth, const char* full) {
-    CAPTURE(smooth);
+    CAPTURE(std::string(smooth));
     const Shape a = readPath(smooth), b = readPath(full);
     REQUIRE(ringCount(a) == 1);
     REQUIRE(ringCount(b) == 1);
@@ -147,27 +153,30 @@ TEST_CASE("smooth curves continue with the mirrored control point, and only afte
   same("M10 50Q40 20 40 50T70 90z", "M10 50Q40 20 40 50Q40 80 70 90z");
   same("M10 50q30 -30 30 0t30 40z", "M10 50Q40 20 40 50Q40 80 70 90z");
   same("M10 50Q40 20 40 50T70 90 90 10z", "M10 50Q40 20 40 50Q40 80 70 90Q100 100 90 10z");
-  same("M10 50C10 20 40 20 40 50T70 80L70 20z", "M10 50C10 20 40 20 40 50L70 80L70 20z");
+  same("M10 50C10 20 40 20 40 50T70 80L70 20z", "M10 50C10 20 40 20 40 50Q40 50 70 80L70 20z");
 }
 
 TEST_CASE("arcs of all four kinds have the areas of their segments") {
   // Chord from (50,40) to (60,50) on circles of radius 10: centres (50,50) and (60,40).
   const double quarter = kPi * 100 / 4 - 50;  // segment between chord and quarter arc
   const double rest = kPi * 100 - quarter;
-  const std::array<std::pair<const char*, double>, 4> cases{
-      {{"M50 40A10 10 0 0 1 60 50Z", quarter}, {"M50 40A10 10 0 0 0 60 50Z", quarter},
-       {"M50 40A10 10 0 1 1 60 50Z", rest}, {"M50 40A10 10 0 1 0 60 50Z", rest}}};
-  for (const auto& [d, area] : cases) {
+  const std::array<std::pair<const char*, double>, 4> cases{{{"M50 40A10 10 0 0 1 60 50Z", quarter},
+                                                             {"M50 40A10 10 0 0 0 60 50Z", quarter},
+                                                             {"M50 40A10 10 0 1 1 60 50Z", rest},
+                                                             {"M50 40A10 10 0 1 0 60 50Z", rest}}};
+  for (const auto& item : cases) {
+    const std::string d = item.first;
+    const double area = item.second;
     CAPTURE(d);
-    CHECK(ringArea(readPath(d)) == doctest::Approx(area).epsilon(3e-4));
+    checkArea(readPath(d), area, area == rest ? 15 * kPi : 5 * kPi);
   }
   checkBounds(readPath("M50 40A10 10 0 1 1 60 50Z"), 50, 50, 70, 70, 0.002);  // centre (60, 40)
   checkBounds(readPath("M50 40A10 10 0 1 0 60 50Z"), 40, 40, 60, 60, 0.002);  // centre (50, 50)
 }
 
 TEST_CASE("arcs take packed flags, turned axes, too small radii and radii of zero") {
-  CHECK(ringArea(readPath("m40 50a10 10 0 0120 0a10 10 0 01-20 0z")) == doctest::Approx(kPi * 100).epsilon(2e-4));
-  CHECK(ringArea(readPath("M40 50a10-10 0 1 1 20 0 10 10 0 1 1-20 0")) == doctest::Approx(kPi * 100).epsilon(2e-4));
+  checkArea(readPath("m40 50a10 10 0 0120 0a10 10 0 01-20 0z"), kPi * 100, 2 * kPi * 10);
+  checkArea(readPath("M40 50a10-10 0 1 1 20 0 10 10 0 1 1-20 0"), kPi * 100, 2 * kPi * 10);
   // Too small by half: grown to the half circle of radius 10.
   checkBounds(readPath("M40 50A5 5 0 0 1 60 50Z"), 40, 50, 60, 60, 0.002);
   // An ellipse of 20 x 10 turned by 90 degrees: 20 high.
@@ -176,8 +185,8 @@ TEST_CASE("arcs take packed flags, turned axes, too small radii and radii of zer
   const double x = std::sqrt(400 * 0.75 + 100 * 0.25), y = std::sqrt(400 * 0.25 + 100 * 0.75);
   const double c = std::sqrt(0.75) * 20, s = 0.5 * 20;  // ends of the long axis
   const auto number = [](double v) { return std::to_string(v); };
-  checkBounds(readPath(std::string("M") + number(50 + c) + " " + number(50 + s) + "A20 10 30 1 1 " + number(50 - c) + " " + number(50 - s) +
-                       "A20 10 30 1 1 " + number(50 + c) + " " + number(50 + s) + "z"),
+  checkBounds(readPath(std::string("M") + number(50 + c) + " " + number(50 + s) + "A20 10 30 1 1 " + number(50 - c) +
+                       " " + number(50 - s) + "A20 10 30 1 1 " + number(50 + c) + " " + number(50 + s) + "z"),
               50 - x, 50 - y, 50 + x, 50 + y, 0.003);
   CHECK(ringArea(readPath("M40 50A0 10 0 0 1 60 50L60 60z")) == doctest::Approx(100));
   CHECK(ringArea(readPath("M40 50A10 10 0 0 1 40 50L60 50L60 60z")) == doctest::Approx(100));
@@ -187,14 +196,17 @@ TEST_CASE("arcs take packed flags, turned axes, too small radii and radii of zer
 TEST_CASE("curves stay within the tolerance, and a finer one costs more points") {
   std::size_t coarse = 0, fine = 0;
   for (const double tolerance : {0.1, 0.002, 0.0002}) {
-    const Shape shape = read(page("<g transform=\"translate(10 0) scale(3 0.5)\"><circle cx=\"15\" cy=\"100\" r=\"13\"/></g>"),
-                             {.tolerance = tolerance});
+    const Shape shape =
+        read(page("<g transform=\"translate(10 0) scale(3 0.5)\"><circle cx=\"15\" cy=\"100\" r=\"13\"/></g>"),
+             {.tolerance = tolerance});
     const Ring& ring = shape.paths.at(0).rings.at(0);
     const Vec2 center{55, 50}, radii{39, 6.5};
     double worst = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      const auto relative = [&](Vec2 p) { return length(Vec2{(p.x - center.x) / radii.x, (p.y - center.y) / radii.y}); };
+      const auto relative = [&](Vec2 p) {
+        return length(Vec2{(p.x - center.x) / radii.x, (p.y - center.y) / radii.y});
+      };
       CHECK(relative(a) == doctest::Approx(1).epsilon(1e-6));
       // Distance of the chord's middle, over-estimated by the long axis where it is steep: use the gradient.
       const Vec2 m = 0.5 * (a + b) - center;
@@ -227,24 +239,24 @@ TEST_CASE("curves stay within the tolerance, and a finer one costs more points")
 TEST_CASE("circles and ellipses touch their extremes exactly") {
   const Shape circle = read(page("<circle cx=\"50\" cy=\"40\" r=\"20\"/>"));
   checkBounds(circle, 30, 40, 70, 80, 0);
-  CHECK(ringArea(circle) == doctest::Approx(kPi * 400).epsilon(2e-4));
+  checkArea(circle, kPi * 400, 2 * kPi * 20);
   const Shape ellipse = read(page("<ellipse cx=\"50\" cy=\"50\" rx=\"40\" ry=\"5\"/>"));
   checkBounds(ellipse, 10, 45, 90, 55, 0);
-  CHECK(ringArea(ellipse) == doctest::Approx(kPi * 200).epsilon(2e-4));
-  CHECK(ringArea(read(page("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>"))) == doctest::Approx(kPi * 100).epsilon(2e-4));
+  checkArea(ellipse, kPi * 200, 2 * kPi * 26);
+  checkArea(read(page("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>")), kPi * 100, 2 * kPi * 10);
 }
 
 TEST_CASE("rounded rectangles: one radius counts for both, radii end at half the side") {
-  const auto area = [](const std::string& radii) {
-    return ringArea(read(page("<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\" " + radii + "/>")));
+  const auto rounded = [](const std::string& radii) {
+    return read(page("<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\" " + radii + "/>"));
   };
   const auto expected = [](double rx, double ry) { return 2400 - (4 - kPi) * rx * ry; };
-  CHECK(area("rx=\"5\"") == doctest::Approx(expected(5, 5)).epsilon(1e-5));
-  CHECK(area("ry=\"5\"") == doctest::Approx(expected(5, 5)).epsilon(1e-5));
-  CHECK(area("rx=\"10\" ry=\"4\"") == doctest::Approx(expected(10, 4)).epsilon(1e-5));
-  CHECK(area("rx=\"auto\" ry=\"4\"") == doctest::Approx(expected(4, 4)).epsilon(1e-5));
-  CHECK(area("rx=\"99\"") == doctest::Approx(expected(30, 20)).epsilon(1e-5));
-  CHECK(area("rx=\"0\" ry=\"9\"") == doctest::Approx(2400));
+  checkArea(rounded("rx=\"5\""), expected(5, 5), kPi * (5 + 5));
+  checkArea(rounded("ry=\"5\""), expected(5, 5), kPi * (5 + 5));
+  checkArea(rounded("rx=\"10\" ry=\"4\""), expected(10, 4), kPi * (10 + 4));
+  checkArea(rounded("rx=\"auto\" ry=\"4\""), expected(4, 4), kPi * (4 + 4));
+  checkArea(rounded("rx=\"99\""), expected(30, 20), kPi * (30 + 20));
+  checkArea(rounded("rx=\"0\" ry=\"9\""), 2400, 0);
   checkBounds(read(page("<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\" rx=\"99\"/>")), 10, 50, 70, 90, 0);
 }
 
@@ -253,20 +265,22 @@ TEST_CASE("polygons and polylines are closed; lines, text and images are not sha
   CHECK(ringArea(read(page("<polygon " + points))) == doctest::Approx(600));
   CHECK(ringArea(read(page("<polyline fill=\"none\" " + points))) == doctest::Approx(600));
   CHECK(ringCount(read(page("<line x1=\"0\" y1=\"0\" x2=\"9\" y2=\"9\"/><text>a</text><image width=\"9\" height=\"9\"/>"
-                            "<polygon " + points))) == 1);
+                            "<polygon " +
+                            points))) == 1);
 }
 
 TEST_CASE("paint does not matter: unfilled outlines are shapes") {
-  CHECK(ringArea(read(page("<path style=\"fill:none;stroke:#000\" d=\"M10 10h10v10h-10z\"/>"))) == doctest::Approx(100));
-  CHECK(ringArea(read(page("<g fill=\"none\"><circle cx=\"50\" cy=\"50\" r=\"10\" fill=\"none\"/></g>"))) ==
-        doctest::Approx(kPi * 100).epsilon(2e-4));
+  CHECK(ringArea(read(page("<path style=\"fill:none;stroke:#000\" d=\"M10 10h10v10h-10z\"/>"))) ==
+        doctest::Approx(100));
+  checkArea(read(page("<g fill=\"none\"><circle cx=\"50\" cy=\"50\" r=\"10\" fill=\"none\"/></g>")), kPi * 100,
+            2 * kPi * 10);
 }
 
 TEST_CASE("transforms nest, and each kind moves points as SVG says") {
   const auto box = [](const std::string& transform, double left, double top, double right, double bottom) {
     CAPTURE(transform);
-    checkBounds(read(page("<rect transform=\"" + transform + "\" x=\"10\" y=\"10\" width=\"20\" height=\"10\"/>")), left,
-                100 - bottom, right, 100 - top, 1e-6);
+    checkBounds(read(page("<rect transform=\"" + transform + "\" x=\"10\" y=\"10\" width=\"20\" height=\"10\"/>")),
+                left, 100 - bottom, right, 100 - top, 1e-6);
   };
   box("none", 10, 10, 30, 20);
   box("", 10, 10, 30, 20);
@@ -280,8 +294,9 @@ TEST_CASE("transforms nest, and each kind moves points as SVG says") {
   box("skewY(45)", 10, 20, 30, 50);
   box("matrix(0 1 2 0 3 4)", 23, 14, 43, 34);
   box(" translate(10 0) , scale(2)rotate(90) ", -30, 20, -10, 60);
-  const Shape nested = read(page("<g transform=\"translate(10 0)\"><a transform=\"scale(2)\"><g transform=\"rotate(90)\">"
-                                 "<rect x=\"10\" y=\"10\" width=\"20\" height=\"10\"/></g></a></g>"));
+  const Shape nested =
+      read(page("<g transform=\"translate(10 0)\"><a transform=\"scale(2)\"><g transform=\"rotate(90)\">"
+                "<rect x=\"10\" y=\"10\" width=\"20\" height=\"10\"/></g></a></g>"));
   checkBounds(nested, -30, 40, -10, 80);
 }
 
@@ -306,7 +321,8 @@ TEST_CASE("viewBox scales and moves the drawing into the page for every alignmen
   const std::array<const char*, 3> names{"Min", "Mid", "Max"};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      const std::string align = std::string("x") + names[static_cast<std::size_t>(i)] + "Y" + names[static_cast<std::size_t>(j)];
+      const std::string align =
+          std::string("x") + names[static_cast<std::size_t>(i)] + "Y" + names[static_cast<std::size_t>(j)];
       check(align, 0, 20 * j, 80, 40);
       check(align + " meet", 0, 20 * j, 80, 40);
       check(align + " slice", -40 * i, 0, 160, 80);
@@ -317,12 +333,23 @@ TEST_CASE("viewBox scales and moves the drawing into the page for every alignmen
 
 TEST_CASE("the page is the root's size in every unit") {
   const double px = 25.4 / 96;
-  const std::array<std::pair<const char*, double>, 12> units{{{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72},
-                                                              {"pc", 25.4 / 6}, {"px", px}, {"Q", 0.25}, {"", px},
-                                                              {"MM", 1}, {"em", 16 * px}, {"ex", 8 * px}, {"q", 0.25}}};
-  for (const auto& [unit, mm] : units) {
+  const std::array<std::pair<const char*, double>, 12> units{{{"mm", 1},
+                                                              {"cm", 10},
+                                                              {"in", 25.4},
+                                                              {"pt", 25.4 / 72},
+                                                              {"pc", 25.4 / 6},
+                                                              {"px", px},
+                                                              {"Q", 0.25},
+                                                              {"", px},
+                                                              {"MM", 1},
+                                                              {"em", 16 * px},
+                                                              {"ex", 8 * px},
+                                                              {"q", 0.25}}};
+  for (const auto& item : units) {
+    const std::string unit = item.first;
+    const double mm = item.second;
     CAPTURE(unit);
-    const Vec2 size = pageOf(std::string("width=\"20") + unit + "\" height=\" 1e1" + unit + " \"");
+    const Vec2 size = pageOf("width=\"20" + unit + "\" height=\" 1e1" + unit + " \"");
     CHECK(size.x == doctest::Approx(20 * mm).epsilon(1e-7));
     CHECK(size.y == doctest::Approx(10 * mm).epsilon(1e-7));
   }
@@ -337,7 +364,7 @@ TEST_CASE("without width and height, or in percent, the page is the viewBox; one
   for (const char* attributes : {"viewBox=\"0 0 96 48\"", "viewBox=\"0 0 96 48\" width=\"100%\" height=\"100%\"",
                                  "viewBox=\"0 0 96 48\" width=\"auto\"", "viewBox=\"9 9 96 48\" width=\"1in\"",
                                  "viewBox=\"0 0 9.6 4.8\" height=\"12.7mm\" width=\"50%\""}) {
-    CAPTURE(attributes);
+    CAPTURE(std::string(attributes));
     const Vec2 size = pageOf(attributes);
     CHECK(size.x == doctest::Approx(expected.x));
     CHECK(size.y == doctest::Approx(expected.y));
@@ -349,8 +376,9 @@ TEST_CASE("without width and height, or in percent, the page is the viewBox; one
 
 TEST_CASE("lengths of shapes take units and percentages of the nearest viewport") {
   // No viewBox: user units are px.
-  checkBounds(read("<svg width=\"100mm\" height=\"50mm\"><rect x=\"1cm\" y=\"10%\" width=\"50%\" height=\"96\"/></svg>"), 10,
-              50 - 5 - 25.4, 60, 45);
+  checkBounds(
+      read("<svg width=\"100mm\" height=\"50mm\"><rect x=\"1cm\" y=\"10%\" width=\"50%\" height=\"96\"/></svg>"), 10,
+      50 - 5 - 25.4, 60, 45);
   // With mm for numbers without unit, px stays px.
   checkBounds(read("<svg width=\"100\" height=\"50\"><rect x=\"10\" y=\"10%\" width=\"50%\" height=\"96px\"/></svg>",
                    {.unitlessIsMm = true}),
@@ -375,19 +403,26 @@ TEST_CASE("fill rules come from attributes, styles, style sheets and parents") {
   CHECK(rule("<path fill-rule=\"evenodd\" style=\"fill-rule:nonzero\"" + d) == FillRule::NonZero);
   CHECK(rule("<style>.a{fill-rule:evenodd}</style><path class=\"x a\"" + d) == FillRule::EvenOdd);
   CHECK(rule("<style>.a{fill-rule:evenodd}</style><path class=\"a\" fill-rule=\"nonzero\"" + d) == FillRule::EvenOdd);
-  CHECK(rule("<style>.a{fill-rule:evenodd}</style><path class=\"a\" style=\"fill-rule:nonzero\"" + d) == FillRule::NonZero);
-  CHECK(rule("<style><![CDATA[ /* a */ @import 'x'; @media print{path{fill-rule:nonzero}} g, path {\nfill-rule:evenodd}]]>"
-             "</style><path" + d) == FillRule::EvenOdd);
+  CHECK(rule("<style>.a{fill-rule:evenodd}</style><path class=\"a\" style=\"fill-rule:nonzero\"" + d) ==
+        FillRule::NonZero);
+  CHECK(
+      rule(
+          "<style><![CDATA[ /* a */ @import 'x'; @media print{path{fill-rule:nonzero}} g, path {\nfill-rule:evenodd}]]>"
+          "</style><path" +
+          d) == FillRule::EvenOdd);
   CHECK(rule("<defs><style>#i{fill-rule:evenodd} path{fill-rule:nonzero} .a{fill-rule:nonzero}</style></defs>"
-             "<path id=\"i\" class=\"a\"" + d) == FillRule::EvenOdd);
+             "<path id=\"i\" class=\"a\"" +
+             d) == FillRule::EvenOdd);
   CHECK(rule("<style>.a{fill-rule:nonzero}.b{fill-rule:evenodd}</style><path class=\"b a\"" + d) == FillRule::EvenOdd);
-  CHECK(rule("<style>path.a{fill-rule:evenodd}.a{fill-rule:nonzero}</style><path class=\"a\"" + d) == FillRule::EvenOdd);
+  CHECK(rule("<style>path.a{fill-rule:evenodd}.a{fill-rule:nonzero}</style><path class=\"a\"" + d) ==
+        FillRule::EvenOdd);
   CHECK(rule("<style>g .a{fill-rule:evenodd}</style><g><path class=\"a\"" + d + "</g>") == FillRule::NonZero);
 }
 
 TEST_CASE("holes and several parts stay the rings of one path, in any winding") {
   for (const char* hole : {"M20 20h20v20h-20z", "M20 20v20h20v-20z"}) {
-    const Shape shape = read(page("<path fill-rule=\"evenodd\" d=\"M10 10h50v50h-50z " + std::string(hole) + " M70 70h5v5z\"/>"
+    const Shape shape = read(page("<path fill-rule=\"evenodd\" d=\"M10 10h50v50h-50z " + std::string(hole) +
+                                  " M70 70h5v5z\"/>"
                                   "<circle cx=\"80\" cy=\"20\" r=\"5\"/>"));
     REQUIRE(shape.paths.size() == 2);
     REQUIRE(shape.paths[0].rings.size() == 3);
@@ -406,28 +441,35 @@ TEST_CASE("what is not displayed or only defined is left out") {
        {"<g display=\"none\"><g>" + rect + "</g></g>", "<g style=\"fill:red;display : none\">" + rect + "</g>",
         "<style>.h{display:none}</style><g class=\"h\">" + rect + "</g>", "<defs>" + rect + "</defs>",
         "<symbol>" + rect + "</symbol>", "<clipPath>" + rect + "</clipPath>", "<mask>" + rect + "</mask>",
-        "<pattern>" + rect + "</pattern>", "<marker>" + rect + "</marker>", "<linearGradient>" + rect + "</linearGradient>",
-        "<metadata>" + rect + "</metadata>", "<x:g xmlns:x=\"y\">" + rect + "</x:g>", "<foreignObject>" + rect + "</foreignObject>",
-        std::string("<rect x=\"50\" width=\"0\" height=\"10\"/><circle cx=\"50\"/><path d=\"\"/><path d=\"none\"/><path/>"
-                    "<polygon/><path d=\"M50 50h10\"/><path d=\"M50 50h10l5 0\"/><path d=\"M50 50\"/>")}) {
+        "<pattern>" + rect + "</pattern>", "<marker>" + rect + "</marker>",
+        "<linearGradient>" + rect + "</linearGradient>", "<metadata>" + rect + "</metadata>",
+        "<x:g xmlns:x=\"y\">" + rect + "</x:g>", "<foreignObject>" + rect + "</foreignObject>",
+        std::string(
+            "<rect x=\"50\" width=\"0\" height=\"10\"/><circle cx=\"50\"/><path d=\"\"/><path d=\"none\"/><path/>"
+            "<polygon/><path d=\"M50 50h10\"/><path d=\"M50 50h10l5 0\"/><path d=\"M50 50\"/>")}) {
     CAPTURE(hidden);
     const Shape shape = read(page(hidden + seen));
     CHECK(ringCount(shape) == 1);
     CHECK(ringArea(shape) == doctest::Approx(100));
   }
-  CHECK(ringCount(read(page("<style>.h{display:none}</style><g class=\"h\" style=\"display:inline\">" + rect + "</g>"))) == 1);
-  CHECK(ringCount(read(page("<switch><foreignObject requiredExtensions=\"x\"/><g>" + rect + "</g><g>" + rect + "</g></switch>"))) == 1);
+  CHECK(ringCount(read(
+            page("<style>.h{display:none}</style><g class=\"h\" style=\"display:inline\">" + rect + "</g>"))) == 1);
+  CHECK(ringCount(read(page("<switch><foreignObject requiredExtensions=\"x\"/><g>" + rect + "</g><g>" + rect +
+                            "</g></switch>"))) == 1);
 }
 
 TEST_CASE("use shows elements again, moved, with inherited rules") {
   const std::string rect = "<rect id=\"r\" x=\"1\" y=\"2\" width=\"10\" height=\"10\"/>";
   checkBounds(read(page("<defs>" + rect + "</defs><use href=\"#r\" x=\"20\" y=\"30\"/>")), 21, 58, 31, 68);
-  checkBounds(read(page("<use xlink:href=\"#r\" x=\"20\" transform=\"scale(2)\"/><defs>" + rect + "</defs>")), 42, 76, 62, 96);
+  checkBounds(read(page("<use xlink:href=\"#r\" x=\"20\" transform=\"scale(2)\"/><defs>" + rect + "</defs>")), 42, 76,
+              62, 96);
   CHECK(ringCount(read(page("<g id=\"g\">" + rect + rect + "</g><use href=\"#g\"/><use href=\"#g\" y=\"5\"/>"))) == 6);
-  CHECK(read(page("<defs>" + rect + "</defs><use href=\"#r\" fill-rule=\"evenodd\"/>")).paths[0].fillRule == FillRule::EvenOdd);
+  CHECK(read(page("<defs>" + rect + "</defs><use href=\"#r\" fill-rule=\"evenodd\"/>")).paths[0].fillRule ==
+        FillRule::EvenOdd);
   CHECK(ringCount(read(page(rect + "<use href=\"#r\" display=\"none\"/><use/>"))) == 1);
   // Nested uses without a cycle.
-  CHECK(ringCount(read(page("<defs>" + rect + "<g id=\"a\"><use href=\"#r\"/><use href=\"#r\" x=\"20\"/></g></defs>"
+  CHECK(ringCount(read(page("<defs>" + rect +
+                            "<g id=\"a\"><use href=\"#r\"/><use href=\"#r\" x=\"20\"/></g></defs>"
                             "<use href=\"#a\"/><use href=\"#a\" y=\"20\"/>"))) == 4);
 }
 
@@ -437,7 +479,9 @@ TEST_CASE("a used symbol is laid into its viewport") {
   checkBounds(read(page(symbol + "<use href=\"#s\" x=\"10\" y=\"10\" width=\"40\" height=\"40\"/>")), 20, 50, 40, 90);
   // Without size: the whole page.
   checkBounds(read(page(symbol + "<use href=\"#s\"/>")), 25, 0, 75, 100);
-  const std::string sized = "<svg id=\"s\" display=\"inline\" width=\"10\" height=\"20\" viewBox=\"0 0 1 2\"><rect width=\"1\" height=\"2\"/></svg>";
+  const std::string sized =
+      "<svg id=\"s\" display=\"inline\" width=\"10\" height=\"20\" viewBox=\"0 0 1 2\"><rect width=\"1\" "
+      "height=\"2\"/></svg>";
   checkBounds(read(page("<defs>" + sized + "</defs><use href=\"#s\" x=\"5\"/>")), 5, 80, 15, 100);
   checkBounds(read(page("<defs>" + sized + "</defs><use href=\"#s\" width=\"20\" height=\"40\"/>")), 0, 60, 20, 100);
 }
@@ -446,9 +490,11 @@ TEST_CASE("nested svg elements have viewports of their own") {
   checkBounds(read(page("<svg x=\"10\" y=\"20\" width=\"40\" height=\"20\" viewBox=\"0 0 20 20\">"
                         "<rect width=\"100%\" height=\"100%\"/></svg>")),
               20, 60, 40, 80);
-  checkBounds(read(page("<svg x=\"10\" y=\"20\" width=\"40\" height=\"20\"><rect width=\"50%\" height=\"50%\"/></svg>")), 10, 70,
-              30, 80);
-  CHECK(ringCount(read(page("<svg width=\"0\"><rect width=\"5\" height=\"5\"/></svg><rect width=\"5\" height=\"5\"/>"))) == 1);
+  checkBounds(
+      read(page("<svg x=\"10\" y=\"20\" width=\"40\" height=\"20\"><rect width=\"50%\" height=\"50%\"/></svg>")), 10,
+      70, 30, 80);
+  CHECK(ringCount(read(
+            page("<svg width=\"0\"><rect width=\"5\" height=\"5\"/></svg><rect width=\"5\" height=\"5\"/>"))) == 1);
 }
 
 TEST_CASE("prefixes, declarations, DOCTYPE, comments, entities and a byte order mark are no obstacle") {
@@ -456,13 +502,15 @@ TEST_CASE("prefixes, declarations, DOCTYPE, comments, entities and a byte order 
       "\xEF\xBB\xBF<?xml version=\"1.0\"?><!-- a > b <g> --><!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"x\" ["
       "<!ENTITY ns_svg \"http://www.w3.org/2000/svg\"><!ENTITY a \"<g><g>\">]>\n"
       "<svg:svg xmlns:svg=\"&ns_svg;\" width=\"10mm\" height='10mm' viewBox=\"0 0 10 10\"><?pi <g> ?>"
-      "<svg:path d=\"M0&#32;0h4v4&#x68;-4\" desc='>\"/>'/><![CDATA[<g>]]><!-- <rect width=\"9\" height=\"9\"/> --></svg:svg>\n<!-- end -->");
+      "<svg:path d=\"M0&#32;0h4v4&#x68;-4\" desc='>\"/>'/><![CDATA[<g>]]><!-- <rect width=\"9\" height=\"9\"/> "
+      "--></svg:svg>\n<!-- end -->");
   CHECK(ringArea(shape) == doctest::Approx(16));
 }
 
 TEST_CASE("points lie on a grid of 1 nm, none is repeated, and every ring is a polygon") {
-  const Shape shape = read(page("<path transform=\"rotate(33.3)\" d=\"M10 10C40 0 60 70 20 30 L20 30 L20 30.0000001z\"/>"
-                                "<circle cx=\"33.333\" cy=\"44\" r=\"0.0001\"/>"));
+  const Shape shape =
+      read(page("<path transform=\"rotate(33.3)\" d=\"M10 10C40 0 60 70 20 30 L20 30 L20 30.0000001z\"/>"
+                "<circle cx=\"33.333\" cy=\"44\" r=\"0.0001\"/>"));
   CHECK(ringCount(shape) == 2);
   for (const FilledPath& path : shape.paths) {
     for (const Ring& ring : path.rings) {
@@ -499,7 +547,9 @@ TEST_CASE("files that are no SVG are refused by name") {
 }
 
 TEST_CASE("pages without a sensible size are refused with the value") {
-  const auto page = [](const std::string& attributes) { return "<svg " + attributes + "><rect width=\"1\" height=\"1\"/></svg>"; };
+  const auto page = [](const std::string& attributes) {
+    return "<svg " + attributes + "><rect width=\"1\" height=\"1\"/></svg>";
+  };
   const auto bad = ErrorCode::InvalidFile;
   checkRefused(page(""), bad, {"size", "viewBox"});
   checkRefused(page("width=\"5mm\""), bad, {"size"});
@@ -517,7 +567,8 @@ TEST_CASE("pages without a sensible size are refused with the value") {
   checkRefused(page("viewBox=\"0 0 5\""), bad, {"viewBox"});
   checkRefused(page("viewBox=\"0 0 5 5 5\""), bad, {"viewBox"});
   for (const char* ratio : {"xMidYmid", "xMid", "middle", "xMidYMid fit", "xFooYMid", "none meet x", "xMidYMid 3"}) {
-    checkRefused(page(std::string("viewBox=\"0 0 5 5\" preserveAspectRatio=\"") + ratio + "\""), bad, {"preserveAspectRatio", ratio});
+    checkRefused(page(std::string("viewBox=\"0 0 5 5\" preserveAspectRatio=\"") + ratio + "\""), bad,
+                 {"preserveAspectRatio", ratio});
   }
 }
 
@@ -563,9 +614,10 @@ TEST_CASE("broken attributes name their element and line") {
 }
 
 TEST_CASE("drawings without area are empty shapes") {
-  for (const char* body : {"", "<line x1=\"1\" x2=\"9\"/>", "<text>abc</text>", "<path d=\"M1 1h9v0h5z\"/>",
-                           "<g transform=\"scale(0)\"><rect width=\"9\" height=\"9\"/></g>",
-                           "<g transform=\"rotate(30) scale(1 0)\"><circle r=\"9\"/></g>", "<g display=\"none\"><circle r=\"9\"/></g>"}) {
+  for (const char* body :
+       {"", "<line x1=\"1\" x2=\"9\"/>", "<text>abc</text>", "<path d=\"M1 1h9v0h5z\"/>",
+        "<g transform=\"scale(0)\"><rect width=\"9\" height=\"9\"/></g>",
+        "<g transform=\"rotate(30) scale(1 0)\"><circle r=\"9\"/></g>", "<g display=\"none\"><circle r=\"9\"/></g>"}) {
     checkRefused(page(body), ErrorCode::EmptyShape, {"no area", "paths"});
   }
   checkRefused(page("<rect width=\"9\" height=\"9\"/>", "display=\"none\""), ErrorCode::EmptyShape, {"no area"});
@@ -574,9 +626,10 @@ TEST_CASE("drawings without area are empty shapes") {
 }
 
 TEST_CASE("use that shows itself is refused") {
-  for (const char* body : {"<use id=\"a\" href=\"#a\"/>", "<g id=\"a\"><use href=\"#a\"/></g>",
-                           "<defs><g id=\"a\"><use href=\"#b\"/></g><g id=\"b\"><use href=\"#a\"/></g></defs><use href=\"#a\"/>",
-                           "<symbol id=\"a\"><rect width=\"5\" height=\"5\"/><use href=\"#a\"/></symbol><use href=\"#a\"/>"}) {
+  for (const char* body :
+       {"<use id=\"a\" href=\"#a\"/>", "<g id=\"a\"><use href=\"#a\"/></g>",
+        "<defs><g id=\"a\"><use href=\"#b\"/></g><g id=\"b\"><use href=\"#a\"/></g></defs><use href=\"#a\"/>",
+        "<symbol id=\"a\"><rect width=\"5\" height=\"5\"/><use href=\"#a\"/></symbol><use href=\"#a\"/>"}) {
     checkRefused(page(body), ErrorCode::InvalidFile, {"<use", "itself"});
   }
 }
@@ -590,17 +643,19 @@ TEST_CASE("hostile sizes end in an error, quickly") {
   // Billion laughs: 10 levels of 10 uses.
   std::string laughs = "<defs><g id=\"l0\"><path d=\"\"/></g>";
   for (int i = 1; i <= 10; ++i) {
-    laughs += std::string("<g id=\"l") + std::to_string(i) + "\">" + many(std::string("<use href=\"#l") + std::to_string(i - 1) + "\"/>", 10) + "</g>";
+    laughs += std::string("<g id=\"l") + std::to_string(i) + "\">" +
+              many(std::string("<use href=\"#l") + std::to_string(i - 1) + "\"/>", 10) + "</g>";
   }
   checkRefused(page(laughs + "</defs><use href=\"#l10\"/>"), ErrorCode::TooLarge, {"use"});
 
   // A long chain of uses would exhaust the stack.
   std::string chain = "<defs><rect id=\"c0\" width=\"5\" height=\"5\"/>";
-  for (int i = 1; i <= 5000; ++i) chain += std::string("<use id=\"c") + std::to_string(i) + "\" href=\"#c" + std::to_string(i - 1) + "\"/>";
+  for (int i = 1; i <= 5000; ++i)
+    chain += std::string("<use id=\"c") + std::to_string(i) + "\" href=\"#c" + std::to_string(i - 1) + "\"/>";
   checkRefused(page(chain + "</defs><use href=\"#c5000\"/>"), ErrorCode::TooLarge, {"200"});
 
   checkRefused(page(many("<g>", 300000)), ErrorCode::TooLarge, {"200"});
-  checkRefused(many("<a b\"c=\"x\">", 300000), ErrorCode::InvalidFile, {"XML"});       // quotes inside names
+  checkRefused(many("<a b\"c=\"x\">", 300000), ErrorCode::InvalidFile, {"XML"});     // quotes inside names
   checkRefused(many("<a b='<!--'>", 300000) + "-->", ErrorCode::TooLarge, {"200"});  // comments inside values
   checkRefused(many("<!-- --><a/><b><![CDATA[</b>]]>", 300000), ErrorCode::TooLarge, {"200"});
   checkRefused("<!DOCTYPE a [" + many("[", 300000), ErrorCode::InvalidFile, {"DOCTYPE"});
@@ -625,12 +680,16 @@ TEST_CASE("tolerances out of range are refused") {
 
 TEST_CASE("truncated and altered files end in a shape or an error") {
   const std::array<std::string, 5> files{
-      page("<g transform=\"translate(5 5) rotate(30)\"><path d=\"M10 10C40 0 60 70 20 30S5 5 9 9Q1 2 3 4T5 6A5 5 0 01 9 9z\"/></g>"),
+      page("<g transform=\"translate(5 5) rotate(30)\"><path d=\"M10 10C40 0 60 70 20 30S5 5 9 9Q1 2 3 4T5 6A5 5 0 01 "
+           "9 9z\"/></g>"),
       page("<defs><symbol id=\"s\" viewBox=\"0 0 9 9\"><rect rx=\"2\" width=\"9\" height=\"9\"/></symbol></defs>"
            "<use href=\"#s\" x=\"5\" width=\"50%\"/><use xlink:href=\"#s\" height=\"2cm\"/>"),
-      "<?xml version=\"1.0\"?><!DOCTYPE svg [<!ENTITY a \"b\">]><svg width=\"5mm\" height=\"5mm\"><!-- c --><style><![CDATA[.a,b#c"
-      "{fill-rule:evenodd;display:none}]]></style><polygon class=\"a d\" points=\"1,2 3,4 5 1\"/><circle r=\"5&#48;\"/></svg>",
-      page("<svg x=\"5\" width=\"50\" preserveAspectRatio=\"xMinYMax slice\" viewBox=\"1 2 3 4\"><ellipse rx=\"5%\" ry=\"2\"/></svg>"),
+      "<?xml version=\"1.0\"?><!DOCTYPE svg [<!ENTITY a \"b\">]><svg width=\"5mm\" height=\"5mm\"><!-- c "
+      "--><style><![CDATA[.a,b#c"
+      "{fill-rule:evenodd;display:none}]]></style><polygon class=\"a d\" points=\"1,2 3,4 5 1\"/><circle "
+      "r=\"5&#48;\"/></svg>",
+      page("<svg x=\"5\" width=\"50\" preserveAspectRatio=\"xMinYMax slice\" viewBox=\"1 2 3 4\"><ellipse rx=\"5%\" "
+           "ry=\"2\"/></svg>"),
       page("<g id=\"a\" style=\"fill-rule:evenodd\"><switch><g><use href=\"#b\"/></g></switch></g><path id=\"b\" "
            "transform=\"matrix(1 2 3 4 5 6) skewX(3)\" d=\"m1 2h3v4l5 6z\"/>")};
   std::uint64_t state = 12345;
@@ -647,7 +706,11 @@ TEST_CASE("truncated and altered files end in a shape or an error") {
       char& c = text[random(text.size())];
       c = random(2) == 0 ? alphabet[random(alphabet.size())] : static_cast<char>(random(256));
     }
-    if (random(6) == 0 && !text.empty()) text.insert(random(text.size()), text.substr(random(text.size()), random(40)));
+    if (random(6) == 0 && !text.empty()) {
+      const std::size_t from = random(text.size());
+      const std::string piece = text.substr(from, random(40));
+      text.insert(random(text.size()), piece);
+    }
     const Result<Shape> shape = readSvg(text);
     if (shape.ok()) {
       ++read;
@@ -696,8 +759,6 @@ TEST_CASE("the published scenes have their pages and outlines") {
     CHECK(shape.page.y == doctest::Approx(scene.height).epsilon(1e-9));
     CHECK(ringCount(shape) == scene.rings);
     const Bounds box = bounds(shape);
-    MESSAGE(scene.file << ": " << box.min.x << " " << box.min.y << " " << shape.page.x - box.max.x << " " << shape.page.y - box.max.y
-                       << " area " << ringArea(shape) << " points " << shape.paths[0].rings[0].size());
     // With its transforms applied, no drawing hangs out of its page.
     CHECK(box.min.x > -0.001);
     CHECK(box.min.y > -0.001);

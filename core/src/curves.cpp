@@ -70,25 +70,44 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
 
 }  // namespace
 
-ClosedCurves resampled(const ClosedCurves& curves, float step) {
+ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run) {
+  // Arc length at every point and at the end of its curve, summed in blocks of fixed size: equal for any thread count.
+  constexpr int kBlock = 4096;
   ClosedCurves out;
-  out.points.reserve(curves.points.size());
   std::vector<double> along;
   for (int c = 0; c < curves.count(); ++c) {
-    out.begin.push_back(static_cast<int>(out.points.size()));
     const Vec2f* p = curves.points.data() + curves.begin[static_cast<std::size_t>(c)];
     const int n = curves.size(c);
-    along.assign(1, 0);
-    for (int k = 0; k < n; ++k) along.push_back(along.back() + static_cast<double>(length(p[k + 1 < n ? k + 1 : 0] - p[k])));
-    const int count = std::max(kMinPoints, static_cast<int>(along.back() / static_cast<double>(step) + 0.5));
-    int k = 0;
-    for (int s = 0; s < count; ++s) {
-      const double at = along.back() * s / count;
-      while (k + 1 < n && along[static_cast<std::size_t>(k) + 1] <= at) ++k;
-      const double size = along[static_cast<std::size_t>(k) + 1] - along[static_cast<std::size_t>(k)];
-      const float t = size > 0 ? static_cast<float>((at - along[static_cast<std::size_t>(k)]) / size) : 0.0f;
-      out.points.push_back(p[k] + (p[k + 1 < n ? k + 1 : 0] - p[k]) * t);
+    along.resize(static_cast<std::size_t>(n) + 1);
+    along[0] = 0;
+    parallelFor(run, n, kBlock, [&](int begin, int end) {
+      double sum = 0;
+      for (int k = begin; k < end; ++k) {
+        sum += static_cast<double>(length(p[k + 1 < n ? k + 1 : 0] - p[k]));
+        along[static_cast<std::size_t>(k) + 1] = sum;
+      }
+    });
+    for (int begin = kBlock; begin < n; begin += kBlock) {
+      const double before = along[static_cast<std::size_t>(begin)];
+      const int end = std::min(begin + kBlock, n);
+      for (int k = begin; k < end; ++k) along[static_cast<std::size_t>(k) + 1] += before;
     }
+    const double total = along.back();
+    const int count = std::max(kMinPoints, static_cast<int>(total / static_cast<double>(step) + 0.5));
+    const std::size_t first = out.points.size();
+    out.begin.push_back(static_cast<int>(first));
+    out.points.resize(first + static_cast<std::size_t>(count));
+    parallelFor(run, count, kBlock, [&](int begin, int end) {
+      const auto found = std::upper_bound(along.begin() + 1, along.end(), total * begin / count);
+      int k = std::min(n - 1, static_cast<int>(found - along.begin()) - 1);
+      for (int s = begin; s < end; ++s) {
+        const double at = total * s / count;
+        while (k + 1 < n && along[static_cast<std::size_t>(k) + 1] <= at) ++k;
+        const double size = along[static_cast<std::size_t>(k) + 1] - along[static_cast<std::size_t>(k)];
+        const float t = size > 0 ? static_cast<float>((at - along[static_cast<std::size_t>(k)]) / size) : 0.0f;
+        out.points[first + static_cast<std::size_t>(s)] = p[k] + (p[k + 1 < n ? k + 1 : 0] - p[k]) * t;
+      }
+    });
   }
   out.begin.push_back(static_cast<int>(out.points.size()));
   return out;

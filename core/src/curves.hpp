@@ -11,7 +11,7 @@
 namespace sillon {
 
 /// The same curves with points at equal arc lengths of about `step`, at least `kMinPoints` each; the first point stays.
-ClosedCurves resampled(const ClosedCurves& curves, float step);
+ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run);
 inline constexpr int kMinPoints = 6;
 
 /// Index of the curve that holds each point.

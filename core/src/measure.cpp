@@ -444,7 +444,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.lostAreaMm2 = lost.value();
 
   const ClosedCurves curves = curvesOf(toolpath);
-  const ClosedCurves fine = resampled(curves, static_cast<float>(params.spacing / 8));
+  const ClosedCurves fine = resampled(curves, static_cast<float>(params.spacing / 8), run);
   for (int c = 0; c < fine.count(); ++c) {
     const Vec2f* points = fine.points.data() + fine.begin[static_cast<std::size_t>(c)];
     out.uTurns += countTurns(points, fine.size(c), 12, -0.5f);

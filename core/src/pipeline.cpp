@@ -143,7 +143,7 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   }
 
   clock.start("stitch", 0.65);
-  const ClosedCurves cycles = resampled(contour.value(), static_cast<float>(0.25 * params.spacing));
+  const ClosedCurves cycles = resampled(contour.value(), static_cast<float>(0.25 * params.spacing), run);
   const Result<Stitched> stitched = stitchCycles(cycles, lines.value(), border.value(), parts, params, run);
   if (!stitched) return stitched.error();
   plate.longestJointMm = stitched.value().longestJoint;

@@ -25,28 +25,46 @@ class PointGrid {
     low_ = low;
     nx_ = static_cast<int>((high.x - low.x) * inverse_) + 1;
     ny_ = static_cast<int>((high.y - low.y) * inverse_) + 1;
-    begin_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) + 1, 0);
-    std::vector<int> bucketOf(points.size());
+    const std::size_t buckets = static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_);
     const int count = static_cast<int>(points.size());
-    parallelFor(run, count, 1 << 14, [&](int begin, int end) {
+    x.assign(points.size() + 4, 1e9f);  // four far points at the end let vector loads run over
+    y.assign(points.size() + 4, 1e9f);
+    id.assign(points.size() + 4, -1);
+
+    // Counting sort by shares of the points; within a bucket points stay in order, whatever the number of shares.
+    const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
+    const int grain = (count + shares - 1) / shares;
+    std::vector<std::int32_t> bucketOf(points.size());
+    std::vector<std::vector<std::int32_t>> next(static_cast<std::size_t>(shares), std::vector<std::int32_t>(buckets, 0));
+    parallelFor(run, count, grain, [&](int begin, int end) {
+      std::vector<std::int32_t>& share = next[static_cast<std::size_t>(begin / grain)];
       for (int k = begin; k < end; ++k) {
         const Vec2f p = points[static_cast<std::size_t>(k)];
         bucketOf[static_cast<std::size_t>(k)] = row(p.y) * nx_ + column(p.x);
+        ++share[static_cast<std::size_t>(bucketOf[static_cast<std::size_t>(k)])];
       }
     });
-    for (const int b : bucketOf) ++begin_[static_cast<std::size_t>(b) + 1];
-    for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
-    // Four far points at the end let vector loads run over.
-    x.assign(points.size() + 4, 1e9f);
-    y.assign(points.size() + 4, 1e9f);
-    id.assign(points.size() + 4, -1);
-    std::vector<int> next(begin_.begin(), begin_.end() - 1);
-    for (int k = 0; k < count; ++k) {
-      const std::size_t at = static_cast<std::size_t>(next[static_cast<std::size_t>(bucketOf[static_cast<std::size_t>(k)])]++);
-      x[at] = points[static_cast<std::size_t>(k)].x;
-      y[at] = points[static_cast<std::size_t>(k)].y;
-      id[at] = k;
+    begin_.resize(buckets + 1);
+    std::int32_t sum = 0;
+    for (std::size_t b = 0; b < buckets; ++b) {
+      begin_[b] = sum;
+      for (std::vector<std::int32_t>& share : next) {
+        const std::int32_t size = share[b];
+        share[b] = sum;
+        sum += size;
+      }
     }
+    begin_[buckets] = sum;
+    parallelFor(run, count, grain, [&](int begin, int end) {
+      std::vector<std::int32_t>& share = next[static_cast<std::size_t>(begin / grain)];
+      for (int k = begin; k < end; ++k) {
+        const std::size_t b = static_cast<std::size_t>(bucketOf[static_cast<std::size_t>(k)]);
+        const std::size_t at = static_cast<std::size_t>(share[b]++);
+        x[at] = points[static_cast<std::size_t>(k)].x;
+        y[at] = points[static_cast<std::size_t>(k)].y;
+        id[at] = k;
+      }
+    });
   }
 
   [[nodiscard]] int count() const { return static_cast<int>(id.size()) - 4; }
@@ -80,7 +98,7 @@ class PointGrid {
   float inverse_;
   int nx_ = 1;
   int ny_ = 1;
-  std::vector<int> begin_;
+  std::vector<std::int32_t> begin_;
 };
 
 }  // namespace sillon

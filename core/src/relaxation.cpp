@@ -91,13 +91,13 @@ Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& bord
   const float spacing = static_cast<float>(params.spacing);
   const float step = 0.25f * spacing;
   const float smoothing = static_cast<float>(params.relaxationSmoothing);
-  ClosedCurves path = resampled(curves, step);
+  ClosedCurves path = resampled(curves, step, run);
   NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, spacing, run);
     std::vector<float> share(path.points.size(), 1.0f);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
-      ClosedCurves next = resampled(moved(path, moves, share, smoothing, run), step);
+      ClosedCurves next = resampled(moved(path, moves, share, smoothing, run), step, run);
       NeighbourGaps nextGaps = neighbourGaps(next, border, params.spacing, kCap * spacing, run);
       const auto crossings = findCrossings(next, run, nextGaps.tight);
       if (crossings.empty()) {

@@ -1,41 +1,72 @@
 #include "sillon/run_context.hpp"
 
+#include <algorithm>
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "parallel_for.hpp"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace sillon {
 
+namespace {
+
+// How long an idle worker looks for the next loop before it sleeps. The sweeps of a hierarchy are hundreds of loops of
+// some 100 us each; waking a sleeper takes 50 us.
+constexpr int kSpins = 4000;
+
+void pause() {
+#if defined(__SSE2__)
+  _mm_pause();
+#endif
+}
+
+}  // namespace
+
+// A loop is published as its number in the upper half of `next` and `limit`. Whoever draws a chunk number compares both:
+// a worker that comes late for one loop can neither run its chunks twice nor mistake them for the next loop's.
 struct ThreadPool::State {
   std::mutex mutex;
   std::condition_variable wake;
-  std::condition_variable done;
   std::vector<std::thread> workers;
   const std::function<void(int)>* task = nullptr;
-  int chunks = 0;
-  std::atomic<int> next{0};
-  int working = 0;
-  std::uint64_t generation = 0;
-  bool stop = false;
+  std::atomic<std::uint64_t> next{0};
+  std::atomic<std::uint64_t> limit{0};
+  std::atomic<int> unfinished{0};
+  std::atomic<int> sleepers{0};
+  std::atomic<bool> stop{false};
 
   void drain() {
-    for (int chunk = next.fetch_add(1); chunk < chunks; chunk = next.fetch_add(1)) (*task)(chunk);
+    for (;;) {
+      const std::uint64_t drawn = next.fetch_add(1);
+      const std::uint64_t bound = limit.load();
+      if ((drawn >> 32) != (bound >> 32) || drawn >= bound) return;
+      (*task)(static_cast<int>(drawn & 0xffffffffu));
+      unfinished.fetch_sub(1);
+    }
   }
+
+  [[nodiscard]] bool idle(std::uint64_t seen) const { return !stop.load() && (next.load() >> 32) == seen; }
 
   void loop() {
     std::uint64_t seen = 0;
-    std::unique_lock lock(mutex);
     for (;;) {
-      wake.wait(lock, [&] { return stop || generation != seen; });
-      if (stop) return;
-      seen = generation;
-      lock.unlock();
+      for (int spin = 0; spin < kSpins && idle(seen); ++spin) pause();
+      if (idle(seen)) {
+        std::unique_lock lock(mutex);
+        sleepers.fetch_add(1);
+        wake.wait(lock, [&] { return !idle(seen); });
+        sleepers.fetch_sub(1);
+      }
+      if (stop.load()) return;
+      seen = next.load() >> 32;
       drain();
-      lock.lock();
-      if (--working == 0) done.notify_one();
     }
   }
 };
@@ -47,7 +78,7 @@ ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads
 ThreadPool::~ThreadPool() {
   {
     const std::lock_guard lock(state_->mutex);
-    state_->stop = true;
+    state_->stop.store(true);
   }
   state_->wake.notify_all();
   for (std::thread& worker : state_->workers) worker.join();
@@ -55,18 +86,17 @@ ThreadPool::~ThreadPool() {
 
 void ThreadPool::run(int chunks, const std::function<void(int)>& task) {
   State& state = *state_;
-  {
-    const std::lock_guard lock(state.mutex);
-    state.task = &task;
-    state.chunks = chunks;
-    state.next.store(0);
-    state.working = static_cast<int>(state.workers.size());
-    ++state.generation;
+  const std::uint64_t number = ((state.limit.load() >> 32) + 1) << 32;
+  state.task = &task;
+  state.unfinished.store(chunks);
+  state.limit.store(number | static_cast<std::uint32_t>(chunks));
+  state.next.store(number);
+  if (state.sleepers.load() > 0) {
+    { const std::lock_guard lock(state.mutex); }  // a worker about to sleep has either seen the loop or gets the call
+    state.wake.notify_all();
   }
-  state.wake.notify_all();
   state.drain();
-  std::unique_lock lock(state.mutex);
-  state.done.wait(lock, [&] { return state.working == 0; });
+  while (state.unfinished.load() > 0) pause();
 }
 
 RunContext::RunContext(int threads) : pool_(std::make_unique<ThreadPool>(threads)) {}

@@ -13,8 +13,8 @@ namespace sillon {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kMaxSize = 10'000;            // of a page side [mm]
-constexpr double kDiscTolerance = 0.001;       // between a circle and its polygon [mm]
+constexpr double kMaxSize = 10'000;       // of a page side [mm]
+constexpr double kDiscTolerance = 0.001;  // between a circle and its polygon [mm]
 constexpr std::int64_t kMaxMaskPoints = 4'000'000;
 
 // Every platform reads the same bytes: what libm's last digit may change is far below 1 nm. The + 0 turns -0 into 0.
@@ -112,7 +112,8 @@ class MaskField {
 
 enum class Side { Top, Right, Bottom, Left };
 
-// Where a contour that enters a cell through `entry` leaves it. The cell's corners are the samples (x, y) .. (x+1, y+1).
+// Where a contour that enters a cell through `entry` leaves it. The cell's corners are the samples (x, y) .. (x+1,
+// y+1).
 Side exitOf(const MaskField& field, int x, int y, Side entry) {
   const double topLeft = field.at(x, y), topRight = field.at(x + 1, y);
   const double bottomLeft = field.at(x, y + 1), bottomRight = field.at(x + 1, y + 1);
@@ -137,7 +138,10 @@ Side exitOf(const MaskField& field, int x, int y, Side entry) {
 class MaskTracer {
  public:
   MaskTracer(const Image& image, double scale)
-      : field_(image), width_(image.width), height_(image.height), scale_(scale),
+      : field_(image),
+        width_(image.width),
+        height_(image.height),
+        scale_(scale),
         visited_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_)) {}
 
   // False if there are too many points.
@@ -196,10 +200,22 @@ class MaskTracer {
       add(ring, crossing(x, y, entry));
       if (static_cast<std::int64_t>(ring.size()) > limit) return ring;
       switch (exitOf(field_, x, y, entry)) {
-        case Side::Top: --y; entry = Side::Bottom; break;
-        case Side::Right: ++x; entry = Side::Left; break;
-        case Side::Bottom: ++y; entry = Side::Top; break;
-        case Side::Left: --x; entry = Side::Right; break;
+        case Side::Top:
+          --y;
+          entry = Side::Bottom;
+          break;
+        case Side::Right:
+          ++x;
+          entry = Side::Left;
+          break;
+        case Side::Bottom:
+          ++y;
+          entry = Side::Top;
+          break;
+        case Side::Left:
+          --x;
+          entry = Side::Right;
+          break;
       }
     }
     dropRepeatedPoints(ring);

@@ -424,7 +424,7 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
       any = any || wanted[c];
     }
     if (!any) break;
-    const Search search{setOfCurve, partOfCurve, wanted, round == 0 ? 2 : 1, reach, thorough};
+    const Search search{setOfCurve, partOfCurve, wanted, round == 0 ? 4 : 1, reach, thorough};
     int joined = 0;
     for (const Candidate& candidate : findCandidates(joining, grid, curves, search, run)) {
       joined += joining.join(candidate, grid) ? 1 : 0;

@@ -1,5 +1,5 @@
-// SVG 1.1/2 geometry to polygons: https://www.w3.org/TR/SVG2/ (paths: chapter 9, basic shapes: 10, units and viewports: 8).
-// RapidXML reads the XML, fast_float the numbers.
+// SVG 1.1/2 geometry to polygons: https://www.w3.org/TR/SVG2/ (paths: chapter 9, basic shapes: 10, units and viewports:
+// 8). RapidXML reads the XML, fast_float the numbers.
 #include "sillon/svg.hpp"
 
 #include <algorithm>
@@ -24,12 +24,13 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMmPerPx = 25.4 / 96;
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
-constexpr int kMaxDepth = 200;                   // of elements, <use> counted in: each level costs stack
+constexpr int kMaxDepth = 200;  // of elements, <use> counted in: each level costs stack
 constexpr std::int64_t kMaxPoints = 2'000'000;
-constexpr std::int64_t kMaxWork = 4 * static_cast<std::int64_t>(kMaxBytes);  // bytes read while drawing; <use> reads again
-constexpr std::int64_t kWorkPerElement = 64;     // bytes an element without attributes counts as
-constexpr double kMaxPage = 1e5;                 // [mm]
-constexpr double kMaxCoordinate = 1e6;           // [mm]; 1e12 nm are exact in a double
+constexpr std::int64_t kMaxWork =
+    4 * static_cast<std::int64_t>(kMaxBytes);  // bytes read while drawing; <use> reads again
+constexpr std::int64_t kWorkPerElement = 64;   // bytes an element without attributes counts as
+constexpr double kMaxPage = 1e5;               // [mm]
+constexpr double kMaxCoordinate = 1e6;         // [mm]; 1e12 nm are exact in a double
 
 // Thrown and caught in this file only: parsing is deep, and each level would have to hand errors on.
 struct Refused {
@@ -186,7 +187,8 @@ class NestingCheck {
   [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
 
   [[noreturn]] void malformed(const std::string& problem) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
+    const auto line =
+        1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
     refuse("the file is not well-formed XML: " + problem + " in line " + std::to_string(line));
   }
 
@@ -216,7 +218,8 @@ class NestingCheck {
       if (std::string_view("<\"'?!&").find(text_[at_]) != std::string_view::npos) break;
       ++at_;
     }
-    if (at_ == begin) malformed(at_ < text_.size() ? "an unexpected " + quoted(text_.substr(at_, 1)) : "an unfinished tag");
+    if (at_ == begin)
+      malformed(at_ < text_.size() ? "an unexpected " + quoted(text_.substr(at_, 1)) : "an unfinished tag");
   }
 
   // Returns whether the tag opens an element.
@@ -397,7 +400,8 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   reader.skipSpace();
   const std::string_view mode = reader.word();
   const auto unknown = [&] {
-    refuse("preserveAspectRatio is " + quoted(text) + "; it must be none or an alignment such as xMidYMid, then meet or slice");
+    refuse("preserveAspectRatio is " + quoted(text) +
+           "; it must be none or an alignment such as xMidYMid, then meet or slice");
   };
   if (!reader.atEnd() || !(mode.empty() || mode == "meet" || mode == "slice")) unknown();
 
@@ -414,7 +418,11 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   if (align.size() != 8 || align[0] != 'x' || align[4] != 'Y') unknown();
   const Vec2 before{share(align.substr(1, 3)), share(align.substr(5, 3))};
   const double s = mode == "slice" ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
-  return Matrix{s, 0, 0, s, before.x * (size.x - box.size.x * s) - box.min.x * s,
+  return Matrix{s,
+                0,
+                0,
+                s,
+                before.x * (size.x - box.size.x * s) - box.min.x * s,
                 before.y * (size.y - box.size.y * s) - box.min.y * s};
 }
 
@@ -669,7 +677,7 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
   const double half = dot(h, h);
   if (!(half < 1e100)) refuse("the radii of an arc are too small for its length");
   if (half < 1e-14 && !large) return out.line(from, to);  // leaves the chord by less than 1e-7 of it
-  if (half > 1) {  // too small to reach: grown until they do
+  if (half > 1) {                                         // too small to reach: grown until they do
     rx *= std::sqrt(half);
     ry *= std::sqrt(half);
     h = h * (1 / std::sqrt(half));
@@ -832,8 +840,9 @@ class Drawing {
     drawRoot(root, state, box);
     current_ = nullptr;
     if (shape_.paths.empty()) {
-      throw Refused{ErrorCode::EmptyShape,
-                    "the drawing has no area to fill; it needs paths or basic shapes (text, images and lines do not count)"};
+      throw Refused{
+          ErrorCode::EmptyShape,
+          "the drawing has no area to fill; it needs paths or basic shapes (text, images and lines do not count)"};
     }
     return std::move(shape_);
   }
@@ -1099,8 +1108,8 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
     return Error{refused.code, "SVG: " + refused.problem};
   } catch (const rapidxml::parse_error& error) {
     const std::size_t offset = static_cast<std::size_t>(error.where<char>() - buffer.data());
-    return Error{ErrorCode::InvalidFile, "SVG: the file is not well-formed XML: " + std::string(error.what()) + " in line " +
-                                             std::to_string(lineAt(text, offset))};
+    return Error{ErrorCode::InvalidFile, "SVG: the file is not well-formed XML: " + std::string(error.what()) +
+                                             " in line " + std::to_string(lineAt(text, offset))};
   }
 }
 

@@ -123,6 +123,7 @@ void times(const std::vector<std::string>& scenes) {
     Loaded scene;
     if (!load(path, scene)) continue;
     std::vector<std::vector<double>> stages;
+    std::vector<std::vector<double>> stages2;
     std::vector<double> totals;
     std::vector<double> totals2;
     std::vector<double> ratios;
@@ -137,10 +138,12 @@ void times(const std::vector<std::string>& scenes) {
       if (k < kWarmUps) continue;
       const auto& time = a.value().time;
       stages.resize(time.size());
+      stages2.resize(time.size());
       names.clear();
       for (std::size_t s = 0; s < time.size(); ++s) {
         names.push_back(time[s].stage);
         stages[s].push_back(time[s].seconds);
+        stages2[s].push_back(b.value().time[s].seconds);
       }
       totals.push_back(totalOf(a.value()));
       totals2.push_back(totalOf(b.value()));
@@ -150,7 +153,8 @@ void times(const std::vector<std::string>& scenes) {
     std::printf("%s: median of %d after %d warm-ups, inputs decoded -> toolpath\n", scene.name.c_str(), kRuns, kWarmUps);
     const double total = median(totals);
     for (std::size_t s = 0; s < names.size(); ++s) {
-      std::printf("  %-12s %8.4f s  %5.1f %%\n", names[s].c_str(), median(stages[s]), 100 * median(stages[s]) / total);
+      std::printf("  %-12s %8.4f s  %5.1f %%   2 threads %8.4f s\n", names[s].c_str(), median(stages[s]),
+                  100 * median(stages[s]) / total, median(stages2[s]));
     }
     std::printf("  %-12s %8.4f s  (least %.4f)\n", "1 thread", total, *std::min_element(totals.begin(), totals.end()));
     std::printf("  %-12s %8.4f s  (least %.4f), %.2f times faster (median of pairs)\n", "2 threads", median(totals2),
