@@ -3,12 +3,12 @@ find_package(Threads REQUIRED)
 
 # Header-only packages become SYSTEM interface targets, so that our warnings stay ours.
 function(sillon_header_library target header)
-  find_path(${target}_dir NAMES ${header} REQUIRED)
+  find_path(${target}_include NAMES ${header} PATH_SUFFIXES ${ARGN} REQUIRED)
   add_library(${target} INTERFACE)
-  target_include_directories(${target} SYSTEM INTERFACE ${${target}_dir})
+  target_include_directories(${target} SYSTEM INTERFACE ${${target}_include})
 endfunction()
 
-sillon_header_library(sillon_stb stb/stb_image.h)
+sillon_header_library(sillon_stb stb_image.h stb)  # Debian keeps it in include/stb
 sillon_header_library(sillon_json nlohmann/json.hpp)
 sillon_header_library(sillon_fast_float fast_float/fast_float.h)
 sillon_header_library(sillon_rapidxml rapidxml/rapidxml.hpp)

@@ -113,6 +113,64 @@ ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext&
   return out;
 }
 
+ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunContext& run) {
+  ClosedCurves out = resampled(curves, step, run);
+  auto crossings = findCrossings(out, run);
+  if (crossings.empty()) return out;
+
+  std::vector<char> keep(curves.points.size(), 0);  // original points that stay
+  constexpr int kAttempts = 6;
+  for (int attempt = 0; attempt < kAttempts && !crossings.empty(); ++attempt) {
+    const std::vector<std::int32_t> curveOf = curveOfPoints(out);
+    const double reach = static_cast<double>(step) * (2 << attempt);
+    for (const auto& [a, b] : crossings) {
+      for (const int segment : {a, b}) {
+        // The nearest original points along the curve; a search over the whole curve is fine, as crossings are rare.
+        const std::size_t c = static_cast<std::size_t>(curveOf[static_cast<std::size_t>(segment)]);
+        const Vec2f p = out.points[static_cast<std::size_t>(segment)];
+        for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
+          if (static_cast<double>(length(curves.points[static_cast<std::size_t>(k)] - p)) < reach) keep[static_cast<std::size_t>(k)] = 1;
+        }
+      }
+    }
+    ClosedCurves mixed;
+    for (int c = 0; c < curves.count(); ++c) {
+      mixed.begin.push_back(static_cast<int>(mixed.points.size()));
+      const int first = curves.begin[static_cast<std::size_t>(c)];
+      const int n = curves.size(c);
+      double since = static_cast<double>(step);  // arc length since the last point put out
+      for (int k = 0; k < n; ++k) {
+        const std::size_t i = static_cast<std::size_t>(first + k);
+        const std::size_t j = static_cast<std::size_t>(first + (k + 1) % n);
+        if (keep[i] || since >= 0.99 * static_cast<double>(step)) {
+          mixed.points.push_back(curves.points[i]);
+          since = 0;
+        }
+        const Vec2f along = curves.points[j] - curves.points[i];
+        const double size = static_cast<double>(length(along));
+        if (keep[i] || keep[j]) {
+          since += size;
+          continue;
+        }
+        // Between free points only: equal steps along the segment.
+        double at = static_cast<double>(step) - since;
+        for (; at < size - 0.1 * static_cast<double>(step); at += static_cast<double>(step)) {
+          mixed.points.push_back(curves.points[i] + along * static_cast<float>(at / size));
+        }
+        since = size - (at - static_cast<double>(step));
+      }
+      if (static_cast<int>(mixed.points.size()) - mixed.begin.back() < kMinPoints) {
+        mixed.points.resize(static_cast<std::size_t>(mixed.begin.back()));
+        for (int k = 0; k < n; ++k) mixed.points.push_back(curves.points[static_cast<std::size_t>(first + k)]);
+      }
+    }
+    mixed.begin.push_back(static_cast<int>(mixed.points.size()));
+    out = std::move(mixed);
+    crossings = findCrossings(out, run);
+  }
+  return crossings.empty() ? out : curves;
+}
+
 std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves) {
   std::vector<std::int32_t> curve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
@@ -130,8 +188,8 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
   Point64 high = low;
   double total = 0;
   for (const Segment& s : segments) {
-    low = {std::min(low.x, s.a.x), std::min(low.y, s.a.y)};
-    high = {std::max(high.x, s.a.x), std::max(high.y, s.a.y)};
+    low = {std::min({low.x, s.a.x, s.b.x}), std::min({low.y, s.a.y, s.b.y})};
+    high = {std::max({high.x, s.a.x, s.b.x}), std::max({high.y, s.a.y, s.b.y})};
     total += std::hypot(static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y));
   }
   // Cells about two mean segments wide, and not many more cells than segments.

@@ -14,6 +14,10 @@ namespace sillon {
 ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run);
 inline constexpr int kMinPoints = 6;
 
+/// The same for curves that do not meet, such that they still do not: where two pass so closely that chords would touch,
+/// the original points stay.
+ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunContext& run);
+
 /// Index of the curve that holds each point.
 std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves);
 
@@ -21,6 +25,11 @@ std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves);
 inline int nextOf(const ClosedCurves& curves, int curve, int point) {
   const std::size_t c = static_cast<std::size_t>(curve);
   return point + 1 == curves.begin[c + 1] ? curves.begin[c] : point + 1;
+}
+
+inline int previousOf(const ClosedCurves& curves, int curve, int point) {
+  const std::size_t c = static_cast<std::size_t>(curve);
+  return point == curves.begin[c] ? curves.begin[c + 1] - 1 : point - 1;
 }
 
 /// All pairs of non-consecutive segments that share a point, exact on coordinates rounded to 1 µm, each pair once in

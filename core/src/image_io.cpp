@@ -46,8 +46,8 @@ void* limitedReallocate(void* old, std::size_t size) {
 // Damaged JPEG coefficients overflow ints inside stb_image; they only make wrong pixels.
 #pragma clang attribute push(__attribute__((no_sanitize("undefined"))), apply_to = function)
 #endif
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
+#include <stb_image.h>
+#include <stb_image_write.h>
 #if defined(__clang__)
 #pragma clang attribute pop
 #endif

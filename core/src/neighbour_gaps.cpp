@@ -77,10 +77,8 @@ bool turnsBack(const ClosedCurves& curves, int curve, int point) {
 }  // namespace
 
 Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
-  const std::size_t c = static_cast<std::size_t>(curve);
-  const int before = point == curves.begin[c] ? curves.begin[c + 1] - 1 : point - 1;
   const Vec2f chord = curves.points[static_cast<std::size_t>(nextOf(curves, curve, point))] -
-                      curves.points[static_cast<std::size_t>(before)];
+                      curves.points[static_cast<std::size_t>(previousOf(curves, curve, point))];
   const float size = length(chord);
   return size > 0 ? chord * (1 / size) : Vec2f{};
 }

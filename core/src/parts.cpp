@@ -27,23 +27,24 @@ class UnionFind {
   std::vector<std::int32_t> parent_;
 };
 
-// Largest distance on the way between two cells: where the gradients oppose each other a ridge lies between them.
-float highest(const SignedDistanceField& sdf, std::size_t i, std::size_t j, Vec2f step) {
-  const float a = sdf.distance[i];
-  const float b = sdf.distance[j];
-  const float rise = dot(step, sdf.normal[i]);
-  const float fall = -dot(step, sdf.normal[j]);
-  if (rise <= 0 || fall <= 0) return std::max(a, b);
-  const float t = (b - a + fall) / (rise + fall);
-  return t > 0 && t < 1 ? a + t * rise : std::max(a, b);
+// Largest distance on the way between two neighbouring cells. Only where the gradients oppose each other can a ridge lie
+// between them; there the way is sampled.
+float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::size_t i, std::size_t j, Vec2 from, Vec2 to) {
+  constexpr int kSamples = 16;
+  float high = std::max(sdf.distance[i], sdf.distance[j]);
+  if (dot(sdf.normal[i], sdf.normal[j]) > 0.9f) return high;
+  for (int k = 1; k < kSamples; ++k) {
+    high = std::max(high, border.nearest(from + (to - from) * (static_cast<double>(k) / kSamples)).distance);
+  }
+  return high;
 }
 
 }  // namespace
 
-Parts labelParts(const SignedDistanceField& sdf, double spacing, double bridge) {
+Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge) {
   const Grid& grid = sdf.grid;
-  const float cell = static_cast<float>(grid.cell);
   const float limit = static_cast<float>(0.5 * bridge);
+  const float safe = limit - static_cast<float>(grid.cell);  // a neighbour of such a cell is reached in any case
   Parts parts{grid, std::vector<std::int32_t>(grid.size(), -1), 0};
 
   // Runs of connected cells per row, joined to the runs of the row below.
@@ -58,7 +59,8 @@ Parts labelParts(const SignedDistanceField& sdf, double spacing, double bridge) 
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
       if (sdf.distance[i] > limit) continue;
-      const bool joinsLeft = x > 0 && sdf.distance[i - 1] <= limit && highest(sdf, i - 1, i, {cell, 0}) <= limit;
+      const bool joinsLeft = x > 0 && sdf.distance[i - 1] <= limit &&
+                             (sdf.distance[i] < safe || highest(sdf, border, i - 1, i, grid.centre(x - 1, y), grid.centre(x, y)) <= limit);
       if (!joinsLeft) runs.push_back({x, x});
       runs.back().end = x + 1;
       parts.label[i] = static_cast<std::int32_t>(runs.size() - 1);
@@ -71,7 +73,7 @@ Parts labelParts(const SignedDistanceField& sdf, double spacing, double bridge) 
       const std::size_t below = grid.index(x, y - 1);
       if (parts.label[i] < 0 || parts.label[below] < 0) continue;
       if (sets.find(parts.label[i]) == sets.find(parts.label[below])) continue;
-      if (highest(sdf, below, i, {0, cell}) <= limit) sets.join(parts.label[i], parts.label[below]);
+      if (sdf.distance[i] < safe || highest(sdf, border, below, i, grid.centre(x, y - 1), grid.centre(x, y)) <= limit) sets.join(parts.label[i], parts.label[below]);
     }
   }
 
@@ -94,6 +96,28 @@ Parts labelParts(const SignedDistanceField& sdf, double spacing, double bridge) 
     if (label >= 0) label = number[static_cast<std::size_t>(sets.find(label))];
   }
   return parts;
+}
+
+void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double spacing, std::vector<float>& values) {
+  const Grid& grid = parts.grid;
+  const Grid nodes = nodeLattice(grid);
+  std::vector<char> kept(static_cast<std::size_t>(parts.count), 0);
+  for (int y = 0; y < nodes.ny; ++y) {
+    for (int x = 0; x < nodes.nx; ++x) {
+      if (values[nodes.index(x, y)] >= 0) continue;
+      const std::int32_t label = parts.label[grid.index(std::min(x / 2, grid.nx - 1), std::min(y / 2, grid.ny - 1))];
+      if (label >= 0 && label < parts.count) kept[static_cast<std::size_t>(label)] = 1;
+    }
+  }
+  const float depth = static_cast<float>(-0.5 * spacing);
+  for (int y = 0; y < grid.ny; ++y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = grid.index(x, y);
+      const std::int32_t label = parts.label[i];
+      if (label < 0 || label >= parts.count || kept[static_cast<std::size_t>(label)] || sdf.distance[i] > depth) continue;
+      values[nodes.index(2 * x + 1, 2 * y + 1)] = -0.5f;
+    }
+  }
 }
 
 }  // namespace sillon

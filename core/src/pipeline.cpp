@@ -108,7 +108,7 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   if (!border) return border.error();
   const Result<SignedDistanceField> sdf = signedDistanceField(input.shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
-  const Parts parts = labelParts(sdf.value(), params.spacing, params.bridge.value_or(params.spacing));
+  const Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
   plate.parts = parts.count;
   if (parts.count == 0) {
     return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) + " mm, which is too wide for this shape of " +
@@ -132,8 +132,9 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   const Result<std::vector<float>> distance =
       bandDistance(input.shape, border.value(), nodes, static_cast<float>(params.spacing), run);
   if (!distance) return distance.error();
-  const Result<std::vector<float>> values = evaluateSineField(waves.value(), distance.value(), run);
+  Result<std::vector<float>> values = evaluateSineField(waves.value(), distance.value(), run);
   if (!values) return values.error();
+  keepThinParts(parts, sdf.value(), params.spacing, values.value());
   const Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
   if (!contour) return contour.error();
   plate.contourCycles = contour.value().count();
@@ -143,10 +144,11 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   }
 
   clock.start("stitch", 0.65);
-  const ClosedCurves cycles = resampled(contour.value(), static_cast<float>(0.25 * params.spacing), run);
+  const ClosedCurves cycles = resampledSimply(contour.value(), static_cast<float>(0.25 * params.spacing), run);
   const Result<Stitched> stitched = stitchCycles(cycles, lines.value(), border.value(), parts, params, run);
   if (!stitched) return stitched.error();
   plate.longestJointMm = stitched.value().longestJoint;
+  plate.gapJoints = stitched.value().gapJoints;
 
   clock.start("relaxation", 0.88);
   const Result<Relaxed> relaxed = relaxSpacing(stitched.value().curves, border.value(), params, run);
@@ -154,7 +156,7 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   const ClosedCurves& path = relaxed.value().curves;
 
   clock.start("width", 0.95);
-  const Result<std::vector<float>> widths = beadWidths(path, relaxed.value().gaps, border.value(), params, run);
+  const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, border.value(), params, run);
   if (!widths) return widths.error();
 
   clock.start("simplify", 1);

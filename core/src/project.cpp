@@ -582,7 +582,7 @@ std::string invalidProject(const Project& project) {
   Checker checker;
   visitProject(checker, project);
   if (!checker.problem.empty()) return checker.problem;
-  if (const std::string problem = invalidParameter(project.toolpath); !problem.empty()) return problem;
+  if (std::string problem = invalidParameter(project.toolpath); !problem.empty()) return problem;
   if (!project.shapeFile.empty() && project.builtin != BuiltinShape::None) {
     return "shape has both file " + inQuotes(project.shapeFile) + " and a builtin; it must have one of them";
   }

@@ -39,9 +39,20 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const NeighbourGaps& gaps
   return moves;
 }
 
+// No point may come nearer to the border than a quarter of a spacing, or than it was: back to where it was if it would.
+Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, float spacing) {
+  const Vec2 p{static_cast<double>(to.x), static_cast<double>(to.y)};
+  const float least = 0.25f * spacing;
+  if (border.blockDistance(p) > least) return to;
+  const float after = border.nearest(p).distance;
+  if (after <= -least) return to;
+  const float before = border.nearest({static_cast<double>(from.x), static_cast<double>(from.y)}).distance;
+  return after <= before ? to : from;
+}
+
 // Moves and smooths, both scaled per point by `share`.
 ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, const std::vector<float>& share,
-                   float smoothing, const RunContext& run) {
+                   const BorderIndex& border, float spacing, float smoothing, const RunContext& run) {
   ClosedCurves out = curves;
   for (int c = 0; c < curves.count(); ++c) {
     const int first = curves.begin[static_cast<std::size_t>(c)];
@@ -54,7 +65,8 @@ ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, 
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(first + k);
         const Vec2f p = at(k);
-        out.points[i] = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (smoothing * share[i]);
+        const Vec2f to = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (smoothing * share[i]);
+        out.points[i] = heldInside(curves.points[i], to, border, spacing);
       }
     });
   }
@@ -97,7 +109,7 @@ Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& bord
     const std::vector<Vec2f> moves = movesOf(path, gaps, spacing, run);
     std::vector<float> share(path.points.size(), 1.0f);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
-      ClosedCurves next = resampled(moved(path, moves, share, smoothing, run), step, run);
+      ClosedCurves next = resampled(moved(path, moves, share, border, spacing, smoothing, run), step, run);
       NeighbourGaps nextGaps = neighbourGaps(next, border, params.spacing, kCap * spacing, run);
       const auto crossings = findCrossings(next, run, nextGaps.tight);
       if (crossings.empty()) {

@@ -10,13 +10,16 @@ namespace sillon {
 namespace {
 
 constexpr float kMaxSegment = 2;  ///< [mm]
+constexpr float kSpill = 0.0005f;  ///< half a µm on either side, the rounding [mm]
 constexpr int kMaxSkipped = 64;   ///< points left out in a row, which bounds the work
 
+float floored(float v) { return static_cast<float>(std::floor(static_cast<double>(v) * 1000) / 1000); }
 float rounded(float v) { return static_cast<float>(static_cast<double>(std::llround(static_cast<double>(v) * 1000)) / 1000); }
 
 struct Curve {
   std::vector<Vec2f> points;
   std::vector<float> widths;
+  std::vector<float> limits;  ///< widths that would spill
 };
 
 // Whether the straight bead from `a` to `b` stands for all points between them.
@@ -34,7 +37,9 @@ bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance
     if (t < 0 || t > 1) return false;
     const Vec2f off = to - along * t;
     if (dot(off, off) > tolerance * tolerance) return false;
-    if (std::abs(wp + (wq - wp) * t - curve.widths[k]) > tolerance) return false;
+    const float width = wp + (wq - wp) * t;
+    if (std::abs(width - curve.widths[k]) > tolerance) return false;
+    if (width > curve.limits[k] + kSpill || width + 2 * length(off) > std::max(curve.limits[k], curve.widths[k]) + kSpill) return false;
   }
   return true;
 }
@@ -53,25 +58,27 @@ std::vector<std::size_t> keptPoints(const Curve& curve, float tolerance, const s
 }
 
 // Removes points that coincide after rounding.
-Curve roundedCurve(const ClosedCurves& curves, const std::vector<float>& widths, int c) {
+Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) {
   Curve out;
   for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
     const Vec2f p{rounded(curves.points[i].x), rounded(curves.points[i].y)};
     if (!out.points.empty() && out.points.back() == p) continue;
     out.points.push_back(p);
-    out.widths.push_back(rounded(widths[i]));
+    out.widths.push_back(std::max(0.001f, widths.width[i] < widths.limit[i] ? rounded(widths.width[i]) : floored(widths.width[i])));
+    out.limits.push_back(widths.limit[i]);
   }
   while (out.points.size() > 1 && out.points.front() == out.points.back()) {
     out.points.pop_back();
     out.widths.pop_back();
+    out.limits.pop_back();
   }
   return out;
 }
 
 }  // namespace
 
-Result<Toolpath> finishToolpath(const ClosedCurves& curves, const std::vector<float>& widths,
+Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths,
                                 const ToolpathParams& params, const RunContext& run) {
   const float tolerance = static_cast<float>(params.simplifyTolerance);
   std::vector<Curve> full;

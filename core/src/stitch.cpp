@@ -16,7 +16,6 @@ namespace {
 constexpr int kSpan = 4;               ///< segments taken out of each curve: one spacing, so two beads fit side by side
 constexpr float kFirstReach = 1.8f;    ///< how far apart joined pieces may lie at first [tau]
 constexpr float kLengthCost = 0.65f;   ///< cost of a mm of added length
-constexpr float kGapCost = 8;          ///< cost of a mm outside the shape: only where nothing else joins
 constexpr int kMaxRounds = 60;
 constexpr std::size_t kAlternatives = 24;  ///< partners tried per point where the nearest ones cannot be joined
 
@@ -35,7 +34,6 @@ class Joining {
         lines_(lines),
         border_(border),
         spacing_(static_cast<float>(params.spacing)),
-        bridge_(static_cast<float>(params.bridge.value_or(params.spacing))),
         alignmentCost_(static_cast<float>(params.stitchAlignment)),
         curveOf_(curveOfPoints(curves)),
         next_(curves.points.size()),
@@ -72,8 +70,8 @@ class Joining {
     return kLengthCost * added + alignmentCost_ * misaligned;
   }
 
-  // Joins if nothing stands against it.
-  bool join(const Candidate& candidate, const PointGrid& grid) {
+  // Joins if nothing stands against it. \param gap  what the new edges may lie outside the shape [mm].
+  bool join(const Candidate& candidate, const PointGrid& grid, float gap) {
     const int si = setOf(curveOf(candidate.i));
     const int sj = setOf(curveOf(candidate.j));
     if (si == sj) return false;
@@ -82,7 +80,7 @@ class Joining {
     if (touchesUsed(a) || touchesUsed(b)) return false;
     const Edge e{a.begin, b.end};
     const Edge f{b.begin, a.end};
-    if (leavesShape(e) || leavesShape(f)) return false;
+    if (outsideLength(e) > gap || outsideLength(f) > gap) return false;
     if (meet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
     markUsed(a);
     markUsed(b);  // taken out, so that the new edges may pass over them
@@ -93,6 +91,7 @@ class Joining {
     }
     next_[static_cast<std::size_t>(e.from)] = e.to;
     next_[static_cast<std::size_t>(f.from)] = f.to;
+    gapJoints_ += outsideLength(e) + outsideLength(f) > 0 ? 1 : 0;
     for (const Edge& edge : {e, f}) {
       addJoint(edge);
       longest_ = std::max(longest_, length(at(edge.from) - at(edge.to)));
@@ -120,6 +119,7 @@ class Joining {
     }
     out.curves.begin.push_back(static_cast<int>(out.curves.points.size()));
     out.longestJoint = static_cast<double>(longest_);
+    out.gapJoints = gapJoints_;
     return out;
   }
 
@@ -249,8 +249,8 @@ class Joining {
     return false;
   }
 
-  // How much of the edge lies outside the shape, by samples tau/16 apart, against the gap that may be bridged.
-  [[nodiscard]] bool leavesShape(const Edge& edge) const {
+  // How much of the edge lies outside the shape, by samples tau/16 apart [mm].
+  [[nodiscard]] float outsideLength(const Edge& edge) const {
     const Vec2 a{static_cast<double>(at(edge.from).x), static_cast<double>(at(edge.from).y)};
     const Vec2 b{static_cast<double>(at(edge.to).x), static_cast<double>(at(edge.to).y)};
     const double size = length(b - a);
@@ -261,7 +261,7 @@ class Joining {
       if (static_cast<double>(border_.blockDistance(p)) > static_cast<double>(spacing_)) continue;
       outside += border_.nearest(p).distance > 0 ? 1 : 0;
     }
-    return outside > 0 && outside * size / samples > static_cast<double>(bridge_) * 1.05;
+    return static_cast<float>(outside * size / samples);
   }
 
   [[nodiscard]] float jointCellSize() const { return 2 * spacing_; }
@@ -288,7 +288,6 @@ class Joining {
   const LineField& lines_;
   const BorderIndex& border_;
   float spacing_;
-  float bridge_;
   float alignmentCost_;
   std::vector<std::int32_t> curveOf_;
   std::vector<int> next_;
@@ -296,6 +295,7 @@ class Joining {
   std::vector<int> root_;
   std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;
   float longest_ = 0;
+  int gapJoints_ = 0;
 };
 
 int partOf(const Parts& parts, Vec2f p) {
@@ -399,6 +399,9 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
   const PointGrid grid(curves.points, spacing, run);
   float reach = kFirstReach * spacing;
   bool thorough = false;
+  bool outside = false;
+  // Gaps are crossed at a slant now and then, and sampled.
+  float gap = 1.2f * static_cast<float>(params.bridge.value_or(params.spacing)) + 0.125f * spacing;
   const float diagonal = static_cast<float>(length(Vec2{parts.grid.nx * parts.grid.cell, parts.grid.ny * parts.grid.cell}));
   std::vector<int> setOfCurve(count);
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
@@ -427,11 +430,16 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     const Search search{setOfCurve, partOfCurve, wanted, round == 0 ? 4 : 1, reach, thorough};
     int joined = 0;
     for (const Candidate& candidate : findCandidates(joining, grid, curves, search, run)) {
-      joined += joining.join(candidate, grid) ? 1 : 0;
+      joined += joining.join(candidate, grid, outside ? gap : 0) ? 1 : 0;
     }
     if (joined > 0) continue;
-    if (reach > diagonal) break;
-    if (thorough) reach *= 2;
+    // First the nearest partners, then all of them, then across gaps, then from further away and across wider gaps.
+    if (thorough && outside) {
+      if (reach > diagonal) break;
+      reach *= 2;
+      gap *= 2;  // facing tips are nearer to each other than the beads in them; the part is one all the same
+    }
+    outside = thorough;
     thorough = true;
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};

@@ -12,11 +12,16 @@
 
 namespace sillon {
 
+struct BeadWidths {
+  std::vector<float> width;  ///< [mm]
+  std::vector<float> limit;  ///< twice the distance to the border: wider beads spill [mm]; large where it is far
+};
+
 /// Width at every point: between the smaller of the two gaps at its sides (Eq. 16: no overlap, but 1-2 % of the area
 /// stays empty) and their mean (the right volume of plastic, some overlap), by `widthBalance`; held to
 /// [minWidth, maxWidth] spacings and, so that no bead spills, to twice the distance to the border.
 /// \param gaps  of these curves.
-Result<std::vector<float>> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
+Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
                                       const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -18,8 +18,13 @@ struct Parts {
   int count = 0;  ///< parts that hold a cell deeper than tau/2, where a bead can lie; they come first
 };
 
-/// \param bridge  [mm], >= 0. Gaps are measured exactly across their ridge; necks narrower than a cell are seen only
+/// \param bridge  [mm], >= 0. Gaps are measured to tau/64; necks narrower than a cell are seen only
 ///                when bridge >= tau/2.
-Parts labelParts(const SignedDistanceField& sdf, double spacing, double bridge);
+Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge);
+
+/// Gives every part that can hold a bead a contour: where the lattice of the contour missed a place hardly wider than
+/// one bead, the values at its deep cells become negative.
+/// \param values  on the node lattice of the parts' grid.
+void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double spacing, std::vector<float>& values);
 
 }  // namespace sillon

@@ -33,6 +33,7 @@ struct Plate {
   std::int64_t parts = 0;          ///< connected parts after bridging
   std::int64_t contourCycles = 0;  ///< closed curves before stitching
   double longestJointMm = 0;
+  int gapJoints = 0;               ///< joints that cross a gap between solids
   std::vector<StageTime> time;     ///< in order; the sum is the total
 };
 

@@ -1,8 +1,7 @@
 // The finished toolpath: rounded to what is written, without points that say nothing.
 #pragma once
 
-#include <vector>
-
+#include "sillon/bead_width.hpp"
 #include "sillon/params.hpp"
 #include "sillon/result.hpp"
 #include "sillon/run_context.hpp"
@@ -11,9 +10,9 @@
 namespace sillon {
 
 /// Rounds to 1 µm and leaves out points whose position and width follow from those kept within
-/// `simplifyTolerance` (segments stay below 2 mm, so that widths and speeds can follow). Where that would make the path
+/// `simplifyTolerance` (segments stay below 2 mm, so that widths and speeds can follow; no bead grows over the border by it). Where that would make the path
 /// meet itself, the points stay.
-Result<Toolpath> finishToolpath(const ClosedCurves& curves, const std::vector<float>& widths,
+Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths,
                                 const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Keeps the order of the stages: a file of core includes what it eats and makes, never a later stage, and nothing of
+# files, consoles or browsers. Prints each breach as file:line; silent and 0 if there is none.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# Tools that know no stage. They may include each other only.
+foundation="types result run_context params version grid parallel_for fast_math simd hierarchy point_grid curves text direction_colour"
+
+# file: the stages it may include, besides the foundation and its own header.
+stages="
+shape:
+svg: shape
+image_io:
+direction_map:
+outline: shape
+sdf: outline
+constraints: direction_map sdf
+line_field: constraints sdf
+phase_field: line_field sdf
+sine_field: phase_field
+contour:
+parts: sdf
+stitch: line_field parts sdf
+neighbour_gaps: sdf
+relaxation: neighbour_gaps sdf
+bead_width: neighbour_gaps sdf
+simplify:
+pipeline: shape direction_map sdf parts line_field phase_field sine_field contour stitch relaxation bead_width simplify
+measure: direction_map outline sdf constraints
+report: measure pipeline
+base_layers: shape outline
+motion: gcode
+chunked_output: gcode
+gcode_checks: gcode gcode_job
+gcode_job: gcode gcode_checks base_layers motion
+gcode: shape outline motion gcode_job chunked_output
+preview: image_io
+toolpath_svg: shape
+project: direction_map gcode pipeline
+"
+
+forbidden='iostream|fstream|ostream|istream|filesystem|cstdio|stdio\.h|emscripten.*'
+
+find core -name '*.[ch]pp' -print0 | sort -z |
+  xargs -0 grep -nE '^[[:space:]]*#[[:space:]]*include' /dev/null |
+  awk -v foundation="$foundation" -v stages="$stages" -v forbidden="^<($forbidden)>\$" '
+    function stem(path) { sub(/.*\//, "", path); sub(/\.[ch]pp$/, "", path); return path }
+    function breach(text) { print where ": " text; broken = 1 }
+    BEGIN {
+      n = split(foundation, names, " ")
+      for (k = 1; k <= n; ++k) isFoundation[names[k]] = 1
+      n = split(stages, lines, "\n")
+      for (k = 1; k <= n; ++k) {
+        if (split(lines[k], sides, ":") < 2) continue
+        known[sides[1]] = 1
+        m = split(sides[2], names, " ")
+        for (i = 1; i <= m; ++i) may[sides[1], names[i]] = 1
+      }
+    }
+    {
+      split($0, part, ":")
+      where = part[1] ":" part[2]
+      file = stem(part[1])
+      header = $0
+      sub(/^[^:]*:[^:]*:[^"<]*/, "", header)
+      sub(/[^">]*$/, "", header)
+      if (header ~ forbidden) breach("core includes no " header)
+      if (header !~ /^"/) next
+      gsub(/"/, "", header)
+      header = stem(header)
+      if (!(file in known) && !(file in isFoundation)) { breach(file " has no row in tests/check_includes.sh"); next }
+      if (header == file || header in isFoundation || (file, header) in may) next
+      breach(file " may not include " header ", see tests/check_includes.sh")
+    }
+    END { exit broken }'

@@ -1,0 +1,293 @@
+// Constraints, lines, phases and the sine field.
+#include <doctest/doctest.h>
+
+#include "fast_math.hpp"
+#include "sillon/constraints.hpp"
+#include "sillon/line_field.hpp"
+#include "sillon/phase_field.hpp"
+#include "sillon/sine_field.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+using scenes::circle;
+using scenes::mapOf;
+using scenes::rectangle;
+using scenes::shapeOf;
+
+namespace {
+
+struct Fields {
+  Outline outline;
+  SignedDistanceField sdf;
+  CellConstraints cells;
+  LineField lines;
+  SineField waves;
+  std::vector<float> nodeDistance;
+  std::vector<float> values;
+};
+
+Fields fieldsOf(const PlateInput& input, const ToolpathParams& params = {}, const RunContext& run = RunContext(1)) {
+  Fields f;
+  f.outline = resolveOutline(input.shape).value();
+  const Grid grid = makeGrid(f.outline.bounds, params.spacing);
+  const BorderIndex index = buildBorderIndex(f.outline, grid, run).value();
+  f.sdf = signedDistanceField(input.shape, index, grid, run).value();
+  f.cells = cellConstraints(f.sdf, input.directions, input.modes, input.shape.page, params, run).value();
+  f.lines = lineField(f.sdf, f.cells, params, run).value();
+  f.waves = alignPhases(f.lines, f.sdf, f.cells, params, run).value();
+  f.nodeDistance = bandDistance(input.shape, index, nodeLattice(grid), static_cast<float>(params.spacing), run).value();
+  f.values = evaluateSineField(f.waves, f.nodeDistance, run).value();
+  return f;
+}
+
+PlateInput square(double side, DirectionMap map, DirectionMode mode = DirectionMode::Constrained) {
+  return scenes::plate(shapeOf({rectangle({0, 0}, {side, side})}, {side, side}), std::move(map), mode);
+}
+
+DirectionMap uniform(double angle) {
+  return mapOf(1, [=](double, double) { return angle; });
+}
+
+// |cos| of the angle between a direction and the bead direction `angle` turned by 90 degrees.
+double agreement(Vec2f d, double angle) {
+  return std::abs(static_cast<double>(d.x) * -std::sin(angle) + static_cast<double>(d.y) * std::cos(angle));
+}
+
+constexpr float kFrequency = kPi / 0.4f;
+
+// Eq. 7: the squared difference of two waves along d_j, over one period.
+double alignmentEnergy(Vec2f offset, Vec2f di, Vec2f dj, double phaseI, double phaseJ) {
+  const double s = dot(di, dj) > 0 ? 1 : -1;
+  const double along = static_cast<double>(dot(offset, dj));
+  double sum = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double x = 0.8 * k / 400;
+    const double difference = std::sin(s * static_cast<double>(kFrequency) * (x - along) + phaseI) -
+                              std::sin(static_cast<double>(kFrequency) * x + phaseJ);
+    sum += difference * difference;
+  }
+  return sum / 400;
+}
+
+}  // namespace
+
+TEST_CASE("our sine and cosine keep their stated error") {
+  double worst = 0;
+  double far = 0;
+  for (int k = -100000; k <= 100000; ++k) {
+    const float x = static_cast<float>(k) * 1e-4f;
+    const SinCos v = sinCos(x);
+    worst = std::max({worst, std::abs(static_cast<double>(v.sin) - std::sin(static_cast<double>(x))),
+                      std::abs(static_cast<double>(v.cos) - std::cos(static_cast<double>(x)))});
+    const float y = static_cast<float>(k) * 0.0819f;
+    const double error = std::abs(static_cast<double>(sinCos(y).sin) - std::sin(static_cast<double>(y)));
+    far = std::max(far, error - 1e-7 * std::abs(static_cast<double>(y)));
+  }
+  CHECK(worst < 3e-7);
+  CHECK(far < 2e-6);
+}
+
+TEST_CASE("our arc sine keeps its stated error") {
+  for (int k = -1000; k <= 1000; ++k) {
+    const float x = static_cast<float>(k) / 1000;
+    CHECK(std::abs(static_cast<double>(asinApprox(x)) - std::asin(static_cast<double>(x))) < 1e-4);
+  }
+}
+
+TEST_CASE("lines of a map are averaged as numbers e^{2i angle}: 89 and -89 degrees give 90, not 0") {
+  DirectionMap map{2, 1, {65535 * 179 / 180, 65535 * 1 / 180}};  // 89 and -89 degrees
+  const Fields f = fieldsOf(square(4, map));
+  const Grid& grid = f.cells.grid;
+  const Vec2f z = f.cells.mapLine[grid.index(grid.nx / 2, grid.ny / 2)];
+  CHECK(z.x == doctest::Approx(1).epsilon(1e-2));  // bead at 90 degrees: z(t) = -1, z(d) = 1
+}
+
+TEST_CASE("where the average of lines vanishes the nearest texel decides") {
+  DirectionMap map{2, 1, {32768, 65535}};  // 0 and 90 degrees
+  const Fields f = fieldsOf(square(4, map));
+  for (const Vec2f z : f.cells.mapLine) {
+    if (z == Vec2f{}) continue;
+    CHECK(length(z) == doctest::Approx(1).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("zones follow the distance") {
+  ToolpathParams params;
+  params.perimeters = 3;
+  const Fields f = fieldsOf(square(8, uniform(0)), params);
+  for (std::size_t i = 0; i < f.cells.zone.size(); ++i) {
+    const float sd = f.sdf.distance[i];
+    const Zone expected = sd > -0.2f ? Zone::Masked : (sd > -0.4f ? Zone::Ring : (sd > -1.2f ? Zone::Shell : Zone::Infill));
+    CHECK(f.cells.zone[i] == expected);
+  }
+}
+
+TEST_CASE("parallel beads in a disc are circles, orthogonal ones are rays") {
+  for (const DirectionMode mode : {DirectionMode::Parallel, DirectionMode::Orthogonal}) {
+    const Fields f = fieldsOf(scenes::plate(shapeOf({circle({8, 8}, 8)}, {16, 16}), uniform(0), mode));
+    const Grid& grid = f.lines.grid;
+    for (int y = 0; y < grid.ny; ++y) {
+      for (int x = 0; x < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        const Vec2 out = grid.centre(x, y) - Vec2{8, 8};
+        if (f.cells.zone[i] != Zone::Infill || length(out) < 2) continue;
+        const double bead = std::atan2(out.y, out.x) + (mode == DirectionMode::Parallel ? std::numbers::pi / 2 : 0);
+        REQUIRE(agreement(f.lines.direction[i], bead) > 0.99);
+      }
+    }
+  }
+}
+
+TEST_CASE("constrained lines come back as asked; smoothest ones fill in between") {
+  // Left third at 30 degrees, right third at 60, free between.
+  PlateInput input = square(12, mapOf(60, [](double x, double) { return x < 0.5 ? std::numbers::pi / 6 : std::numbers::pi / 3; }));
+  input.modes = {3, 1, {DirectionMode::Constrained, DirectionMode::Smoothest, DirectionMode::Constrained}};
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::None;
+  params.sweepsPerLevel = 64;
+  const Fields f = fieldsOf(input, params);
+  const Grid& grid = f.lines.grid;
+  const int y = grid.ny / 2;
+  double before = 0;
+  for (int x = 0; x < grid.nx; ++x) {
+    const std::size_t i = grid.index(x, y);
+    if (f.cells.zone[i] == Zone::Masked) continue;
+    const double px = grid.centre(x, y).x;
+    const Vec2f d = f.lines.direction[i];
+    double angle = std::atan2(-static_cast<double>(d.x), static_cast<double>(d.y));
+    if (angle < 0) angle += std::numbers::pi;
+    angle *= 180 / std::numbers::pi;
+    if (px < 3.8) CHECK(angle == doctest::Approx(30).epsilon(1e-2));
+    if (px > 8.2) CHECK(angle == doctest::Approx(60).epsilon(1e-2));
+    CHECK(angle >= before - 0.5);  // monotonic in between
+    before = angle;
+  }
+}
+
+TEST_CASE("no phase found by search beats the aligned phase in the energy of Eq. 7") {
+  scenes::Random random(7);
+  for (int k = 0; k < 60; ++k) {
+    const double angle = random.in(0, 2 * std::numbers::pi);
+    const Vec2f dj{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+    const Vec2f di = k % 2 == 0 ? dj : -dj;  // Eq. 7 compares along one line: equal or opposed directions
+    const Vec2f offset{static_cast<float>(random.in(-0.4, 0.4)), static_cast<float>(random.in(-0.4, 0.4))};
+    const double phaseJ = random.in(-3, 3);
+    const float best = alignedPhase(offset, di, dj, static_cast<float>(phaseJ), kFrequency);
+    const double energy = alignmentEnergy(offset, di, dj, static_cast<double>(best), phaseJ);
+    CHECK(energy < 1e-9);
+    for (int p = 0; p < 64; ++p) {
+      CHECK(energy <= alignmentEnergy(offset, di, dj, 2 * std::numbers::pi * p / 64, phaseJ) + 1e-9);
+    }
+  }
+}
+
+TEST_CASE("(d, phi) and (-d, pi - phi) are the same wave, for alignment too") {
+  scenes::Random random(11);
+  for (int k = 0; k < 100; ++k) {
+    const double a = random.in(0, 2 * std::numbers::pi);
+    const double b = a + random.in(-1, 1);
+    const Vec2f di{static_cast<float>(std::cos(a)), static_cast<float>(std::sin(a))};
+    const Vec2f dj{static_cast<float>(std::cos(b)), static_cast<float>(std::sin(b))};
+    const Vec2f offset{static_cast<float>(random.in(-0.4, 0.4)), static_cast<float>(random.in(-0.4, 0.4))};
+    const float phase = static_cast<float>(random.in(-3, 3));
+    const double plain = static_cast<double>(alignedPhase(offset, di, dj, phase, kFrequency));
+    const double sameWave = static_cast<double>(alignedPhase(offset, di, -dj, kPi - phase, kFrequency));
+    const double flipped = static_cast<double>(kPi) - static_cast<double>(alignedPhase(offset, -di, dj, phase, kFrequency));
+    CHECK(std::cos(plain - sameWave) == doctest::Approx(1).epsilon(1e-5));
+    CHECK(std::cos(plain - flipped) == doctest::Approx(1).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a uniform field becomes one plane wave at any angle, without a single dislocation") {
+  for (const double angle : {0.0, 0.4, 1.1, 2.5}) {
+    ToolpathParams params;
+    params.perimeterMode = PerimeterMode::None;
+    const Fields f = fieldsOf(square(12, uniform(angle)), params);
+    const Grid& grid = f.waves.grid;
+    for (int y = 1; y < grid.ny; ++y) {
+      for (int x = 1; x < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        const std::size_t j = grid.index(x - 1, y);
+        if (f.cells.zone[i] == Zone::Masked || f.cells.zone[j] == Zone::Masked) continue;
+        const Vec2f q = f.waves.phase[i];
+        const float expected = alignedPhase({0.2f, 0}, f.waves.direction[i], f.waves.direction[j],
+                                            std::atan2(f.waves.phase[j].y, f.waves.phase[j].x), kFrequency);
+        REQUIRE(q.x * std::cos(expected) + q.y * std::sin(expected) > 0.999f);
+      }
+    }
+  }
+}
+
+TEST_CASE("the ring's wave vanishes half a bead inside the border") {
+  const Fields f = fieldsOf(scenes::plate(shapeOf({circle({7, 7}, 7)}, {14, 14}), scenes::waves()));
+  int rings = 0;
+  for (std::size_t i = 0; i < f.cells.zone.size(); ++i) {
+    if (f.cells.zone[i] != Zone::Ring) continue;
+    ++rings;
+    const float along = dot(f.waves.direction[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
+    CHECK(std::abs(dot(f.waves.direction[i], f.sdf.normal[i])) > 0.999f);
+    // sin(phi + along w (-tau/2 - sd)) = 0, falling inwards
+    const float angle = std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
+    CHECK(std::abs(std::sin(angle)) < 2e-3f);
+  }
+  CHECK(rings > 200);
+}
+
+TEST_CASE("a soft border pulls beads along it where the map agrees and leaves them alone where it does not") {
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::Soft;
+  const Fields f = fieldsOf(square(12, uniform(0)), params);
+  const Grid& grid = f.waves.grid;
+  // Beads run along x: at the lower border the first one lies half a spacing inside.
+  for (int x = 20; x < grid.nx - 20; ++x) {
+    for (int y = 0; y < grid.ny; ++y) {
+      const std::size_t i = grid.index(x, y);
+      if (f.cells.zone[i] != Zone::Ring) continue;
+      const float along = dot(f.waves.direction[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
+      const float angle = std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
+      CHECK(std::abs(std::sin(angle)) < 0.15f);
+    }
+  }
+  for (std::size_t i = 0; i < f.lines.direction.size(); ++i) {
+    if (f.cells.zone[i] != Zone::Masked) CHECK(agreement(f.lines.direction[i], 0) > 0.999);
+  }
+}
+
+TEST_CASE("the sine field of a plane wave is that wave, times the Gaussian's loss at the border only") {
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::None;
+  const Fields f = fieldsOf(square(10, uniform(0.3)), params);
+  const Grid nodes = nodeLattice(f.waves.grid);
+  const Grid& grid = f.waves.grid;
+  const std::size_t i0 = grid.index(grid.nx / 2, grid.ny / 2);
+  const Vec2 p0 = grid.centre(grid.nx / 2, grid.ny / 2);
+  for (int y = 0; y < nodes.ny; ++y) {
+    for (int x = 0; x < nodes.nx; ++x) {
+      const std::size_t n = nodes.index(x, y);
+      const float sd = f.nodeDistance[n];
+      if (sd >= 0) REQUIRE(f.values[n] == 1);
+      if (sd < 0 && sd >= -0.2f) REQUIRE(f.values[n] == doctest::Approx(2 * sd / 0.4f + 1));
+      const Vec2 p = nodes.centre(x, y);
+      if (std::abs(p.x - p0.x) > 2 || std::abs(p.y - p0.y) > 2) continue;
+      const Vec2f to{static_cast<float>(p.x - p0.x), static_cast<float>(p.y - p0.y)};
+      const float expected = std::sin(kFrequency * dot(to, f.waves.direction[i0]) + std::atan2(f.waves.phase[i0].y, f.waves.phase[i0].x));
+      REQUIRE(f.values[n] == doctest::Approx(expected).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("fields are equal for any number of threads") {
+  const PlateInput input = scenes::plate(shapeOf({scenes::star({9, 9}, 9, 4, 5)}, {18, 18}), scenes::waves());
+  for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+    ToolpathParams params;
+    params.perimeterMode = mode;
+    params.seed = 5;
+    const Fields one = fieldsOf(input, params, RunContext(1));
+    for (const int threads : {2, 3, 8}) {
+      const Fields many = fieldsOf(input, params, RunContext(threads));
+      CHECK(one.lines.direction == many.lines.direction);
+      CHECK(one.waves.phase == many.waves.phase);
+      CHECK(one.values == many.values);
+    }
+  }
+}

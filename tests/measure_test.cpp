@@ -1,0 +1,134 @@
+#include "sillon/measure.hpp"
+
+#include <doctest/doctest.h>
+
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+const RunContext kRun(2);
+
+Toolpath toolpathOf(std::vector<Vec2f> points, float width, double spacing = 0.4) {
+  Cycle cycle;
+  cycle.widths.assign(points.size(), width);
+  cycle.points = std::move(points);
+  return {{cycle}, spacing};
+}
+
+Measures measured(const Toolpath& path, const Shape& shape, double angle = 0) {
+  const auto m = measureToolpath(path, shape, scenes::mapOf(1, [=](double, double) { return angle; }),
+                                 uniformMode(DirectionMode::Constrained), {}, kRun);
+  REQUIRE(m.ok());
+  return m.value();
+}
+
+std::vector<Vec2f> ringOf(const Ring& ring) {
+  std::vector<Vec2f> points;
+  for (const Vec2 p : ring) points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("one bead round a thin ring covers it all, without overlap or spill") {
+  const Shape shape = scenes::shapeOf({scenes::circle({6, 6}, 5.2, 720), scenes::circle({6, 6}, 4.8, 720)}, {12, 12});
+  const Measures m = measured(toolpathOf(ringOf(scenes::circle({6, 6}, 5, 720)), 0.4f), shape);
+  CHECK(m.coverage > 99.5);
+  CHECK(m.overlap == 0);
+  CHECK(m.spill < 0.5);
+  CHECK(m.fillRatio == doctest::Approx(1).epsilon(2e-3));
+  CHECK(m.lengthMm == doctest::Approx(10 * std::numbers::pi).epsilon(1e-4));
+  CHECK(m.uTurns == 0);
+  CHECK(m.kinks == 0);
+  CHECK(m.crossings == 0);
+  CHECK(m.alignment == doctest::Approx(-0.5).epsilon(1e-3));
+}
+
+TEST_CASE("coverage and spill of a bead that hangs half over the border") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10});
+  // A square path along the border itself, 0.4 wide: 0.2 inside, 0.2 outside with round corners.
+  const Measures m = measured(toolpathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4f), shape);
+  CHECK(m.coverage == doctest::Approx(100 - 9.6 * 9.6).epsilon(2e-3));
+  CHECK(m.spill == doctest::Approx(40 * 0.2 + std::numbers::pi * 0.04).epsilon(5e-3));
+}
+
+TEST_CASE("a bead that widens is as wide in between as it should be") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 10})}, {20, 10});
+  Toolpath path = toolpathOf({{2, 3}, {18, 3}, {18, 7}, {2, 7}}, 0.4f);
+  path.cycles[0].widths = {0.4f, 0.8f, 0.8f, 0.4f};
+  const Measures m = measured(path, shape);
+  CHECK(m.coverage == doctest::Approx((2 * 16 * 0.6 + 4 * 0.8 + 4 * 0.4) / 2).epsilon(0.01));
+  CHECK(m.width.p01 == doctest::Approx(1.0).epsilon(1e-6));
+  CHECK(m.width.p99 == doctest::Approx(2.0).epsilon(1e-6));
+}
+
+TEST_CASE("overlap counts beads laid twice, not the bead's own joints and bends") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 10})}, {20, 10});
+  // A long loop whose legs lie 0.3 mm apart with beads of 0.4: 0.1 mm of overlap over its length.
+  const Measures narrow = measured(toolpathOf({{2, 5}, {18, 5}, {18, 5.3f}, {2, 5.3f}}, 0.4f), shape);
+  CHECK(narrow.overlap == doctest::Approx((16 - 1.1) * 0.1 / 2).epsilon(0.1));
+  // At 0.42 mm they do not touch.
+  CHECK(measured(toolpathOf({{2, 5}, {18, 5}, {18, 5.42f}, {2, 5.42f}}, 0.4f), shape).overlap == 0);
+}
+
+TEST_CASE("where a cycle ends and begins is no overlap") {
+  const Shape shape = scenes::shapeOf({scenes::circle({6, 6}, 6)}, {12, 12});
+  std::vector<Vec2f> points = ringOf(scenes::circle({6, 6}, 5, 720));
+  CHECK(measured(toolpathOf(points, 0.4f), shape).overlap == 0);
+  Toolpath twice = toolpathOf(points, 0.4f);
+  twice.cycles.push_back(twice.cycles[0]);
+  CHECK(measured(twice, shape).overlap == doctest::Approx(100 * 0.4 * 10 / 36).epsilon(0.01));
+  CHECK(measured(twice, shape).crossings > 0);
+}
+
+TEST_CASE("alignment of straight rows is minus cos² of their angle to the map") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 20})}, {40, 20});
+  for (const double angle : {0.0, 0.3, 1.0, std::numbers::pi / 2}) {
+    const Measures m = measured(toolpathOf({{2, 10}, {38, 10}, {38, 10.02f}, {2, 10.02f}}, 0.4f), shape, angle);
+    CHECK(m.alignment == doctest::Approx(-std::pow(std::cos(angle), 2)).epsilon(2e-3));
+    CHECK(m.alignmentInterior == doctest::Approx(m.alignment).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("rows joined by hairpins have one U-turn each") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 20})}, {40, 20});
+  std::vector<Vec2f> points;
+  constexpr int kRows = 10;
+  for (int row = 0; row < kRows; ++row) {
+    const float y = 5 + 0.4f * static_cast<float>(row);
+    const float left = 10;
+    const float right = 30;
+    points.push_back({row % 2 == 0 ? left : right, y});
+    points.push_back({row % 2 == 0 ? right : left, y});
+  }
+  points.push_back({8, 8.6f});
+  points.push_back({8, 5});
+  const Measures m = measured(toolpathOf(points, 0.4f), shape);
+  CHECK(m.uTurns == kRows - 1);
+  CHECK(m.crossings == 0);
+}
+
+TEST_CASE("what no bead can reach is lost: a thin bar, not the corners of a square") {
+  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10}))
+            .lostAreaMm2 == 0);
+  const Shape withBar = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10}), scenes::rectangle({10, 4}, {15, 4.3})}, {15, 10},
+                                        FillRule::NonZero);
+  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), withBar).lostAreaMm2 == doctest::Approx(1.5).epsilon(0.1));
+}
+
+TEST_CASE("measures are equal for any number of threads, and digests tell plates apart") {
+  const auto scene = scenes::all()[0];
+  const auto plate = generateToolpath(scene.input, {}, kRun);
+  REQUIRE(plate.ok());
+  const Toolpath& path = plate.value().toolpath;
+  const auto one = measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(1));
+  const auto many = measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(5));
+  CHECK(one.value().coverage == many.value().coverage);
+  CHECK(one.value().overlap == many.value().overlap);
+  CHECK(one.value().digest == many.value().digest);
+  Toolpath other = path;
+  other.cycles[0].points[3].x += 0.001f;
+  CHECK(digestOf(other) != digestOf(path));
+}

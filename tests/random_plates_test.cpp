@@ -1,0 +1,40 @@
+// Promises that hold for any shape, field and parameters: one simple closed path per part, no spill, for 320 random plates.
+#include <doctest/doctest.h>
+
+#include "sillon/measure.hpp"
+#include "sillon/outline.hpp"
+#include "sillon/pipeline.hpp"
+#include "support/random_plates.hpp"
+
+using namespace sillon;
+
+TEST_CASE("320 random plates keep the promises") {
+  const RunContext run(2);
+  int made = 0;
+  for (std::uint64_t seed = 1; seed <= 320; ++seed) {
+    const scenes::RandomPlate plate = scenes::randomPlate(seed);
+    CAPTURE(seed);
+    CAPTURE(plate.name);
+    const auto result = generateToolpath(plate.input, plate.params, run);
+    if (!result.ok()) {
+      // Only shapes without room for a bead may fail.
+      CHECK(result.error().code == ErrorCode::EmptyShape);
+      continue;
+    }
+    ++made;
+    const auto measures = measureToolpath(result.value().toolpath, plate.input.shape, plate.input.directions,
+                                          plate.input.modes, plate.params, run);
+    REQUIRE(measures.ok());
+    const Measures& m = measures.value();
+    CHECK(m.crossings == 0);
+    CHECK(static_cast<std::int64_t>(result.value().toolpath.cycles.size()) == result.value().parts);
+    // A joint across a gap is a thread outside the shape: two strands, a raster pixel or two wide.
+    const double area = resolveOutline(plate.input.shape).value().area;
+    const double gap = 2 * plate.params.bridge.value_or(plate.params.spacing) + plate.params.spacing;
+    const double threads = result.value().gapJoints * 2 * gap * 0.1 * plate.params.spacing;
+    CHECK(m.spill <= 0.05 + 100 * threads / area);
+    CHECK(m.coverage > 0);
+    CHECK(m.coverage <= 100);
+  }
+  CHECK(made >= 300);
+}

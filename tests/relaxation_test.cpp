@@ -1,0 +1,210 @@
+// Relaxation, bead widths and the finished toolpath.
+#include "sillon/relaxation.hpp"
+
+#include <doctest/doctest.h>
+
+#include "curves.hpp"
+#include "sillon/bead_width.hpp"
+#include "sillon/simplify.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+// A closed boustrophedon of straight rows in a large page: row k lies at y[k], joined at the ends, with a way back far off.
+ClosedCurves rows(const std::vector<double>& heights, double width) {
+  ClosedCurves curves;
+  curves.begin.push_back(0);
+  const auto add = [&](double x, double y) { curves.points.push_back({static_cast<float>(x), static_cast<float>(y)}); };
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    add(k % 2 == 0 ? 10 : 10 + width, heights[k]);
+    add(k % 2 == 0 ? 10 + width : 10, heights[k]);
+  }
+  if (heights.size() % 2 == 1) {  // back round the right side and below
+    add(15 + width, heights.back());
+    add(15 + width, 5);
+    add(5, 5);
+  } else {
+    add(5, heights.back());
+  }
+  add(5, heights.front());
+  curves.begin.push_back(static_cast<int>(curves.points.size()));
+  return curves;
+}
+
+BorderIndex farBorder() {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {60, 40})}, {60, 40});
+  const Outline outline = resolveOutline(shape).value();
+  return buildBorderIndex(outline, makeGrid(outline.bounds, 0.4), RunContext(1)).value();
+}
+
+// Mean height of the points of row k in its middle.
+double middleHeight(const ClosedCurves& curves, double guess) {
+  double sum = 0;
+  int count = 0;
+  for (const Vec2f p : curves.points) {
+    if (p.x < 18 || p.x > 22 || std::abs(static_cast<double>(p.y) - guess) > 0.19) continue;
+    sum += static_cast<double>(p.y);
+    ++count;
+  }
+  return count > 0 ? sum / count : -1;
+}
+
+}  // namespace
+
+TEST_CASE("gaps of parallel rows are their distances, left and right apart") {
+  const ClosedCurves path = resampled(rows({10, 10.4, 10.75, 11.2}, 20), 0.1f, RunContext(1));
+  const NeighbourGaps gaps = neighbourGaps(path, farBorder(), 0.4, 0.6f, RunContext(1));
+  int checked = 0;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Vec2f p = path.points[i];
+    if (p.x < 15 || p.x > 25) continue;
+    const bool second = std::abs(p.y - 10.4f) < 0.01f;  // runs to the left: its right side is up
+    const bool third = std::abs(p.y - 10.75f) < 0.01f;
+    if (second) {
+      CHECK(gaps.left[i] == doctest::Approx(0.4).epsilon(0.02));
+      CHECK(gaps.right[i] == doctest::Approx(0.35).epsilon(0.02));
+    }
+    if (third) {
+      CHECK(gaps.left[i] == doctest::Approx(0.45).epsilon(0.02));
+      CHECK(gaps.right[i] == doctest::Approx(0.35).epsilon(0.02));
+    }
+    checked += second || third ? 1 : 0;
+  }
+  CHECK(checked > 150);
+}
+
+TEST_CASE("uneven rows move towards even spacing") {
+  ToolpathParams params;
+  params.relaxationRounds = 8;
+  const auto relaxed = relaxSpacing(rows({10, 10.4, 10.7, 11.2, 11.6}, 20), farBorder(), params, RunContext(1));
+  REQUIRE(relaxed.ok());
+  const double second = middleHeight(relaxed.value().curves, 10.4);
+  const double third = middleHeight(relaxed.value().curves, 10.75);
+  const double fourth = middleHeight(relaxed.value().curves, 11.15);
+  CHECK(third - second == doctest::Approx(fourth - third).epsilon(0.06));
+}
+
+TEST_CASE("even rows stay where they are") {
+  const auto relaxed = relaxSpacing(rows({10, 10.4, 10.8, 11.2, 11.6}, 20), farBorder(), {}, RunContext(1));
+  CHECK(middleHeight(relaxed.value().curves, 10.8) == doctest::Approx(10.8).epsilon(1e-4));
+}
+
+TEST_CASE("a circle's gaps inside are its diameter, so a hairpin's tip keeps its size") {
+  ClosedCurves curves;
+  for (const Vec2 p : scenes::circle({20, 20}, 0.25, 40)) curves.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  curves.begin = {0, 40};
+  const ClosedCurves path = resampled(curves, 0.1f, RunContext(1));
+  const NeighbourGaps gaps = neighbourGaps(path, farBorder(), 0.4, 0.6f, RunContext(1));
+  for (const float gap : gaps.left) CHECK(gap == doctest::Approx(0.5).epsilon(0.02));
+  for (const float gap : gaps.right) CHECK(gap == doctest::Approx(0.6));
+}
+
+TEST_CASE("a path that would be pushed through itself stays simple") {
+  // Rows far too close: one round wants to move them by more than their distance.
+  ToolpathParams params;
+  params.relaxationRounds = 4;
+  params.relaxationSmoothing = 0;
+  const std::vector<double> heights = {10, 10.03, 10.5, 10.52, 10.54, 11.2};
+  const auto relaxed = relaxSpacing(rows(heights, 20), farBorder(), params, RunContext(1));
+  REQUIRE(relaxed.ok());
+  CHECK(findCrossings(relaxed.value().curves, RunContext(1)).empty());
+}
+
+TEST_CASE("widths of parallel rows: twice the smaller half gap without balance, the mean of both with it") {
+  const ClosedCurves path = resampled(rows({10, 10.4, 10.75, 11.2}, 20), 0.1f, RunContext(1));
+  const BorderIndex border = farBorder();
+  const NeighbourGaps gaps = neighbourGaps(path, border, 0.4, 0.6f, RunContext(1));
+  for (const double balance : {0.0, 1.0}) {
+    ToolpathParams params;
+    params.widthBalance = balance;
+    const auto widths = beadWidths(path, gaps, border, params, RunContext(1));
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const Vec2f p = path.points[i];
+      if (p.x < 15 || p.x > 25 || std::abs(p.y - 10.75f) > 0.01f) continue;
+      CHECK(widths.value().width[i] == doctest::Approx(balance == 0.0 ? 0.35 : 0.4).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("no bead reaches over the border") {
+  ClosedCurves path;
+  for (int k = 0; k < 400; ++k) path.points.push_back({10 + 0.1f * static_cast<float>(k), 0.12f});
+  for (int k = 400; k-- > 0;) path.points.push_back({10 + 0.1f * static_cast<float>(k), 3.0f});
+  path.begin = {0, static_cast<int>(path.points.size())};
+  const BorderIndex border = farBorder();
+  const NeighbourGaps gaps = neighbourGaps(path, border, 0.4, 0.6f, RunContext(1));
+  const auto widths = beadWidths(path, gaps, border, {}, RunContext(1));
+  for (std::size_t k = 0; k < 400; ++k) CHECK(widths.value().width[k] <= 0.24f + 1e-5f);
+}
+
+TEST_CASE("the finished path is within the tolerance of the full one, in position and width, on whole micrometres") {
+  ClosedCurves path;
+  std::vector<float> widths;
+  for (int k = 0; k < 2000; ++k) {
+    const double a = 2 * std::numbers::pi * k / 2000;
+    path.points.push_back({static_cast<float>(30 + (15 + std::sin(9 * a)) * std::cos(a)), static_cast<float>(20 + (15 + std::sin(9 * a)) * std::sin(a))});
+    widths.push_back(static_cast<float>(0.4 + 0.1 * std::sin(31 * a)));
+  }
+  path.begin = {0, 2000};
+  ToolpathParams params;
+  params.simplifyTolerance = 0.01;
+  auto toolpath = finishToolpath(path, {widths, std::vector<float>(widths.size(), 1e9f)}, params, RunContext(1));
+  REQUIRE(toolpath.ok());
+  REQUIRE(toolpath.value().cycles.size() == 1);
+  const Cycle& cycle = toolpath.value().cycles[0];
+  CHECK(cycle.points.size() < 1000);
+  for (const Vec2f p : cycle.points) {
+    CHECK(std::abs(p.x * 1000 - std::round(p.x * 1000)) < 0.01f);
+  }
+  for (std::size_t k = 0; k < path.points.size(); ++k) {
+    double best = 1e9;
+    double width = 0;
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+      const Vec2f a = cycle.points[i];
+      const std::size_t n = (i + 1) % cycle.points.size();
+      const Vec2f u = cycle.points[n] - a;
+      const float t = std::clamp(dot(path.points[k] - a, u) / dot(u, u), 0.0f, 1.0f);
+      const double distance = static_cast<double>(length(path.points[k] - (a + u * t)));
+      if (distance < best) {
+        best = distance;
+        width = static_cast<double>(cycle.widths[i] + (cycle.widths[n] - cycle.widths[i]) * t);
+      }
+    }
+    CHECK(best <= 0.0112);  // the tolerance and the rounding
+    CHECK(std::abs(width - static_cast<double>(widths[k])) <= 0.0125);
+  }
+}
+
+TEST_CASE("leaving out points never makes strands meet") {
+  // Two wavy strands 0.012 mm apart: straightening both at 0.2 mm would cross them.
+  ClosedCurves path;
+  for (int k = 0; k <= 400; ++k) path.points.push_back({10 + 0.05f * static_cast<float>(k), 10 + 0.15f * static_cast<float>(std::sin(0.3 * k))});
+  for (int k = 400; k >= 0; --k) path.points.push_back({10 + 0.05f * static_cast<float>(k), 10.012f + 0.15f * static_cast<float>(std::sin(0.3 * k))});
+  path.begin = {0, static_cast<int>(path.points.size())};
+  REQUIRE(findCrossings(path, RunContext(1)).empty());
+  ToolpathParams params;
+  params.simplifyTolerance = 0.2;
+  auto toolpath = finishToolpath(path, {std::vector<float>(path.points.size(), 0.4f), std::vector<float>(path.points.size(), 1e9f)}, params, RunContext(1));
+  ClosedCurves out;
+  out.points = toolpath.value().cycles[0].points;
+  out.begin = {0, static_cast<int>(out.points.size())};
+  CHECK(findCrossings(out, RunContext(1)).empty());
+  CHECK(out.points.size() < path.points.size());
+}
+
+TEST_CASE("crossings are found exactly: proper, touching and overlapping, but not between neighbours") {
+  const auto count = [](std::vector<Vec2f> points) {
+    ClosedCurves c;
+    c.begin = {0, static_cast<int>(points.size())};
+    c.points = std::move(points);
+    return findCrossings(c, RunContext(1)).size();
+  };
+  CHECK(count({{0, 0}, {4, 0}, {4, 4}, {0, 4}}) == 0);
+  CHECK(count({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == 1);                    // bow tie
+  CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}) == 2);            // a corner touches an edge: two of its segments
+  CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0.002f}, {0, 2}}) == 0);       // 2 µm off
+  CHECK(count({{0, 0}, {4, 0}, {4, 1}, {3, 0}, {1, 0}, {0, 1}}) >= 1);    // lies on it
+  CHECK(count({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 4}}) == 0);    // repeated points
+}

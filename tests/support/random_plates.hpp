@@ -1,0 +1,126 @@
+// Random shapes x fields x parameters: islands, slivers, holes, tiny, huge aspect, self-crossing outlines.
+#pragma once
+
+#include "support/scenes.hpp"
+
+namespace scenes {
+
+struct RandomPlate {
+  std::string name;
+  PlateInput input;
+  sillon::ToolpathParams params;
+};
+
+inline Ring blob(Random& random, Vec2 centre, double radius) {
+  const int corners = 3 + random.index(40);
+  const double ragged = random.in(0, 0.8);
+  Ring ring;
+  for (int k = 0; k < corners; ++k) {
+    const double a = 2 * std::numbers::pi * k / corners;
+    const double r = radius * (1 - ragged * random.in(0, 1));
+    ring.push_back({centre.x + r * std::cos(a), centre.y + r * std::sin(a)});
+  }
+  return ring;
+}
+
+inline Shape randomShape(Random& random, std::string& name) {
+  const double size = std::exp(random.in(std::log(2.5), std::log(22.0)));
+  const double aspect = random.index(5) == 0 ? std::exp(random.in(-3, 3)) : std::exp(random.in(-0.6, 0.6));
+  const Vec2 page{size * std::sqrt(aspect), size / std::sqrt(aspect)};
+  const auto point = [&] { return Vec2{random.in(0, page.x), random.in(0, page.y)}; };
+  std::vector<Ring> rings;
+  switch (random.index(6)) {
+    case 0:
+      name = "rectangle";
+      rings.push_back(rectangle({0, 0}, page));
+      break;
+    case 1:
+      name = "blob with holes";
+      rings.push_back(blob(random, page * 0.5, 0.5 * std::min(page.x, page.y)));
+      for (int k = random.index(4); k > 0; --k) rings.push_back(blob(random, point(), 0.12 * std::min(page.x, page.y)));
+      break;
+    case 2:
+      name = "islands";
+      for (int k = 1 + random.index(6); k > 0; --k) rings.push_back(blob(random, point(), random.in(0.1, 0.4) * std::min(page.x, page.y)));
+      break;
+    case 3: {
+      name = "random polygon";
+      Ring ring;
+      for (int k = 3 + random.index(12); k > 0; --k) ring.push_back(point());
+      rings.push_back(ring);
+      break;
+    }
+    case 4: {
+      name = "comb";
+      const int teeth = 2 + random.index(12);
+      rings.push_back(rectangle({0, 0}, {page.x, page.y * 0.3}));
+      for (int k = 0; k < teeth; ++k) {
+        const double x = page.x * (k + random.in(0, 0.3)) / teeth;
+        rings.push_back(rectangle({x, page.y * 0.2}, {x + page.x * random.in(0.05, 0.7) / teeth, page.y * random.in(0.4, 1)}));
+      }
+      break;
+    }
+    default:
+      name = "star";
+      rings.push_back(star(page * 0.5, 0.5 * std::min(page.x, page.y), random.in(0.05, 0.45) * std::min(page.x, page.y), 3 + random.index(12)));
+      break;
+  }
+  const bool evenOdd = name == "blob with holes" || random.index(2) == 0;
+  return shapeOf(std::move(rings), page, evenOdd ? sillon::FillRule::EvenOdd : sillon::FillRule::NonZero);
+}
+
+inline DirectionMap randomMap(Random& random, std::string& name) {
+  const double a = random.in(0, std::numbers::pi);
+  const double fx = random.in(-12, 12);
+  const double fy = random.in(-12, 12);
+  const Vec2 centre{random.in(-0.3, 1.3), random.in(-0.3, 1.3)};
+  switch (random.index(6)) {
+    case 0:
+      name += ", uniform";
+      return mapOf(1, [=](double, double) { return a; });
+    case 1:
+      name += ", waves";
+      return mapOf(80, [=](double x, double y) { return a + std::sin(fx * x + fy * y); });
+    case 2:
+      name += ", swirl";
+      return mapOf(80, [=](double x, double y) { return std::atan2(y - centre.y, x - centre.x) + a + fx * 0.1 * std::hypot(x - centre.x, y - centre.y); });
+    case 3:
+      name += ", noise";
+      return noise(random.bits());
+    case 4:
+      name += ", mosaic";
+      return mapOf(60, [=](double x, double y) { return a * std::floor(x * std::abs(fx)) + 0.7 * std::floor(y * std::abs(fy)); });
+    default:
+      name += ", half-index singularity";
+      return mapOf(80, [=](double x, double y) { return 0.5 * std::atan2(y - centre.y, x - centre.x) + a; });
+  }
+}
+
+inline RandomPlate randomPlate(std::uint64_t seed) {
+  Random random(seed);
+  for (int k = 0; k < 8; ++k) (void)random.bits();
+  RandomPlate plate;
+  plate.input.shape = randomShape(random, plate.name);
+  plate.input.directions = randomMap(random, plate.name);
+  const DirectionMode modes[] = {DirectionMode::Parallel, DirectionMode::Orthogonal, DirectionMode::Smoothest,
+                                 DirectionMode::Constrained};
+  if (random.index(3) == 0) {
+    const int n = 1 + random.index(6);
+    plate.input.modes = {n, n, {}};
+    for (int k = 0; k < n * n; ++k) plate.input.modes.mode.push_back(modes[random.index(4)]);
+    plate.name += ", modes";
+  } else {
+    plate.input.modes = sillon::uniformMode(DirectionMode::Constrained);
+  }
+  plate.params.spacing = std::exp(random.in(std::log(0.2), std::log(0.8)));
+  plate.params.seed = static_cast<std::uint64_t>(random.index(3));
+  const int perimeters = random.index(6);
+  plate.params.perimeterMode = perimeters == 0   ? sillon::PerimeterMode::None
+                               : perimeters <= 2 ? sillon::PerimeterMode::Soft
+                                                 : sillon::PerimeterMode::Count;
+  plate.params.perimeters = perimeters == 5 ? 3 : 1;
+  if (random.index(4) == 0) plate.params.bridge = random.in(0, 2);
+  return plate;
+}
+
+}  // namespace scenes
