@@ -35,7 +35,7 @@ Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {}
   Stitching s;
   s.before = resampledSimply(contour, 0.25f * spacing, run);
   s.after = stitchCycles(s.before, lines, border, parts, params, run).value();
-  s.parts = parts.count;
+  s.parts = s.after.parts;
   return s;
 }
 
@@ -51,6 +51,7 @@ TEST_CASE("stitching leaves one simple cycle per connected part and moves no poi
       const Stitching s = stitchingOf(scene.input, params);
       CHECK(s.parts == scene.parts);
       CHECK(s.after.curves.count() == scene.parts);
+      CHECK(findCrossings(s.before, RunContext(1)).empty());
       CHECK(findCrossings(s.after.curves, RunContext(1)).empty());
       // Every point is one of the contour's, used once.
       std::vector<std::pair<float, float>> before;

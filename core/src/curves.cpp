@@ -70,6 +70,8 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
 
 }  // namespace
 
+bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) { return sharePoint(rounded(a), rounded(b), rounded(c), rounded(d)); }
+
 ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run) {
   // Arc length at every point and at the end of its curve, summed in blocks of fixed size: equal for any thread count.
   constexpr int kBlock = 4096;

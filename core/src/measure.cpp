@@ -122,7 +122,8 @@ AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& 
   std::vector<float> lengthOfCycle;
   const std::vector<Bead> beads = beadsOf(toolpath, lengthOfCycle);
   const double pixel = toolpath.spacing / kPixelsPerSpacing;
-  const double margin = 2 * toolpath.spacing;
+  // Not a whole number of pixels: drawings like round numbers, and a border through pixel centres would be a tie.
+  const double margin = 2 * toolpath.spacing + 0.382 * pixel;
   const Grid raster{{box.min.x - margin, box.min.y - margin},
                     pixel,
                     static_cast<int>((box.size().x + 2 * margin) / pixel) + 1,

@@ -109,7 +109,6 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   const Result<SignedDistanceField> sdf = signedDistanceField(input.shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
   const Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
-  plate.parts = parts.count;
   if (parts.count == 0) {
     return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) + " mm, which is too wide for this shape of " +
                                             decimal(size.x, 3) + " x " + decimal(size.y, 3) +
@@ -147,6 +146,7 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   const ClosedCurves cycles = resampledSimply(contour.value(), static_cast<float>(0.25 * params.spacing), run);
   const Result<Stitched> stitched = stitchCycles(cycles, lines.value(), border.value(), parts, params, run);
   if (!stitched) return stitched.error();
+  plate.parts = stitched.value().parts;
   plate.longestJointMm = stitched.value().longestJoint;
   plate.gapJoints = stitched.value().gapJoints;
 

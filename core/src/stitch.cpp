@@ -17,7 +17,7 @@ constexpr int kSpan = 4;               ///< segments taken out of each curve: on
 constexpr float kFirstReach = 1.8f;    ///< how far apart joined pieces may lie at first [tau]
 constexpr float kLengthCost = 0.65f;   ///< cost of a mm of added length
 constexpr int kMaxRounds = 60;
-constexpr std::size_t kAlternatives = 24;  ///< partners tried per point where the nearest ones cannot be joined
+constexpr std::size_t kAlternatives = 24;  ///< partners tried per point where the nearest ones cannot be joined, at first
 
 struct Candidate {
   float cost;
@@ -81,7 +81,7 @@ class Joining {
     const Edge e{a.begin, b.end};
     const Edge f{b.begin, a.end};
     if (outsideLength(e) > gap || outsideLength(f) > gap) return false;
-    if (meet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
+    if (segmentsMeet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
     markUsed(a);
     markUsed(b);  // taken out, so that the new edges may pass over them
     if (meetsLiveEdge(e, f, grid) || meetsLiveEdge(f, e, grid)) {
@@ -100,8 +100,7 @@ class Joining {
     return true;
   }
 
-  [[nodiscard]] Stitched result() {
-    Stitched out;
+  void finish(Stitched& out) {
     std::vector<char> done(static_cast<std::size_t>(curves_.count()), 0);
     for (int c = 0; c < curves_.count(); ++c) {
       const int set = setOf(c);
@@ -120,7 +119,6 @@ class Joining {
     out.curves.begin.push_back(static_cast<int>(out.curves.points.size()));
     out.longestJoint = static_cast<double>(longest_);
     out.gapJoints = gapJoints_;
-    return out;
   }
 
   [[nodiscard]] Vec2f at(int point) const { return curves_.points[static_cast<std::size_t>(point)]; }
@@ -203,21 +201,6 @@ class Joining {
     return next_[static_cast<std::size_t>(point)] == next && !inner(point) && !inner(next);
   }
 
-  // Strictly or touching; shared end points are excluded by the callers.
-  static bool meet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) {
-    const auto side = [](Vec2f p, Vec2f q, Vec2f r) {
-      return (static_cast<double>(q.x) - static_cast<double>(p.x)) * (static_cast<double>(r.y) - static_cast<double>(p.y)) -
-             (static_cast<double>(q.y) - static_cast<double>(p.y)) * (static_cast<double>(r.x) - static_cast<double>(p.x));
-    };
-    const double abc = side(a, b, c);
-    const double abd = side(a, b, d);
-    const double cda = side(c, d, a);
-    const double cdb = side(c, d, b);
-    return ((abc >= 0) != (abd > 0) || abc == 0 || abd == 0) && ((cda >= 0) != (cdb > 0) || cda == 0 || cdb == 0) &&
-           std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
-           std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
-  }
-
   [[nodiscard]] bool meetsLiveEdge(const Edge& edge, const Edge& sibling, const PointGrid& grid) const {
     const Vec2f a = at(edge.from);
     const Vec2f b = at(edge.to);
@@ -230,7 +213,7 @@ class Joining {
         const int p = grid.id[static_cast<std::size_t>(k)];
         const int q = nextOf(curves_, curveOf(p), p);
         if (p == edge.from || p == edge.to || q == edge.from || q == edge.to || !live(p)) continue;
-        meets = meet(a, b, at(p), at(q));
+        meets = segmentsMeet(a, b, at(p), at(q));
       }
     });
     if (meets) return true;
@@ -242,7 +225,7 @@ class Joining {
         if (found == joints_.end()) continue;
         for (const Edge& other : found->second) {
           if (other.from == sibling.from && other.to == sibling.to) continue;
-          if (meet(a, b, at(other.from), at(other.to))) return true;
+          if (segmentsMeet(a, b, at(other.from), at(other.to))) return true;
         }
       }
     }
@@ -298,11 +281,14 @@ class Joining {
   int gapJoints_ = 0;
 };
 
+// Part of the cell that holds p, or of one beside it where that cell's centre lies outside.
 int partOf(const Parts& parts, Vec2f p) {
   const Grid& grid = parts.grid;
-  const int x = std::clamp(static_cast<int>((static_cast<double>(p.x) - grid.origin.x) / grid.cell), 0, grid.nx - 1);
-  const int y = std::clamp(static_cast<int>((static_cast<double>(p.y) - grid.origin.y) / grid.cell), 0, grid.ny - 1);
-  return parts.label[grid.index(x, y)];
+  const int x = std::clamp(static_cast<int>((static_cast<double>(p.x) - grid.origin.x) / grid.cell), 1, grid.nx - 2);
+  const int y = std::clamp(static_cast<int>((static_cast<double>(p.y) - grid.origin.y) / grid.cell), 1, grid.ny - 2);
+  int part = parts.label[grid.index(x, y)];
+  for (int k = 0; k < 9 && part < 0; ++k) part = parts.label[grid.index(x + k % 3 - 1, y + k / 3 - 1)];
+  return part;
 }
 
 struct Search {
@@ -311,6 +297,7 @@ struct Search {
   const std::vector<char>& wanted;  ///< curves whose points look for partners
   int stride;                       ///< every how many points
   float reach;
+  std::size_t alternatives;         ///< most partners per point
   bool thorough;                    ///< not only the nearest partner on either side, and shorter pieces too
 };
 
@@ -354,7 +341,7 @@ void findPartners(const Joining& state, const PointGrid& grid, const ClosedCurve
   std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
     return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.point < b.point;
   });
-  if (partners.size() > kAlternatives) partners.resize(kAlternatives);
+  if (partners.size() > search.alternatives) partners.resize(search.alternatives);
 }
 
 std::vector<Candidate> findCandidates(const Joining& state, const PointGrid& grid, const ClosedCurves& curves,
@@ -396,8 +383,15 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     partOfCurve[c] = partOf(parts, curves.points[static_cast<std::size_t>(curves.begin[c])]);
   }
 
+  Stitched stitched;
+  {
+    std::vector<int> labels = partOfCurve;
+    std::sort(labels.begin(), labels.end());
+    stitched.parts = static_cast<int>(std::unique(labels.begin(), labels.end()) - labels.begin());
+  }
   const PointGrid grid(curves.points, spacing, run);
   float reach = kFirstReach * spacing;
+  std::size_t alternatives = kAlternatives;
   bool thorough = false;
   bool outside = false;
   // Gaps are crossed at a slant now and then, and sampled.
@@ -427,7 +421,7 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
       any = any || wanted[c];
     }
     if (!any) break;
-    const Search search{setOfCurve, partOfCurve, wanted, round == 0 ? 4 : 1, reach, thorough};
+    const Search search{setOfCurve, partOfCurve, wanted, round == 0 ? 4 : 1, reach, alternatives, thorough};
     int joined = 0;
     for (const Candidate& candidate : findCandidates(joining, grid, curves, search, run)) {
       joined += joining.join(candidate, grid, outside ? gap : 0) ? 1 : 0;
@@ -437,13 +431,15 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     if (thorough && outside) {
       if (reach > diagonal) break;
       reach *= 2;
+      alternatives *= 4;
       gap *= 2;  // facing tips are nearer to each other than the beads in them; the part is one all the same
     }
     outside = thorough;
     thorough = true;
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
-  return joining.result();
+  joining.finish(stitched);
+  return stitched;
 }
 
 }  // namespace sillon

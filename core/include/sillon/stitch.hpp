@@ -13,6 +13,7 @@ namespace sillon {
 
 struct Stitched {
   ClosedCurves curves;       ///< in order of their parts' lowest cells
+  int parts = 0;             ///< connected parts that hold a curve
   double longestJoint = 0;   ///< [mm]
   int gapJoints = 0;         ///< joints that lie outside the shape for a part of their length
 };
