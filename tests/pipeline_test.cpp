@@ -102,7 +102,7 @@ TEST_CASE("the same plate comes out for 1, 2, 3 and 8 threads, and it is the one
   std::ofstream out;
   if (write != nullptr) out.open(write);
   for (const auto& scene : scenes::all()) {
-    for (const std::uint64_t seed : {0, 7}) {
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{7}}) {
       ToolpathParams params;
       params.seed = seed;
       const std::string name = scene.name + (seed == 0 ? "" : ", seed 7");

@@ -15,9 +15,13 @@ struct Point64 {
   friend bool operator==(const Point64&, const Point64&) = default;
 };
 
-Point64 rounded(Vec2f p) {
-  return {std::llround(static_cast<double>(p.x) * 1000), std::llround(static_cast<double>(p.y) * 1000)};
+// As llround, which costs a call: the product is exact in double.
+std::int64_t toMicrometres(float v) {
+  const double scaled = static_cast<double>(v) * 1000;
+  return static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
 }
+
+Point64 rounded(Vec2f p) { return {toMicrometres(p.x), toMicrometres(p.y)}; }
 
 int side(Point64 a, Point64 b, Point64 c) {
   const std::int64_t v = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -45,14 +49,16 @@ struct Segment {
   int previous;  ///< id of the segment before it on its curve, among those that do not vanish
 };
 
-std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<char>& among) {
-  std::vector<Segment> segments;
-  if (among.empty()) segments.reserve(curves.points.size());
-  for (int c = 0; c < curves.count(); ++c) {
-    const int begin = curves.begin[static_cast<std::size_t>(c)];
-    const int end = curves.begin[static_cast<std::size_t>(c) + 1];
+std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<char>& among, const RunContext& run) {
+  const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
+  const int count = static_cast<int>(curves.points.size());
+  constexpr int kGrain = 1 << 14;
+  std::vector<std::vector<Segment>> found(static_cast<std::size_t>(count / kGrain) + 1);
+  parallelFor(run, count, kGrain, [&](int begin, int end) {
+    std::vector<Segment>& out = found[static_cast<std::size_t>(begin / kGrain)];
     const auto at = [&](int k) { return rounded(curves.points[static_cast<std::size_t>(k)]); };
     for (int k = begin; k < end; ++k) {
+      const int c = curveOf[static_cast<std::size_t>(k)];
       const int next = nextOf(curves, c, k);
       if (!among.empty() && !among[static_cast<std::size_t>(k)] && !among[static_cast<std::size_t>(next)]) continue;
       const Point64 a = at(k);
@@ -60,11 +66,13 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
       if (a == b) continue;
       int previous = k;
       do {
-        previous = previous == begin ? end - 1 : previous - 1;
+        previous = previousOf(curves, c, previous);
       } while (previous != k && at(previous) == at(nextOf(curves, c, previous)));
-      segments.push_back({a, b, k, previous});
+      out.push_back({a, b, k, previous});
     }
-  }
+  });
+  std::vector<Segment> segments;
+  for (const std::vector<Segment>& part : found) segments.insert(segments.end(), part.begin(), part.end());
   return segments;
 }
 
@@ -184,7 +192,7 @@ std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves) {
 
 std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run,
                                                const std::vector<char>& among) {
-  const std::vector<Segment> segments = segmentsOf(curves, among);
+  const std::vector<Segment> segments = segmentsOf(curves, among, run);
   if (segments.empty()) return {};
   Point64 low = segments.front().a;
   Point64 high = low;
@@ -222,16 +230,35 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
       for (int x = c0; x <= c1; ++x) visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
     }
   };
-  std::vector<int> begin(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) + 1, 0);
-  for (const Segment& s : segments) forCells(s, [&](std::size_t k) { ++begin[k + 1]; });
-  for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
-  std::vector<int> entries(static_cast<std::size_t>(begin.back()));
-  {
-    std::vector<int> next(begin.begin(), begin.end() - 1);
-    for (std::size_t k = 0; k < segments.size(); ++k) {
-      forCells(segments[k], [&](std::size_t at) { entries[static_cast<std::size_t>(next[at]++)] = static_cast<int>(k); });
+  // Counting sort by shares of the segments; within a cell they stay in order, whatever the number of shares.
+  const std::size_t cells = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
+  const int count = static_cast<int>(segments.size());
+  const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
+  const int grain = (count + shares - 1) / shares;
+  std::vector<std::vector<int>> next(static_cast<std::size_t>(shares), std::vector<int>(cells, 0));
+  parallelFor(run, count, grain, [&](int from, int to) {
+    std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
+    for (int k = from; k < to; ++k) forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { ++share[at]; });
+  });
+  std::vector<int> begin(cells + 1);
+  int sum = 0;
+  for (std::size_t at = 0; at < cells; ++at) {
+    begin[at] = sum;
+    for (std::vector<int>& share : next) {
+      const int size = share[at];
+      share[at] = sum;
+      sum += size;
     }
   }
+  begin[cells] = sum;
+  std::vector<int> entries(static_cast<std::size_t>(sum));
+  parallelFor(run, count, grain, [&](int from, int to) {
+    std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
+    for (int k = from; k < to; ++k) {
+      forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { entries[static_cast<std::size_t>(share[at]++)] = k; });
+    }
+  });
+  if (run.cancelled()) return {};
 
   std::vector<std::pair<int, int>> crossings;
   std::mutex mutex;

@@ -42,7 +42,9 @@ struct Layout {
   double legendX = 0;     // centre of the half wheel's base
   double legendY = 0;
   double legendRadius = 0;
-  double lampX = 0;       // centre of the small disc that shows where the light is
+  double lampX = 0;       // centre of the small ring that shows where the light is
+  double lampY = 0;
+  double lampRadius = 0;
 };
 
 /// \return width 0 if the picture would be beyond the limits.
@@ -71,7 +73,9 @@ Layout layOut(Vec2 page, int panelWidth) {
   layout.legendRadius = footer * 0.42;
   layout.legendX = margin + layout.legendRadius;
   layout.legendY = margin + pageHeight + footer * 0.78;
-  layout.lampX = layout.look.x + layout.legendRadius * 0.55;
+  layout.lampRadius = layout.legendRadius * 0.43;
+  layout.lampX = layout.look.x + layout.lampRadius;
+  layout.lampY = layout.look.y + layout.legendY - margin - layout.lampRadius;
   return layout;
 }
 
@@ -209,7 +213,7 @@ float reliefOf(const Bead& bead) {
 
 /// Brightness across a bead: full on its top, dark towards the furrow, with the same mean where beads are too fine to see.
 float furrow(float squaredOffset, float relief) {
-  constexpr float kDepth = 0.78f, kMean = 0.86f;
+  constexpr float kDepth = 0.66f, kMean = 0.88f;
   const float t = std::clamp((squaredOffset - 0.3f) / 0.7f, 0.0f, 1.0f);
   const float shade = 1 - kDepth * t * t * (3 - 2 * t);
   return kMean + (shade - kMean) * relief;
@@ -238,7 +242,7 @@ constexpr float kSlopeAlong = 0.08f;
 constexpr float kSlopeAcross = 0.35f;
 constexpr float kLampSlope = 0.11f;     // the lamp is a softbox, not a point: widens every highlight
 constexpr float kProfileSlope = 0.30f;  // of the bead's round top at its edge, flattened by the nozzle
-constexpr float kRoomSlope = 3.2f;      // the room's reflection is this much wider than the lamp's
+constexpr float kRoomSlope = 2.0f;      // the room's reflection is this much wider than the lamp's
 
 constexpr Colour kMetal{0.93f, 0.93f, 0.95f};
 constexpr Colour kLampColour{1.00f, 0.97f, 0.92f};
@@ -288,7 +292,7 @@ Colour lookShade(const Bead& bead, float t, float side, Vec2f tilt, const Lamp& 
   const float room = decay(exponent / (kRoomSlope * kRoomSlope));
   const float squared = side * side;
   const float open = 1 - relief * 0.62f * squared * squared;  // furrows see less of the room
-  return kMetal * (kLampColour * (0.95f * highlight * lamp.exposure) + kRoomColour * (0.20f * room + 0.045f)) * open;
+  return kMetal * (kLampColour * (0.95f * highlight * lamp.exposure) + kRoomColour * (0.26f * room + 0.05f)) * open;
 }
 
 /// sRGB byte of linear light, with a soft shoulder instead of clipping.
@@ -423,11 +427,11 @@ void drawLegend(RgbImage& image, const Layout& layout) {
 
 /// A ring with a dot: where the light stands, seen from above.
 void drawLamp(RgbImage& image, const Layout& layout, const PreviewParams& params) {
-  const double radius = layout.legendRadius * 0.45, half = std::max(0.5, radius * 0.02), dot = radius * 0.16;
+  const double radius = layout.lampRadius, half = std::max(0.5, radius * 0.02), dot = radius * 0.16;
   const double azimuth = params.lightAzimuth * kPi / 180;
   const double reach = radius * std::cos(params.lightElevation * kPi / 180);
   const double lampX = reach * std::cos(azimuth), lampY = reach * std::sin(azimuth);
-  paintAround(image, layout.lampX, layout.legendY - radius, radius + dot + 2, [&](double dx, double dy) {
+  paintAround(image, layout.lampX, layout.lampY, radius + dot + 2, [&](double dx, double dy) {
     const double toLamp = (dx - lampX) * (dx - lampX) + (dy - lampY) * (dy - lampY);
     if (toLamp <= dot * dot) return Rgb{255, 236, 200};
     return std::abs(std::sqrt(dx * dx + dy * dy) - radius) <= half ? kInk : kBackground;

@@ -17,7 +17,7 @@ constexpr int kSpan = 4;               ///< segments taken out of each curve: on
 constexpr float kFirstReach = 1.8f;    ///< how far apart joined pieces may lie at first [tau]
 constexpr float kLengthCost = 0.65f;   ///< cost of a mm of added length
 constexpr int kMaxRounds = 60;
-constexpr std::size_t kAlternatives = 24;  ///< partners tried per point where the nearest ones cannot be joined, at first
+constexpr std::size_t kAlternatives = 6;   ///< partners tried per point where the nearest ones cannot be joined, at first
 
 struct Candidate {
   float cost;
