@@ -8,6 +8,7 @@ function(sillon_header_library target header)
   target_include_directories(${target} SYSTEM INTERFACE ${${target}_include})
 endfunction()
 
+sillon_header_library(sillon_eigen Eigen/Core eigen3)
 sillon_header_library(sillon_stb stb_image.h stb)  # Debian keeps it in include/stb
 sillon_header_library(sillon_json nlohmann/json.hpp)
 sillon_header_library(sillon_fast_float fast_float/fast_float.h)

@@ -286,10 +286,11 @@ double photoTone(Vec2 p) {
 void photo() {
   const Vec2 page{120, 80};
   constexpr double kTexels = 4;
-  writePng("photo.png", page, kTexels,
-           [&](Vec2 p) {  // A bead's highlight is narrow: lifted middle tones look right on the plate.
-             return toneGrey(std::pow(antialiased(p, 1 / kTexels, [](Vec2 q) { return photoTone(q); }), 0.65));
-           });
+  // A bead's highlight is narrow: lifted middle tones look right on the plate.
+  const auto lifted = [](Vec2 p) {
+    return std::pow(antialiased(p, 1 / kTexels, [](Vec2 q) { return photoTone(q); }), 0.65);
+  };
+  writePng("photo.png", page, kTexels, [&](Vec2 p) { return toneGrey(lifted(p)); });
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

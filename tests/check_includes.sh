@@ -25,7 +25,7 @@ stitch: line_field parts sdf
 neighbour_gaps: sdf
 relaxation: neighbour_gaps sdf
 bead_width: neighbour_gaps sdf
-simplify:
+simplify: bead_width
 pipeline: shape direction_map sdf parts line_field phase_field sine_field contour stitch relaxation bead_width simplify
 measure: direction_map outline sdf constraints
 report: measure pipeline

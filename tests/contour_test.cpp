@@ -9,7 +9,8 @@ using namespace sillon;
 
 namespace {
 
-ClosedCurves contourOf(const Grid& grid, const std::function<double(Vec2)>& value, const RunContext& run = RunContext(1)) {
+ClosedCurves contourOf(const Grid& grid, const std::function<double(Vec2)>& value,
+                       const RunContext& run = RunContext(1)) {
   std::vector<float> values(grid.size());
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) values[grid.index(x, y)] = static_cast<float>(value(grid.centre(x, y)));
@@ -42,7 +43,8 @@ TEST_CASE("the contour of a circle's distance is that circle, with the larger va
 }
 
 TEST_CASE("a node that is exactly zero counts as positive and costs no vertex twice") {
-  const ClosedCurves curves = contourOf(kGrid, [](Vec2 p) { return std::max(std::abs(p.x - 5.05), std::abs(p.y - 4.05)) - 2; });
+  const ClosedCurves curves =
+      contourOf(kGrid, [](Vec2 p) { return std::max(std::abs(p.x - 5.05), std::abs(p.y - 4.05)) - 2; });
   REQUIRE(curves.count() == 1);
   CHECK(findCrossings(curves, RunContext(1)).empty());
 }
@@ -81,7 +83,8 @@ TEST_CASE("random fields give disjoint closed curves whose edges stay within one
     CHECK(findCrossings(c, RunContext(2)).empty());
     for (int curve = 0; curve < c.count(); ++curve) {
       for (int i = c.begin[static_cast<std::size_t>(curve)]; i < c.begin[static_cast<std::size_t>(curve) + 1]; ++i) {
-        const Vec2f step = c.points[static_cast<std::size_t>(nextOf(c, curve, i))] - c.points[static_cast<std::size_t>(i)];
+        const Vec2f step =
+            c.points[static_cast<std::size_t>(nextOf(c, curve, i))] - c.points[static_cast<std::size_t>(i)];
         REQUIRE(length(step) < 0.1415f);
       }
     }

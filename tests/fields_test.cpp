@@ -1,6 +1,8 @@
 // Constraints, lines, phases and the sine field.
 #include <doctest/doctest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "fast_math.hpp"
 #include "sillon/constraints.hpp"
 #include "sillon/line_field.hpp"
@@ -111,13 +113,33 @@ TEST_CASE("where the average of lines vanishes the nearest texel decides") {
   }
 }
 
+TEST_CASE("the average of lines in closed form is the top eigenvector of their covariance (Eq. 1-4)") {
+  scenes::Random random(13);
+  for (int k = 0; k < 200; ++k) {
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+    Vec2f sum{};
+    for (int j = 0; j < 8; ++j) {
+      const double a = random.in(0, std::numbers::pi);
+      const double w = random.in(0.1, 1);
+      const Eigen::Vector2d d(std::cos(a), std::sin(a));
+      covariance += w * d * d.transpose();
+      sum = sum + Vec2f{static_cast<float>(w * std::cos(2 * a)), static_cast<float>(w * std::sin(2 * a))};
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
+    const Eigen::Vector2d top = solver.eigenvectors().col(1);
+    const double angle = 0.5 * std::atan2(static_cast<double>(sum.y), static_cast<double>(sum.x));
+    CHECK(std::abs(top.x() * std::cos(angle) + top.y() * std::sin(angle)) == doctest::Approx(1).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("zones follow the distance") {
   ToolpathParams params;
   params.perimeters = 3;
   const Fields f = fieldsOf(square(8, uniform(0)), params);
   for (std::size_t i = 0; i < f.cells.zone.size(); ++i) {
     const float sd = f.sdf.distance[i];
-    const Zone expected = sd > -0.2f ? Zone::Masked : (sd > -0.4f ? Zone::Ring : (sd > -1.2f ? Zone::Shell : Zone::Infill));
+    const Zone expected =
+        sd > -0.2f ? Zone::Masked : (sd > -0.4f ? Zone::Ring : (sd > -1.2f ? Zone::Shell : Zone::Infill));
     CHECK(f.cells.zone[i] == expected);
   }
 }
@@ -136,7 +158,9 @@ TEST_CASE("parallel beads in a disc follow its border, orthogonal ones meet it; 
       }
     }
     // Going round each square of cells, the line comes back turned by half a turn around a half-index singularity.
-    const auto at = [&](int x, int y) { return f.lines.direction[grid.index(x, y)]; };
+    const auto at = [&](int x, int y) {
+      return f.cells.zone[grid.index(x, y)] == Zone::Infill ? f.lines.direction[grid.index(x, y)] : Vec2f{};
+    };
     int singularities = 0;
     for (int y = 1; y < grid.ny; ++y) {
       for (int x = 1; x < grid.nx; ++x) {
@@ -156,7 +180,8 @@ TEST_CASE("parallel beads in a disc follow its border, orthogonal ones meet it; 
 
 TEST_CASE("constrained lines come back as asked; smoothest ones fill in between") {
   // Left third at 30 degrees, right third at 60, free between.
-  PlateInput input = square(12, mapOf(60, [](double x, double) { return x < 0.5 ? std::numbers::pi / 6 : std::numbers::pi / 3; }));
+  PlateInput input =
+      square(12, mapOf(60, [](double x, double) { return x < 0.5 ? std::numbers::pi / 6 : std::numbers::pi / 3; }));
   input.modes = {3, 1, {DirectionMode::Constrained, DirectionMode::Smoothest, DirectionMode::Constrained}};
   ToolpathParams params;
   params.perimeterMode = PerimeterMode::None;
@@ -208,7 +233,8 @@ TEST_CASE("(d, phi) and (-d, pi - phi) are the same wave, for alignment too") {
     const float phase = static_cast<float>(random.in(-3, 3));
     const double plain = static_cast<double>(alignedPhase(offset, di, dj, phase, kFrequency));
     const double sameWave = static_cast<double>(alignedPhase(offset, di, -dj, kPi - phase, kFrequency));
-    const double flipped = static_cast<double>(kPi) - static_cast<double>(alignedPhase(offset, -di, dj, phase, kFrequency));
+    const double flipped =
+        static_cast<double>(kPi) - static_cast<double>(alignedPhase(offset, -di, dj, phase, kFrequency));
     CHECK(std::cos(plain - sameWave) == doctest::Approx(1).epsilon(1e-5));
     CHECK(std::cos(plain - flipped) == doctest::Approx(1).epsilon(1e-5));
   }
@@ -243,7 +269,8 @@ TEST_CASE("the ring's wave vanishes half a bead inside the border") {
     const float along = dot(f.waves.direction[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
     CHECK(std::abs(dot(f.waves.direction[i], f.sdf.normal[i])) > 0.999f);
     // sin(phi + along w (-tau/2 - sd)) = 0, falling inwards
-    const float angle = std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
+    const float angle =
+        std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
     CHECK(std::abs(std::sin(angle)) < 2e-3f);
   }
   CHECK(rings > 200);
@@ -260,7 +287,8 @@ TEST_CASE("a soft border pulls beads along it where the map agrees and leaves th
       const std::size_t i = grid.index(x, y);
       if (f.cells.zone[i] != Zone::Ring) continue;
       const float along = dot(f.waves.direction[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
-      const float angle = std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
+      const float angle =
+          std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
       CHECK(std::abs(std::sin(angle)) < 0.15f);
     }
   }
@@ -286,7 +314,8 @@ TEST_CASE("the sine field of a plane wave is that wave, times the Gaussian's los
       const Vec2 p = nodes.centre(x, y);
       if (std::abs(p.x - p0.x) > 2 || std::abs(p.y - p0.y) > 2) continue;
       const Vec2f to{static_cast<float>(p.x - p0.x), static_cast<float>(p.y - p0.y)};
-      const float expected = std::sin(kFrequency * dot(to, f.waves.direction[i0]) + std::atan2(f.waves.phase[i0].y, f.waves.phase[i0].x));
+      const float expected =
+          std::sin(kFrequency * dot(to, f.waves.direction[i0]) + std::atan2(f.waves.phase[i0].y, f.waves.phase[i0].x));
       REQUIRE(f.values[n] == doctest::Approx(expected).epsilon(0.02));
     }
   }

@@ -111,11 +111,13 @@ TEST_CASE("rows joined by hairpins have one U-turn each") {
 }
 
 TEST_CASE("what no bead can reach is lost: a thin bar, not the corners of a square") {
-  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10}))
+  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f),
+                 scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10}))
             .lostAreaMm2 == 0);
-  const Shape withBar = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10}), scenes::rectangle({10, 4}, {15, 4.3})}, {15, 10},
-                                        FillRule::NonZero);
-  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), withBar).lostAreaMm2 == doctest::Approx(1.5).epsilon(0.1));
+  const Shape withBar = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10}), scenes::rectangle({10, 4}, {15, 4.3})},
+                                        {15, 10}, FillRule::NonZero);
+  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), withBar).lostAreaMm2 ==
+        doctest::Approx(1.5).epsilon(0.1));
 }
 
 TEST_CASE("measures are equal for any number of threads, and digests tell plates apart") {
@@ -123,8 +125,10 @@ TEST_CASE("measures are equal for any number of threads, and digests tell plates
   const auto plate = generateToolpath(scene.input, {}, kRun);
   REQUIRE(plate.ok());
   const Toolpath& path = plate.value().toolpath;
-  const auto one = measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(1));
-  const auto many = measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(5));
+  const auto one =
+      measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(1));
+  const auto many =
+      measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(5));
   CHECK(one.value().coverage == many.value().coverage);
   CHECK(one.value().overlap == many.value().overlap);
   CHECK(one.value().digest == many.value().digest);

@@ -41,7 +41,8 @@ TEST_CASE("a square's outline is its four edges with the inside on the left, wha
 }
 
 TEST_CASE("overlapping paths are united, and edges inside the union are no border") {
-  const Shape shape{{{{rectangle({0, 0}, {4, 4})}, FillRule::NonZero}, {{rectangle({2, 1}, {6, 3})}, FillRule::NonZero}}, {6, 4}};
+  const Shape shape{
+      {{{rectangle({0, 0}, {4, 4})}, FillRule::NonZero}, {{rectangle({2, 1}, {6, 3})}, FillRule::NonZero}}, {6, 4}};
   CHECK(areaOf(shape) == doctest::Approx(16 + 8 - 4));
   CHECK(intervalArea(shape, 4, 4000) == doctest::Approx(20).epsilon(1e-3));
 }
@@ -66,7 +67,8 @@ TEST_CASE("rectangles that share an edge, or a part of one, have no border betwe
 
 TEST_CASE("a bow tie crosses itself: two triangles, both inside, whichever rule") {
   const Ring bow = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
-  for (const FillRule rule : {FillRule::NonZero, FillRule::EvenOdd}) CHECK(areaOf(shapeOf({bow}, {4, 4}, rule)) == doctest::Approx(8));
+  for (const FillRule rule : {FillRule::NonZero, FillRule::EvenOdd})
+    CHECK(areaOf(shapeOf({bow}, {4, 4}, rule)) == doctest::Approx(8));
 }
 
 TEST_CASE("a pentagram's middle is inside under nonzero and outside under even-odd") {
@@ -103,7 +105,8 @@ TEST_CASE("the area of the outline is that of its intervals for random overlappi
 }
 
 TEST_CASE("shapes without area say so") {
-  for (const Shape& shape : {Shape{{}, {5, 5}}, shapeOf({{{0, 0}, {5, 0}, {2, 0}}}, {5, 5}), shapeOf({{{1, 1}, {1, 1}, {1, 1}}}, {5, 5})}) {
+  for (const Shape& shape :
+       {Shape{{}, {5, 5}}, shapeOf({{{0, 0}, {5, 0}, {2, 0}}}, {5, 5}), shapeOf({{{1, 1}, {1, 1}, {1, 1}}}, {5, 5})}) {
     const auto outline = resolveOutline(shape);
     REQUIRE(!outline.ok());
     CHECK(outline.error().code == ErrorCode::EmptyShape);
@@ -112,7 +115,8 @@ TEST_CASE("shapes without area say so") {
 
 TEST_CASE("a drawing that meets itself too often is refused, not computed for ever") {
   Ring zigzag;
-  for (int k = 0; k < 200000; ++k) zigzag.push_back({k % 2 == 0 ? 0.0 : 100.0, 100.0 * ((k * 7919) % 200000) / 200000.0});
+  for (int k = 0; k < 200000; ++k)
+    zigzag.push_back({k % 2 == 0 ? 0.0 : 100.0, 100.0 * ((k * 7919) % 200000) / 200000.0});
   const auto outline = resolveOutline(shapeOf({zigzag}, {100, 100}));
   REQUIRE(!outline.ok());
   CHECK(outline.error().code == ErrorCode::TooLarge);

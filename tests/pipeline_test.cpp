@@ -108,7 +108,8 @@ TEST_CASE("the same plate comes out for 1, 2, 3 and 8 threads, and it is the one
       const std::string name = scene.name + (seed == 0 ? "" : ", seed 7");
       CAPTURE(name);
       const std::string digest = digestOf(plateOf(scene.input, params, RunContext(1)).toolpath);
-      for (const int threads : {2, 3, 8}) CHECK(digestOf(plateOf(scene.input, params, RunContext(threads)).toolpath) == digest);
+      for (const int threads : {2, 3, 8})
+        CHECK(digestOf(plateOf(scene.input, params, RunContext(threads)).toolpath) == digest);
       if (write != nullptr) {
         out << name << ' ' << digest << '\n';
         continue;
@@ -173,10 +174,12 @@ TEST_CASE("odd shapes end in an error that says why") {
     CHECK(plate.error().message.size() > 20);
     return plate.error().code;
   };
-  const auto square = [](double side) { return scenes::shapeOf({scenes::rectangle({0, 0}, {side, side})}, {side, side}); };
-  CHECK(codeOf(square(0.3), 0.4) == ErrorCode::EmptyShape);          // spacing larger than the shape
-  CHECK(codeOf({{}, {10, 10}}, 0.4) == ErrorCode::EmptyShape);       // nothing drawn
-  CHECK(codeOf(square(9000), 0.05) == ErrorCode::TooLarge);          // 130 thousand million cells
+  const auto square = [](double side) {
+    return scenes::shapeOf({scenes::rectangle({0, 0}, {side, side})}, {side, side});
+  };
+  CHECK(codeOf(square(0.3), 0.4) == ErrorCode::EmptyShape);     // spacing larger than the shape
+  CHECK(codeOf({{}, {10, 10}}, 0.4) == ErrorCode::EmptyShape);  // nothing drawn
+  CHECK(codeOf(square(9000), 0.05) == ErrorCode::TooLarge);     // 130 thousand million cells
   Shape noPage = square(5);
   noPage.page = {0, 5};
   CHECK(codeOf(noPage, 0.4) == ErrorCode::InvalidArgument);
@@ -203,7 +206,8 @@ TEST_CASE("progress begins at 0, never falls and ends at 1") {
 
 TEST_CASE("a cancelled run says so, whichever stage it is in") {
   const auto scene = scenes::all()[0];
-  for (const char* stage : {"outline", "distance", "lines", "phases", "contour", "stitch", "relaxation", "width", "simplify"}) {
+  for (const char* stage :
+       {"outline", "distance", "lines", "phases", "contour", "stitch", "relaxation", "width", "simplify"}) {
     RunContext run(2);
     run.onProgress([&](std::string_view now, double) {
       if (now == stage) run.requestCancel();
@@ -216,7 +220,8 @@ TEST_CASE("a cancelled run says so, whichever stage it is in") {
 }
 
 TEST_CASE("a cancel from another thread ends a long run well before it would end by itself") {
-  const PlateInput input = scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {120, 120})}, {120, 120}), scenes::waves());
+  const PlateInput input =
+      scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {120, 120})}, {120, 120}), scenes::waves());
   RunContext run(2);
   std::atomic<bool> phases{false};
   run.onProgress([&](std::string_view stage, double) { phases = phases || stage == "phases"; });

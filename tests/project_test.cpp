@@ -415,6 +415,7 @@ TEST_CASE("the report is JSON with every key and the values it was given") {
                           "fillRatio",
                           "lostAreaMm2",
                           "longestJointMm",
+                          "gapJoints",
                           "time",
                           "peakBytes",
                           "threads",

@@ -1,4 +1,5 @@
-// Promises that hold for any shape, field and parameters: one simple closed path per part, no spill, for 320 random plates.
+// Promises that hold for any shape, field and parameters: one simple closed path per part, no spill, for 320 random
+// plates.
 #include <doctest/doctest.h>
 
 #include "sillon/measure.hpp"

@@ -12,7 +12,8 @@ using namespace sillon;
 
 namespace {
 
-// A closed boustrophedon of straight rows in a large page: row k lies at y[k], joined at the ends, with a way back far off.
+// A closed boustrophedon of straight rows in a large page: row k lies at y[k], joined at the ends, with a way back far
+// off.
 ClosedCurves rows(const std::vector<double>& heights, double width) {
   ClosedCurves curves;
   curves.begin.push_back(0);
@@ -93,7 +94,8 @@ TEST_CASE("even rows stay where they are") {
 
 TEST_CASE("a circle's gaps inside are its diameter, so a hairpin's tip keeps its size") {
   ClosedCurves curves;
-  for (const Vec2 p : scenes::circle({20, 20}, 0.25, 40)) curves.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  for (const Vec2 p : scenes::circle({20, 20}, 0.25, 40))
+    curves.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
   curves.begin = {0, 40};
   const ClosedCurves path = resampled(curves, 0.1f, RunContext(1));
   const NeighbourGaps gaps = neighbourGaps(path, farBorder(), 0.4, 0.6f, RunContext(1));
@@ -144,7 +146,8 @@ TEST_CASE("the finished path is within the tolerance of the full one, in positio
   std::vector<float> widths;
   for (int k = 0; k < 2000; ++k) {
     const double a = 2 * std::numbers::pi * k / 2000;
-    path.points.push_back({static_cast<float>(30 + (15 + std::sin(9 * a)) * std::cos(a)), static_cast<float>(20 + (15 + std::sin(9 * a)) * std::sin(a))});
+    path.points.push_back({static_cast<float>(30 + (15 + std::sin(9 * a)) * std::cos(a)),
+                           static_cast<float>(20 + (15 + std::sin(9 * a)) * std::sin(a))});
     widths.push_back(static_cast<float>(0.4 + 0.1 * std::sin(31 * a)));
   }
   path.begin = {0, 2000};
@@ -180,13 +183,18 @@ TEST_CASE("the finished path is within the tolerance of the full one, in positio
 TEST_CASE("leaving out points never makes strands meet") {
   // Two wavy strands 0.012 mm apart: straightening both at 0.2 mm would cross them.
   ClosedCurves path;
-  for (int k = 0; k <= 400; ++k) path.points.push_back({10 + 0.05f * static_cast<float>(k), 10 + 0.15f * static_cast<float>(std::sin(0.3 * k))});
-  for (int k = 400; k >= 0; --k) path.points.push_back({10 + 0.05f * static_cast<float>(k), 10.012f + 0.15f * static_cast<float>(std::sin(0.3 * k))});
+  for (int k = 0; k <= 400; ++k)
+    path.points.push_back({10 + 0.05f * static_cast<float>(k), 10 + 0.15f * static_cast<float>(std::sin(0.3 * k))});
+  for (int k = 400; k >= 0; --k)
+    path.points.push_back(
+        {10 + 0.05f * static_cast<float>(k), 10.012f + 0.15f * static_cast<float>(std::sin(0.3 * k))});
   path.begin = {0, static_cast<int>(path.points.size())};
   REQUIRE(findCrossings(path, RunContext(1)).empty());
   ToolpathParams params;
   params.simplifyTolerance = 0.2;
-  auto toolpath = finishToolpath(path, {std::vector<float>(path.points.size(), 0.4f), std::vector<float>(path.points.size(), 1e9f)}, params, RunContext(1));
+  auto toolpath =
+      finishToolpath(path, {std::vector<float>(path.points.size(), 0.4f), std::vector<float>(path.points.size(), 1e9f)},
+                     params, RunContext(1));
   ClosedCurves out;
   out.points = toolpath.value().cycles[0].points;
   out.begin = {0, static_cast<int>(out.points.size())};
@@ -202,9 +210,9 @@ TEST_CASE("crossings are found exactly: proper, touching and overlapping, but no
     return findCrossings(c, RunContext(1)).size();
   };
   CHECK(count({{0, 0}, {4, 0}, {4, 4}, {0, 4}}) == 0);
-  CHECK(count({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == 1);                    // bow tie
-  CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}) == 2);            // a corner touches an edge: two of its segments
-  CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0.002f}, {0, 2}}) == 0);       // 2 µm off
-  CHECK(count({{0, 0}, {4, 0}, {4, 1}, {3, 0}, {1, 0}, {0, 1}}) >= 1);    // lies on it
-  CHECK(count({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 4}}) == 0);    // repeated points
+  CHECK(count({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == 1);                  // bow tie
+  CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}) == 2);          // a corner touches an edge: two of its segments
+  CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0.002f}, {0, 2}}) == 0);     // 2 µm off
+  CHECK(count({{0, 0}, {4, 0}, {4, 1}, {3, 0}, {1, 0}, {0, 1}}) >= 1);  // lies on it
+  CHECK(count({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 4}}) == 0);  // repeated points
 }

@@ -102,7 +102,8 @@ TEST_CASE("every distance is exact, every normal unit and outward, also at refle
         REQUIRE(length(field.normal[i]) == doctest::Approx(1).epsilon(1e-5));
         // Along the outward normal an inside point comes nearer to the border.
         if (field.distance[i] < -2 * step) {
-          const Vec2 q{p.x + static_cast<double>(step * field.normal[i].x), p.y + static_cast<double>(step * field.normal[i].y)};
+          const Vec2 q{p.x + static_cast<double>(step * field.normal[i].x),
+                       p.y + static_cast<double>(step * field.normal[i].y)};
           REQUIRE(bruteForce(outline.value().segments, q) < static_cast<double>(-field.distance[i]));
         }
       }

@@ -17,12 +17,14 @@ struct Stitching {
   int parts = 0;
 };
 
-Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {}, const RunContext& run = RunContext(1)) {
+Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {},
+                      const RunContext& run = RunContext(1)) {
   const Outline outline = resolveOutline(input.shape).value();
   const Grid grid = makeGrid(outline.bounds, params.spacing);
   const BorderIndex border = buildBorderIndex(outline, grid, run).value();
   const SignedDistanceField sdf = signedDistanceField(input.shape, border, grid, run).value();
-  const CellConstraints cells = cellConstraints(sdf, input.directions, input.modes, input.shape.page, params, run).value();
+  const CellConstraints cells =
+      cellConstraints(sdf, input.directions, input.modes, input.shape.page, params, run).value();
   const LineField lines = lineField(sdf, cells, params, run).value();
   const SineField waves = alignPhases(lines, sdf, cells, params, run).value();
   const Grid nodes = nodeLattice(grid);
@@ -68,8 +70,9 @@ TEST_CASE("stitching leaves one simple cycle per connected part and moves no poi
 
 TEST_CASE("islands stay apart with bridge 0 and join when the bridge spans their gap") {
   const auto island = [](double gap) {
-    return scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {6, 6}), scenes::rectangle({6 + gap, 0}, {12, 6})}, {12, 6}),
-                         scenes::waves());
+    return scenes::plate(
+        scenes::shapeOf({scenes::rectangle({0, 0}, {6, 6}), scenes::rectangle({6 + gap, 0}, {12, 6})}, {12, 6}),
+        scenes::waves());
   };
   ToolpathParams params;
   params.bridge = 0;
@@ -83,8 +86,8 @@ TEST_CASE("islands stay apart with bridge 0 and join when the bridge spans their
 
 TEST_CASE("a neck too narrow for a bead still joins its two sides, inside the shape") {
   const PlateInput input = scenes::plate(
-      scenes::shapeOf({scenes::circle({5, 5}, 5), scenes::circle({17, 5}, 5), scenes::rectangle({9, 4.85}, {13, 5.15})}, {22, 10},
-                      FillRule::NonZero),
+      scenes::shapeOf({scenes::circle({5, 5}, 5), scenes::circle({17, 5}, 5), scenes::rectangle({9, 4.85}, {13, 5.15})},
+                      {22, 10}, FillRule::NonZero),
       scenes::waves());
   const Stitching s = stitchingOf(input);
   CHECK(s.after.curves.count() == 1);
@@ -96,11 +99,13 @@ TEST_CASE("misaligned length is avoided when it costs more") {
   const auto misaligned = [](double price) {
     ToolpathParams params;
     params.stitchAlignment = price;
-    const PlateInput input = scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {24, 20})}, {24, 20}), scenes::swirl());
+    const PlateInput input =
+        scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {24, 20})}, {24, 20}), scenes::swirl());
     const Stitching s = stitchingOf(input, params);
     double sum = 0;
     for (int c = 0; c < s.after.curves.count(); ++c) {
-      for (int i = s.after.curves.begin[static_cast<std::size_t>(c)]; i < s.after.curves.begin[static_cast<std::size_t>(c) + 1]; ++i) {
+      for (int i = s.after.curves.begin[static_cast<std::size_t>(c)];
+           i < s.after.curves.begin[static_cast<std::size_t>(c) + 1]; ++i) {
         const Vec2f a = s.after.curves.points[static_cast<std::size_t>(i)];
         const Vec2f b = s.after.curves.points[static_cast<std::size_t>(nextOf(s.after.curves, c, i))];
         const Vec2 p{static_cast<double>(0.5f * (a.x + b.x)), static_cast<double>(0.5f * (a.y + b.y))};
@@ -108,7 +113,8 @@ TEST_CASE("misaligned length is avoided when it costs more") {
         const Vec2f z = beadLine(input.directions.angle[static_cast<std::size_t>(t.y * 96 + t.x)]);
         const Vec2f e = b - a;
         const float size = length(e);
-        if (size > 0) sum += static_cast<double>(0.5f * (size - ((e.x * e.x - e.y * e.y) * z.x + 2 * e.x * e.y * z.y) / size));
+        if (size > 0)
+          sum += static_cast<double>(0.5f * (size - ((e.x * e.x - e.y * e.y) * z.x + 2 * e.x * e.y * z.y) / size));
       }
     }
     return sum;
@@ -119,5 +125,6 @@ TEST_CASE("misaligned length is avoided when it costs more") {
 TEST_CASE("stitching is equal for any number of threads") {
   const auto scene = scenes::all()[8];
   const Stitching one = stitchingOf(scene.input, {}, RunContext(1));
-  for (const int threads : {2, 3, 8}) CHECK(stitchingOf(scene.input, {}, RunContext(threads)).after.curves.points == one.after.curves.points);
+  for (const int threads : {2, 3, 8})
+    CHECK(stitchingOf(scene.input, {}, RunContext(threads)).after.curves.points == one.after.curves.points);
 }

@@ -9,12 +9,13 @@
 namespace sillon {
 namespace {
 
-constexpr float kThread = 0.02f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
+constexpr float kThread =
+    0.02f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
 
 }  // namespace
 
 Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
-                                      const ToolpathParams& params, const RunContext& run) {
+                              const ToolpathParams& params, const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
   const float low = static_cast<float>(params.minWidth) * spacing;
   const float balance = static_cast<float>(params.widthBalance);
@@ -29,7 +30,8 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& g
       float width = std::clamp(least + balance * (both - least), low, high);
       const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
       if (border.blockDistance(p) < spacing) {
-        // Half-way to the neighbours too: round a reflex corner the bead's straight segments pass nearer than its points.
+        // Half-way to the neighbours too: round a reflex corner the bead's straight segments pass nearer than its
+        // points.
         float distance = border.nearest(p).distance;
         for (const int neighbour : {previousOf(curves, curveOf[i], k), nextOf(curves, curveOf[i], k)}) {
           const Vec2f q = (curves.points[i] + curves.points[static_cast<std::size_t>(neighbour)]) * 0.5f;

@@ -31,7 +31,8 @@ std::vector<Footprint> footprints(int count, double origin, double cell, double 
     Footprint& footprint = all[static_cast<std::size_t>(k)];
     footprint.first = static_cast<int>(low);
     for (int texel = footprint.first; texel < high; ++texel) {
-      footprint.weight.push_back(static_cast<float>(std::min(high, texel + 1.0) - std::max(low, static_cast<double>(texel))));
+      footprint.weight.push_back(
+          static_cast<float>(std::min(high, texel + 1.0) - std::max(low, static_cast<double>(texel))));
     }
   }
   return all;
@@ -58,10 +59,12 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
   CellConstraints cells{grid, std::vector<Zone>(grid.size()), std::vector<DirectionMode>(grid.size()),
                         std::vector<Vec2f>(grid.size())};
   const float spacing = static_cast<float>(params.spacing);
-  const float shellDepth = params.perimeterMode == PerimeterMode::Count ? static_cast<float>(params.perimeters) * spacing : 0;
+  const float shellDepth =
+      params.perimeterMode == PerimeterMode::Count ? static_cast<float>(params.perimeters) * spacing : 0;
 
   std::vector<Vec2f> lineOf(65536);
-  for (int k = 0; k < 65536; ++k) lineOf[static_cast<std::size_t>(k)] = acrossBead(beadLine(static_cast<std::uint16_t>(k)));
+  for (int k = 0; k < 65536; ++k)
+    lineOf[static_cast<std::size_t>(k)] = acrossBead(beadLine(static_cast<std::uint16_t>(k)));
   const auto columns = footprints(grid.nx, grid.origin.x, grid.cell, page.x, directions.width, false);
   const auto rows = footprints(grid.ny, grid.origin.y, grid.cell, page.y, directions.height, true);
   const auto texel = [&](int x, int y) {

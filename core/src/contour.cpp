@@ -61,7 +61,8 @@ struct RowNumbers {
 
 // Links the vertices of one square so that positive corners lie on the left. Going round counter-clockwise, a curve
 // enters where the sign falls and leaves where it rises.
-void linkSquare(const Lattice& lattice, int x, int y, int bottom, int right, int top, int left, std::vector<int>& next) {
+void linkSquare(const Lattice& lattice, int x, int y, int bottom, int right, int top, int left,
+                std::vector<int>& next) {
   const auto link = [&](int from, int to) { next[static_cast<std::size_t>(from)] = to; };
   const bool bl = lattice.positive(x, y);
   if (bottom >= 0 && right >= 0 && top >= 0 && left >= 0) {
@@ -91,8 +92,8 @@ void linkSquare(const Lattice& lattice, int x, int y, int bottom, int right, int
 
 }  // namespace
 
-Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& values, const std::vector<float>& distance,
-                                    double spacing, const RunContext& run) {
+Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& values,
+                                   const std::vector<float>& distance, double spacing, const RunContext& run) {
   const Lattice lattice{grid, values.data(), distance.data(), static_cast<float>(-0.5 * spacing)};
 
   std::vector<std::int64_t> first(static_cast<std::size_t>(grid.ny) + 1, 0);

@@ -78,7 +78,9 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
 
 }  // namespace
 
-bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) { return sharePoint(rounded(a), rounded(b), rounded(c), rounded(d)); }
+bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) {
+  return sharePoint(rounded(a), rounded(b), rounded(c), rounded(d));
+}
 
 ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run) {
   // Arc length at every point and at the end of its curve, summed in blocks of fixed size: equal for any thread count.
@@ -139,7 +141,8 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
         const std::size_t c = static_cast<std::size_t>(curveOf[static_cast<std::size_t>(segment)]);
         const Vec2f p = out.points[static_cast<std::size_t>(segment)];
         for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
-          if (static_cast<double>(length(curves.points[static_cast<std::size_t>(k)] - p)) < reach) keep[static_cast<std::size_t>(k)] = 1;
+          if (static_cast<double>(length(curves.points[static_cast<std::size_t>(k)] - p)) < reach)
+            keep[static_cast<std::size_t>(k)] = 1;
         }
       }
     }
@@ -227,7 +230,8 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
       }
       const int c0 = std::max(0, static_cast<int>((x0 - static_cast<double>(low.x)) / static_cast<double>(cell)));
       const int c1 = std::min(nx - 1, static_cast<int>((x1 - static_cast<double>(low.x)) / static_cast<double>(cell)));
-      for (int x = c0; x <= c1; ++x) visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
+      for (int x = c0; x <= c1; ++x)
+        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
     }
   };
   // Counting sort by shares of the segments; within a cell they stay in order, whatever the number of shares.
@@ -238,7 +242,8 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
   std::vector<std::vector<int>> next(static_cast<std::size_t>(shares), std::vector<int>(cells, 0));
   parallelFor(run, count, grain, [&](int from, int to) {
     std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
-    for (int k = from; k < to; ++k) forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { ++share[at]; });
+    for (int k = from; k < to; ++k)
+      forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { ++share[at]; });
   });
   std::vector<int> begin(cells + 1);
   int sum = 0;
@@ -255,7 +260,8 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
   parallelFor(run, count, grain, [&](int from, int to) {
     std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
     for (int k = from; k < to; ++k) {
-      forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { entries[static_cast<std::size_t>(share[at]++)] = k; });
+      forCells(segments[static_cast<std::size_t>(k)],
+               [&](std::size_t at) { entries[static_cast<std::size_t>(share[at]++)] = k; });
     }
   });
   if (run.cancelled()) return {};

@@ -14,8 +14,8 @@ namespace sillon {
 ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run);
 inline constexpr int kMinPoints = 6;
 
-/// The same for curves that do not meet, such that they still do not: where two pass so closely that chords would touch,
-/// the original points stay.
+/// The same for curves that do not meet, such that they still do not: where two pass so closely that chords would
+/// touch, the original points stay.
 ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunContext& run);
 
 /// Index of the curve that holds each point.

@@ -74,7 +74,8 @@ Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding
       forEachTexel(image, [&](int x, int y) { map.angle.push_back(fromRotation(greyAt(image, x, y))); });
       break;
     case DirectionEncoding::Tangent:
-      forEachTexel(image, [&](int x, int y) { map.angle.push_back(fromTangent(image.at(x, y, 0), image.at(x, y, 1))); });
+      forEachTexel(image,
+                   [&](int x, int y) { map.angle.push_back(fromTangent(image.at(x, y, 0), image.at(x, y, 1))); });
       break;
   }
   return map;

@@ -15,8 +15,8 @@ struct SinCos4 {
   F4 cos;
 };
 
-/// sin and cos of |x| <= 8192, error below 3e-7 for |x| <= 10 and below 2e-6 + 1e-7 |x| beyond. Quadrants are removed in
-/// three steps (Cody-Waite), then minimax polynomials on [-pi/4, pi/4].
+/// sin and cos of |x| <= 8192, error below 3e-7 for |x| <= 10 and below 2e-6 + 1e-7 |x| beyond. Quadrants are removed
+/// in three steps (Cody-Waite), then minimax polynomials on [-pi/4, pi/4].
 inline SinCos4 sinCos(F4 x) {
   const F4 half = select4(x < splat(0), splat(-0.5f), splat(0.5f));
   const I4 quadrant = toInt(x * splat(0.636619772f) + half);
@@ -24,8 +24,10 @@ inline SinCos4 sinCos(F4 x) {
   const F4 r = ((x - q * splat(1.5703125f)) - q * splat(4.837512969970703125e-4f)) - q * splat(7.54978995489188216e-8f);
   const F4 r2 = r * r;
   const F4 s = r + r * r2 * (splat(-1.6666654611e-1f) + r2 * (splat(8.3321608736e-3f) + r2 * splat(-1.9515295891e-4f)));
-  const F4 c = splat(1) - splat(0.5f) * r2 +
-               r2 * r2 * (splat(4.166664568298827e-2f) + r2 * (splat(-1.388731625493765e-3f) + r2 * splat(2.443315711809948e-5f)));
+  const F4 c =
+      splat(1) - splat(0.5f) * r2 +
+      r2 * r2 *
+          (splat(4.166664568298827e-2f) + r2 * (splat(-1.388731625493765e-3f) + r2 * splat(2.443315711809948e-5f)));
   const I4 odd = (quadrant & splatInt(1)) == splatInt(1);
   const I4 sinNegative = (quadrant & splatInt(2)) == splatInt(2);
   const I4 cosNegative = ((quadrant + splatInt(1)) & splatInt(2)) == splatInt(2);
@@ -61,8 +63,9 @@ inline float atan2Approx(float y, float x) {
   if (!(big > 0)) return 0;
   const float t = (ax > ay ? ay : ax) / big;
   const float t2 = t * t;
-  float a = t * (0.99997726f +
-                 t2 * (-0.33262347f + t2 * (0.19354346f + t2 * (-0.11643287f + t2 * (0.05265332f + t2 * -0.01172120f)))));
+  float a =
+      t * (0.99997726f +
+           t2 * (-0.33262347f + t2 * (0.19354346f + t2 * (-0.11643287f + t2 * (0.05265332f + t2 * -0.01172120f)))));
   if (ay > ax) a = 0.5f * kPi - a;
   if (x < 0) a = kPi - a;
   return y < 0 ? -a : a;

@@ -63,7 +63,8 @@ inline NeighbourPlane neighbourPlane(const LevelShape& shape, std::size_t colour
   return {colourOf(x, y), static_cast<std::ptrdiff_t>(halved(y)) * shape.stride + halved(x)};
 }
 
-/// Gaussian weights of the 8 neighbours, sigma = tau/3 at the finest level and doubled per level: exp(-|dp|² / 2 sigma²).
+/// Gaussian weights of the 8 neighbours, sigma = tau/3 at the finest level and doubled per level: exp(-|dp|² / 2
+/// sigma²).
 inline constexpr float kSideWeight = 0.32465247f;    // exp(-9/8)
 inline constexpr float kCornerWeight = 0.10539922f;  // exp(-9/4)
 

@@ -77,14 +77,15 @@ std::uint32_t le32(Bytes b, std::size_t at) { return le16(b, at) | le16(b, at + 
 std::uint32_t be32(Bytes b, std::size_t at) { return be16(b, at + 2) | be16(b, at) << 16; }
 
 bool startsWith(Bytes bytes, std::string_view magic) {
-  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(),
-                                                    [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
+  return bytes.size() >= magic.size() &&
+         std::equal(magic.begin(), magic.end(), bytes.begin(),
+                    [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
 }
 
 // ---- TGA ----
 
 struct TgaHeader {
-  std::uint32_t type = 0;         // 1 palette, 2 colour, 3 grey; + 8 if run-length packed
+  std::uint32_t type = 0;  // 1 palette, 2 colour, 3 grey; + 8 if run-length packed
   std::uint32_t pixelBytes = 0;
   std::uint64_t pixels = 0;
   std::size_t dataAt = 0;
@@ -152,7 +153,8 @@ std::string pngDefect(Bytes bytes) {
     const std::size_t length = be32(bytes, at);
     if (length > bytes.size() - at - 12) break;
     const bool critical = (bytes[at + 4] & 32u) == 0;
-    if (critical && crc32(bytes.subspan(at + 4, length + 4)) != be32(bytes, at + 8 + length)) return "it is damaged (checksum)";
+    if (critical && crc32(bytes.subspan(at + 4, length + 4)) != be32(bytes, at + 8 + length))
+      return "it is damaged (checksum)";
     if (startsWith(bytes.subspan(at + 4), "IEND")) return "";
     at += length + 12;
   }
@@ -162,8 +164,8 @@ std::string pngDefect(Bytes bytes) {
 // ---- JPEG ----
 
 struct JpegFacts {
-  std::string defect;    // empty: none
-  int orientation = 1;   // EXIF, 1..8
+  std::string defect;   // empty: none
+  int orientation = 1;  // EXIF, 1..8
 };
 
 /// \param exif  contents of an APP1 segment. \return 1..8, 1 if nothing valid is found.
@@ -201,7 +203,8 @@ JpegFacts inspectJpeg(Bytes bytes) {
   int scans = 0;
   std::size_t at = 2;
   const auto isMarker = [&](std::size_t k) {  // not a stuffed zero, a fill byte or a restart inside a scan
-    return bytes[k] == 0xff && bytes[k + 1] != 0 && bytes[k + 1] != 0xff && (bytes[k + 1] < 0xd0 || bytes[k + 1] > 0xd7);
+    return bytes[k] == 0xff && bytes[k + 1] != 0 && bytes[k + 1] != 0xff &&
+           (bytes[k + 1] < 0xd0 || bytes[k + 1] > 0xd7);
   };
   for (;;) {
     while (at + 1 < bytes.size() && !isMarker(at)) ++at;
@@ -322,13 +325,13 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
 
   // Largest honest request: 4 channels of 16 bit, doubled once by the unpacker when rows of an interlaced PNG need more
   // bytes than first guessed; a JPEG stores 16-bit coefficients of blocks padded to 32 pixels.
-  allocationLimit = static_cast<std::size_t>(image.width + 64) * static_cast<std::size_t>(image.height + 64) * 16 + (1u << 20);
+  allocationLimit =
+      static_cast<std::size_t>(image.width + 64) * static_cast<std::size_t>(image.height + 64) * 16 + (1u << 20);
   const bool deep = stbi_is_16_bit_from_memory(data, size) != 0;
-  const Decoded decoded(deep ? static_cast<void*>(stbi_load_16_from_memory(data, size, &image.width, &image.height,
-                                                                          &image.channels, 0))
-                             : static_cast<void*>(stbi_load_from_memory(data, size, &image.width, &image.height,
-                                                                        &image.channels, 0)),
-                        stbi_image_free);
+  const Decoded decoded(
+      deep ? static_cast<void*>(stbi_load_16_from_memory(data, size, &image.width, &image.height, &image.channels, 0))
+           : static_cast<void*>(stbi_load_from_memory(data, size, &image.width, &image.height, &image.channels, 0)),
+      stbi_image_free);
   if (!decoded) return unreadable(name, format, stbi_failure_reason());
 
   const std::size_t samples = static_cast<std::size_t>(pixels) * static_cast<std::size_t>(image.channels);
@@ -352,21 +355,29 @@ void appendBytes(void* out, void* data, int size) {
 }  // namespace
 
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (bytes.empty()) return Error{ErrorCode::InvalidFile, name + " is empty; it must be a PNG, JPEG, BMP or TGA picture"};
+  if (bytes.empty())
+    return Error{ErrorCode::InvalidFile, name + " is empty; it must be a PNG, JPEG, BMP or TGA picture"};
   constexpr std::size_t kMaxBytes = 0x7fffffff;
-  if (bytes.size() > kMaxBytes) return Error{ErrorCode::TooLarge, name + " has more than 2 GiB; at most that is allowed"};
+  if (bytes.size() > kMaxBytes)
+    return Error{ErrorCode::TooLarge, name + " has more than 2 GiB; at most that is allowed"};
 
   const Format format = formatOf(bytes);
   JpegFacts jpeg;
   std::string defect;
   switch (format) {
-    case Format::Png: defect = pngDefect(bytes); break;
+    case Format::Png:
+      defect = pngDefect(bytes);
+      break;
     case Format::Jpeg:
       jpeg = inspectJpeg(bytes);
       defect = jpeg.defect;
       break;
-    case Format::Bmp: defect = bmpDefect(bytes); break;
-    case Format::Tga: defect = tgaDefect(bytes); break;
+    case Format::Bmp:
+      defect = bmpDefect(bytes);
+      break;
+    case Format::Tga:
+      defect = tgaDefect(bytes);
+      break;
     case Format::Unknown:
       return Error{ErrorCode::InvalidFile, name + " is no picture that can be read (it begins with bytes " +
                                                firstBytes(bytes) + "); PNG, JPEG, BMP and TGA can"};

@@ -170,7 +170,8 @@ AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& 
       passes.reset();
       const int left = tile % tx * kTile;
       const int bottom = tile / tx * kTile;
-      for (std::size_t at = begin[static_cast<std::size_t>(tile)]; at < begin[static_cast<std::size_t>(tile) + 1]; ++at) {
+      for (std::size_t at = begin[static_cast<std::size_t>(tile)]; at < begin[static_cast<std::size_t>(tile) + 1];
+           ++at) {
         const Bead& bead = beads[static_cast<std::size_t>(beadOf[at])];
         const Reach r = reachOf(bead);
         for (int y = std::max(r.y0, bottom); y <= std::min(r.y1, bottom + kTile - 1); ++y) {
@@ -232,7 +233,8 @@ Result<double> lostArea(const Shape& shape, const BorderIndex& border, const Bou
         bool reached = false;
         for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
           for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
-            if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny) continue;
+            if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
+              continue;
             reached = sd[grid.index(x + dx, y + dy)] <= deep;
           }
         }
@@ -297,10 +299,12 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
     for (int piece = 0; piece < pieces; ++piece) {
       const Vec2 p = a + (b - a) * ((piece + 0.5) / pieces);
       const TexelIndex at = texelAt(p, page, directions.width, directions.height);
-      const Vec2f z = beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
-                                                static_cast<std::size_t>(at.x)]);
+      const Vec2f z =
+          beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
+                                    static_cast<std::size_t>(at.x)]);
       // cos² of the angle between the lines, from their doubled angles.
-      const double cos2 = 0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
+      const double cos2 =
+          0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
       const double share = size / pieces;
       sums.all.add(share, cos2);
       const double depth = static_cast<double>(border.blockDistance(p)) > (shell + 0.05) * spacing
@@ -424,8 +428,9 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
       beadArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[(k + 1) % n]);
     }
     const Alignment sums = alignmentOf(cycle, border.value(), shape.page, directions, modes, params);
-    for (const auto& [total, part] : {std::pair{&alignment.all, &sums.all}, std::pair{&alignment.interior, &sums.interior},
-                                      std::pair{&alignment.constrained, &sums.constrained}}) {
+    for (const auto& [total, part] :
+         {std::pair{&alignment.all, &sums.all}, std::pair{&alignment.interior, &sums.interior},
+          std::pair{&alignment.constrained, &sums.constrained}}) {
       total->length += part->length;
       total->along += part->along;
     }

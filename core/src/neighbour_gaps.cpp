@@ -10,7 +10,7 @@
 namespace sillon {
 namespace {
 
-constexpr int kOwnChain = 4;       ///< points tau/4 apart
+constexpr int kOwnChain = 4;          ///< points tau/4 apart
 constexpr float kTight = 0.3f;        ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
 constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
 
@@ -99,7 +99,7 @@ NeighbourGaps neighbourGaps(const ClosedCurves& curves, const BorderIndex& borde
       const Vec2f normal{-tangent.y, tangent.x};
       const Vec2f p = curves.points[i];
       Nearest nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
-                                     curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
+                                  curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
       const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
       if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
         const NearestBorder b = border.nearest(at);

@@ -253,8 +253,9 @@ void dropDuplicates(std::vector<BorderSegment>& segments) {
 }  // namespace
 
 Result<Outline> resolveOutline(const Shape& shape) {
-  const Error tooLarge{ErrorCode::TooLarge,
-                       "the outline has too many edges or meets itself too often; at most 4 million pieces can be read"};
+  const Error tooLarge{
+      ErrorCode::TooLarge,
+      "the outline has too many edges or meets itself too often; at most 4 million pieces can be read"};
   const std::vector<Edge> edges = edgesOf(shape);
   Outline outline;
   for (const Edge& edge : edges) outline.bounds.add(edge.a);
@@ -303,7 +304,8 @@ std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double fi
     for (int row = first; row <= last; ++row) {
       const double y = firstY + row * step;
       const int direction = crossesRow(edge, y);
-      if (direction != 0) crossings[static_cast<std::size_t>(row)].push_back({crossingX(edge, y), edge.path, direction});
+      if (direction != 0)
+        crossings[static_cast<std::size_t>(row)].push_back({crossingX(edge, y), edge.path, direction});
     }
   }
   std::vector<std::vector<Interval>> intervals(crossings.size());

@@ -47,7 +47,8 @@ void parallelFor(const RunContext& run, int count, int grain, const Body& body) 
   }
 }
 
-/// Rows per chunk for loops over `rows` rows of `rowCost` nanoseconds: about 50 µs of work, at most 1/8 of a worker's share.
+/// Rows per chunk for loops over `rows` rows of `rowCost` nanoseconds: about 50 µs of work, at most 1/8 of a worker's
+/// share.
 inline int rowGrain(const RunContext& run, int rows, double rowCost) {
   const int share = std::max(1, rows / (8 * run.threads()));
   return std::clamp(static_cast<int>(50e3 / std::max(rowCost, 1.0)), 1, share);

@@ -27,9 +27,10 @@ class UnionFind {
   std::vector<std::int32_t> parent_;
 };
 
-// Largest distance on the way between two neighbouring cells. Only where the gradients oppose each other can a ridge lie
-// between them; there the way is sampled.
-float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::size_t i, std::size_t j, Vec2 from, Vec2 to) {
+// Largest distance on the way between two neighbouring cells. Only where the gradients oppose each other can a ridge
+// lie between them; there the way is sampled.
+float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::size_t i, std::size_t j, Vec2 from,
+              Vec2 to) {
   constexpr int kSamples = 16;
   float high = std::max(sdf.distance[i], sdf.distance[j]);
   if (dot(sdf.normal[i], sdf.normal[j]) > 0.9f) return high;
@@ -59,8 +60,9 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
       if (sdf.distance[i] > limit) continue;
-      const bool joinsLeft = x > 0 && sdf.distance[i - 1] <= limit &&
-                             (sdf.distance[i] < safe || highest(sdf, border, i - 1, i, grid.centre(x - 1, y), grid.centre(x, y)) <= limit);
+      const bool joinsLeft =
+          x > 0 && sdf.distance[i - 1] <= limit &&
+          (sdf.distance[i] < safe || highest(sdf, border, i - 1, i, grid.centre(x - 1, y), grid.centre(x, y)) <= limit);
       if (!joinsLeft) runs.push_back({x, x});
       runs.back().end = x + 1;
       parts.label[i] = static_cast<std::int32_t>(runs.size() - 1);
@@ -73,7 +75,8 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
       const std::size_t below = grid.index(x, y - 1);
       if (parts.label[i] < 0 || parts.label[below] < 0) continue;
       if (sets.find(parts.label[i]) == sets.find(parts.label[below])) continue;
-      if (sdf.distance[i] < safe || highest(sdf, border, below, i, grid.centre(x, y - 1), grid.centre(x, y)) <= limit) sets.join(parts.label[i], parts.label[below]);
+      if (sdf.distance[i] < safe || highest(sdf, border, below, i, grid.centre(x, y - 1), grid.centre(x, y)) <= limit)
+        sets.join(parts.label[i], parts.label[below]);
     }
   }
 
@@ -114,7 +117,8 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double sp
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
       const std::int32_t label = parts.label[i];
-      if (label < 0 || label >= parts.count || kept[static_cast<std::size_t>(label)] || sdf.distance[i] > depth) continue;
+      if (label < 0 || label >= parts.count || kept[static_cast<std::size_t>(label)] || sdf.distance[i] > depth)
+        continue;
       values[nodes.index(2 * x + 1, 2 * y + 1)] = -0.5f;
     }
   }

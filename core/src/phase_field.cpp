@@ -11,9 +11,9 @@
 namespace sillon {
 namespace {
 
-constexpr float kNoPhase = 1e-9f;    ///< a sum shorter than this keeps the old phase
+constexpr float kNoPhase = 1e-9f;     ///< a sum shorter than this keeps the old phase
 constexpr float kJitter = 1.0f / 40;  ///< largest move of a sample point [tau] when the seed is not 0
-constexpr std::size_t kEdges = 4;    ///< edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1)
+constexpr std::size_t kEdges = 4;     ///< edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1)
 constexpr int kEdgeX[kEdges] = {1, 0, 1, -1};
 constexpr int kEdgeY[kEdges] = {0, 1, 1, 1};
 
@@ -29,10 +29,10 @@ struct PhaseLevel {
   LevelShape shape;
   float step = 0;  ///< frequency times the level's cell side [rad]
   int depth = 0;
-  Planes dx, dy;   ///< lines; 0 where masked
-  Planes qr, qi;   ///< phases
-  Planes free;     ///< 1 where sweeps may change the phase, else 0
-  Planes ar, ai;   ///< soft border: the border's wave times its weight; else empty
+  Planes dx, dy;  ///< lines; 0 where masked
+  Planes qr, qi;  ///< phases
+  Planes free;    ///< 1 where sweeps may change the phase, else 0
+  Planes ar, ai;  ///< soft border: the border's wave times its weight; else empty
   std::array<Transport, kEdges> edges;
 };
 
@@ -42,7 +42,8 @@ class Jitter {
   explicit Jitter(std::uint64_t seed) : seed_(seed) {}
   [[nodiscard]] Vec2f at(int depth, int x, int y) const {
     if (seed_ == 0) return {};
-    const std::uint64_t cell = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
+    const std::uint64_t cell =
+        (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
     const std::uint64_t bits = hash64(hash64(seed_ + static_cast<std::uint64_t>(depth)) ^ cell);
     const auto unit = [](std::uint64_t v) { return static_cast<float>(v & 0xffffff) * (1.0f / 0x800000) - 1; };
     return {2 * kJitter * unit(bits), 2 * kJitter * unit(bits >> 32)};
@@ -102,7 +103,8 @@ void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run
             for (int k = 0; k < 4; ++k) {
               const int cx = 2 * (x + k) + colourX(colour);
               const int cy = 2 * y + colourY(colour);
-              const Vec2f move = jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
+              const Vec2f move =
+                  jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
               ox[k] += move.x;
               oy[k] += move.y;
             }
@@ -187,7 +189,9 @@ void sweepColour(PhaseLevel& level, std::size_t colour, const RunContext& run) {
 }
 
 // Offset from a child's point to its parent's, in child cell sides.
-Vec2f toParent(std::size_t colour) { return {0.5f - static_cast<float>(colourX(colour)), 0.5f - static_cast<float>(colourY(colour))}; }
+Vec2f toParent(std::size_t colour) {
+  return {0.5f - static_cast<float>(colourX(colour)), 0.5f - static_cast<float>(colourY(colour))};
+}
 
 Vec2f parentOffset(const PhaseLevel& fine, std::size_t colour, int px, int py, const Jitter& jitter) {
   const Vec2f parent = jitter.at(fine.depth + 1, px, py) * 2.0f;
@@ -238,7 +242,8 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
             fixed = true;
             fixedSum = fixedSum + transported(offset, d, dj, {fine.qr[c][child], fine.qi[c][child]}) * along;
           }
-          if (anchors) anchorSum = anchorSum + transported(offset, d, dj, {fine.ar[c][child], fine.ai[c][child]}) * along;
+          if (anchors)
+            anchorSum = anchorSum + transported(offset, d, dj, {fine.ar[c][child], fine.ai[c][child]}) * along;
         }
         const float sum = length(fixedSum);
         const Vec2f q = sum > kNoPhase ? fixedSum * (1 / sum) : Vec2f{1, 0};

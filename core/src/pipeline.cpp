@@ -63,28 +63,34 @@ std::string invalidParameter(const ToolpathParams& p) {
   if (!within(p.spacing, 0.05, 20)) return outOfRange("spacing", p.spacing, " mm", "0.05 to 20 mm");
   if (p.perimeters < 0 || p.perimeters > 100) return outOfRange("perimeters", p.perimeters, "", "0 to 100");
   if (p.bridge && !within(*p.bridge, 0, 100)) return outOfRange("bridge", *p.bridge, " mm", "0 to 100 mm");
-  if (p.sweepsPerLevel < 1 || p.sweepsPerLevel > 1000) return outOfRange("sweepsPerLevel", p.sweepsPerLevel, "", "1 to 1000");
+  if (p.sweepsPerLevel < 1 || p.sweepsPerLevel > 1000)
+    return outOfRange("sweepsPerLevel", p.sweepsPerLevel, "", "1 to 1000");
   if (!within(p.borderPull, 0, 100)) return outOfRange("borderPull", p.borderPull, "", "0 to 100");
   if (!within(p.stitchAlignment, 0, 10)) return outOfRange("stitchAlignment", p.stitchAlignment, "", "0 to 10");
   if (p.relaxationRounds < 0 || p.relaxationRounds > 100) {
     return outOfRange("relaxationRounds", p.relaxationRounds, "", "0 to 100");
   }
-  if (!within(p.relaxationSmoothing, 0, 1)) return outOfRange("relaxationSmoothing", p.relaxationSmoothing, "", "0 to 1");
+  if (!within(p.relaxationSmoothing, 0, 1))
+    return outOfRange("relaxationSmoothing", p.relaxationSmoothing, "", "0 to 1");
   if (!within(p.widthBalance, 0, 1)) return outOfRange("widthBalance", p.widthBalance, "", "0 to 1");
   if (!within(p.minWidth, 0.1, 1)) return outOfRange("minWidth", p.minWidth, " spacings", "0.1 to 1 spacings");
   if (!within(p.maxWidth, 1, 4)) return outOfRange("maxWidth", p.maxWidth, " spacings", "1 to 4 spacings");
-  if (!within(p.simplifyTolerance, 0, 1)) return outOfRange("simplifyTolerance", p.simplifyTolerance, " mm", "0 to 1 mm");
+  if (!within(p.simplifyTolerance, 0, 1))
+    return outOfRange("simplifyTolerance", p.simplifyTolerance, " mm", "0 to 1 mm");
   return {};
 }
 
 Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
-  if (std::string bad = invalidParameter(params); !bad.empty()) return Error{ErrorCode::InvalidArgument, std::move(bad)};
+  if (std::string bad = invalidParameter(params); !bad.empty())
+    return Error{ErrorCode::InvalidArgument, std::move(bad)};
   if (!within(input.shape.page.x, 1e-3, 1e5) || !within(input.shape.page.y, 1e-3, 1e5)) {
     return Error{ErrorCode::InvalidArgument, "the page is " + decimal(input.shape.page.x, 3) + " x " +
-                                                 decimal(input.shape.page.y, 3) + " mm; both sides must be 0.001 to 100000 mm"};
+                                                 decimal(input.shape.page.y, 3) +
+                                                 " mm; both sides must be 0.001 to 100000 mm"};
   }
   if (input.directions.angle.empty() || input.modes.mode.empty()) {
-    return Error{ErrorCode::InvalidArgument, "the direction map or the mode map is empty; each needs at least one pixel"};
+    return Error{ErrorCode::InvalidArgument,
+                 "the direction map or the mode map is empty; each needs at least one pixel"};
   }
   Plate plate;
   StageClock clock(run, plate.time);
@@ -110,9 +116,9 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   if (!sdf) return sdf.error();
   const Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
   if (parts.count == 0) {
-    return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) + " mm, which is too wide for this shape of " +
-                                            decimal(size.x, 3) + " x " + decimal(size.y, 3) +
-                                            " mm; no place in it is wide enough for one bead"};
+    return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) +
+                                            " mm, which is too wide for this shape of " + decimal(size.x, 3) + " x " +
+                                            decimal(size.y, 3) + " mm; no place in it is wide enough for one bead"};
   }
 
   clock.start("lines", 0.12);

@@ -35,7 +35,8 @@ class PointGrid {
     const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
     const int grain = (count + shares - 1) / shares;
     std::vector<std::int32_t> bucketOf(points.size());
-    std::vector<std::vector<std::int32_t>> next(static_cast<std::size_t>(shares), std::vector<std::int32_t>(buckets, 0));
+    std::vector<std::vector<std::int32_t>> next(static_cast<std::size_t>(shares),
+                                                std::vector<std::int32_t>(buckets, 0));
     parallelFor(run, count, grain, [&](int begin, int end) {
       std::vector<std::int32_t>& share = next[static_cast<std::size_t>(begin / grain)];
       for (int k = begin; k < end; ++k) {

@@ -1,5 +1,6 @@
-// Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from the same samples.
-// Microfacets: Beckmann and Spizzichino 1963, anisotropic as in Heitz 2014, "Understanding the Masking-Shadowing Function".
+// Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from the same
+// samples. Microfacets: Beckmann and Spizzichino 1963, anisotropic as in Heitz 2014, "Understanding the
+// Masking-Shadowing Function".
 #include "sillon/preview.hpp"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace sillon {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kSamples = 2;      // per pixel and axis
-constexpr int kBandRows = 16;    // pixel rows that one task rasterises and shades
+constexpr int kSamples = 2;        // per pixel and axis
+constexpr int kBandRows = 16;      // pixel rows that one task rasterises and shades
 constexpr float kMaxWidth = 1000;  // [mm], of a bead
 
 constexpr Rgb kBackground{38, 36, 34};  // warm grey, dark enough for both panels
@@ -36,13 +37,13 @@ struct Box {
 struct Layout {
   int width = 0;
   int height = 0;
-  Box directions;         // the page in panel 1 [pixels]
-  Box look;               // the page in panel 2
+  Box directions;  // the page in panel 1 [pixels]
+  Box look;        // the page in panel 2
   double pixelsPerMm = 0;
-  double legendX = 0;     // centre of the half wheel's base
+  double legendX = 0;  // centre of the half wheel's base
   double legendY = 0;
   double legendRadius = 0;
-  double lampX = 0;       // centre of the small ring that shows where the light is
+  double lampX = 0;  // centre of the small ring that shows where the light is
   double lampY = 0;
   double lampRadius = 0;
 };
@@ -85,8 +86,8 @@ Layout layOut(Vec2 page, int panelWidth) {
 struct Bead {
   Vec2f a, b;
   float radiusA = 0, radiusB = 0;
-  Vec2f tangentA, tangentB;                // unit, y up
-  float colourA = 0, colourDelta = 0;      // place among the direction colours; change towards b, the short way round
+  Vec2f tangentA, tangentB;            // unit, y up
+  float colourA = 0, colourDelta = 0;  // place among the direction colours; change towards b, the short way round
 };
 
 Vec2f unit(Vec2f v) {
@@ -123,8 +124,8 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale) {
 
 /// Beads by the bands of rows they touch, in order of index, so that ties fall the same way everywhere.
 struct Bands {
-  int rows = 0;                      // sample rows per band
-  std::vector<std::size_t> begin;    // per band, and one more
+  int rows = 0;                    // sample rows per band
+  std::vector<std::size_t> begin;  // per band, and one more
   std::vector<std::uint32_t> beads;
 };
 
@@ -211,7 +212,8 @@ float reliefOf(const Bead& bead) {
 
 // ---- panel 1: directions ----
 
-/// Brightness across a bead: full on its top, dark towards the furrow, with the same mean where beads are too fine to see.
+/// Brightness across a bead: full on its top, dark towards the furrow, with the same mean where beads are too fine to
+/// see.
 float furrow(float squaredOffset, float relief) {
   constexpr float kDepth = 0.66f, kMean = 0.88f;
   const float t = std::clamp((squaredOffset - 0.3f) / 0.7f, 0.0f, 1.0f);
@@ -277,22 +279,23 @@ Vec2f halfTilt(const Lamp& lamp, Vec2f eye) {
   return Vec2f{lamp.x + eye.x * size, lamp.y + eye.y * size} * (1 / (lamp.z + size));
 }
 
-/// Light that reaches the eye, linear. \param side  signed offset from the axis in radii, positive to the left of b - a.
+/// Light that reaches the eye, linear. \param side  signed offset from the axis in radii, positive to the left of b -
+/// a.
 Colour lookShade(const Bead& bead, float t, float side, Vec2f tilt, const Lamp& lamp) {
   const Vec2f along = unit(bead.tangentA + (bead.tangentB - bead.tangentA) * t);
   const float relief = reliefOf(bead);
   const float slope = kProfileSlope * side * relief;
   const float tiltAlong = dot(tilt, along), tiltAcross = cross(along, tilt) - slope;
-  const float blur = kProfileSlope * kProfileSlope * (1 - relief) / 3;  // profile of beads too fine to see, as roughness
+  const float blur =
+      kProfileSlope * kProfileSlope * (1 - relief) / 3;  // profile of beads too fine to see, as roughness
   const float varianceAlong = kSlopeAlong * kSlopeAlong + kLampSlope * kLampSlope;
   const float varianceAcross = kSlopeAcross * kSlopeAcross + kLampSlope * kLampSlope + blur;
-  const float exponent =
-      tiltAlong * tiltAlong / (2 * varianceAlong) + tiltAcross * tiltAcross / (2 * varianceAcross);
+  const float exponent = tiltAlong * tiltAlong / (2 * varianceAlong) + tiltAcross * tiltAcross / (2 * varianceAcross);
   const float highlight = decay(exponent);
   const float room = decay(exponent / (kRoomSlope * kRoomSlope));
   const float squared = side * side;
   const float open = 1 - relief * 0.62f * squared * squared;  // furrows see less of the room
-  return kMetal * (kLampColour * (0.95f * highlight * lamp.exposure) + kRoomColour * (0.26f * room + 0.05f)) * open;
+  return kMetal * (kLampColour * (0.82f * highlight * lamp.exposure) + kRoomColour * (0.26f * room + 0.05f)) * open;
 }
 
 /// sRGB byte of linear light, with a soft shoulder instead of clipping.
@@ -315,8 +318,8 @@ std::uint8_t toneMapped(float linear) {
 
 /// Soft shadow of the plate, by a coarse mask and three box blurs (nearly Gaussian).
 struct Shadow {
-  int cell = 1;        // [pixels]
-  int border = 0;      // cells around the page
+  int cell = 1;    // [pixels]
+  int border = 0;  // cells around the page
   int width = 0;
   int height = 0;
   std::vector<float> dark;  // 0..1
@@ -326,7 +329,8 @@ void boxBlur(std::vector<float>& values, int width, int height, int radius) {
   std::vector<float> line;
   const auto blurLine = [&](std::size_t start, std::size_t step, int count) {
     line.resize(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k) line[static_cast<std::size_t>(k)] = values[start + step * static_cast<std::size_t>(k)];
+    for (int k = 0; k < count; ++k)
+      line[static_cast<std::size_t>(k)] = values[start + step * static_cast<std::size_t>(k)];
     float sum = 0;
     for (int k = -radius; k < count + radius; ++k) {
       if (k + radius < count && k + radius >= 0) sum += line[static_cast<std::size_t>(k + radius)];
@@ -358,7 +362,8 @@ Shadow shadowOf(const Toolpath& toolpath, Vec2 page, const Layout& layout) {
   rasterise(beads, bands, 0, 0, pageHeight, pageWidth, hits);
   for (int y = 0; y < pageHeight; ++y) {
     for (int x = 0; x < pageWidth; ++x) {
-      const Hit& hit = hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x)];
+      const Hit& hit =
+          hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x)];
       const std::size_t to = static_cast<std::size_t>(y + shadow.border) * static_cast<std::size_t>(shadow.width) +
                              static_cast<std::size_t>(x + shadow.border);
       shadow.dark[to] = hit.squaredOffset < 1 ? 1.0f : 0.0f;
@@ -372,10 +377,12 @@ Shadow shadowOf(const Toolpath& toolpath, Vec2 page, const Layout& layout) {
 float shadowAt(const Shadow& shadow, float x, float y) {
   const float u = x / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;
   const float v = y / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;
-  if (!(u >= 0 && v >= 0 && u < static_cast<float>(shadow.width - 1) && v < static_cast<float>(shadow.height - 1))) return 0;
+  if (!(u >= 0 && v >= 0 && u < static_cast<float>(shadow.width - 1) && v < static_cast<float>(shadow.height - 1)))
+    return 0;
   const int i = static_cast<int>(u), j = static_cast<int>(v);
   const float fu = u - static_cast<float>(i), fv = v - static_cast<float>(j);
-  const float* row = &shadow.dark[static_cast<std::size_t>(j) * static_cast<std::size_t>(shadow.width) + static_cast<std::size_t>(i)];
+  const float* row =
+      &shadow.dark[static_cast<std::size_t>(j) * static_cast<std::size_t>(shadow.width) + static_cast<std::size_t>(i)];
   const float* below = row + shadow.width;
   return (row[0] * (1 - fu) + row[1] * fu) * (1 - fv) + (below[0] * (1 - fu) + below[1] * fu) * fv;
 }
@@ -383,7 +390,9 @@ float shadowAt(const Shadow& shadow, float x, float y) {
 // ---- drawing into the picture ----
 
 void put(RgbImage& image, int x, int y, Rgb colour) {
-  std::uint8_t* p = &image.rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3];
+  std::uint8_t* p =
+      &image.rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+                 3];
   p[0] = colour.red;
   p[1] = colour.green;
   p[2] = colour.blue;
@@ -398,8 +407,10 @@ Rgb rounded(Colour c) {
 template <class ColourAt>
 void paintAround(RgbImage& image, double cx, double cy, double radius, const ColourAt& colourAt) {
   constexpr int kFine = 4;
-  const int x0 = std::max(0, static_cast<int>(cx - radius)), x1 = std::min(image.width, static_cast<int>(cx + radius) + 2);
-  const int y0 = std::max(0, static_cast<int>(cy - radius)), y1 = std::min(image.height, static_cast<int>(cy + radius) + 2);
+  const int x0 = std::max(0, static_cast<int>(cx - radius)),
+            x1 = std::min(image.width, static_cast<int>(cx + radius) + 2);
+  const int y0 = std::max(0, static_cast<int>(cy - radius)),
+            y1 = std::min(image.height, static_cast<int>(cy + radius) + 2);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
       Colour sum;
@@ -450,7 +461,8 @@ struct Scene {
 /// Background of the look panel: darker where the plate stands between it and the light.
 Colour shadowed(const Scene& scene, int x, int y) {
   const float away = static_cast<float>(scene.layout.look.width) / 90;  // the shadow falls away from the light
-  const float sx = static_cast<float>(x) + 0.5f + scene.lamp.x * away, sy = static_cast<float>(y) + 0.5f - scene.lamp.y * away;
+  const float sx = static_cast<float>(x) + 0.5f + scene.lamp.x * away,
+              sy = static_cast<float>(y) + 0.5f - scene.lamp.y * away;
   return asColour(kBackground) * (1 - 0.72f * shadowAt(scene.shadow, sx, sy));
 }
 
@@ -509,8 +521,10 @@ void drawBackground(const Scene& scene, RgbImage& image) {
     for (int x = 0; x < image.width; ++x) put(image, x, y, kBackground);
   }
   const int reach = scene.shadow.border * scene.shadow.cell + layout.look.width / 90;
-  const int x0 = std::max(0, layout.look.x - reach), x1 = std::min(image.width, layout.look.x + layout.look.width + reach);
-  const int y0 = std::max(0, layout.look.y - reach), y1 = std::min(image.height, layout.look.y + layout.look.height + reach);
+  const int x0 = std::max(0, layout.look.x - reach),
+            x1 = std::min(image.width, layout.look.x + layout.look.width + reach);
+  const int y0 = std::max(0, layout.look.y - reach),
+            y1 = std::min(image.height, layout.look.y + layout.look.height + reach);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
       put(image, x, y, rounded(shadowed(scene, x - layout.look.x, y - layout.look.y)));
@@ -524,13 +538,17 @@ std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& p
     return "preview width is " + std::to_string(params.width) + " pixels; it must be 16 to 16384";
   }
   if (!within(params.lightElevation, 1, 90)) return "light elevation is outside its range of 1 to 90 degrees";
-  if (!within(params.lightAzimuth, -36000, 36000)) return "light azimuth is outside its range of -36000 to 36000 degrees";
-  if (!within(page.x, 1e-3, 1e5) || !within(page.y, 1e-3, 1e5)) return "page is outside its range of 0.001 to 100000 mm per side";
+  if (!within(params.lightAzimuth, -36000, 36000))
+    return "light azimuth is outside its range of -36000 to 36000 degrees";
+  if (!within(page.x, 1e-3, 1e5) || !within(page.y, 1e-3, 1e5))
+    return "page is outside its range of 0.001 to 100000 mm per side";
   for (const Cycle& cycle : toolpath.cycles) {
-    if (cycle.widths.size() != cycle.points.size()) return "toolpath has a cycle with " + std::to_string(cycle.points.size()) +
-        " points and " + std::to_string(cycle.widths.size()) + " widths; there must be as many";
+    if (cycle.widths.size() != cycle.points.size())
+      return "toolpath has a cycle with " + std::to_string(cycle.points.size()) + " points and " +
+             std::to_string(cycle.widths.size()) + " widths; there must be as many";
     for (const Vec2f p : cycle.points) {
-      if (!within(p.x, -1e5, 1e5) || !within(p.y, -1e5, 1e5)) return "toolpath has a point outside -100000 to 100000 mm";
+      if (!within(p.x, -1e5, 1e5) || !within(p.y, -1e5, 1e5))
+        return "toolpath has a point outside -100000 to 100000 mm";
     }
     for (const float width : cycle.widths) {
       if (!within(width, 0, kMaxWidth)) return "toolpath has a bead width outside 0 to 1000 mm";
@@ -539,11 +557,13 @@ std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& p
   return "";
 }
 
-Result<RgbImage> renderChecked(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run) {
+Result<RgbImage> renderChecked(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,
+                               const RunContext& run) {
   const Layout layout = layOut(page, params.width);
   if (layout.width == 0) {
-    return Error{ErrorCode::TooLarge, "preview of panels " + std::to_string(params.width) + " pixels wide would be beyond " +
-                                          std::to_string(kMaxImageSide) + " pixels per side or 100 million in all; choose fewer"};
+    return Error{ErrorCode::TooLarge, "preview of panels " + std::to_string(params.width) +
+                                          " pixels wide would be beyond " + std::to_string(kMaxImageSide) +
+                                          " pixels per side or 100 million in all; choose fewer"};
   }
   RgbImage image{layout.width, layout.height, {}};
   image.rgb.resize(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3);
@@ -565,7 +585,8 @@ Result<RgbImage> renderChecked(const Toolpath& toolpath, Vec2 page, const Previe
 
 }  // namespace
 
-Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run) {
+Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,
+                               const RunContext& run) {
   if (const std::string defect = defectOf(toolpath, page, params); !defect.empty()) {
     return Error{ErrorCode::InvalidArgument, defect};
   }

@@ -8,14 +8,16 @@
 namespace sillon {
 namespace {
 
-constexpr float kCap = 1.5f;       ///< gaps wider than this count as this [tau]; also the width a bead has with nothing beside it
+constexpr float kCap =
+    1.5f;  ///< gaps wider than this count as this [tau]; also the width a bead has with nothing beside it
 constexpr float kMaxMove = 0.15f;  ///< per round [tau]
 constexpr int kAttempts = 8;
 
 int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
 
 // The move of every point: towards the wider side, smoothed along the path with (1, 2, 4, 2, 1) / 10.
-std::vector<Vec2f> movesOf(const ClosedCurves& curves, const NeighbourGaps& gaps, float spacing, const RunContext& run) {
+std::vector<Vec2f> movesOf(const ClosedCurves& curves, const NeighbourGaps& gaps, float spacing,
+                           const RunContext& run) {
   std::vector<Vec2f> raw(curves.points.size());
   std::vector<Vec2f> moves(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
@@ -99,7 +101,7 @@ void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vect
 }  // namespace
 
 Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
-                                  const RunContext& run) {
+                             const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
   const float step = 0.25f * spacing;
   const float smoothing = static_cast<float>(params.relaxationSmoothing);

@@ -79,7 +79,9 @@ std::string reportJson(const Plate& plate, const Measures& measures, int threads
   Object report("");
   report.add("version", inQuotes(kVersion));
   report.add("spacing", plate.toolpath.spacing, 4);
-  report.add("grid", "[" + std::to_string(plate.nx) + ", " + std::to_string(plate.ny) + "]");
+  std::string grid = "[";
+  grid += std::to_string(plate.nx) + ", " + std::to_string(plate.ny) + "]";
+  report.add("grid", grid);
   report.add("parts", plate.parts);
   report.add("cycles", plate.contourCycles);
   report.add("toolpaths", static_cast<std::int64_t>(plate.toolpath.cycles.size()));
@@ -98,6 +100,7 @@ std::string reportJson(const Plate& plate, const Measures& measures, int threads
   report.add("fillRatio", measures.fillRatio, 4);
   report.add("lostAreaMm2", measures.lostAreaMm2, 4);
   report.add("longestJointMm", plate.longestJointMm, 4);
+  report.add("gapJoints", static_cast<std::int64_t>(plate.gapJoints));
   report.add("time", timeJson(plate.time));
   report.add("peakBytes", peakBytes);
   report.add("threads", static_cast<std::int64_t>(threads));

@@ -29,8 +29,8 @@ void pause() {
 
 }  // namespace
 
-// A loop is published as its number in the upper half of `next` and `limit`. Whoever draws a chunk number compares both:
-// a worker that comes late for one loop can neither run its chunks twice nor mistake them for the next loop's.
+// A loop is published as its number in the upper half of `next` and `limit`. Whoever draws a chunk number compares
+// both: a worker that comes late for one loop can neither run its chunks twice nor mistake them for the next loop's.
 struct ThreadPool::State {
   std::mutex mutex;
   std::condition_variable wake;

@@ -8,7 +8,7 @@
 namespace sillon {
 namespace {
 
-constexpr int kBlockCells = 4;                  ///< side of a leaf block in cells
+constexpr int kBlockCells = 4;  ///< side of a leaf block in cells
 constexpr std::int64_t kMaxRowCrossings = 100'000'000;
 constexpr std::size_t kMaxCandidates = 400'000'000;
 
@@ -30,15 +30,15 @@ Foot footOn(const BorderSegment& s, Vec2 p) {
 double distanceTo(const BorderSegment& s, Vec2 p) { return std::sqrt(footOn(s, p).distanceSquared); }
 
 struct Block {
-  int x;      ///< in leaf blocks
+  int x;  ///< in leaf blocks
   int y;
-  int side;   ///< in leaf blocks, a power of two
+  int side;  ///< in leaf blocks, a power of two
   std::vector<int> candidates;
 };
 
 // The segments of `list` that can be nearest to some point of the square with this centre and half diagonal.
-std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, const std::vector<int>& list, Vec2 centre,
-                                   double halfDiagonal, double& lowest) {
+std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, const std::vector<int>& list,
+                                   Vec2 centre, double halfDiagonal, double& lowest) {
   std::vector<double> distance(list.size());
   double best = 1e300;
   for (std::size_t k = 0; k < list.size(); ++k) {
@@ -132,7 +132,8 @@ Grid nodeLattice(const Grid& grid) {
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run) {
   BorderIndex index;
   index.segments_ = outline.segments;
-  index.blocks_ = {grid.origin, kBlockCells * grid.cell, (grid.nx - 1) / kBlockCells + 1, (grid.ny - 1) / kBlockCells + 1};
+  index.blocks_ = {grid.origin, kBlockCells * grid.cell, (grid.nx - 1) / kBlockCells + 1,
+                   (grid.ny - 1) / kBlockCells + 1};
   const Grid& blocks = index.blocks_;
 
   Block root{0, 0, 1, {}};
@@ -143,7 +144,8 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   // A few large blocks on this thread, then each on any thread.
   const Subdivision subdivision(index.segments_, blocks);
   std::vector<Block> tasks;
-  subdivision.descend(root, std::max(1, root.side / 16), [&](Block block, double) { tasks.push_back(std::move(block)); });
+  subdivision.descend(root, std::max(1, root.side / 16),
+                      [&](Block block, double) { tasks.push_back(std::move(block)); });
   struct Leaf {
     std::size_t block;
     float lowest;
@@ -213,7 +215,8 @@ NearestBorder BorderIndex::nearest(Vec2 p) const {
   const bool inside = cross(along, p - best->a) >= 0;
   Vec2 normal = Vec2{along.y, -along.x} * (1 / std::sqrt(size2));  // the inside is on the left
   if (distance > 1e-6) normal = offset * ((inside ? -1 : 1) / distance);
-  return {static_cast<float>(inside ? -distance : distance), {static_cast<float>(normal.x), static_cast<float>(normal.y)}};
+  return {static_cast<float>(inside ? -distance : distance),
+          {static_cast<float>(normal.x), static_cast<float>(normal.y)}};
 }
 
 Result<SignedDistanceField> signedDistanceField(const Shape& shape, const BorderIndex& index, const Grid& grid,

@@ -48,14 +48,22 @@ struct F4 {
   float lane[4];
   float operator[](int k) const { return lane[k]; }
 };
-#define SILLON_LANES(Out, expression) \
-  Out out;                            \
+#define SILLON_LANES(Out, expression)                     \
+  Out out;                                                \
   for (int k = 0; k < 4; ++k) out.lane[k] = (expression); \
   return out
 inline F4 splat(float v) { return F4{{v, v, v, v}}; }
 inline I4 splatInt(std::int32_t v) { return I4{{v, v, v, v}}; }
-inline F4 load4(const float* p) { F4 v; std::memcpy(&v, p, sizeof v); return v; }
-inline I4 load4(const std::int32_t* p) { I4 v; std::memcpy(&v, p, sizeof v); return v; }
+inline F4 load4(const float* p) {
+  F4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+inline I4 load4(const std::int32_t* p) {
+  I4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
 inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
 inline F4 operator+(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] + b.lane[k]); }
 inline F4 operator-(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] - b.lane[k]); }

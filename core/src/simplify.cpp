@@ -9,12 +9,14 @@
 namespace sillon {
 namespace {
 
-constexpr float kMaxSegment = 2;  ///< [mm]
+constexpr float kMaxSegment = 2;   ///< [mm]
 constexpr float kSpill = 0.0005f;  ///< half a µm on either side, the rounding [mm]
-constexpr int kMaxSkipped = 64;   ///< points left out in a row, which bounds the work
+constexpr int kMaxSkipped = 64;    ///< points left out in a row, which bounds the work
 
 float floored(float v) { return static_cast<float>(std::floor(static_cast<double>(v) * 1000) / 1000); }
-float rounded(float v) { return static_cast<float>(static_cast<double>(std::llround(static_cast<double>(v) * 1000)) / 1000); }
+float rounded(float v) {
+  return static_cast<float>(static_cast<double>(std::llround(static_cast<double>(v) * 1000)) / 1000);
+}
 
 struct Curve {
   std::vector<Vec2f> points;
@@ -39,7 +41,9 @@ bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance
     if (dot(off, off) > tolerance * tolerance) return false;
     const float width = wp + (wq - wp) * t;
     if (std::abs(width - curve.widths[k]) > tolerance) return false;
-    if (width > curve.limits[k] + kSpill || width + 2 * length(off) > std::max(curve.limits[k], curve.widths[k]) + kSpill) return false;
+    if (width > curve.limits[k] + kSpill ||
+        width + 2 * length(off) > std::max(curve.limits[k], curve.widths[k]) + kSpill)
+      return false;
   }
   return true;
 }
@@ -65,7 +69,8 @@ Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) 
     const Vec2f p{rounded(curves.points[i].x), rounded(curves.points[i].y)};
     if (!out.points.empty() && out.points.back() == p) continue;
     out.points.push_back(p);
-    out.widths.push_back(std::max(0.001f, widths.width[i] < widths.limit[i] ? rounded(widths.width[i]) : floored(widths.width[i])));
+    out.widths.push_back(
+        std::max(0.001f, widths.width[i] < widths.limit[i] ? rounded(widths.width[i]) : floored(widths.width[i])));
     out.limits.push_back(widths.limit[i]);
   }
   while (out.points.size() > 1 && out.points.front() == out.points.back()) {
@@ -78,8 +83,8 @@ Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) 
 
 }  // namespace
 
-Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths,
-                                const ToolpathParams& params, const RunContext& run) {
+Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths, const ToolpathParams& params,
+                                const RunContext& run) {
   const float tolerance = static_cast<float>(params.simplifyTolerance);
   std::vector<Curve> full;
   std::vector<std::vector<char>> keep;

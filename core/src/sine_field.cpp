@@ -17,7 +17,8 @@ constexpr int kReach = 4;  ///< nodes reached by a cell in each direction, in ha
 // field along the border but moves no zero.
 constexpr std::array<float, kReach + 1> kWeight = {0.59825683f, 0.45232527f, 0.19422555f, 0.04767473f, 0.00664603f};
 
-// For one row of cells: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y}, k = 0..4, by which a wave advances k nodes.
+// For one row of cells: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y}, k = 0..4, by which a wave advances k
+// nodes.
 struct CellRow {
   std::vector<float> qr, qi;
   std::array<std::vector<float>, kReach + 1> cx, sx, cy, sy;

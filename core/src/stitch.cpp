@@ -13,11 +13,12 @@
 namespace sillon {
 namespace {
 
-constexpr int kSpan = 4;               ///< segments taken out of each curve: one spacing, so two beads fit side by side
-constexpr float kFirstReach = 1.8f;    ///< how far apart joined pieces may lie at first [tau]
-constexpr float kLengthCost = 0.65f;   ///< cost of a mm of added length
+constexpr int kSpan = 4;              ///< segments taken out of each curve: one spacing, so two beads fit side by side
+constexpr float kFirstReach = 1.8f;   ///< how far apart joined pieces may lie at first [tau]
+constexpr float kLengthCost = 0.65f;  ///< cost of a mm of added length
 constexpr int kMaxRounds = 60;
-constexpr std::size_t kAlternatives = 6;   ///< partners tried per point where the nearest ones cannot be joined, at first
+constexpr std::size_t kAlternatives =
+    6;  ///< partners tried per point where the nearest ones cannot be joined, at first
 
 struct Candidate {
   float cost;
@@ -65,8 +66,8 @@ class Joining {
     const Piece b = pieceAround(j, span);
     const float gap = length(at(a.begin) - at(b.end)) + length(at(b.begin) - at(a.end));
     const float added = gap - a.length - b.length;
-    const float misaligned = misalignment(at(a.begin), at(b.end)) + misalignment(at(b.begin), at(a.end)) -
-                             misalignment(a) - misalignment(b);
+    const float misaligned =
+        misalignment(at(a.begin), at(b.end)) + misalignment(at(b.begin), at(a.end)) - misalignment(a) - misalignment(b);
     return kLengthCost * added + alignmentCost_ * misaligned;
   }
 
@@ -297,8 +298,8 @@ struct Search {
   const std::vector<char>& wanted;  ///< curves whose points look for partners
   int stride;                       ///< every how many points
   float reach;
-  std::size_t alternatives;         ///< most partners per point
-  bool thorough;                    ///< not only the nearest partner on either side, and shorter pieces too
+  std::size_t alternatives;  ///< most partners per point
+  bool thorough;             ///< not only the nearest partner on either side, and shorter pieces too
 };
 
 struct Partner {
@@ -396,16 +397,19 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
   bool outside = false;
   // Gaps are crossed at a slant now and then, and sampled.
   float gap = 1.2f * static_cast<float>(params.bridge.value_or(params.spacing)) + 0.125f * spacing;
-  const float diagonal = static_cast<float>(length(Vec2{parts.grid.nx * parts.grid.cell, parts.grid.ny * parts.grid.cell}));
+  const float diagonal =
+      static_cast<float>(length(Vec2{parts.grid.nx * parts.grid.cell, parts.grid.ny * parts.grid.cell}));
   std::vector<int> setOfCurve(count);
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
     // All sets of a part but its largest look for others; the first time all points do, with a coarser step.
     std::vector<int> pointsOfSet(count, 0);
-    std::vector<int> setsOfPart(static_cast<std::size_t>(*std::max_element(parts.label.begin(), parts.label.end())) + 1, 0);
+    std::vector<int> setsOfPart(static_cast<std::size_t>(*std::max_element(parts.label.begin(), parts.label.end())) + 1,
+                                0);
     for (std::size_t c = 0; c < count; ++c) {
       setOfCurve[c] = joining.setOf(static_cast<int>(c));
       pointsOfSet[static_cast<std::size_t>(setOfCurve[c])] += curves.size(static_cast<int>(c));
-      if (setOfCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0) ++setsOfPart[static_cast<std::size_t>(partOfCurve[c])];
+      if (setOfCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0)
+        ++setsOfPart[static_cast<std::size_t>(partOfCurve[c])];
     }
     std::vector<int> largest(setsOfPart.size(), -1);
     for (std::size_t c = 0; c < count; ++c) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <fast_float/fast_float.h>
+#include <Eigen/Geometry>
 #include <rapidxml/rapidxml.hpp>
 
 namespace sillon {
@@ -311,28 +312,28 @@ std::optional<Length> lengthOf(const Node& node, const char* name) {
 
 // ---- transforms and viewports ----
 
-// (x, y) -> (a x + c y + e, b x + d y + f)
-struct Matrix {
-  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+using Matrix = Eigen::Affine2d;
 
-  [[nodiscard]] Vec2 vector(Vec2 v) const { return {a * v.x + c * v.y, b * v.x + d * v.y}; }
-  [[nodiscard]] Vec2 point(Vec2 p) const { return vector(p) + Vec2{e, f}; }
-  // First `m`, then this.
-  friend Matrix operator*(const Matrix& l, const Matrix& m) {
-    const Vec2 x = l.vector({m.a, m.b}), y = l.vector({m.c, m.d}), o = l.point({m.e, m.f});
-    return {x.x, x.y, y.x, y.y, o.x, o.y};
-  }
-};
-
-Matrix rotation(double degrees) {
-  const double angle = degrees / 180 * kPi;
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c, s, -s, c, 0, 0};
+// (x, y) -> (a x + c y + e, b x + d y + f), as SVG counts them.
+Matrix matrix(double a, double b, double c, double d, double e, double f) {
+  Matrix m = Matrix::Identity();
+  m.linear() << a, c, b, d;
+  m.translation() << e, f;
+  return m;
 }
+
+Matrix shifted(double x, double y) { return Matrix(Eigen::Translation2d(x, y)); }
+Matrix rotation(double degrees) { return Matrix(Eigen::Rotation2Dd(degrees / 180 * kPi)); }
+
+Vec2 vectorBy(const Matrix& m, Vec2 v) {
+  const Eigen::Vector2d out = m.linear() * Eigen::Vector2d(v.x, v.y);
+  return {out.x(), out.y()};
+}
+Vec2 pointBy(const Matrix& m, Vec2 p) { return vectorBy(m, p) + Vec2{m.translation().x(), m.translation().y()}; }
 
 Matrix parseTransform(std::string_view text) {
   Reader reader(text, "transform");
-  Matrix result;
+  Matrix result = Matrix::Identity();
   if (trimmed(text) == "none") return result;
   while (!reader.atEnd()) {
     reader.skipSeparator();
@@ -347,17 +348,17 @@ Matrix parseTransform(std::string_view text) {
     }
     reader.expect(')');
     if (name == "matrix" && n == 6) {
-      result = result * Matrix{v[0], v[1], v[2], v[3], v[4], v[5]};
+      result = result * matrix(v[0], v[1], v[2], v[3], v[4], v[5]);
     } else if (name == "translate" && (n == 1 || n == 2)) {
-      result = result * Matrix{1, 0, 0, 1, v[0], v[1]};
+      result = result * shifted(v[0], v[1]);
     } else if (name == "scale" && (n == 1 || n == 2)) {
-      result = result * Matrix{v[0], 0, 0, n == 1 ? v[0] : v[1], 0, 0};
+      result = result * matrix(v[0], 0, 0, n == 1 ? v[0] : v[1], 0, 0);
     } else if (name == "rotate" && (n == 1 || n == 3)) {
-      result = result * Matrix{1, 0, 0, 1, v[1], v[2]} * rotation(v[0]) * Matrix{1, 0, 0, 1, -v[1], -v[2]};
+      result = result * shifted(v[1], v[2]) * rotation(v[0]) * shifted(-v[1], -v[2]);
     } else if (name == "skewX" && n == 1) {
-      result = result * Matrix{1, 0, std::tan(v[0] / 180 * kPi), 1, 0, 0};
+      result = result * matrix(1, 0, std::tan(v[0] / 180 * kPi), 1, 0, 0);
     } else if (name == "skewY" && n == 1) {
-      result = result * Matrix{1, std::tan(v[0] / 180 * kPi), 0, 1, 0, 0};
+      result = result * matrix(1, std::tan(v[0] / 180 * kPi), 0, 1, 0, 0);
     } else {
       refuse("transform has " + quoted(name) + " with " + std::to_string(n) +
              " numbers; it must be matrix, translate, scale, rotate, skewX or skewY with the numbers it takes");
@@ -406,7 +407,7 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   if (!reader.atEnd() || !(mode.empty() || mode == "meet" || mode == "slice")) unknown();
 
   Vec2 scale{size.x / box.size.x, size.y / box.size.y};
-  if (align == "none") return Matrix{scale.x, 0, 0, scale.y, -box.min.x * scale.x, -box.min.y * scale.y};
+  if (align == "none") return matrix(scale.x, 0, 0, scale.y, -box.min.x * scale.x, -box.min.y * scale.y);
 
   if (align.empty()) align = "xMidYMid";
   const auto share = [&](std::string_view part) {  // of the free room that lies before the box
@@ -418,12 +419,8 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   if (align.size() != 8 || align[0] != 'x' || align[4] != 'Y') unknown();
   const Vec2 before{share(align.substr(1, 3)), share(align.substr(5, 3))};
   const double s = mode == "slice" ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
-  return Matrix{s,
-                0,
-                0,
-                s,
-                before.x * (size.x - box.size.x * s) - box.min.x * s,
-                before.y * (size.y - box.size.y * s) - box.min.y * s};
+  return matrix(s, 0, 0, s, before.x * (size.x - box.size.x * s) - box.min.x * s,
+                before.y * (size.y - box.size.y * s) - box.min.y * s);
 }
 
 // ---- CSS ----
@@ -563,12 +560,12 @@ class Outliner {
 
   void line(Vec2 from, Vec2 to) {
     begin(from);
-    add(toWorld_.point(to));
+    add(pointBy(toWorld_, to));
   }
 
   void quadratic(Vec2 from, Vec2 control, Vec2 to) {
     begin(from);
-    const Vec2 a = toWorld_.point(from), b = toWorld_.point(control), c = toWorld_.point(to);
+    const Vec2 a = pointBy(toWorld_, from), b = pointBy(toWorld_, control), c = pointBy(toWorld_, to);
     const int n = pieces(2 * length(a - 2.0 * b + c));
     for (int i = 1; i < n; ++i) {
       const double t = static_cast<double>(i) / n, s = 1 - t;
@@ -579,8 +576,8 @@ class Outliner {
 
   void cubic(Vec2 from, Vec2 control1, Vec2 control2, Vec2 to) {
     begin(from);
-    const Vec2 a = toWorld_.point(from), b = toWorld_.point(control1);
-    const Vec2 c = toWorld_.point(control2), d = toWorld_.point(to);
+    const Vec2 a = pointBy(toWorld_, from), b = pointBy(toWorld_, control1);
+    const Vec2 c = pointBy(toWorld_, control2), d = pointBy(toWorld_, to);
     const int n = pieces(6 * std::max(length(a - 2.0 * b + c), length(b - 2.0 * c + d)));
     for (int i = 1; i < n; ++i) {
       const double t = static_cast<double>(i) / n, s = 1 - t;
@@ -592,7 +589,7 @@ class Outliner {
   // center + cos(angle) u + sin(angle) v for `sweep` radians from `angle`; `to` is the exact end.
   void arc(Vec2 from, Vec2 center, Vec2 u, Vec2 v, double angle, double sweep, Vec2 to) {
     begin(from);
-    const Vec2 c = toWorld_.point(center), p = toWorld_.vector(u), q = toWorld_.vector(v);
+    const Vec2 c = pointBy(toWorld_, center), p = vectorBy(toWorld_, u), q = vectorBy(toWorld_, v);
     // The second derivative stays below the longest half axis of the transformed ellipse.
     const double pp = dot(p, p), qq = dot(q, q), pq = dot(p, q);
     const double axis = std::sqrt((pp + qq + std::sqrt((pp - qq) * (pp - qq) + 4 * pq * pq)) / 2);
@@ -601,7 +598,7 @@ class Outliner {
       const double at = angle + sweep * i / n;
       add(c + std::cos(at) * p + std::sin(at) * q);
     }
-    add(toWorld_.point(to));
+    add(pointBy(toWorld_, to));
   }
 
   void quarter(Vec2 center, Vec2 u, Vec2 v) { arc(center + u, center, u, v, 0, kPi / 2, center + v); }
@@ -627,7 +624,7 @@ class Outliner {
   }
 
   void begin(Vec2 from) {
-    if (ring_.empty()) add(toWorld_.point(from));
+    if (ring_.empty()) add(pointBy(toWorld_, from));
   }
 
   void add(Vec2 p) {
@@ -670,9 +667,9 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
   double rx = std::abs(radii.x), ry = std::abs(radii.y);
   if (rx == 0 || ry == 0) return out.line(from, to);
   const Matrix turn = rotation(degrees);
-  const Matrix back{turn.a, turn.c, turn.b, turn.d, 0, 0};
+  const Matrix back = rotation(-degrees);
   // On the unit circle: half the chord h, its distance from the centre.
-  Vec2 h = back.vector(0.5 * (from - to));
+  Vec2 h = vectorBy(back, 0.5 * (from - to));
   h = {h.x / rx, h.y / ry};
   const double half = dot(h, h);
   if (!(half < 1e100)) refuse("the radii of an arc are too small for its length");
@@ -688,7 +685,7 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
   double sweep = std::atan2(cross(first, last), dot(first, last));
   if (clockwise && sweep < 0) sweep += 2 * kPi;
   if (!clockwise && sweep > 0) sweep -= 2 * kPi;
-  const Vec2 u = turn.vector({rx, 0}), v = turn.vector({0, ry});
+  const Vec2 u = vectorBy(turn, {rx, 0}), v = vectorBy(turn, {0, ry});
   out.arc(from, 0.5 * (from + to) + center.x * u + center.y * v, u, v, std::atan2(first.y, first.x), sweep, to);
 }
 
@@ -814,7 +811,7 @@ void drawRectangle(Outliner& out, Vec2 corner, Vec2 size, Vec2 radii) {
 // ---- the drawing ----
 
 struct State {
-  Matrix toWorld;
+  Matrix toWorld = Matrix::Identity();
   Vec2 viewport;  // what percentages refer to, in user units
   FillRule fillRule = FillRule::NonZero;
   int depth = 0;
@@ -833,7 +830,7 @@ class Drawing {
     shape_.page = {std::round(page.x * 1e6) / 1e6, std::round(page.y * 1e6) / 1e6};
 
     State state;
-    const Matrix toPage = {mmPerUserUnit_, 0, 0, -mmPerUserUnit_, 0, shape_.page.y};
+    const Matrix toPage = matrix(mmPerUserUnit_, 0, 0, -mmPerUserUnit_, 0, shape_.page.y);
     const Vec2 size = page * (1 / mmPerUserUnit_);
     state.viewport = size;
     state.toWorld = toPage;
@@ -971,7 +968,7 @@ class Drawing {
     if (size.x == 0 || size.y == 0) return;
     const double x = userUnits(node, "x", state.viewport.x, 0);
     const double y = userUnits(node, "y", state.viewport.y, 0);
-    state.toWorld = state.toWorld * Matrix{1, 0, 0, 1, x, y};
+    state.toWorld = state.toWorld * shifted(x, y);
     state.viewport = size;
     if (const auto box = viewBoxOf(node)) {
       state.toWorld = state.toWorld * fit(node, *box, size);
@@ -994,7 +991,7 @@ class Drawing {
     }
     const double x = userUnits(node, "x", state.viewport.x, 0);
     const double y = userUnits(node, "y", state.viewport.y, 0);
-    state.toWorld = state.toWorld * Matrix{1, 0, 0, 1, x, y};
+    state.toWorld = state.toWorld * shifted(x, y);
 
     uses_.push_back(&shown);
     const std::string_view name = elementName(shown);

@@ -84,8 +84,8 @@ double totalOf(const Plate& plate) {
 }
 
 void quality(const std::vector<std::string>& scenes, const std::string& perimeters) {
-  std::printf("%-27s %8s %8s %8s %7s %7s %7s %6s %6s %5s %6s %5s %6s %7s\n", "scene", "align", "inner", "constr.", "cover%",
-              "over%", "spill%", "U-turn", "kinks", "cross", "cycles", "parts", "paths", "fill");
+  std::printf("%-27s %8s %8s %8s %7s %7s %7s %6s %6s %5s %6s %5s %6s %7s\n", "scene", "align", "inner", "constr.",
+              "cover%", "over%", "spill%", "U-turn", "kinks", "cross", "cycles", "parts", "paths", "fill");
   const RunContext run(2);
   for (const std::string& path : scenes) {
     Loaded scene;
@@ -106,10 +106,11 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
                                    params, run);
     if (!m) continue;
     const auto& v = m.value();
-    std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %6d %6d %5d %6d %5d %6d %7.3f\n", scene.name.c_str(), v.alignment,
-                v.alignmentInterior, v.alignmentConstrained, v.coverage, v.overlap, v.spill, static_cast<int>(v.uTurns),
-                static_cast<int>(v.kinks), static_cast<int>(v.crossings), static_cast<int>(plate.value().contourCycles),
-                static_cast<int>(plate.value().parts), static_cast<int>(plate.value().toolpath.cycles.size()), v.fillRatio);
+    std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %6d %6d %5d %6d %5d %6d %7.3f\n", scene.name.c_str(),
+                v.alignment, v.alignmentInterior, v.alignmentConstrained, v.coverage, v.overlap, v.spill,
+                static_cast<int>(v.uTurns), static_cast<int>(v.kinks), static_cast<int>(v.crossings),
+                static_cast<int>(plate.value().contourCycles), static_cast<int>(plate.value().parts),
+                static_cast<int>(plate.value().toolpath.cycles.size()), v.fillRatio);
     std::fflush(stdout);
   }
 }
@@ -150,7 +151,8 @@ void times(const std::vector<std::string>& scenes) {
       ratios.push_back(totals.back() / totals2.back());
     }
     if (totals.empty()) continue;
-    std::printf("%s: median of %d after %d warm-ups, inputs decoded -> toolpath\n", scene.name.c_str(), kRuns, kWarmUps);
+    std::printf("%s: median of %d after %d warm-ups, inputs decoded -> toolpath\n", scene.name.c_str(), kRuns,
+                kWarmUps);
     const double total = median(totals);
     for (std::size_t s = 0; s < names.size(); ++s) {
       std::printf("  %-12s %8.4f s  %5.1f %%   2 threads %8.4f s\n", names[s].c_str(), median(stages[s]),
@@ -162,8 +164,8 @@ void times(const std::vector<std::string>& scenes) {
   }
 }
 
-// A plate of waves whose page grows at one spacing, so that cells are all alike. Each size runs in a process of its own,
-// whose peak memory is the run's.
+// A plate of waves whose page grows at one spacing, so that cells are all alike. Each size runs in a process of its
+// own, whose peak memory is the run's.
 void growth() {
   std::printf("%12s %10s %12s %14s\n", "cells", "seconds", "ns/cell", "bytes/cell");
   std::vector<double> logCells;
@@ -182,7 +184,8 @@ void growth() {
       for (int y = 0; y < 256; ++y) {
         for (int x = 0; x < 256; ++x) {
           const double wave = std::sin(x * 0.1) + std::sin(y * 0.07 + x * 0.03);
-          input.directions.angle[static_cast<std::size_t>(y * 256 + x)] = static_cast<std::uint16_t>(32767 + 12000 * wave);
+          input.directions.angle[static_cast<std::size_t>(y * 256 + x)] =
+              static_cast<std::uint16_t>(32767 + 12000 * wave);
         }
       }
       rusage before{};

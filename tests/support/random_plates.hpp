@@ -41,7 +41,8 @@ inline Shape randomShape(Random& random, std::string& name) {
       break;
     case 2:
       name = "islands";
-      for (int k = 1 + random.index(6); k > 0; --k) rings.push_back(blob(random, point(), random.in(0.1, 0.4) * std::min(page.x, page.y)));
+      for (int k = 1 + random.index(6); k > 0; --k)
+        rings.push_back(blob(random, point(), random.in(0.1, 0.4) * std::min(page.x, page.y)));
       break;
     case 3: {
       name = "random polygon";
@@ -56,13 +57,15 @@ inline Shape randomShape(Random& random, std::string& name) {
       rings.push_back(rectangle({0, 0}, {page.x, page.y * 0.3}));
       for (int k = 0; k < teeth; ++k) {
         const double x = page.x * (k + random.in(0, 0.3)) / teeth;
-        rings.push_back(rectangle({x, page.y * 0.2}, {x + page.x * random.in(0.05, 0.7) / teeth, page.y * random.in(0.4, 1)}));
+        rings.push_back(
+            rectangle({x, page.y * 0.2}, {x + page.x * random.in(0.05, 0.7) / teeth, page.y * random.in(0.4, 1)}));
       }
       break;
     }
     default:
       name = "star";
-      rings.push_back(star(page * 0.5, 0.5 * std::min(page.x, page.y), random.in(0.05, 0.45) * std::min(page.x, page.y), 3 + random.index(12)));
+      rings.push_back(star(page * 0.5, 0.5 * std::min(page.x, page.y), random.in(0.05, 0.45) * std::min(page.x, page.y),
+                           3 + random.index(12)));
       break;
   }
   const bool evenOdd = name == "blob with holes" || random.index(2) == 0;
@@ -83,13 +86,17 @@ inline DirectionMap randomMap(Random& random, std::string& name) {
       return mapOf(80, [=](double x, double y) { return a + std::sin(fx * x + fy * y); });
     case 2:
       name += ", swirl";
-      return mapOf(80, [=](double x, double y) { return std::atan2(y - centre.y, x - centre.x) + a + fx * 0.1 * std::hypot(x - centre.x, y - centre.y); });
+      return mapOf(80, [=](double x, double y) {
+        return std::atan2(y - centre.y, x - centre.x) + a + fx * 0.1 * std::hypot(x - centre.x, y - centre.y);
+      });
     case 3:
       name += ", noise";
       return noise(random.bits());
     case 4:
       name += ", mosaic";
-      return mapOf(60, [=](double x, double y) { return a * std::floor(x * std::abs(fx)) + 0.7 * std::floor(y * std::abs(fy)); });
+      return mapOf(60, [=](double x, double y) {
+        return a * std::floor(x * std::abs(fx)) + 0.7 * std::floor(y * std::abs(fy));
+      });
     default:
       name += ", half-index singularity";
       return mapOf(80, [=](double x, double y) { return 0.5 * std::atan2(y - centre.y, x - centre.x) + a; });

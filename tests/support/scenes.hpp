@@ -85,7 +85,8 @@ inline PlateInput plate(Shape shape, DirectionMap map, DirectionMode mode = Dire
 }
 
 inline DirectionMap swirl() {
-  return mapOf(96, [](double x, double y) { return std::atan2(y - 0.5, x - 0.5) + 0.7 + 1.5 * std::hypot(x - 0.5, y - 0.5); });
+  return mapOf(
+      96, [](double x, double y) { return std::atan2(y - 0.5, x - 0.5) + 0.7 + 1.5 * std::hypot(x - 0.5, y - 0.5); });
 }
 
 inline DirectionMap waves() {
@@ -111,10 +112,10 @@ inline std::vector<Scene> all() {
   scenes.push_back({"ring", plate(shapeOf({circle({8, 8}, 8), circle({8, 8}, 3)}, {16, 16}), swirl())});
   scenes.push_back({"star", plate(shapeOf({star({9, 9}, 9, 3.5, 5)}, {18, 18}), mosaic())});
   scenes.push_back({"two islands", plate(shapeOf({circle({5, 5}, 5), circle({16, 5}, 4)}, {20, 10}), waves()), 2});
-  scenes.push_back({"bridged islands",
-                    plate(shapeOf({rectangle({0, 0}, {6, 8}), rectangle({6.2, 0}, {13, 8})}, {13, 8}), waves())});
-  scenes.push_back({"neck", plate(shapeOf({circle({5, 5}, 5), circle({16, 5}, 5), rectangle({9, 4.85}, {12, 5.15})}, {21, 10},
-                                          sillon::FillRule::NonZero),
+  scenes.push_back(
+      {"bridged islands", plate(shapeOf({rectangle({0, 0}, {6, 8}), rectangle({6.2, 0}, {13, 8})}, {13, 8}), waves())});
+  scenes.push_back({"neck", plate(shapeOf({circle({5, 5}, 5), circle({16, 5}, 5), rectangle({9, 4.85}, {12, 5.15})},
+                                          {21, 10}, sillon::FillRule::NonZero),
                                   waves())});
   scenes.push_back({"sliver", plate(shapeOf({rectangle({0, 0}, {20, 0.5})}, {20, 0.5}), waves())});
   scenes.push_back({"two beads", plate(shapeOf({rectangle({0, 0}, {20, 0.85})}, {20, 0.85}), waves())});
@@ -123,7 +124,8 @@ inline std::vector<Scene> all() {
   scenes.push_back({"orthogonal", plate(shapeOf({circle({7, 7}, 7)}, {14, 14}), waves(), DirectionMode::Orthogonal)});
   scenes.push_back({"smoothest", plate(shapeOf({star({8, 8}, 8, 4, 3)}, {16, 16}), waves(), DirectionMode::Smoothest)});
   PlateInput modes = plate(shapeOf({circle({9, 9}, 9), circle({11, 9}, 3)}, {18, 18}), waves());
-  modes.modes = {2, 2, {DirectionMode::Parallel, DirectionMode::Orthogonal, DirectionMode::Smoothest, DirectionMode::Constrained}};
+  modes.modes = {
+      2, 2, {DirectionMode::Parallel, DirectionMode::Orthogonal, DirectionMode::Smoothest, DirectionMode::Constrained}};
   scenes.push_back({"four modes", modes});
   return scenes;
 }

@@ -22,6 +22,6 @@ struct BeadWidths {
 /// [minWidth, maxWidth] spacings and, so that no bead spills, to twice the distance to the border.
 /// \param gaps  of these curves.
 Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
-                                      const ToolpathParams& params, const RunContext& run);
+                              const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -31,9 +31,9 @@ struct CellConstraints {
   std::vector<Vec2f> mapLine;  ///< z of d as the map asks, unit
 };
 
-/// Zones from the distance; modes from the nearest texel; lines averaged over the cell in z (or nearest), and taken from
-/// the nearest texel where the average is below 0.1: the edges of mosaics, where it means nothing.
-/// \param page  [mm] over which both maps are stretched.
+/// Zones from the distance; modes from the nearest texel; lines averaged over the cell in z (or nearest), and taken
+/// from the nearest texel where the average is below 0.1: the edges of mosaics, where it means nothing. \param page
+/// [mm] over which both maps are stretched.
 Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
                                         const ModeMap& modes, Vec2 page, const ToolpathParams& params,
                                         const RunContext& run);

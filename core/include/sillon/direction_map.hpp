@@ -9,11 +9,12 @@
 
 namespace sillon {
 
-/// How a picture encodes directions. Colour pictures are read by their luma (Rec. 709) except for tangents; alpha is ignored.
+/// How a picture encodes directions. Colour pictures are read by their luma (Rec. 709) except for tangents; alpha is
+/// ignored.
 enum class DirectionEncoding {
   Angle,     ///< grey 0..1 is -90..90 degrees, as in the paper
   Rotation,  ///< grey 0..1 is 0..180 degrees, the rotation map of texture tools
-  Tangent,   ///< red, green in 0..1 are x, y in -1..1, y up, as in glTF's KHR_materials_anisotropy; neutral is 0 degrees
+  Tangent,  ///< red, green in 0..1 are x, y in -1..1, y up, as in glTF's KHR_materials_anisotropy; neutral is 0 degrees
 };
 
 /// Bead direction per texel, stretched over the page; row 0 on top.
@@ -41,7 +42,8 @@ struct ModeMap {
 /// Exact for Angle; Rotation and Tangent are off by at most half a unit, 0.0014 degrees.
 /// \return InvalidArgument for an image without pixels, or for tangents without red and green.
 Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding);
-/// 1 x 1 map, off by at most 0.0014 degrees. \param degrees  bead direction counter-clockwise from +x; any finite angle.
+/// 1 x 1 map, off by at most 0.0014 degrees. \param degrees  bead direction counter-clockwise from +x; any finite
+/// angle.
 Result<DirectionMap> uniformDirection(double degrees);
 
 /// Grey 0, 1/3, 2/3, 1 (nearest) is parallel, orthogonal, smoothest, constrained.

@@ -24,23 +24,23 @@ struct Printer {
   Vec2 bedMin{0, 0};
   Vec2 bedMax{220, 220};
   double maxZ = 200;
-  double nozzle = 0.4;                   ///< (0, 2]
+  double nozzle = 0.4;  ///< (0, 2]
   double filamentDiameter = 1.75;
-  double filamentDensity = 1.24;         ///< [g/cm³]
+  double filamentDensity = 1.24;  ///< [g/cm³]
   std::string filamentType = "PLA";
-  double nozzleTemperature = 215;        ///< 170..300
+  double nozzleTemperature = 215;  ///< 170..300
   double firstLayerNozzleTemperature = 220;
-  double bedTemperature = 60;            ///< 0..120
+  double bedTemperature = 60;  ///< 0..120
   double speed = 50;
   double firstLayerSpeed = 20;
   double travelSpeed = 120;
   double acceleration = 1000;
-  double machineAcceleration = 0;        ///< put back at the end; 0: `acceleration` is only estimated with, not set
-  double cornerSpeed = 5;                ///< Klipper's square corner velocity; Marlin's jerk is twice this
-  double maxFlow = 10;                   ///< [mm³/s]
+  double machineAcceleration = 0;  ///< put back at the end; 0: `acceleration` is only estimated with, not set
+  double cornerSpeed = 5;          ///< Klipper's square corner velocity; Marlin's jerk is twice this
+  double maxFlow = 10;             ///< [mm³/s]
   double maxSegmentsPerSecond = 300;
-  double pressureAdvance = 0.04;         ///< [s]; bounds the change of width along the path
-  bool setPressureAdvance = false;       ///< write it, and 0 at the end; else the printer's own stays
+  double pressureAdvance = 0.04;    ///< [s]; bounds the change of width along the path
+  bool setPressureAdvance = false;  ///< write it, and 0 at the end; else the printer's own stays
   double retractLength = 0.8;
   double retractSpeed = 35;
   double lift = 0.4;
@@ -48,16 +48,16 @@ struct Printer {
 
 /// How one plate is stacked and placed.
 struct PrintParams {
-  int layers = 1;                        ///< oriented layers, 1..1000
-  int base = 2;                          ///< hatched layers below, 0..1000
-  int skirt = 1;                         ///< loops around the plate, 0..20; without one a purge line primes
-  double layerHeight = 0.2;              ///< 0.05..0.8 nozzle
-  double firstLayerHeight = 0;           ///< 0: same as layerHeight
-  double flow = 0.95;                    ///< of oriented layers, (0, 2]
+  int layers = 1;               ///< oriented layers, 1..1000
+  int base = 2;                 ///< hatched layers below, 0..1000
+  int skirt = 1;                ///< loops around the plate, 0..20; without one a purge line primes
+  double layerHeight = 0.2;     ///< 0.05..0.8 nozzle
+  double firstLayerHeight = 0;  ///< 0: same as layerHeight
+  double flow = 0.95;           ///< of oriented layers, (0, 2]
   double baseFlow = 1;
-  std::optional<Vec2> place;             ///< page's lower left corner on the bed [mm]; unset: plate centred
+  std::optional<Vec2> place;                        ///< page's lower left corner on the bed [mm]; unset: plate centred
   std::string date = "1970-01-01 at 00:00:00 UTC";  ///< written into line 1; core never reads a clock
-  std::vector<std::string> notes;        ///< extra header lines, without the semicolon
+  std::vector<std::string> notes;                   ///< extra header lines, without the semicolon
 };
 
 /// Totals of what was written, and what the user should know.
@@ -65,10 +65,10 @@ struct GcodeSummary {
   double filamentMm = 0;
   double filamentCm3 = 0;
   double filamentGrams = 0;
-  double seconds = 0;                    ///< estimate: trapezoids with look-ahead
+  double seconds = 0;  ///< estimate: trapezoids with look-ahead
   std::int64_t moves = 0;
   std::int64_t bytes = 0;
-  double clampedLengthMm = 0;            ///< extruded with a width held at 0.6 or 1.6 nozzle
+  double clampedLengthMm = 0;  ///< extruded with a width held at 0.6 or 1.6 nozzle
   std::vector<std::string> warnings;
 };
 

@@ -15,7 +15,7 @@ namespace sillon {
 /// The direction d of greatest variation per cell, d = -d; beads run across it.
 struct LineField {
   Grid grid;
-  std::vector<Vec2f> direction;    ///< unit representatives; (0, 0) where masked
+  std::vector<Vec2f> direction;     ///< unit representatives; (0, 0) where masked
   std::vector<std::uint8_t> fixed;  ///< 1 where asked for, 0 where smoothing decided
 };
 

@@ -1,4 +1,5 @@
-// How good a plate is: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings. Definitions: docs/metrics.md.
+// How good a plate is: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings. Definitions:
+// docs/metrics.md.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +37,9 @@ struct Measures {
   double lostAreaMm2 = 0;           ///< what no bead of one spacing can reach, pieces above tau²/4
   std::int64_t uTurns = 0;
   std::int64_t kinks = 0;
-  std::int64_t crossings = 0;       ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
+  std::int64_t crossings = 0;  ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
   WidthMeasures width;
-  std::string digest;               ///< 16 hex digits of the toolpath on a grid of 1 µm
+  std::string digest;  ///< 16 hex digits of the toolpath on a grid of 1 µm
 };
 
 /// Judges a toolpath as delivered. Costs more than making it: the area is rastered at tau/20.

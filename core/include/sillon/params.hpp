@@ -19,21 +19,21 @@ enum class MapFilter {
 };
 
 struct ToolpathParams {
-  double spacing = 0.4;                              ///< tau [mm], distance between neighbouring beads, 0.05..20
+  double spacing = 0.4;  ///< tau [mm], distance between neighbouring beads, 0.05..20
   PerimeterMode perimeterMode = PerimeterMode::Count;
-  int perimeters = 1;                                ///< beads along the border in mode Count, 0..100
-  std::optional<double> bridge;                      ///< solids nearer than this count as one part [mm], >= 0; unset: one spacing
+  int perimeters = 1;            ///< beads along the border in mode Count, 0..100
+  std::optional<double> bridge;  ///< solids nearer than this count as one part [mm], >= 0; unset: one spacing
   MapFilter mapFilter = MapFilter::Average;
-  std::uint64_t seed = 0;                            ///< 0: regular sample points; others: moved by up to tau/40, another plate of like quality
-  int sweepsPerLevel = 8;                            ///< smoothing sweeps on each level of the hierarchy, 1..1000
-  double borderPull = 3;                             ///< soft border: weight of the border's wave against a neighbour's, 0..100
-  double stitchAlignment = 0.7;                      ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
-  int relaxationRounds = 3;                          ///< rounds of spacing relaxation, 0..100
-  double relaxationSmoothing = 0.4;                  ///< pull towards the neighbours' middle per round, 0..1
-  double widthBalance = 0.4;                         ///< 0: beads never overlap (Eq. 16); 1: the plastic laid down fills the plate, 0..1
-  double minWidth = 0.5;                             ///< narrowest bead [tau], 0.1..1
-  double maxWidth = 2;                               ///< widest bead [tau], 1..4
-  double simplifyTolerance = 0.005;                  ///< largest change of position and width by leaving out points [mm], 0..1
+  std::uint64_t seed = 0;  ///< 0: regular sample points; others: moved by up to tau/40, another plate of like quality
+  int sweepsPerLevel = 8;  ///< smoothing sweeps on each level of the hierarchy, 1..1000
+  double borderPull = 3;   ///< soft border: weight of the border's wave against a neighbour's, 0..100
+  double stitchAlignment = 0.7;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
+  int relaxationRounds = 3;      ///< rounds of spacing relaxation, 0..100
+  double relaxationSmoothing = 0.4;  ///< pull towards the neighbours' middle per round, 0..1
+  double widthBalance = 0.4;  ///< 0: beads never overlap (Eq. 16); 1: the plastic laid down fills the plate, 0..1
+  double minWidth = 0.5;      ///< narrowest bead [tau], 0.1..1
+  double maxWidth = 2;        ///< widest bead [tau], 1..4
+  double simplifyTolerance = 0.005;  ///< largest change of position and width by leaving out points [mm], 0..1
 };
 
 }  // namespace sillon

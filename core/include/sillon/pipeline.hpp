@@ -28,13 +28,13 @@ struct StageTime {
 /// The toolpath and what was seen on the way.
 struct Plate {
   Toolpath toolpath;
-  int nx = 0;                      ///< cells of tau/2
+  int nx = 0;  ///< cells of tau/2
   int ny = 0;
   std::int64_t parts = 0;          ///< connected parts after bridging
   std::int64_t contourCycles = 0;  ///< closed curves before stitching
   double longestJointMm = 0;
-  int gapJoints = 0;               ///< joints that cross a gap between solids
-  std::vector<StageTime> time;     ///< in order; the sum is the total
+  int gapJoints = 0;            ///< joints that cross a gap between solids
+  std::vector<StageTime> time;  ///< in order; the sum is the total
 };
 
 /// \return InvalidArgument (which field, its value, its range), EmptyShape, TooLarge or Cancelled.

@@ -22,9 +22,10 @@ struct RgbImage {
   std::vector<std::uint8_t> rgb;  ///< row 0 on top
 };
 
-/// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then the look: an anisotropic
-/// microfacet lobe (Beckmann) along each bead plus the bead's round profile. The look is made for the eye, not measured.
-/// \param page  [mm]. \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million) or Cancelled.
+/// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then the look: an
+/// anisotropic microfacet lobe (Beckmann) along each bead plus the bead's round profile. The look is made for the eye,
+/// not measured. \param page  [mm]. \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million) or
+/// Cancelled.
 Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run);
 
 }  // namespace sillon

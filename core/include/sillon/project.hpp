@@ -19,16 +19,16 @@ enum class BuiltinShape { None, Rectangle, RoundedRectangle, Disc };
 
 /// Everything needed to repeat a plate. File names are as written, relative to the project file.
 struct Project {
-  std::string shapeFile;                 ///< SVG, or a mask picture; empty: builtin
+  std::string shapeFile;                      ///< SVG, or a mask picture; empty: builtin
   BuiltinShape builtin = BuiltinShape::None;  ///< None without a shape file: a rectangle like the direction picture
-  Vec2 builtinSize;                      ///< [mm]; zero width: kDefaultWidth; zero height follows the direction picture
-  double builtinRadius = 3;              ///< of rounded corners [mm]
-  double pageWidth = 0;                  ///< scales the shape to this page width [mm]; 0: as drawn
-  bool unitlessIsMm = false;             ///< scene files: SVG lengths without unit mean mm
-  std::string directionFile;             ///< empty: `angle`
+  Vec2 builtinSize;           ///< [mm]; zero width: kDefaultWidth; zero height follows the direction picture
+  double builtinRadius = 3;   ///< of rounded corners [mm]
+  double pageWidth = 0;       ///< scales the shape to this page width [mm]; 0: as drawn
+  bool unitlessIsMm = false;  ///< scene files: SVG lengths without unit mean mm
+  std::string directionFile;  ///< empty: `angle`
   DirectionEncoding encoding = DirectionEncoding::Angle;
-  double angle = 0;                      ///< [degrees]
-  std::string modeFile;                  ///< empty: `mode`
+  double angle = 0;      ///< [degrees]
+  std::string modeFile;  ///< empty: `mode`
   DirectionMode mode = DirectionMode::Constrained;
   ToolpathParams toolpath;
   PrintParams print;

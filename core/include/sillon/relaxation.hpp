@@ -17,9 +17,9 @@ struct Relaxed {
 
 /// Each round moves every point a quarter of the difference of its gaps towards the wider side (at most 0.15 tau),
 /// smooths the moves along the path, pulls each point towards the middle of its neighbours and resamples at tau/4.
-/// Where a round would make the path meet itself, its moves are halved there, to nothing in the end: a simple path stays
-/// simple (checked exactly on 1 µm). The published repulsion pushes apart only what is nearer than tau/2.
+/// Where a round would make the path meet itself, its moves are halved there, to nothing in the end: a simple path
+/// stays simple (checked exactly on 1 µm). The published repulsion pushes apart only what is nearer than tau/2.
 Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
-                                  const RunContext& run);
+                             const RunContext& run);
 
 }  // namespace sillon

@@ -16,7 +16,8 @@ struct NearestBorder {
 };
 
 /// For each block of 4 x 4 cells the border segments that can be nearest to any point in it: a quadtree keeps those
-/// within the best distance plus a block's diagonal. Exact, and linear in the cells for drawings made of few segments a block.
+/// within the best distance plus a block's diagonal. Exact, and linear in the cells for drawings made of few segments a
+/// block.
 class BorderIndex {
  public:
   /// Exact nearest border point. Points outside the grid are answered from its nearest block (approximate).

@@ -32,7 +32,8 @@ Result<Shape> makeRoundedRectangle(Vec2 size, double radius);
 Result<Shape> makeDisc(double diameter);
 
 /// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width (Sec. 2 of the docs).
-/// An image with transparent pixels is read by its alpha alone. \param width  of the page [mm], > 0; the height follows.
+/// An image with transparent pixels is read by its alpha alone. \param width  of the page [mm], > 0; the height
+/// follows.
 Result<Shape> shapeFromMask(const Image& mask, double width);
 
 /// The same shape and page scaled so that the page is `width` mm wide. \param width  [mm], > 0.

@@ -10,9 +10,9 @@
 namespace sillon {
 
 /// Rounds to 1 µm and leaves out points whose position and width follow from those kept within
-/// `simplifyTolerance` (segments stay below 2 mm, so that widths and speeds can follow; no bead grows over the border by it). Where that would make the path
-/// meet itself, the points stay.
-Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths,
-                                const ToolpathParams& params, const RunContext& run);
+/// `simplifyTolerance` (segments stay below 2 mm, so that widths and speeds can follow; no bead grows over the border
+/// by it). Where that would make the path meet itself, the points stay.
+Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths, const ToolpathParams& params,
+                                const RunContext& run);
 
 }  // namespace sillon

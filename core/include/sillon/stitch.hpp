@@ -12,18 +12,18 @@
 namespace sillon {
 
 struct Stitched {
-  ClosedCurves curves;       ///< in order of their parts' lowest cells
-  int parts = 0;             ///< connected parts that hold a curve
-  double longestJoint = 0;   ///< [mm]
-  int gapJoints = 0;         ///< joints that lie outside the shape for a part of their length
+  ClosedCurves curves;      ///< in order of their parts' lowest cells
+  int parts = 0;            ///< connected parts that hold a curve
+  double longestJoint = 0;  ///< [mm]
+  int gapJoints = 0;        ///< joints that lie outside the shape for a part of their length
 };
 
 /// Joins two curves by taking a piece about one spacing long out of each and closing the gap with two new edges. All
 /// places where different curves run side by side are candidates; they are taken in order of cost (a minimal spanning
-/// tree: n log n), unless a new edge meets another, leaves the shape, or touches a used piece. Only where a part does not
-/// hang together otherwise do joints cross gaps: `bridge` at first, wider where beads cannot come near it.
-/// The cost is 0.65 times the added length (Eq. 14) plus `stitchAlignment` times the misaligned length added.
-/// \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
+/// tree: n log n), unless a new edge meets another, leaves the shape, or touches a used piece. Only where a part does
+/// not hang together otherwise do joints cross gaps: `bridge` at first, wider where beads cannot come near it. The cost
+/// is 0.65 times the added length (Eq. 14) plus `stitchAlignment` times the misaligned length added. \param curves
+/// equally spaced points, tau/4 apart, neighbours in opposite senses.
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                               const Parts& parts, const ToolpathParams& params, const RunContext& run);
 

@@ -26,8 +26,8 @@ struct Vec2T {
   friend T length(Vec2T a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 };
 
-using Vec2 = Vec2T<double>;   ///< outlines and everything computed once
-using Vec2f = Vec2T<float>;   ///< dense fields and paths: 0.03 µm at 400 mm
+using Vec2 = Vec2T<double>;  ///< outlines and everything computed once
+using Vec2f = Vec2T<float>;  ///< dense fields and paths: 0.03 µm at 400 mm
 
 /// Axis-parallel box [mm]; empty while max < min.
 struct Bounds {
