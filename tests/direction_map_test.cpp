@@ -48,7 +48,8 @@ TEST_CASE("colour counts by its luma, equal channels exactly, alpha never") {
     REQUIRE(map.ok());
     CHECK(map.value().angle == std::vector<std::uint16_t>{g, g});
   }
-  const auto primaries = directionMap(Image{3, 1, 3, {65535, 0, 0, 0, 65535, 0, 0, 0, 65535}}, DirectionEncoding::Angle);
+  const auto primaries =
+      directionMap(Image{3, 1, 3, {65535, 0, 0, 0, 65535, 0, 0, 0, 65535}}, DirectionEncoding::Angle);
   REQUIRE(primaries.ok());
   CHECK(primaries.value().angle[0] == doctest::Approx(0.2126 * 65535).epsilon(0.0001));
   CHECK(primaries.value().angle[1] == doctest::Approx(0.7152 * 65535).epsilon(0.0001));
@@ -135,7 +136,8 @@ TEST_CASE("modes are the nearest of 0, 84, 168 and 255, stray greys included") {
 }
 
 TEST_CASE("pictures without pixels, or with too few samples, are errors") {
-  const std::vector<Image> images{{}, {2, 2, 1, {1, 2, 3}}, {-1, -1, 1, {1}}, {1, 1, 5, {1, 2, 3, 4, 5}}, {1, 1, 0, {}}};
+  const std::vector<Image> images{
+      {}, {2, 2, 1, {1, 2, 3}}, {-1, -1, 1, {1}}, {1, 1, 5, {1, 2, 3, 4, 5}}, {1, 1, 0, {}}};
   for (const Image& image : images) {
     CHECK_FALSE(directionMap(image, DirectionEncoding::Angle).ok());
     CHECK_FALSE(directionMap(image, DirectionEncoding::Tangent).ok());

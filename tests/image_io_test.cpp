@@ -98,14 +98,14 @@ class BitWriter {
 /// Zeros by fixed Huffman codes, 258 of them in 13 bits.
 Bytes zlibOfZeros(int repeats) {
   BitWriter out(false);
-  out.bit(1);                 // final
-  out.bit(1), out.bit(0);     // fixed codes
-  out.bits(0x30, 8);          // literal 0
+  out.bit(1);              // final
+  out.bit(1), out.bit(0);  // fixed codes
+  out.bits(0x30, 8);       // literal 0
   for (int k = 0; k < repeats; ++k) {
-    out.bits(0xc5, 8);        // length 258
-    out.bits(0, 5);           // distance 1
+    out.bits(0xc5, 8);  // length 258
+    out.bits(0, 5);     // distance 1
   }
-  out.bits(0, 7);             // end
+  out.bits(0, 7);  // end
   Bytes zlib{0x78, 0x01};
   append(zlib, out.bytes);
   appendBe32(zlib, 0);
@@ -122,7 +122,8 @@ Bytes jpegOf(int blocksWide, const std::vector<int>& levels, const Bytes& app1 =
   }
   append(jpeg, {0xff, 0xdb, 0, 67, 0});
   for (int k = 0; k < 64; ++k) jpeg.push_back(8);
-  append(jpeg, {0xff, 0xc0, 0, 11, 8, 0, static_cast<std::uint8_t>(height), 0, static_cast<std::uint8_t>(width), 1, 1, 0x11, 0});
+  append(jpeg, {0xff, 0xc0, 0, 11, 8, 0, static_cast<std::uint8_t>(height), 0, static_cast<std::uint8_t>(width), 1, 1,
+                0x11, 0});
   append(jpeg, {0xff, 0xc4, 0, 31, 0x00, 0, 0, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});  // 12 codes of 4 bits
   for (std::uint8_t k = 0; k < 12; ++k) jpeg.push_back(k);
   append(jpeg, {0xff, 0xc4, 0, 20, 0x10, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});  // "0": end of block
@@ -327,8 +328,8 @@ TEST_CASE("every truncation of every format is an error, not a partly filled pic
   Bytes unpaddedBmp = bmp();
   unpaddedBmp.resize(unpaddedBmp.size() - 2);
   CHECK(decodeImage(unpaddedBmp, "padding of the last row").ok());
-  const std::vector<Bytes> files{pngOf(2, 2, 8, 0, zlibStored({0, 1, 2, 0, 3, 4})), jpegOf(2, {10, 200, 30, 90}), unpaddedBmp,
-                                 tga(false), tga(true)};
+  const std::vector<Bytes> files{pngOf(2, 2, 8, 0, zlibStored({0, 1, 2, 0, 3, 4})), jpegOf(2, {10, 200, 30, 90}),
+                                 unpaddedBmp, tga(false), tga(true)};
   for (const Bytes& file : files) {
     REQUIRE(decodeImage(file, "whole").ok());
     for (std::size_t size = 0; size < file.size(); ++size) {

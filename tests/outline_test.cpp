@@ -59,7 +59,8 @@ TEST_CASE("the same path drawn twice counts once under nonzero and vanishes unde
 TEST_CASE("rectangles that share an edge, or a part of one, have no border between them") {
   const Shape shape = shapeOf({rectangle({0, 0}, {3, 4}), rectangle({3, 1}, {5, 3})}, {5, 4}, FillRule::NonZero);
   CHECK(areaOf(shape) == doctest::Approx(16));
-  for (const BorderSegment& s : resolveOutline(shape).value().segments) {
+  const Outline outline = resolveOutline(shape).value();
+  for (const BorderSegment& s : outline.segments) {
     const Vec2 middle = (s.a + s.b) * 0.5;
     CHECK_FALSE((std::abs(middle.x - 3) < 1e-9 && middle.y > 1 && middle.y < 3));
   }

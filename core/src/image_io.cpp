@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <utility>
 
 namespace {
@@ -311,11 +311,14 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   const auto* data = bytes.data();
   const int size = static_cast<int>(bytes.size());
 
+  // The decoder would say no more than "unknown" of a PNG that is too large for it.
+  if (format == Format::Png && size >= 24 && std::max(be32(bytes, 16), be32(bytes, 20)) > kMaxImageSide) {
+    return tooLarge(name, std::to_string(be32(bytes, 16)) + " x " + std::to_string(be32(bytes, 20)));
+  }
   Image image;
   allocationLimit = 1u << 20;
   if (stbi_info_from_memory(data, size, &image.width, &image.height, &image.channels) == 0) {
-    const std::string reason = stbi_failure_reason();
-    return reason == "too large" ? tooLarge(name, "millions of") : unreadable(name, format, reason);
+    return unreadable(name, format, "its header is damaged or of an unknown kind");
   }
   const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
   if (image.width > kMaxImageSide || image.height > kMaxImageSide || pixels > kMaxImagePixels) {

@@ -95,8 +95,15 @@ Vec2f unit(Vec2f v) {
   return size > 0 ? v * (1 / size) : Vec2f{1, 0};
 }
 
-/// Mean direction of two pieces at their joint; a piece keeps its own direction at sharp turns.
-Vec2f jointTangent(Vec2f own, Vec2f other) { return dot(own, other) > 0.5f ? unit(own + other) : own; }
+/// Direction at the joint of two pieces: their mean, so that curves look round. A piece keeps its own direction at
+/// sharp turns and where it is long against its width: a straight bead is straight up to its end, and a short neighbour
+/// begins with its direction.
+Vec2f jointTangent(Vec2f own, Vec2f other, float width) {
+  constexpr float kLong = 4;  // [widths]
+  const Vec2f ownUnit = unit(own), otherUnit = unit(other);
+  if (dot(ownUnit, otherUnit) < 0.5f || length(own) > kLong * width) return ownUnit;
+  return length(other) > kLong * width ? otherUnit : unit(ownUnit + otherUnit);
+}
 
 /// \param scale  samples per mm.
 std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale) {
@@ -109,9 +116,9 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale) {
     };
     const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[k % count] * scale / 2); };
     for (std::size_t k = 0; k < count; ++k) {
-      const Vec2f own = unit(at(k + 1) - at(k));
-      const Vec2f tangentA = jointTangent(own, unit(at(k) - at(k + count - 1)));
-      const Vec2f tangentB = jointTangent(own, unit(at(k + 2) - at(k + 1)));
+      const Vec2f own = at(k + 1) - at(k);
+      const Vec2f tangentA = jointTangent(own, at(k) - at(k + count - 1), cycle.widths[k]);
+      const Vec2f tangentB = jointTangent(own, at(k + 2) - at(k + 1), cycle.widths[(k + 1) % count]);
       const double colourA = directionColourPlace(tangentA.x, tangentA.y);
       const double turned = (directionColourPlace(tangentB.x, tangentB.y) - colourA) / kDirectionColours;
       const double colourDelta = (turned - std::floor(turned + 0.5)) * kDirectionColours;
@@ -279,8 +286,7 @@ Vec2f halfTilt(const Lamp& lamp, Vec2f eye) {
   return Vec2f{lamp.x + eye.x * size, lamp.y + eye.y * size} * (1 / (lamp.z + size));
 }
 
-/// Light that reaches the eye, linear. \param side  signed offset from the axis in radii, positive to the left of b -
-/// a.
+/// Light that reaches the eye, linear. \param side  signed offset from the axis in radii, positive to its left.
 Colour lookShade(const Bead& bead, float t, float side, Vec2f tilt, const Lamp& lamp) {
   const Vec2f along = unit(bead.tangentA + (bead.tangentB - bead.tangentA) * t);
   const float relief = reliefOf(bead);

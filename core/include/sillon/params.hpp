@@ -30,7 +30,7 @@ struct ToolpathParams {
   double stitchAlignment = 0.7;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
   int relaxationRounds = 3;      ///< rounds of spacing relaxation, 0..100
   double relaxationSmoothing = 0.4;  ///< pull towards the neighbours' middle per round, 0..1
-  double widthBalance = 0.4;  ///< 0: beads never overlap (Eq. 16); 1: the plastic laid down fills the plate, 0..1
+  double widthBalance = 0.3;  ///< 0: beads never overlap (Eq. 16); 1: the plastic laid down fills the plate, 0..1
   double minWidth = 0.5;      ///< narrowest bead [tau], 0.1..1
   double maxWidth = 2;        ///< widest bead [tau], 1..4
   double simplifyTolerance = 0.005;  ///< largest change of position and width by leaving out points [mm], 0..1

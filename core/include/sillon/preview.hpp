@@ -23,9 +23,9 @@ struct RgbImage {
 };
 
 /// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then the look: an
-/// anisotropic microfacet lobe (Beckmann) along each bead plus the bead's round profile. The look is made for the eye,
-/// not measured. \param page  [mm]. \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million) or
-/// Cancelled.
+/// anisotropic microfacet lobe (Beckmann) along each bead plus the bead's round profile, made for the eye.
+/// \param page  [mm].
+/// \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million in all) or Cancelled.
 Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run);
 
 }  // namespace sillon
