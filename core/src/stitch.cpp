@@ -295,7 +295,7 @@ int partOf(const Parts& parts, Vec2f p) {
 struct Search {
   const std::vector<int>& setOfCurve;
   const std::vector<int>& partOfCurve;
-  const std::vector<int>& setAt;    ///< set of each sorted point, -1 if it is part of a joint already
+  const std::vector<int>& curveAt;  ///< curve of each sorted point
   const std::vector<char>& wanted;  ///< curves whose points look for partners
   int stride;                       ///< every how many points
   float reach;
@@ -326,9 +326,9 @@ void findPartners(const Joining& state, const PointGrid& grid, const ClosedCurve
       const float distance2 = dot(to, to);
       Partner& best = nearest[cross(along, to) > 0 ? 1 : 0];
       if (distance2 > (search.thorough ? search.reach * search.reach : best.distance2)) continue;
-      const int set = search.setAt[s];
-      if (set < 0 || set == own || search.partOfCurve[static_cast<std::size_t>(set)] != part) continue;
+      const std::size_t other = static_cast<std::size_t>(search.curveAt[s]);
       const int j = grid.id[s];
+      if (search.setOfCurve[other] == own || search.partOfCurve[other] != part || state.used(j)) continue;
       if (search.thorough) {
         partners.push_back({distance2, j});
       } else if (distance2 < best.distance2 || best.point < 0 || j < best.point) {
@@ -400,7 +400,8 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
   const float diagonal =
       static_cast<float>(length(Vec2{parts.grid.nx * parts.grid.cell, parts.grid.ny * parts.grid.cell}));
   std::vector<int> setOfCurve(count);
-  std::vector<int> setAt(static_cast<std::size_t>(grid.count()));
+  std::vector<int> curveAt(static_cast<std::size_t>(grid.count()));
+  for (std::size_t k = 0; k < curveAt.size(); ++k) curveAt[k] = joining.curveOf(grid.id[k]);
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
     // All sets of a part but its largest look for others; the first time all points do, with a coarser step.
     std::vector<int> pointsOfSet(count, 0);
@@ -426,11 +427,7 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
       any = any || wanted[c];
     }
     if (!any) break;
-    for (std::size_t k = 0; k < setAt.size(); ++k) {
-      const int point = grid.id[k];
-      setAt[k] = joining.used(point) ? -1 : setOfCurve[static_cast<std::size_t>(joining.curveOf(point))];
-    }
-    const Search search{setOfCurve, partOfCurve, setAt, wanted, round == 0 ? 4 : 1, reach, alternatives, thorough};
+    const Search search{setOfCurve, partOfCurve, curveAt, wanted, round == 0 ? 4 : 1, reach, alternatives, thorough};
     int joined = 0;
     for (const Candidate& candidate : findCandidates(joining, grid, curves, search, run)) {
       joined += joining.join(candidate, grid, outside ? gap : 0) ? 1 : 0;

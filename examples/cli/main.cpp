@@ -11,6 +11,7 @@
 #include "arguments.hpp"
 #include "assemble.hpp"
 #include "files.hpp"
+#include "memory.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 
@@ -130,6 +131,7 @@ int generate(const cli::Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::keepFreedMemory();
   try {
     const sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
     if (!arguments) return fail(arguments.error());

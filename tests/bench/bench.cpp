@@ -12,11 +12,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "assemble.hpp"
+#include "memory.hpp"
 #include "sillon/measure.hpp"
 #include "sillon/pipeline.hpp"
 
@@ -235,6 +237,7 @@ void growth() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::keepFreedMemory();
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string what = arguments.empty() ? "" : arguments[0];
   std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());

@@ -1,0 +1,21 @@
+// One setting of the C library, for programs that make plates.
+#pragma once
+
+#include <climits>
+
+#if defined(__linux__)
+#include <malloc.h>
+#endif
+
+namespace cli {
+
+/// Keeps freed blocks in the process. By default glibc gives blocks above 32 MB back at once, and the kernel must clear
+/// their pages anew for every stage: measured on 16 million cells, a third of the whole time.
+inline void keepFreedMemory() {
+#if defined(__GLIBC__)
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
+}
+
+}  // namespace cli
