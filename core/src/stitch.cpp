@@ -391,6 +391,7 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     stitched.parts = static_cast<int>(std::unique(labels.begin(), labels.end()) - labels.begin());
   }
   const PointGrid grid(curves.points, spacing, run);
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};  // the grid may be half made
   float reach = kFirstReach * spacing;
   std::size_t alternatives = kAlternatives;
   bool thorough = false;
