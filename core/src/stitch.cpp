@@ -25,6 +25,8 @@ struct Candidate {
   int i;     ///< middle of the piece of one curve
   int j;     ///< of the other
   int span;  ///< segments taken out of each
+  int curveI;
+  int curveJ;
 };
 
 // The state of the curves while they are being joined.
@@ -73,8 +75,8 @@ class Joining {
 
   // Joins if nothing stands against it. \param gap  what the new edges may lie outside the shape [mm].
   bool join(const Candidate& candidate, const PointGrid& grid, float gap) {
-    const int si = setOf(curveOf(candidate.i));
-    const int sj = setOf(curveOf(candidate.j));
+    const int si = setOf(candidate.curveI);
+    const int sj = setOf(candidate.curveJ);
     if (si == sj) return false;
     const Piece a = pieceAround(candidate.i, candidate.span);
     const Piece b = pieceAround(candidate.j, candidate.span);
@@ -359,7 +361,8 @@ std::vector<Candidate> findCandidates(const Joining& state, const PointGrid& gri
       findPartners(state, grid, curves, search, i, partners);
       for (const Partner& partner : partners) {
         for (int span = kSpan; span >= (search.thorough ? 1 : kSpan); span /= 2) {
-          out.push_back({state.cost(i, partner.point, span), i, partner.point, span});
+          out.push_back({state.cost(i, partner.point, span), i, partner.point, span, static_cast<int>(c),
+                         state.curveOf(partner.point)});
         }
       }
     }

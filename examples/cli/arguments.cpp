@@ -359,6 +359,13 @@ void addOutputs(Options& options, Arguments& arguments) {
   options.output("--svg", "drawing of the toolpath", arguments.outputs.svg);
   options.output("--report", "measures as JSON", arguments.outputs.report);
   options.output("--preview", "picture of directions and look, PNG", arguments.outputs.preview);
+  options.word("--preview-width", "PX", "width of each of the picture's two panels [1600]",
+               [&arguments](const std::string& text) {
+                 int& width = arguments.outputs.previewWidth;
+                 parseInto("--preview-width", text, width);
+                 if (width < 16 || width > 16384) refuse("--preview-width", text, "16 to 16384 pixels");
+                 return [](Project&) { return std::string(); };
+               });
   options.output("--project", "everything needed to repeat the plate, JSON", arguments.outputs.project);
 }
 

@@ -16,6 +16,7 @@ struct OutputPaths {
   std::string svg;
   std::string report;
   std::string preview;
+  int previewWidth = 1600;  ///< of each panel [pixels]
   std::string project;
 };
 

@@ -97,8 +97,10 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   return text;
 }
 
-Result<std::string> previewPng(const Job& job, const sillon::RunContext& run) {
-  const auto picture = sillon::renderPreview(job.plate.toolpath, job.input.shape.page, {}, run);
+Result<std::string> previewPng(const Job& job, int width, const sillon::RunContext& run) {
+  sillon::PreviewParams params;
+  params.width = width;
+  const auto picture = sillon::renderPreview(job.plate.toolpath, job.input.shape.page, params, run);
   if (!picture) return picture.error();
   const sillon::RgbImage& image = picture.value();
   const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
@@ -158,7 +160,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   }
   if (!paths.svg.empty()) files.push_back({paths.svg, sillon::toolpathSvg(job.plate.toolpath, job.input.shape.page)});
   if (!paths.preview.empty()) {
-    Result<std::string> png = previewPng(job, run);
+    Result<std::string> png = previewPng(job, paths.previewWidth, run);
     if (!png) return png.error();
     files.push_back({paths.preview, std::move(png).value()});
   }

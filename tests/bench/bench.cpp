@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -193,23 +192,26 @@ void growth() {
       rusage before{};
       getrusage(RUSAGE_SELF, &before);
       const RunContext run(1);
-      const auto plate = generateToolpath(input, {}, run);
-      rusage after{};
-      getrusage(RUSAGE_SELF, &after);
-      double row[3] = {0, 0, 0};
-      if (plate && std::getenv("SILLON_BENCH_STAGES") != nullptr) {
-        for (const auto& stage : plate.value().time) std::printf("  %s %.3f\n", stage.stage.c_str(), stage.seconds);
-        std::fflush(stdout);
+      double row[4] = {0, 0, 0, 0};
+      std::vector<double> warm;
+      for (int k = 0; k < 4; ++k) {
+        const auto plate = generateToolpath(input, {}, run);
+        if (!plate) _exit(1);
+        if (k == 0) {
+          rusage after{};
+          getrusage(RUSAGE_SELF, &after);
+          row[0] = static_cast<double>(plate.value().nx) * plate.value().ny;
+          row[1] = totalOf(plate.value());
+          row[3] = static_cast<double>(after.ru_maxrss - before.ru_maxrss) * 1024 / row[0];
+        } else {
+          warm.push_back(totalOf(plate.value()));
+        }
       }
-      if (plate) {
-        row[0] = static_cast<double>(plate.value().nx) * plate.value().ny;
-        row[1] = totalOf(plate.value());
-        row[2] = static_cast<double>(after.ru_maxrss - before.ru_maxrss) * 1024 / row[0];
-      }
+      row[2] = median(warm);
       if (write(pipeEnds[1], row, sizeof row) != sizeof row) _exit(1);
       _exit(0);
     }
-    double row[3] = {0, 0, 0};
+    double row[4] = {0, 0, 0, 0};
     const bool got = read(pipeEnds[0], row, sizeof row) == sizeof row;
     waitpid(child, nullptr, 0);
     close(pipeEnds[0]);
@@ -218,10 +220,10 @@ void growth() {
       std::printf("%12.0f  failed\n", millions * 1e6);
       continue;
     }
-    std::printf("%12.0f %10.3f %12.1f %14.0f\n", row[0], row[1], row[1] / row[0] * 1e9, row[2]);
+    std::printf("%12.0f %10.3f %10.3f %12.1f %14.0f\n", row[0], row[1], row[2], row[2] / row[0] * 1e9, row[3]);
     std::fflush(stdout);
     logCells.push_back(std::log(row[0]));
-    logTime.push_back(std::log(row[1]));
+    logTime.push_back(std::log(row[2]));
   }
   const double n = static_cast<double>(logCells.size());
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
