@@ -29,8 +29,8 @@ class ThreadPool {
 };
 
 /// Calls body(begin, end) over disjoint ranges that cover [0, count), none longer than `grain`.
-/// Ranges that have not begun when the run is cancelled are left out, and so are all later loops: before serial code uses
-/// what a loop made as indices or sizes, check run.cancelled().
+/// Ranges that have not begun when the run is cancelled are left out, and so are all later loops: before serial code
+/// uses what a loop made as indices or sizes, check run.cancelled().
 template <class Body>
 void parallelFor(const RunContext& run, int count, int grain, const Body& body) {
   if (count <= 0) return;

@@ -380,8 +380,8 @@ Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField&
     prolong(levels[k + 1], level, jitter, run);
     levels.pop_back();
     computeEdges(level, jitter, run);
-    const std::array<ColourSweep, kColours> colours = {colourSweep(level, 0), colourSweep(level, 1), colourSweep(level, 2),
-                                                       colourSweep(level, 3)};
+    const std::array<ColourSweep, kColours> colours = {colourSweep(level, 0), colourSweep(level, 1),
+                                                       colourSweep(level, 2), colourSweep(level, 3)};
     for (int sweep = 0; sweep < params.sweepsPerLevel && !run.cancelled(); ++sweep) {
       sweepOnce(colours, level.shape, run);
       if (k == 0) run.report((sweep + 1.0) / params.sweepsPerLevel);
