@@ -140,6 +140,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   cycles.points.reserve(vertices.size());
   for (std::size_t start = 0; start < next.size(); ++start) {
     if (next[start] < 0) continue;
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
     cycles.begin.push_back(static_cast<int>(cycles.points.size()));
     for (std::size_t i = start; next[i] >= 0;) {
       cycles.points.push_back(vertices[i]);

@@ -374,7 +374,7 @@ Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField&
   const Jitter jitter(params.seed);
   std::vector<PhaseLevel> levels;
   levels.push_back(finestLevel(lines, sdf, cells, params, jitter));
-  while (!levels.back().shape.coarsest()) levels.push_back(restricted(levels.back(), jitter, run));
+  while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));
   for (std::size_t k = levels.size() - 1; k-- > 0;) {
     PhaseLevel& level = levels[k];
     prolong(levels[k + 1], level, jitter, run);

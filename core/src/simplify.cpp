@@ -49,10 +49,12 @@ bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance
 }
 
 // Greedy: from each kept point as far as one bead can stand for. `keep` forces points to stay.
-std::vector<std::size_t> keptPoints(const Curve& curve, float tolerance, const std::vector<char>& keep) {
+std::vector<std::size_t> keptPoints(const Curve& curve, float tolerance, const std::vector<char>& keep,
+                                    const RunContext& run) {
   const std::size_t n = curve.points.size();
   std::vector<std::size_t> kept;
   for (std::size_t at = 0; at < n;) {
+    if (kept.size() % 1024 == 0 && run.cancelled()) break;
     kept.push_back(at);
     std::size_t next = at + 1;
     while (next < n && !keep[next] && next - at < kMaxSkipped && standsFor(curve, at, next + 1, tolerance)) ++next;
@@ -99,7 +101,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
     parallelFor(run, static_cast<int>(full.size()), 1, [&](int begin, int end) {
       for (int c = begin; c < end; ++c) {
         const std::size_t i = static_cast<std::size_t>(c);
-        kept[i] = keptPoints(full[i], attempt < kAttempts ? tolerance : 0.0f, keep[i]);
+        kept[i] = keptPoints(full[i], attempt < kAttempts ? tolerance : 0.0f, keep[i], run);
       }
     });
     if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};

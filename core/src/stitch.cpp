@@ -433,8 +433,10 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     if (!any) break;
     const Search search{setOfCurve, partOfCurve, curveAt, wanted, round == 0 ? 4 : 1, reach, alternatives, thorough};
     int joined = 0;
-    for (const Candidate& candidate : findCandidates(joining, grid, curves, search, run)) {
-      joined += joining.join(candidate, grid, outside ? gap : 0) ? 1 : 0;
+    const std::vector<Candidate> candidates = findCandidates(joining, grid, curves, search, run);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (k % 1024 == 0 && run.cancelled()) break;
+      joined += joining.join(candidates[k], grid, outside ? gap : 0) ? 1 : 0;
     }
     if (joined > 0) continue;
     // First the nearest partners, then all of them, then across gaps, then from further away and across wider gaps.
