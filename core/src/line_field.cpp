@@ -5,6 +5,7 @@
 
 #include "fast_math.hpp"
 #include "hierarchy.hpp"
+#include "lines.hpp"
 #include "parallel_for.hpp"
 #include "simd.hpp"
 
@@ -155,17 +156,6 @@ std::vector<Vec2f> smoothLines(const Grid& grid, const LineInput& input, int swe
     }
   }
   return lines;
-}
-
-// z of a direction: (cos 2a, sin 2a).
-Vec2f lineOf(Vec2f d) { return {d.x * d.x - d.y * d.y, 2 * d.x * d.y}; }
-
-// One of the two directions of a line: half the angle of z, by the half-angle formulas.
-Vec2f directionOf(Vec2f z) {
-  const float c = std::sqrt(std::max(0.0f, 0.5f * (1 + z.x)));
-  const float s = std::sqrt(std::max(0.0f, 0.5f * (1 - z.x)));
-  const Vec2f d{c, z.y < 0 ? -s : s};
-  return d * (1 / length(d));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "fast_math.hpp"
 #include "hierarchy.hpp"
+#include "lines.hpp"
 #include "parallel_for.hpp"
 #include "simd.hpp"
 
@@ -249,20 +250,14 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
           const Vec2f d = lineAt(fine, c, child);
           if (isMasked(fine, c, child)) continue;
           any = d;
-          z = z + Vec2f{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
+          z = z + lineOf(d);
         }
         if (any == Vec2f{}) continue;
         const std::size_t colour = colourOf(x, y);
         const std::size_t at = coarse.shape.atCell(x, y);
         const float size = length(z);
         Vec2f d = any;
-        if (size > 1e-6f) {
-          z = z * (1 / size);
-          const float cosine = std::sqrt(std::max(0.0f, 0.5f * (1 + z.x)));
-          const float sine = std::sqrt(std::max(0.0f, 0.5f * (1 - z.x)));
-          d = {cosine, z.y < 0 ? -sine : sine};
-          d = d * (1 / length(d));
-        }
+        if (size > 1e-6f) d = directionOf(z * (1 / size));
         coarse.dx[colour][at] = d.x;
         coarse.dy[colour][at] = d.y;
         Vec2f fixedSum{};

@@ -31,7 +31,7 @@ Result<Shape> makeRoundedRectangle(Vec2 size, double radius);
 /// Disc that fills its page. \param diameter  [mm], > 0.
 Result<Shape> makeDisc(double diameter);
 
-/// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width (Sec. 2 of the docs).
+/// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width.
 /// An image with transparent pixels is read by its alpha alone. \param width  of the page [mm], > 0; the height
 /// follows.
 Result<Shape> shapeFromMask(const Image& mask, double width);

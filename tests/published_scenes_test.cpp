@@ -1,0 +1,69 @@
+// The scenes published with the paper, where they are at hand: promises on all, figures on four.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "assemble.hpp"
+#include "sillon/measure.hpp"
+#include "sillon/pipeline.hpp"
+
+using namespace sillon;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Figures {
+  double alignment;  ///< at most; 0: not judged
+  double coverage;   ///< at least
+  double overlap;    ///< at most
+};
+
+}  // namespace
+
+TEST_CASE("published scenes become one simple toolpath per part, without spill and with the figures of the README") {
+  const fs::path folder = fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes";
+  if (!fs::is_directory(folder)) {
+    MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
+    return;
+  }
+  const std::map<std::string, Figures> figures = {{"brain", {-0.938, 96.5, 0.6}},
+                                                  {"wave", {-0.966, 97.8, 0.5}},
+                                                  {"tiles_square", {-0.972, 98.4, 0.6}},
+                                                  {"teaser", {0, 98.0, 0.6}}};
+  std::vector<fs::path> scenes;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") scenes.push_back(entry.path());
+  }
+  std::sort(scenes.begin(), scenes.end());
+  CHECK(scenes.size() >= 4);
+  const RunContext run(2);
+  for (const fs::path& path : scenes) {
+    const std::string name = path.stem().string();
+    CAPTURE(name);
+    const auto project = cli::loadProject(path.string());
+    REQUIRE_MESSAGE(project.ok(), (project.ok() ? "" : project.error().message));
+    const auto input = cli::assemblePlate(project.value());
+    REQUIRE_MESSAGE(input.ok(), (input.ok() ? "" : input.error().message));
+    const PlateInput& plateInput = input.value();
+    const ToolpathParams& params = project.value().toolpath;
+    const auto plate = generateToolpath(plateInput, params, run);
+    REQUIRE(plate.ok());
+    const auto measures =
+        measureToolpath(plate.value().toolpath, plateInput.shape, plateInput.directions, plateInput.modes, params, run);
+    REQUIRE(measures.ok());
+    const Measures& m = measures.value();
+    CHECK(plate.value().parts == 1);
+    CHECK(plate.value().toolpath.cycles.size() == 1);
+    CHECK(m.crossings == 0);
+    CHECK(m.spill <= 0.05);
+    const auto wanted = figures.find(name);
+    if (wanted == figures.end()) continue;
+    if (wanted->second.alignment < 0) CHECK(m.alignment <= wanted->second.alignment);
+    CHECK(m.coverage >= wanted->second.coverage);
+    CHECK(m.overlap <= wanted->second.overlap);
+  }
+}
