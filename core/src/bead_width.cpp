@@ -29,7 +29,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& g
       const float both = 0.5f * (gaps.left[i] + gaps.right[i]);
       float width = std::clamp(least + balance * (both - least), low, high);
       const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
-      if (border.blockDistance(p) < spacing) {
+      if (border.blockDistance(p) < spacing || border.outside(p)) {
         // Half-way to the neighbours too: round a reflex corner the bead's straight segments pass nearer than its
         // points.
         float distance = border.nearest(p).distance;

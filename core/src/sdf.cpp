@@ -182,6 +182,14 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
       std::copy(leaf.candidates.begin(), leaf.candidates.end(), index.candidates_.begin() + index.begin_[leaf.block]);
     }
   }
+  index.outside_.assign(blocks.size(), 0);
+  parallelFor(run, blocks.ny, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < blocks.nx; ++x) {
+        index.outside_[blocks.index(x, y)] = index.nearest(blocks.centre(x, y)).distance > 0 ? 1 : 0;
+      }
+    }
+  });
   return index;
 }
 
@@ -192,6 +200,11 @@ std::size_t BorderIndex::blockOf(Vec2 p) const {
 }
 
 float BorderIndex::blockDistance(Vec2 p) const { return lowest_[blockOf(p)]; }
+
+bool BorderIndex::outside(Vec2 p) const {
+  const std::size_t block = blockOf(p);
+  return lowest_[block] > 0 ? outside_[block] != 0 : nearest(p).distance > 0;
+}
 
 NearestBorder BorderIndex::nearest(Vec2 p) const {
   const std::size_t block = blockOf(p);

@@ -244,8 +244,7 @@ class Joining {
     int outside = 0;
     for (int k = 1; k < samples; ++k) {
       const Vec2 p = a + (b - a) * (static_cast<double>(k) / samples);
-      if (static_cast<double>(border_.blockDistance(p)) > static_cast<double>(spacing_)) continue;
-      outside += border_.nearest(p).distance > 0 ? 1 : 0;
+      outside += border_.outside(p) ? 1 : 0;
     }
     return static_cast<float>(outside * size / samples);
   }

@@ -25,6 +25,9 @@ class BorderIndex {
   /// Lower bound of the unsigned distance over the block that holds p: a cheap way to skip the interior.
   [[nodiscard]] float blockDistance(Vec2 p) const;
 
+  /// Whether p lies outside the shape; cheap away from the border.
+  [[nodiscard]] bool outside(Vec2 p) const;
+
   friend Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);
 
  private:
@@ -35,6 +38,7 @@ class BorderIndex {
   std::vector<int> begin_;  ///< blocks + 1 offsets into candidates_
   std::vector<int> candidates_;
   std::vector<float> lowest_;
+  std::vector<char> outside_;  ///< side of the whole block, where the border does not pass it
 };
 
 /// \return TooLarge when the outline is too detailed for the grid.
