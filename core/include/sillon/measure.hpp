@@ -21,7 +21,7 @@ struct WidthMeasures {
   double median = 0;
   double p99 = 0;
   double belowHalf = 0;  ///< share of the length narrower than half a spacing
-  double clamped = 0;    ///< share of the length held at the allowed minimum or maximum
+  double clamped = 0;    ///< share of the length at the allowed minimum or maximum, or narrower at a border
 };
 
 /// Areas are shares of the shape's area in percent. NaN never occurs; an empty toolpath measures 0.
@@ -29,7 +29,7 @@ struct Measures {
   double lengthMm = 0;
   double alignment = 0;             ///< -1 perfect, -0.5 chance, 0 orthogonal; every piece
   double alignmentInterior = 0;     ///< pieces deeper than 1.05 tau
-  double alignmentConstrained = 0;  ///< interior pieces in constrained areas; 0 where there are none
+  double alignmentConstrained = 0;  ///< constrained pieces inside all counted perimeters; 0: none
   double coverage = 0;              ///< [%]
   double overlap = 0;               ///< [%]
   double spill = 0;                 ///< [%]
