@@ -23,17 +23,6 @@ using I4 = std::int32_t __attribute__((vector_size(16)));
 
 inline F4 splat(float v) { return F4{v, v, v, v}; }
 inline I4 splatInt(std::int32_t v) { return I4{v, v, v, v}; }
-inline F4 load4(const float* p) {
-  F4 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-inline I4 load4(const std::int32_t* p) {
-  I4 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
 inline F4 select4(I4 mask, F4 a, F4 b) { return mask ? a : b; }
 inline F4 toFloat(I4 v) { return __builtin_convertvector(v, F4); }
 inline I4 toInt(F4 v) { return __builtin_convertvector(v, I4); }  // towards zero
@@ -54,17 +43,6 @@ struct F4 {
   return out
 inline F4 splat(float v) { return F4{{v, v, v, v}}; }
 inline I4 splatInt(std::int32_t v) { return I4{{v, v, v, v}}; }
-inline F4 load4(const float* p) {
-  F4 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-inline I4 load4(const std::int32_t* p) {
-  I4 v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
 inline F4 operator+(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] + b.lane[k]); }
 inline F4 operator-(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] - b.lane[k]); }
 inline F4 operator*(F4 a, F4 b) { SILLON_LANES(F4, a.lane[k] * b.lane[k]); }
@@ -85,6 +63,18 @@ inline F4 toFloat(I4 v) { SILLON_LANES(F4, static_cast<float>(v.lane[k])); }
 inline I4 toInt(F4 v) { SILLON_LANES(I4, static_cast<std::int32_t>(v.lane[k])); }
 #undef SILLON_LANES
 #endif
+
+inline F4 load4(const float* p) {
+  F4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+inline I4 load4(const std::int32_t* p) {
+  I4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
 
 /// Correctly rounded on every platform. The vector types have no square root, hence the intrinsics.
 inline F4 sqrt4(F4 v) {
