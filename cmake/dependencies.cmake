@@ -1,11 +1,27 @@
 # Libraries by package manager; nothing is copied or downloaded. Debian: see ./dev; elsewhere: vcpkg.json.
-find_package(Threads REQUIRED)
+if(NOT EMSCRIPTEN)
+  find_package(Threads REQUIRED)
+endif()
 
 # Header-only packages become SYSTEM interface targets, so that our warnings stay ours.
 function(sillon_header_library target header)
-  find_path(${target}_include NAMES ${header} PATH_SUFFIXES ${ARGN} REQUIRED)
+  # Cross-compiling for the web looks nowhere by itself; headers are the same for every machine.
+  find_path(${target}_include NAMES ${header} PATH_SUFFIXES ${ARGN} REQUIRED NO_CMAKE_FIND_ROOT_PATH
+            PATHS /usr/include /usr/local/include /opt/homebrew/include)
+  set(folder ${${target}_include})
+  if(EMSCRIPTEN)
+    # The host's whole include folder would shadow Emscripten's own headers: only what is wanted is linked into ours.
+    string(REGEX REPLACE "[./].*" "" name ${header})
+    file(GLOB wanted ${folder}/${name}*)
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+    foreach(path ${wanted})
+      get_filename_component(link ${path} NAME)
+      file(CREATE_LINK ${path} ${PROJECT_BINARY_DIR}/include/${link} SYMBOLIC)
+    endforeach()
+    set(folder ${PROJECT_BINARY_DIR}/include)
+  endif()
   add_library(${target} INTERFACE)
-  target_include_directories(${target} SYSTEM INTERFACE ${${target}_include})
+  target_include_directories(${target} SYSTEM INTERFACE ${folder})
 endfunction()
 
 sillon_header_library(sillon_eigen Eigen/Core eigen3)
@@ -13,7 +29,7 @@ sillon_header_library(sillon_stb stb_image.h stb)  # Debian keeps it in include/
 sillon_header_library(sillon_json nlohmann/json.hpp)
 sillon_header_library(sillon_fast_float fast_float/fast_float.h)
 sillon_header_library(sillon_rapidxml rapidxml/rapidxml.hpp)
-if(SILLON_EXAMPLES)
+if(SILLON_EXAMPLES AND NOT EMSCRIPTEN)
   sillon_header_library(sillon_cli11 CLI/CLI.hpp)
 endif()
 if(SILLON_TESTS)

@@ -11,6 +11,15 @@ else()
     target_compile_options(sillon_flags INTERFACE -Werror)
   endif()
 endif()
+if(EMSCRIPTEN)
+  target_compile_options(sillon_flags INTERFACE
+    -msimd128
+    -mnontrapping-fptoint)  # without, each float to int costs a range check; every engine with SIMD has it
+  if(SILLON_WASM_THREADS)
+    target_compile_options(sillon_flags INTERFACE -pthread)
+    target_link_options(sillon_flags INTERFACE -pthread)
+  endif()
+endif()
 if(SILLON_SANITIZE)
   target_compile_options(sillon_flags INTERFACE -fsanitize=${SILLON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(sillon_flags INTERFACE -fsanitize=${SILLON_SANITIZE})

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Tools that know no stage. They may include each other only.
-foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour"
+foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check"
 
 # file: the stages it may include, besides the foundation and its own header.
 stages="
@@ -38,6 +38,7 @@ gcode: shape outline motion gcode_job chunked_output
 preview: image_io
 toolpath_svg: shape
 project: direction_map gcode pipeline
+plate_input: shape svg image_io direction_map pipeline project
 "
 
 forbidden='iostream|fstream|ostream|istream|filesystem|cstdio|stdio\.h|emscripten.*'

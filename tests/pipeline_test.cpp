@@ -219,6 +219,7 @@ TEST_CASE("a cancelled run says so, whichever stage it is in") {
   }
 }
 
+#if !defined(SILLON_NO_THREADS)
 TEST_CASE("a cancel from another thread ends a long run well before it would end by itself") {
   const PlateInput input =
       scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {120, 120})}, {120, 120}), scenes::waves());
@@ -234,3 +235,4 @@ TEST_CASE("a cancel from another thread ends a long run well before it would end
   REQUIRE(!plate.ok());
   CHECK(plate.error().code == ErrorCode::Cancelled);
 }
+#endif

@@ -256,20 +256,20 @@ TEST_CASE("the smallest panels and degenerate cycles are drawn") {
 
 TEST_CASE("the drawing holds every cycle and is well-formed") {
   const Toolpath toolpath = rings({15, 11}, 10.5, 0.4, 90);
-  const std::string svg = toolpathSvg(toolpath, {30, 22.5});
+  const std::string svg = toolpathSvg(toolpath, {30, 22.5}).value();
   CHECK(wellFormed(svg));
   CHECK(svg.find("width=\"30mm\" height=\"22.5mm\" viewBox=\"0 0 30 22.5\"") != std::string::npos);
   CHECK(countOf(svg, "<g id=\"cycle") == toolpath.cycles.size());
   CHECK(countOf(svg, "class=\"nozzle\"") == toolpath.cycles.size());
   CHECK(svg.find("<g id=\"cycle" + std::to_string(toolpath.cycles.size()) + "\">") != std::string::npos);
-  CHECK(svg == toolpathSvg(toolpath, {30, 22.5}));
+  CHECK(svg == toolpathSvg(toolpath, {30, 22.5}).value());
 }
 
 TEST_CASE("the drawing has y down, relative lines exact to a micron, and one stroke per width and direction") {
   Cycle cycle;
   cycle.points = {{1, 2}, {3.5F, 2}, {6, 2}, {6, 4.0625F}, {1, 4.0625F}};
   cycle.widths = {0.4F, 0.405F, 0.4F, 0.4F, 0.4F};
-  const std::string svg = toolpathSvg({{cycle}, 0.4}, {10, 8});
+  const std::string svg = toolpathSvg({{cycle}, 0.4}, {10, 8}).value();
   CHECK(countOf(svg, "<path stroke=") == 4);
   CHECK(svg.find("d=\"M1 6l2.5 0l2.5 0\"") != std::string::npos);
   CHECK(svg.find("d=\"M6 6l0-2.062\"") != std::string::npos);  // y = 8 - 4.0625 is 3.938 when rounded
@@ -278,12 +278,12 @@ TEST_CASE("the drawing has y down, relative lines exact to a micron, and one str
   CHECK(svg.find("stroke-width=\".402\"") != std::string::npos);
 
   cycle.widths = {0.4F, 0.4F, 0.5F, 0.6F, 0.4F};  // a change of width ends a stroke
-  CHECK(countOf(toolpathSvg({{cycle}, 0.4}, {10, 8}), "<path stroke=") == 5);
+  CHECK(countOf(toolpathSvg({{cycle}, 0.4}, {10, 8}).value(), "<path stroke=") == 5);
 }
 
 TEST_CASE("relative lines do not drift: the last point of the longest path is where it should be") {
   const Toolpath toolpath = rings({50, 50}, 0.7, 0.4, 20000);
-  const std::string svg = toolpathSvg(toolpath, {100, 100});
+  const std::string svg = toolpathSvg(toolpath, {100, 100}).value();
   const std::size_t nozzle = svg.find("class=\"nozzle\"");
   REQUIRE(nozzle != std::string::npos);
   double x = 0, y = 0;
@@ -309,13 +309,18 @@ TEST_CASE("relative lines do not drift: the last point of the longest path is wh
   CHECK(y == doctest::Approx(100 - last.y).epsilon(2e-5));
 }
 
-TEST_CASE("a drawing of what is not a number is still a drawing") {
-  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-  Cycle cycle;
-  cycle.points = {{nan, 2}, {inf, -inf}, {1, 1}};
-  cycle.widths = {nan, -1};
-  const std::string svg = toolpathSvg({{cycle, Cycle{}}, 0.4}, {std::numeric_limits<double>::quiet_NaN(), -1});
-  CHECK(wellFormed(svg));
-  CHECK(svg.find("nan") == std::string::npos);
-  CHECK(svg.find("inf") == std::string::npos);
+TEST_CASE("what is no toolpath is not drawn, and it is said why") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Cycle good{{{0, 0}, {1, 0}, {0, 1}}, {0.4f, 0.4f, 0.4f}};
+  const auto refused = [](const Cycle& cycle, Vec2 page) {
+    const auto svg = toolpathSvg({{cycle, Cycle{}}, 0.4}, page);
+    return !svg.ok() && svg.error().code == ErrorCode::InvalidArgument && svg.error().message.size() > 20;
+  };
+  CHECK(!refused(good, {10, 8}));
+  CHECK(refused({{{nan, 2}, {1, 1}, {2, 2}}, {0.4f, 0.4f, 0.4f}}, {10, 8}));
+  CHECK(refused({good.points, {0.4f, 0.4f}}, {10, 8}));
+  CHECK(refused({good.points, {0.4f, nan, 0.4f}}, {10, 8}));
+  CHECK(refused({good.points, {0.4f, -1, 0.4f}}, {10, 8}));
+  CHECK(refused(good, {std::numeric_limits<double>::quiet_NaN(), 8}));
+  CHECK(refused(good, {10, -1}));
 }

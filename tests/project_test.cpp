@@ -96,6 +96,7 @@ Plate somePlate() {
   Plate plate;
   plate.toolpath.cycles.resize(1);
   plate.toolpath.cycles[0].points = {{0, 0}, {1, 0}, {0, 1}};
+  plate.toolpath.cycles[0].widths = {0.4f, 0.4f, 0.4f};
   plate.toolpath.spacing = 0.4;
   plate.nx = 331;
   plate.ny = 269;
@@ -444,6 +445,31 @@ TEST_CASE("the report is JSON with every key and the values it was given") {
   CHECK(report["digest"] == "0123456789abcdef");
   CHECK(has(text, "\"coverage\": 97.654,"));
   CHECK_FALSE(has(text, "-0.0000"));
+}
+
+TEST_CASE("an unmeasured plate reports its facts and its digest, and no measure") {
+  const Json report = Json::parse(reportJson(somePlate(), std::nullopt, 1, 0), nullptr, false);
+  REQUIRE(report.is_object());
+  CHECK(report.contains("points"));
+  CHECK(report["digest"] == digestOf(somePlate().toolpath));
+  for (const char* key : {"lengthMm", "alignment", "coverage", "uTurns", "width"}) CHECK(!report.contains(key));
+}
+
+TEST_CASE("the notes say what made a plate, and how good it is where that is known") {
+  ToolpathParams params;
+  params.seed = 9;
+  CHECK(plateNotes(params, std::nullopt) == std::vector<std::string>{"seed = 9, perimeters = 1"});
+  params.perimeterMode = PerimeterMode::Soft;
+  Measures measures;
+  measures.alignment = -0.94217;
+  measures.coverage = 97.656;
+  measures.overlap = 0.25;
+  measures.crossings = 2;
+  measures.digest = "0123456789abcdef";
+  CHECK(plateNotes(params, measures) ==
+        std::vector<std::string>{"seed = 9, perimeters = soft",
+                                 "alignment = -0.9422, coverage = 97.66, overlap = 0.25, crossings = 2",
+                                 "toolpath digest = 0123456789abcdef"});
 }
 
 TEST_CASE("a report of nothing and of what is no number is JSON too") {

@@ -9,10 +9,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kTouch = 1e-7;                ///< points nearer than this coincide [mm]
-constexpr double kSideStep = 2e-6;             ///< how far from a piece its two sides are probed [mm]
-constexpr std::size_t kMaxPieces = 4'000'000;  ///< beyond any drawing that a spacing of 0.05 mm could show
-constexpr std::size_t kMaxWork = 800'000'000;  ///< pair tests; a few seconds, reached by hostile drawings only
+constexpr double kTouch = 1e-7;                  ///< points nearer than this coincide [mm]
+constexpr double kSideStep = 2e-6;               ///< how far from a piece its two sides are probed [mm]
+constexpr std::size_t kMaxPieces = 4'000'000;    ///< beyond any drawing that a spacing of 0.05 mm could show
+constexpr std::uint64_t kMaxWork = 800'000'000;  ///< pair tests; a few seconds, reached by hostile drawings only
 
 struct Edge {
   Vec2 a;
@@ -189,20 +189,21 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, std::vector<S
         entries.push_back({(static_cast<std::uint64_t>(row + 1) << 32) | static_cast<std::uint32_t>(column + 1),
                            static_cast<int>(k)});
       }
-      if (entries.size() > 16 * kMaxPieces) return false;
+      if (entries.size() > 4 * kMaxPieces) return false;
     }
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.edge < b.edge; });
-  std::size_t work = 0;
+  std::uint64_t work = 0;
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     while (end < entries.size() && entries[end].key == entries[begin].key) ++end;
-    work += (end - begin) * (end - begin) / 2;
+    const std::uint64_t count = end - begin;
+    work += count * count / 2;
     if (work > kMaxWork) return false;
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t j = i + 1; j < end; ++j) splitPair(edges, entries[i].edge, entries[j].edge, splits);
     }
-    if (splits.size() > 4 * kMaxPieces) return false;
+    if (splits.size() > 2 * kMaxPieces) return false;
   }
   std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
     return a.edge != b.edge ? a.edge < b.edge : (a.t != b.t ? a.t < b.t : a.at.x < b.at.x);
@@ -268,7 +269,7 @@ Result<Outline> resolveOutline(const Shape& shape) {
   if (pieces.size() > kMaxPieces) return tooLarge;
 
   InsideQuery query(shape, edges, outline.bounds);
-  std::size_t work = 0;
+  std::uint64_t work = 0;
   for (const BorderSegment& piece : pieces) work += query.cost(0.5 * (piece.a.y + piece.b.y));
   if (work > kMaxWork) return tooLarge;
   for (const BorderSegment& piece : pieces) {

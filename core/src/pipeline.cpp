@@ -20,7 +20,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kMaxCells = 100e6;
+// A cell takes some 230 bytes; where pointers have 32 bits no more than 2 GB can be had.
+constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
 
 // Times stages and tells the run where in the job they lie.
 class StageClock {
@@ -103,7 +104,8 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   if (cells > kMaxCells) {
     return Error{ErrorCode::TooLarge, "the plate of " + decimal(size.x, 1) + " x " + decimal(size.y, 1) + " mm needs " +
                                           decimal(cells / 1e6, 0) + " million cells at spacing " +
-                                          decimal(params.spacing, 3) + " mm; at most 100 million are possible"};
+                                          decimal(params.spacing, 3) + " mm; at most " + decimal(kMaxCells / 1e6, 0) +
+                                          " million are possible"};
   }
 
   clock.start("distance", 0.06);

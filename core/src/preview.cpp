@@ -13,14 +13,14 @@
 #include "direction_colour.hpp"
 #include "parallel_for.hpp"
 #include "sillon/image_io.hpp"
+#include "toolpath_check.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kSamples = 2;        // per pixel and axis
-constexpr int kBandRows = 16;      // pixel rows that one task rasterises and shades
-constexpr float kMaxWidth = 1000;  // [mm], of a bead
+constexpr int kSamples = 2;    // per pixel and axis
+constexpr int kBandRows = 16;  // pixel rows that one task rasterises and shades
 
 constexpr Rgb kBackground{38, 36, 34};  // warm grey, dark enough for both panels
 constexpr Rgb kInk{168, 162, 154};      // ticks of the legend
@@ -546,21 +546,7 @@ std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& p
   if (!within(params.lightElevation, 1, 90)) return "light elevation is outside its range of 1 to 90 degrees";
   if (!within(params.lightAzimuth, -36000, 36000))
     return "light azimuth is outside its range of -36000 to 36000 degrees";
-  if (!within(page.x, 1e-3, 1e5) || !within(page.y, 1e-3, 1e5))
-    return "page is outside its range of 0.001 to 100000 mm per side";
-  for (const Cycle& cycle : toolpath.cycles) {
-    if (cycle.widths.size() != cycle.points.size())
-      return "toolpath has a cycle with " + std::to_string(cycle.points.size()) + " points and " +
-             std::to_string(cycle.widths.size()) + " widths; there must be as many";
-    for (const Vec2f p : cycle.points) {
-      if (!within(p.x, -1e5, 1e5) || !within(p.y, -1e5, 1e5))
-        return "toolpath has a point outside -100000 to 100000 mm";
-    }
-    for (const float width : cycle.widths) {
-      if (!within(width, 0, kMaxWidth)) return "toolpath has a bead width outside 0 to 1000 mm";
-    }
-  }
-  return "";
+  return toolpathDefect(toolpath, page);
 }
 
 Result<RgbImage> renderChecked(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,

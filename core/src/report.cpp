@@ -73,19 +73,7 @@ std::int64_t pointCount(const Toolpath& toolpath) {
   return count;
 }
 
-}  // namespace
-
-std::string reportJson(const Plate& plate, const Measures& measures, int threads, std::int64_t peakBytes) {
-  Object report("");
-  report.add("version", inQuotes(kVersion));
-  report.add("spacing", plate.toolpath.spacing, 4);
-  std::string grid = "[";
-  grid += std::to_string(plate.nx) + ", " + std::to_string(plate.ny) + "]";
-  report.add("grid", grid);
-  report.add("parts", plate.parts);
-  report.add("cycles", plate.contourCycles);
-  report.add("toolpaths", static_cast<std::int64_t>(plate.toolpath.cycles.size()));
-  report.add("points", pointCount(plate.toolpath));
+void addMeasures(const Measures& measures, Object& report) {
   report.add("lengthMm", measures.lengthMm, 3);
   report.add("alignment", measures.alignment, 4);
   report.add("alignmentInterior", measures.alignmentInterior, 4);
@@ -99,13 +87,54 @@ std::string reportJson(const Plate& plate, const Measures& measures, int threads
   report.add("width", widthJson(measures.width));
   report.add("fillRatio", measures.fillRatio, 4);
   report.add("lostAreaMm2", measures.lostAreaMm2, 4);
+}
+
+std::string perimeterText(const ToolpathParams& params) {
+  switch (params.perimeterMode) {
+    case PerimeterMode::None:
+      return "none";
+    case PerimeterMode::Soft:
+      return "soft";
+    case PerimeterMode::Count:
+      break;
+  }
+  return std::to_string(params.perimeters);
+}
+
+}  // namespace
+
+std::string reportJson(const Plate& plate, const std::optional<Measures>& measures, int threads,
+                       std::int64_t peakBytes) {
+  Object report("");
+  report.add("version", inQuotes(kVersion));
+  report.add("spacing", plate.toolpath.spacing, 4);
+  std::string grid = "[";
+  grid += std::to_string(plate.nx) + ", " + std::to_string(plate.ny) + "]";
+  report.add("grid", grid);
+  report.add("parts", plate.parts);
+  report.add("cycles", plate.contourCycles);
+  report.add("toolpaths", static_cast<std::int64_t>(plate.toolpath.cycles.size()));
+  report.add("points", pointCount(plate.toolpath));
+  if (measures) addMeasures(*measures, report);
   report.add("longestJointMm", plate.longestJointMm, 4);
   report.add("gapJoints", static_cast<std::int64_t>(plate.gapJoints));
   report.add("time", timeJson(plate.time));
   report.add("peakBytes", peakBytes);
   report.add("threads", static_cast<std::int64_t>(threads));
-  report.add("digest", inQuotes(measures.digest));
+  report.add("digest", inQuotes(measures ? measures->digest : digestOf(plate.toolpath)));
   return report.text() + "\n";
+}
+
+std::vector<std::string> plateNotes(const ToolpathParams& params, const std::optional<Measures>& measures) {
+  std::vector<std::string> notes = {"seed = " + std::to_string(params.seed) +
+                                    ", perimeters = " + perimeterText(params)};
+  if (measures) {
+    notes.push_back("alignment = " + number(measures->alignment, 4) + ", coverage = " + number(measures->coverage, 2) +
+                    ", overlap = " + number(measures->overlap, 2) +
+                    ", crossings = " + std::to_string(measures->crossings));
+    notes.push_back("toolpath digest = " + measures->digest);
+  }
+  return notes;
 }
 
 }  // namespace sillon

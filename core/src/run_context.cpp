@@ -21,6 +21,12 @@ namespace {
 // some 100 us each; waking a sleeper takes 50 us.
 constexpr int kSpins = 4000;
 
+#if defined(SILLON_NO_THREADS)
+constexpr int kMaxThreads = 1;
+#else
+constexpr int kMaxThreads = 256;
+#endif
+
 // Lets the other thread of a core have it, and now and then the other threads of the machine.
 void pause(int spin) {
 #if defined(__SSE2__)
@@ -73,7 +79,7 @@ struct ThreadPool::State {
   }
 };
 
-ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads_(std::clamp(threads, 1, 256)) {
+ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads_(std::clamp(threads, 1, kMaxThreads)) {
   for (int k = 1; k < threads_; ++k) state_->workers.emplace_back([this] { state_->loop(); });
 }
 

@@ -23,7 +23,12 @@ using I4 = std::int32_t __attribute__((vector_size(16)));
 
 inline F4 splat(float v) { return F4{v, v, v, v}; }
 inline I4 splatInt(std::int32_t v) { return I4{v, v, v, v}; }
+#if defined(__wasm_simd128__)
+// The compiler's own choice compares the mask with zero first.
+inline F4 select4(I4 mask, F4 a, F4 b) { return (F4)wasm_v128_bitselect((v128_t)a, (v128_t)b, (v128_t)mask); }
+#else
 inline F4 select4(I4 mask, F4 a, F4 b) { return mask ? a : b; }
+#endif
 inline F4 toFloat(I4 v) { return __builtin_convertvector(v, F4); }
 inline I4 toInt(F4 v) { return __builtin_convertvector(v, I4); }  // towards zero
 
@@ -90,8 +95,13 @@ inline F4 sqrt4(F4 v) {
 #endif
 }
 
+#if defined(__wasm_simd128__)
+inline F4 max4(F4 a, F4 b) { return (F4)wasm_f32x4_pmax((v128_t)b, (v128_t)a); }
+inline F4 min4(F4 a, F4 b) { return (F4)wasm_f32x4_pmin((v128_t)b, (v128_t)a); }
+#else
 inline F4 max4(F4 a, F4 b) { return select4(a > b, a, b); }
 inline F4 min4(F4 a, F4 b) { return select4(a < b, a, b); }
+#endif
 inline F4 abs4(F4 a) { return max4(a, -a); }
 
 }  // namespace sillon

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "direction_colour.hpp"
+#include "toolpath_check.hpp"
 
 namespace sillon {
 namespace {
@@ -121,9 +123,12 @@ void appendCycle(std::string& out, const Cycle& cycle, double pageHeight, std::s
 
 }  // namespace
 
-std::string toolpathSvg(const Toolpath& toolpath, Vec2 page) {
-  const std::int64_t width = std::max<std::int64_t>(0, microns(page.x));
-  const std::int64_t height = std::max<std::int64_t>(0, microns(page.y));
+Result<std::string> toolpathSvg(const Toolpath& toolpath, Vec2 page) {
+  if (std::string defect = toolpathDefect(toolpath, page); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  }
+  const std::int64_t width = microns(page.x);
+  const std::int64_t height = microns(page.y);
   std::size_t points = 0;
   for (const Cycle& cycle : toolpath.cycles) points += cycle.points.size();
 

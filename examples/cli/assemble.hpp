@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sillon/pipeline.hpp"
+#include "sillon/plate_input.hpp"
 #include "sillon/project.hpp"
 #include "sillon/result.hpp"
 

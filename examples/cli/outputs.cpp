@@ -55,37 +55,10 @@ std::int64_t peakBytes() {
 #endif
 }
 
-std::string perimeterText(const sillon::ToolpathParams& params) {
-  switch (params.perimeterMode) {
-    case sillon::PerimeterMode::None:
-      return "none";
-    case sillon::PerimeterMode::Soft:
-      return "soft";
-    case sillon::PerimeterMode::Count:
-      break;
-  }
-  return std::to_string(params.perimeters);
-}
-
-/// Header lines of the G-code beyond the writer's own: what made the path and how good it is.
-std::vector<std::string> gcodeNotes(const Job& job) {
-  const sillon::ToolpathParams& params = job.project.toolpath;
-  std::vector<std::string> notes;
-  notes.push_back(print("seed = %llu, perimeters = %s", static_cast<unsigned long long>(params.seed),
-                        perimeterText(params).c_str()));
-  if (job.measures) {
-    const Measures& m = *job.measures;
-    notes.push_back(print("alignment = %.4f, coverage = %.2f, overlap = %.2f, crossings = %lld", m.alignment,
-                          m.coverage, m.overlap, static_cast<long long>(m.crossings)));
-    notes.push_back("toolpath digest = " + m.digest);
-  }
-  return notes;
-}
-
 Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   sillon::PrintParams print = job.project.print;
   print.date = job.date;
-  print.notes = gcodeNotes(job);
+  print.notes = sillon::plateNotes(job.project.toolpath, job.measures);
   std::string text;
   auto summary =
       sillon::writeGcode(job.plate.toolpath, job.input.shape, job.project.printer, print, [&](std::string_view piece) {
@@ -158,7 +131,11 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     if (!text) return text.error();
     files.push_back({paths.gcode, std::move(text).value()});
   }
-  if (!paths.svg.empty()) files.push_back({paths.svg, sillon::toolpathSvg(job.plate.toolpath, job.input.shape.page)});
+  if (!paths.svg.empty()) {
+    Result<std::string> svg = sillon::toolpathSvg(job.plate.toolpath, job.input.shape.page);
+    if (!svg) return svg.error();
+    files.push_back({paths.svg, std::move(svg).value()});
+  }
   if (!paths.preview.empty()) {
     Result<std::string> png = previewPng(job, paths.previewWidth, run);
     if (!png) return png.error();

@@ -15,7 +15,8 @@ class RunContext {
  public:
   using Progress = std::function<void(std::string_view stage, double fraction)>;
 
-  /// \param threads  worker count including the caller, clamped to 1..256. Results never depend on it.
+  /// \param threads  worker count including the caller, clamped to 1..256, and to 1 where SILLON_NO_THREADS is
+  /// defined. Results never depend on it.
   explicit RunContext(int threads = 1);
   ~RunContext();
   RunContext(const RunContext&) = delete;
@@ -30,6 +31,8 @@ class RunContext {
   /// Asks the running job to stop; safe from any thread and from signal handlers.
   void requestCancel() { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  /// The request itself, for hosts that reach this memory but not this code, and to take it back before the next job.
+  [[nodiscard]] std::atomic<bool>& cancelFlag() { return cancelled_; }
 
   /// Starts a job: progress back to 0. Does not clear a cancel request.
   void beginJob() const;

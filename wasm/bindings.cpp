@@ -1,0 +1,181 @@
+// What JavaScript may call. Every function returns {value} or {error: {code, message}}; no exception leaves.
+#include <emscripten/bind.h>
+#include <emscripten/heap.h>
+
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "convert.hpp"
+#include "sillon/measure.hpp"
+#include "sillon/pipeline.hpp"
+#include "sillon/plate_input.hpp"
+#include "sillon/preview.hpp"
+#include "sillon/project.hpp"
+#include "sillon/report.hpp"
+#include "sillon/toolpath_svg.hpp"
+#include "sillon/version.hpp"
+
+namespace {
+
+using convert::failure;
+using convert::success;
+using emscripten::val;
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::Result;
+
+// Lives as long as the module: its threads are started once, with it.
+std::unique_ptr<sillon::RunContext> context;
+
+/// Runs one call in a fresh state and turns whatever it throws into an error.
+template <class Body>
+val guarded(const Body& body) {
+  try {
+    if (context == nullptr) context = std::make_unique<sillon::RunContext>(1);
+    context->cancelFlag().store(false);
+    context->onProgress({});
+    return body(*context);
+  } catch (const std::bad_alloc&) {
+    return failure("OutOfMemory",
+                   "the engine ran out of memory at " + std::to_string(emscripten_get_heap_size() >> 20) + " MiB");
+  } catch (const std::exception& problem) {
+    return failure("Internal", problem.what());
+  } catch (...) {
+    return failure("Internal", "something that is no exception was thrown");
+  }
+}
+
+void tell(sillon::RunContext& run, const val& onProgress) {
+  run.onProgress([onProgress](std::string_view stage, double fraction) { onProgress(convert::toJs(stage), fraction); });
+}
+
+val start(int threads) {
+  return guarded([&](sillon::RunContext&) {
+    context = std::make_unique<sillon::RunContext>(threads);
+    val out = val::object();
+    out.set("version", convert::toJs(sillon::kVersion));
+    out.set("cancelFlag", reinterpret_cast<std::uintptr_t>(&context->cancelFlag()));
+    return success(out);
+  });
+}
+
+val generateToolpath(const std::string& projectJson, const val& files, bool measure, const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress);
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    const sillon::ToolpathParams& params = project.value().toolpath;
+    const auto input = sillon::readPlateInput(project.value(), convert::reader(files));
+    if (!input) return failure(input.error());
+    const sillon::PlateInput& plateInput = input.value();
+    const auto plate = sillon::generateToolpath(plateInput, params, run);
+    if (!plate) return failure(plate.error());
+    const sillon::Toolpath& toolpath = plate.value().toolpath;
+
+    std::optional<sillon::Measures> measures;
+    if (measure) {
+      const auto measured =
+          sillon::measureToolpath(toolpath, plateInput.shape, plateInput.directions, plateInput.modes, params, run);
+      if (!measured) return failure(measured.error());
+      measures = measured.value();
+    }
+    val notes = val::array();
+    for (const std::string& note : sillon::plateNotes(params, measures)) notes.call<void>("push", val(note));
+    val path = convert::toJs(toolpath);
+    path.set("shape", convert::toJs(plateInput.shape));
+    path.set("notes", notes);
+    val out = val::object();
+    out.set("toolpath", path);
+    out.set("report", val(sillon::reportJson(plate.value(), measures, run.threads(),
+                                             static_cast<std::int64_t>(emscripten_get_heap_size()))));
+    return success(out);
+  });
+}
+
+val writeGcode(const val& toolpath, const std::string& projectJson, const std::string& date, const val& onChunk) {
+  return guarded([&](sillon::RunContext& run) {
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    sillon::PrintParams print = project.value().print;
+    print.date = date;
+    print.notes = emscripten::vecFromJSArray<std::string>(toolpath["notes"]);
+    const auto summary =
+        sillon::writeGcode(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]),
+                           project.value().printer, print, [&](std::string_view piece) {
+                             const auto* data = reinterpret_cast<const std::uint8_t*>(piece.data());
+                             return !run.cancelled() && onChunk(convert::copied(data, piece.size())).as<bool>();
+                           });
+    if (!summary) return failure(summary.error());
+    return success(convert::toJs(summary.value()));
+  });
+}
+
+val writeSvg(const val& toolpath) {
+  return guarded([&](sillon::RunContext&) {
+    const auto svg = sillon::toolpathSvg(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page);
+    if (!svg) return failure(svg.error());
+    return success(convert::copied(reinterpret_cast<const std::uint8_t*>(svg.value().data()), svg.value().size()));
+  });
+}
+
+val renderPreview(const val& toolpath, int width, double lightAzimuth, double lightElevation, const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress);
+    sillon::PreviewParams params;
+    params.width = width;
+    params.lightAzimuth = lightAzimuth;
+    params.lightElevation = lightElevation;
+    const auto picture =
+        sillon::renderPreview(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page, params, run);
+    if (!picture) return failure(picture.error());
+    const sillon::RgbImage& image = picture.value();
+    const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+    if (png.empty()) throw std::bad_alloc();
+    return success(convert::copied(png.data(), png.size()));
+  });
+}
+
+val readShape(const std::string& projectJson, const val& files) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    const auto input = sillon::readPlateInput(project.value(), convert::reader(files));
+    if (!input) return failure(input.error());
+    return success(convert::toJs(input.value().shape));
+  });
+}
+
+val decodePicture(const val& file, const std::string& name) {
+  return guarded([&](sillon::RunContext&) {
+    const auto image = sillon::decodeImage(convert::numbers<std::uint8_t>(file), name);
+    if (!image) return failure(image.error());
+    return success(convert::toJs(image.value()));
+  });
+}
+
+val readProject(const std::string& json) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(json);
+    if (!project) return failure(project.error());
+    return success(val(sillon::writeProject(project.value())));
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(sillon) {
+  emscripten::function("start", &start);
+  emscripten::function("generateToolpath", &generateToolpath);
+  emscripten::function("writeGcode", &writeGcode);
+  emscripten::function("writeSvg", &writeSvg);
+  emscripten::function("renderPreview", &renderPreview);
+  emscripten::function("readShape", &readShape);
+  emscripten::function("decodePicture", &decodePicture);
+  emscripten::function("readProject", &readProject);
+}

@@ -1,0 +1,240 @@
+// Between JavaScript values and the core's plain data. Everything is copied: nothing points into the engine's memory.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/gcode.hpp"
+#include "sillon/image_io.hpp"
+#include "sillon/plate_input.hpp"
+#include "sillon/result.hpp"
+#include "sillon/shape.hpp"
+#include "sillon/types.hpp"
+
+namespace convert {
+
+using emscripten::val;
+
+/// A typed array of its own: a view on shared memory could be neither transferred nor made a Blob.
+template <class T>
+val copied(const T* data, std::size_t count) {
+  return val(emscripten::typed_memory_view(count, data)).template call<val>("slice");
+}
+
+/// An ArrayBufferView's bytes in the engine's memory.
+template <class T>
+std::vector<T> numbers(const val& array) {
+  const auto count = array["length"].as<std::size_t>();
+  std::vector<T> out(count);
+  if (count > 0) val(emscripten::typed_memory_view(count, out.data())).call<void>("set", array);
+  return out;
+}
+
+inline std::string bytes(const val& array) {
+  const auto count = array["length"].as<std::size_t>();
+  std::string out(count, '\0');
+  if (count > 0) {
+    val(emscripten::typed_memory_view(count, reinterpret_cast<std::uint8_t*>(out.data()))).call<void>("set", array);
+  }
+  return out;
+}
+
+inline val toJs(std::string_view text) { return val(std::string(text)); }
+inline val toJs(sillon::Vec2 v) {
+  val pair = val::array();
+  pair.set(0, v.x);
+  pair.set(1, v.y);
+  return pair;
+}
+
+inline val toJs(const sillon::Shape& shape) {
+  val paths = val::array();
+  for (const sillon::FilledPath& path : shape.paths) {
+    val rings = val::array();
+    for (const sillon::Ring& ring : path.rings) {
+      rings.call<void>("push", copied(reinterpret_cast<const double*>(ring.data()), 2 * ring.size()));
+    }
+    val out = val::object();
+    out.set("fillRule", toJs(path.fillRule == sillon::FillRule::EvenOdd ? "evenodd" : "nonzero"));
+    out.set("rings", rings);
+    paths.call<void>("push", out);
+  }
+  val out = val::object();
+  out.set("page", toJs(shape.page));
+  out.set("paths", paths);
+  return out;
+}
+
+inline sillon::Shape shapeFrom(const val& js) {
+  sillon::Shape shape;
+  shape.page = {js["page"][0].as<double>(), js["page"][1].as<double>()};
+  const val paths = js["paths"];
+  const auto count = paths["length"].as<int>();
+  for (int k = 0; k < count; ++k) {
+    sillon::FilledPath path;
+    path.fillRule =
+        paths[k]["fillRule"].as<std::string>() == "evenodd" ? sillon::FillRule::EvenOdd : sillon::FillRule::NonZero;
+    const val rings = paths[k]["rings"];
+    const auto ringCount = rings["length"].as<int>();
+    for (int r = 0; r < ringCount; ++r) {
+      const std::vector<double> flat = numbers<double>(rings[r]);
+      sillon::Ring ring(flat.size() / 2);
+      for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = {flat[2 * i], flat[2 * i + 1]};
+      path.rings.push_back(std::move(ring));
+    }
+    shape.paths.push_back(std::move(path));
+  }
+  return shape;
+}
+
+/// Without shape and notes, which are not part of the core's toolpath.
+inline val toJs(const sillon::Toolpath& toolpath) {
+  val cycles = val::array();
+  for (const sillon::Cycle& cycle : toolpath.cycles) {
+    val out = val::object();
+    out.set("points", copied(reinterpret_cast<const float*>(cycle.points.data()), 2 * cycle.points.size()));
+    out.set("widths", copied(cycle.widths.data(), cycle.widths.size()));
+    cycles.call<void>("push", out);
+  }
+  val out = val::object();
+  out.set("spacing", toolpath.spacing);
+  out.set("cycles", cycles);
+  return out;
+}
+
+inline sillon::Toolpath toolpathFrom(const val& js) {
+  sillon::Toolpath toolpath;
+  toolpath.spacing = js["spacing"].as<double>();
+  const val cycles = js["cycles"];
+  const auto count = cycles["length"].as<int>();
+  for (int k = 0; k < count; ++k) {
+    sillon::Cycle cycle;
+    const std::vector<float> flat = numbers<float>(cycles[k]["points"]);
+    cycle.points.resize(flat.size() / 2);
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) cycle.points[i] = {flat[2 * i], flat[2 * i + 1]};
+    cycle.widths = numbers<float>(cycles[k]["widths"]);
+    toolpath.cycles.push_back(std::move(cycle));
+  }
+  return toolpath;
+}
+
+inline val toJs(const sillon::Image& image) {
+  val out = val::object();
+  out.set("width", image.width);
+  out.set("height", image.height);
+  out.set("channels", image.channels);
+  out.set("samples", copied(image.samples.data(), image.samples.size()));
+  return out;
+}
+
+inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string& name) {
+  const auto width = js["width"].as<double>();
+  const auto height = js["height"].as<double>();
+  const auto channels = js["channels"].as<double>();
+  const auto length = js["samples"]["length"].as<double>();
+  const auto whole = [](double v, double low, double high) {
+    return v >= low && v <= high && v == static_cast<double>(static_cast<int>(v));
+  };
+  const bool sized = whole(width, 1, sillon::kMaxImageSide) && whole(height, 1, sillon::kMaxImageSide) &&
+                     whole(channels, 1, 4) && width * height <= static_cast<double>(sillon::kMaxImagePixels);
+  if (!sized || length != width * height * channels) {
+    return sillon::Error{sillon::ErrorCode::InvalidArgument,
+                         name +
+                             " is a picture whose sides, channels (1 to 4) and number of samples do not fit; it "
+                             "needs width * height * channels samples, sides of 1 to 32768 pixels and at most 100 "
+                             "million pixels"};
+  }
+  sillon::Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels), {}};
+  if (js["samples"]["BYTES_PER_ELEMENT"].as<int>() == 2) {
+    image.samples = numbers<std::uint16_t>(js["samples"]);
+  } else {
+    const std::string narrow = bytes(js["samples"]);
+    image.samples.reserve(narrow.size());
+    for (const char c : narrow) {
+      image.samples.push_back(static_cast<std::uint16_t>(static_cast<unsigned char>(c) * 257));
+    }
+  }
+  return image;
+}
+
+/// Files by name, as bytes or as pictures.
+inline sillon::ReadInput reader(const val& files) {
+  return [files](const std::string& name, const std::string& what) -> sillon::Result<sillon::InputFile> {
+    const val file = files[name];
+    if (file.isUndefined() || file.isNull()) {
+      return sillon::Error{sillon::ErrorCode::InvalidArgument,
+                           "the " + what + " \"" + name + "\" is named but not given; hand its bytes over"};
+    }
+    if (file["samples"].isUndefined()) {
+      std::string content = bytes(file);
+      if (content.empty()) {
+        return sillon::Error{sillon::ErrorCode::InvalidFile,
+                             "the " + what + " \"" + name + "\" is empty; it must hold at least one byte"};
+      }
+      return sillon::InputFile(std::move(content));
+    }
+    sillon::Result<sillon::Image> image = imageFrom(file, "the " + what);
+    if (!image) return image.error();
+    return sillon::InputFile(std::move(image).value());
+  };
+}
+
+inline val toJs(const sillon::GcodeSummary& summary) {
+  val warnings = val::array();
+  for (const std::string& warning : summary.warnings) warnings.call<void>("push", val(warning));
+  val out = val::object();
+  out.set("filamentMm", summary.filamentMm);
+  out.set("filamentCm3", summary.filamentCm3);
+  out.set("filamentGrams", summary.filamentGrams);
+  out.set("seconds", summary.seconds);
+  out.set("moves", static_cast<double>(summary.moves));
+  out.set("bytes", static_cast<double>(summary.bytes));
+  out.set("clampedLengthMm", summary.clampedLengthMm);
+  out.set("warnings", warnings);
+  return out;
+}
+
+inline const char* codeName(sillon::ErrorCode code) {
+  switch (code) {
+    case sillon::ErrorCode::InvalidArgument:
+      return "InvalidArgument";
+    case sillon::ErrorCode::InvalidFile:
+      return "InvalidFile";
+    case sillon::ErrorCode::TooLarge:
+      return "TooLarge";
+    case sillon::ErrorCode::EmptyShape:
+      return "EmptyShape";
+    case sillon::ErrorCode::DoesNotFit:
+      return "DoesNotFit";
+    case sillon::ErrorCode::Cancelled:
+      return "Cancelled";
+    case sillon::ErrorCode::Internal:
+      break;
+  }
+  return "Internal";
+}
+
+/// {error: {code, message}}
+inline val failure(const char* code, const std::string& message) {
+  val error = val::object();
+  error.set("code", toJs(code));
+  error.set("message", val(message));
+  val out = val::object();
+  out.set("error", error);
+  return out;
+}
+inline val failure(const sillon::Error& error) { return failure(codeName(error.code), error.message); }
+
+/// {value}
+inline val success(const val& value) {
+  val out = val::object();
+  out.set("value", value);
+  return out;
+}
+
+}  // namespace convert
