@@ -29,11 +29,12 @@ simplify: bead_width
 pipeline: shape direction_map sdf parts line_field phase_field sine_field contour stitch relaxation bead_width simplify
 measure: direction_map outline sdf constraints
 report: measure pipeline
+turned: shape gcode
 base_layers: shape outline
 motion: gcode
 chunked_output: gcode
 gcode_checks: gcode gcode_job
-gcode_job: gcode gcode_checks base_layers motion
+gcode_job: gcode gcode_checks turned base_layers motion
 gcode: shape outline motion gcode_job chunked_output
 preview: image_io
 toolpath_svg: shape

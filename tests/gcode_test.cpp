@@ -790,6 +790,56 @@ TEST_CASE("the plate is centred by its box unless placed by its page") {
   CHECK(path.moves[0].x0 == -14800);
 }
 
+TEST_CASE("a quarter turn of the plate is a quarter turn of every vertex, and a mirror is one") {
+  Job job = plate();
+  job.params.base = 0;
+  job.params.skirt = 0;
+  job.params.place = Vec2{50, 60};
+  const auto vertices = [&] {
+    std::vector<std::pair<std::int64_t, std::int64_t>> out;
+    for (const auto& move : lastPath(checkFile(job, job.write())).moves) out.emplace_back(move.x0, move.y0);
+    return out;
+  };
+  const auto straight = vertices();
+  // The page of 30 x 20 mm: its corner stays at (50, 60), whatever its turn.
+  const auto expect = [&](auto place) {
+    const auto turned = vertices();
+    REQUIRE(turned.size() == straight.size());
+    for (std::size_t k = 0; k < straight.size(); ++k) {
+      const auto [x, y] = place(straight[k].first - 50000, straight[k].second - 60000);
+      CHECK(std::abs(turned[k].first - 50000 - x) <= 1);
+      CHECK(std::abs(turned[k].second - 60000 - y) <= 1);
+    }
+  };
+  using Um = std::pair<std::int64_t, std::int64_t>;
+  job.params.rotate = 90;
+  expect([](std::int64_t x, std::int64_t y) { return Um{20000 - y, x}; });
+  job.params.rotate = -180;
+  expect([](std::int64_t x, std::int64_t y) { return Um{30000 - x, 20000 - y}; });
+  job.params.rotate = 0;
+  job.params.mirror = true;
+  expect([](std::int64_t x, std::int64_t y) { return Um{30000 - x, y}; });
+  job.params.rotate = 270;
+  expect([](std::int64_t x, std::int64_t y) { return Um{y, x}; });  // mirrored first, then turned
+}
+
+TEST_CASE("a turned plate keeps its lengths and stays upon the bed or is refused") {
+  Job job = plate(200, 20);
+  job.printer.bedMax = {220, 120};
+  job.params.base = 0;   // its hatches run along the bed's axes
+  job.params.skirt = 0;  // and this around a box
+  const double straight = job.write().result.value().filamentMm;
+  job.params.rotate = 20;
+  const Written turned = job.write();
+  checkFile(job, turned);
+  CHECK(turned.result.value().filamentMm == doctest::Approx(straight).epsilon(2e-3));
+  job.params.rotate = 60;
+  REQUIRE(!job.write().result.ok());
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
+  job.params.rotate = 400;
+  CHECK(job.write().result.error().message.find("rotate is 400 degrees; it must be -360 to 360") == 0);
+}
+
 TEST_CASE("what does not fit is refused with the overhang of each side") {
   Job job = plate();
   job.params.place = Vec2{-2, 205.5};

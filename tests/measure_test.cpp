@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -135,4 +137,21 @@ TEST_CASE("measures are equal for any number of threads, and digests tell plates
   Toolpath other = path;
   other.cycles[0].points[3].x += 0.001f;
   CHECK(digestOf(other) != digestOf(path));
+}
+
+TEST_CASE("measuring tells its progress: from 0 to 1, never falling") {
+  RunContext run(2);
+  std::vector<double> seen;
+  run.onProgress([&](std::string_view stage, double fraction) {
+    CHECK(stage == "measure");
+    seen.push_back(fraction);
+  });
+  const Shape square = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 40})}, {40, 40});
+  const auto m = measureToolpath(toolpathOf(ringOf(scenes::rectangle({5, 5}, {35, 35})), 0.4f), square, scenes::waves(),
+                                 uniformMode(DirectionMode::Constrained), {}, run);
+  REQUIRE(m.ok());
+  REQUIRE(seen.size() > 10);
+  CHECK(seen.front() == 0);
+  CHECK(seen.back() == 1);
+  CHECK(std::is_sorted(seen.begin(), seen.end()));
 }

@@ -63,6 +63,8 @@ Project unusualProject() {
   p.print.firstLayerHeight = 0.25;
   p.print.flow = 0.9;
   p.print.baseFlow = 1.01;
+  p.print.rotate = 30.5;
+  p.print.mirror = true;
   p.print.place = Vec2{-1.5, 20};
   p.printer.name = "Mine";
   p.printer.flavor = GcodeFlavor::Klipper;
@@ -134,6 +136,8 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.toolpath.seed == q.toolpath.seed);
   CHECK(p.toolpath.bridge == q.toolpath.bridge);
   CHECK(p.toolpath.perimeterMode == q.toolpath.perimeterMode);
+  CHECK(p.print.rotate == q.print.rotate);
+  CHECK(p.print.mirror);
   CHECK(p.print.place == q.print.place);
   CHECK(p.printer.bedMin == q.printer.bedMin);
   CHECK(p.printer.flavor == q.printer.flavor);

@@ -93,6 +93,7 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
       {"firstLayerHeight", firstLayerHeight(params), " mm", 0.05, 0.8 * printer.nozzle},
       {"flow", params.flow, "", 0, 2, true},
       {"baseFlow", params.baseFlow, "", 0, 2, true},
+      {"rotate", params.rotate, " degrees", -360, 360},
       {"place.x", params.place ? params.place->x : 0, " mm", -10000, 10000},
       {"place.y", params.place ? params.place->y : 0, " mm", -10000, 10000},
   };

@@ -7,6 +7,7 @@
 #include "base_layers.hpp"
 #include "gcode_checks.hpp"
 #include "text.hpp"
+#include "turned.hpp"
 
 namespace sillon {
 namespace {
@@ -271,9 +272,12 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
 
 }  // namespace
 
-Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape, const Printer& printer,
                                  const PrintParams& params) {
-  if (auto error = checkGcodeInput(toolpath, shape, printer, params)) return *error;
+  if (auto error = checkGcodeInput(given, givenShape, printer, params)) return *error;
+  const Turn turn(params, givenShape.page);
+  const Toolpath& toolpath = turn.none() ? given : turn.apply(given);
+  const Shape& shape = turn.none() ? givenShape : turn.apply(givenShape);
   const Bounds shapeBox = bounds(shape);
   if (shapeBox.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
 

@@ -13,7 +13,8 @@ namespace sillon {
 namespace {
 
 constexpr int kPixelsPerSpacing = 20;
-constexpr int kTile = 128;  ///< pixels; the state of one tile stays in the second-level cache
+constexpr int kTile = 128;          ///< pixels; the state of one tile stays in the second-level cache
+constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
 
 Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -164,7 +165,7 @@ AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& 
 
   const int tiles = tx * ty;
   std::vector<AreaCount> counts(static_cast<std::size_t>(tiles));
-  parallelFor(run, tiles, std::max(1, tiles / (16 * run.threads())), [&](int firstTile, int lastTile) {
+  const auto countTiles = [&](int firstTile, int lastTile) {
     TilePasses passes(lengthOfCycle, static_cast<float>(3 * toolpath.spacing));
     for (int tile = firstTile; tile < lastTile && !run.cancelled(); ++tile) {
       passes.reset();
@@ -198,7 +199,14 @@ AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& 
         }
       }
     }
-  });
+  };
+  const int step = (tiles - 1) / 24 + 1;  // between reports of progress
+  for (int done = 0; done < tiles && !run.cancelled(); done += step) {
+    const int count = std::min(step, tiles - done);
+    parallelFor(run, count, std::max(1, count / (4 * run.threads())),
+                [&](int first, int last) { countTiles(done + first, done + last); });
+    run.report(kAreaShare * std::min(done + step, tiles) / tiles);
+  }
   AreaCount total;
   for (const AreaCount& count : counts) {
     total.covered += count.covered;
@@ -407,6 +415,8 @@ std::string digestOf(const Toolpath& toolpath) {
 
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
                                  const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+  run.beginJob();
+  run.beginStage("measure", 0, 1);
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   Bounds box = outline.value().bounds;
@@ -459,6 +469,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.crossings = static_cast<std::int64_t>(findCrossings(curves, run).size());
   out.width = widthsOf(toolpath, params, out.lengthMm);
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  run.report(1);
   return out;
 }
 

@@ -105,6 +105,8 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.number("firstLayerHeight", p.print.firstLayerHeight, 0, kMaxLayerHeight, "mm");
   v.number("flow", p.print.flow, 0.01, 2, "");
   v.number("baseFlow", p.print.baseFlow, 0.01, 2, "");
+  v.number("rotate", p.print.rotate, -360, 360, "degrees");
+  v.boolean("mirror", p.print.mirror);
   v.point("place", p.print.place, -kMaxSide, kMaxSide, "mm");
   v.end();
 

@@ -144,6 +144,20 @@ class Options {
     });
   }
 
+  /// An option without a value, which sets a flag of the project. \param field  from a project to its flag.
+  void flag(const std::string& name, const std::string& help, bool& (*field)(Project&)) {
+    app_.add_flag_callback(
+            name,
+            [this, field] {
+              arguments_.changes.emplace_back([field](Project& project) {
+                field(project) = true;
+                return std::string();
+              });
+            },
+            help)
+        ->group(group_);
+  }
+
   /// An option for one of a few words. \param set  what a word does.
   template <class T>
   CLI::Option* choice(const std::string& name, const std::string& help, const Choices<T>& choices,
@@ -343,6 +357,11 @@ void addPrint(Options& options) {
       return std::string();
     };
   });
+  options.number(
+      "--rotate", "DEG", "turns the plate on the bed, counter-clockwise",
+      [](Project & p) -> auto& { return p.print.rotate; });
+  options.flag("--mirror", "left to right, before turning: for plates seen from below",
+               [](Project& p) -> bool& { return p.print.mirror; });
   options.word("--place", "X,Y", "lower left corner of the page on the bed [centred]", [](const std::string& text) {
     const std::optional<Vec2> place = parsePair(text, ',');
     if (!place) refuse("--place", text, "X,Y in mm");

@@ -55,7 +55,9 @@ struct PrintParams {
   double firstLayerHeight = 0;  ///< 0: same as layerHeight
   double flow = 0.95;           ///< of oriented layers, (0, 2]
   double baseFlow = 1;
-  std::optional<Vec2> place;                        ///< page's lower left corner on the bed [mm]; unset: plate centred
+  double rotate = 0;          ///< of the plate on the bed, counter-clockwise [degrees], -360..360
+  bool mirror = false;        ///< left to right, before turning: for plates seen from below
+  std::optional<Vec2> place;  ///< lower left corner of the turned page's box on the bed [mm]; unset: plate centred
   std::string date = "1970-01-01 at 00:00:00 UTC";  ///< written into line 1; core never reads a clock
   std::vector<std::string> notes;                   ///< extra header lines, without the semicolon
 };
