@@ -37,6 +37,7 @@ gcode_checks: gcode gcode_job
 gcode_job: gcode gcode_checks turned base_layers motion
 gcode: shape outline motion gcode_job chunked_output
 preview: image_io
+thumbnails: gcode preview image_io
 toolpath_svg: shape
 project: direction_map gcode pipeline
 plate_input: shape svg image_io direction_map pipeline project

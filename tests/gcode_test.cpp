@@ -767,6 +767,31 @@ TEST_CASE("a skirt that does not fit is left out with a warning, and a purge lin
   CHECK(contains(tight.result.value().warnings, "no room for a purge line"));
 }
 
+TEST_CASE("thumbnails are in the header, in base64 of the length their first line tells") {
+  Job job = plate();
+  std::vector<std::uint8_t> bytes(200);
+  for (std::size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<std::uint8_t>(7 * k);
+  job.params.thumbnails = {{32, 16, {'M', 'a', 'n', 'y'}}, {300, 300, bytes}};
+  const Written written = job.write();
+  checkFile(job, written);
+  CHECK(written.text.find("\n; thumbnail begin 32x16 8\n; TWFueQ==\n; thumbnail end\n") != std::string::npos);
+  const std::string begin = "; thumbnail begin 300x300 268\n";  // 4 * ceil(200 / 3)
+  const std::size_t at = written.text.find(begin);
+  REQUIRE(at != std::string::npos);
+  std::size_t digits = 0;
+  std::size_t line = at + begin.size();
+  while (written.text.compare(line, 15, "; thumbnail end") != 0) {
+    const std::size_t end = written.text.find('\n', line);
+    CHECK(end - line <= 80);
+    digits += end - line - 2;
+    line = end + 1;
+  }
+  CHECK(digits == 268);
+
+  job.params.thumbnails[0].width = 0;
+  CHECK(job.write().result.error().message.find("a thumbnail is 0 x 16 pixels in 4 bytes; it must be") == 0);
+}
+
 // ---- placement
 
 TEST_CASE("the plate is centred by its box unless placed by its page") {

@@ -324,3 +324,20 @@ TEST_CASE("what is no toolpath is not drawn, and it is said why") {
   CHECK(refused(good, {std::numeric_limits<double>::quiet_NaN(), 8}));
   CHECK(refused(good, {10, -1}));
 }
+
+TEST_CASE("the look alone has its size, the plate in its middle, and the same pixels for any number of threads") {
+  const Toolpath toolpath{{Cycle{{{5, 5}, {55, 5}, {55, 15}, {5, 15}}, {10, 10, 10, 10}}}, 10};  // fills 60 x 20 mm
+  const auto look = renderLook(toolpath, {60, 20}, 120, 90, RunContext(1));
+  REQUIRE(look.ok());
+  const RgbImage& image = look.value();
+  CHECK(image.width == 120);
+  CHECK(image.height == 90);
+  const auto at = [&](int x, int y) { return &image.rgb[static_cast<std::size_t>(3 * (y * 120 + x))]; };
+  const auto plate = [&](int x, int y) { return at(x, y)[0] > 60; };  // the ground is darker
+  // 92 % of 120 pixels: from 5 to 115, and a third as high.
+  CHECK((plate(60, 45) && plate(8, 45) && plate(112, 45) && plate(60, 29) && plate(60, 60)));
+  CHECK_FALSE((plate(2, 45) || plate(117, 45) || plate(60, 15) || plate(60, 75)));
+  CHECK(image.rgb == renderLook(toolpath, {60, 20}, 120, 90, RunContext(3)).value().rgb);
+  CHECK(renderLook(toolpath, {60, 20}, 15, 90, RunContext(1)).error().message.find("15 x 90") != std::string::npos);
+  CHECK(!renderLook(toolpath, {60, 0}, 60, 60, RunContext(1)).ok());
+}

@@ -18,6 +18,7 @@
 #include "sillon/preview.hpp"
 #include "sillon/project.hpp"
 #include "sillon/report.hpp"
+#include "sillon/thumbnails.hpp"
 #include "sillon/toolpath_svg.hpp"
 #include "sillon/version.hpp"
 
@@ -51,9 +52,14 @@ val guarded(const Body& body) {
   }
 }
 
-void tell(sillon::RunContext& run, const val& onProgress) {
-  run.onProgress([onProgress](std::string_view stage, double fraction) { onProgress(convert::toJs(stage), fraction); });
+/// Tells JavaScript how far a job is. \param begin, end  the part of the whole call that the job is, in [0, 1].
+void tell(sillon::RunContext& run, const val& onProgress, double begin, double end) {
+  run.onProgress([=](std::string_view stage, double fraction) {
+    onProgress(convert::toJs(stage), begin + (end - begin) * fraction);
+  });
 }
+
+constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
 
 val start(int threads) {
   return guarded([&](sillon::RunContext&) {
@@ -67,7 +73,7 @@ val start(int threads) {
 
 val generateToolpath(const std::string& projectJson, const val& files, bool measure, const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
-    tell(run, onProgress);
+    tell(run, onProgress, 0, measure ? kMakingShare : 1);
     const auto project = sillon::readProject(projectJson);
     if (!project) return failure(project.error());
     const sillon::ToolpathParams& params = project.value().toolpath;
@@ -80,6 +86,7 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
 
     std::optional<sillon::Measures> measures;
     if (measure) {
+      tell(run, onProgress, kMakingShare, 1);
       const auto measured =
           sillon::measureToolpath(toolpath, plateInput.shape, plateInput.directions, plateInput.modes, params, run);
       if (!measured) return failure(measured.error());
@@ -105,12 +112,15 @@ val writeGcode(const val& toolpath, const std::string& projectJson, const std::s
     sillon::PrintParams print = project.value().print;
     print.date = date;
     print.notes = emscripten::vecFromJSArray<std::string>(toolpath["notes"]);
-    const auto summary =
-        sillon::writeGcode(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]),
-                           project.value().printer, print, [&](std::string_view piece) {
-                             const auto* data = reinterpret_cast<const std::uint8_t*>(piece.data());
-                             return !run.cancelled() && onChunk(convert::copied(data, piece.size())).as<bool>();
-                           });
+    const sillon::Toolpath path = convert::toolpathFrom(toolpath);
+    const sillon::Shape shape = convert::shapeFrom(toolpath["shape"]);
+    auto thumbnails = sillon::lookThumbnails(path, shape.page, run);
+    if (!thumbnails) return failure(thumbnails.error());
+    print.thumbnails = std::move(thumbnails).value();
+    const auto summary = sillon::writeGcode(path, shape, project.value().printer, print, [&](std::string_view piece) {
+      const auto* data = reinterpret_cast<const std::uint8_t*>(piece.data());
+      return !run.cancelled() && onChunk(convert::copied(data, piece.size())).as<bool>();
+    });
     if (!summary) return failure(summary.error());
     return success(convert::toJs(summary.value()));
   });
@@ -126,7 +136,7 @@ val writeSvg(const val& toolpath) {
 
 val renderPreview(const val& toolpath, int width, double lightAzimuth, double lightElevation, const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
-    tell(run, onProgress);
+    tell(run, onProgress, 0, 1);
     sillon::PreviewParams params;
     params.width = width;
     params.lightAzimuth = lightAzimuth;

@@ -176,6 +176,8 @@ export interface PrintParams {
   firstLayerHeight: number;
   flow: number;
   baseFlow: number;
+  rotate: number;
+  mirror: boolean;
   place: [number, number] | null;
   /** Default: now. The same date gives the same bytes. */
   date: Date;

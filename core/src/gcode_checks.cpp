@@ -11,7 +11,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kMaxCoordinate = 1e5;  // [mm], far from any overflow in µm
+constexpr double kMaxCoordinate = 1e5;               // [mm], far from any overflow in µm
+constexpr std::size_t kMaxThumbnailBytes = 300'000;  // hosts read the first MiB of a file only
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
@@ -114,6 +115,19 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
   return std::nullopt;
 }
 
+std::optional<Error> checkThumbnails(const PrintParams& params) {
+  for (const Thumbnail& picture : params.thumbnails) {
+    if (picture.width >= 1 && picture.width <= 1024 && picture.height >= 1 && picture.height <= 1024 &&
+        !picture.png.empty() && picture.png.size() <= kMaxThumbnailBytes) {
+      continue;
+    }
+    return invalid("a thumbnail is " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                   " pixels in " + std::to_string(picture.png.size()) +
+                   " bytes; it must be 1 to 1024 pixels per side and 1 to 300000 bytes");
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> checkShape(const Shape& shape) {
   for (const FilledPath& path : shape.paths) {
     for (const Ring& ring : path.rings) {
@@ -177,6 +191,7 @@ std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shap
                                      const PrintParams& params) {
   if (auto error = checkText(printer, params)) return error;
   if (auto error = checkNumbers(printer, params)) return error;
+  if (auto error = checkThumbnails(params)) return error;
   if (auto error = checkShape(shape)) return error;
   return checkToolpath(toolpath, printer, params);
 }

@@ -37,7 +37,7 @@ struct Box {
 struct Layout {
   int width = 0;
   int height = 0;
-  Box directions;  // the page in panel 1 [pixels]
+  Box directions;  // the page in panel 1 [pixels]; no width: only the look is drawn
   Box look;        // the page in panel 2
   double pixelsPerMm = 0;
   double legendX = 0;  // centre of the half wheel's base
@@ -77,6 +77,20 @@ Layout layOut(Vec2 page, int panelWidth) {
   layout.lampRadius = layout.legendRadius * 0.43;
   layout.lampX = layout.look.x + layout.lampRadius;
   layout.lampY = layout.look.y + layout.legendY - margin - layout.lampRadius;
+  return layout;
+}
+
+/// The look alone in the middle of a picture of this size.
+Layout layOutLook(Vec2 page, int width, int height) {
+  constexpr double kFill = 0.92;
+  Layout layout;
+  layout.width = width;
+  layout.height = height;
+  layout.pixelsPerMm = kFill * std::min(width / page.x, height / page.y);
+  layout.look.width = std::max(1, static_cast<int>(page.x * layout.pixelsPerMm));
+  layout.look.height = std::max(1, static_cast<int>(page.y * layout.pixelsPerMm));
+  layout.look.x = (width - layout.look.width) / 2;
+  layout.look.y = (height - layout.look.height) / 2;
   return layout;
 }
 
@@ -475,7 +489,7 @@ Colour shadowed(const Scene& scene, int x, int y) {
 /// Both panels of the page, rows of one band.
 void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
   const Layout& layout = scene.layout;
-  const int pageWidth = layout.directions.width, pageHeight = layout.directions.height;
+  const int pageWidth = layout.look.width, pageHeight = layout.look.height;
   const int top = static_cast<int>(band) * kBandRows;
   const int rows = std::min(kBandRows, pageHeight - top);
   const int width = pageWidth * kSamples;
@@ -506,8 +520,10 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
         look = look + lookShade(bead, t, left * std::sqrt(hit.squaredOffset), tilt, scene.lamp);
       }
       const float empty = static_cast<float>(kSamples * kSamples - covered) * kShare;
-      put(image, layout.directions.x + x, layout.directions.y + y,
-          rounded(direction * kShare + asColour(kBackground) * empty));
+      if (layout.directions.width > 0) {
+        put(image, layout.directions.x + x, layout.directions.y + y,
+            rounded(direction * kShare + asColour(kBackground) * empty));
+      }
       // Mixed after tone mapping: edges stay smooth against the dark page.
       Colour shown = shadowed(scene, x, y) * empty;
       if (covered > 0) {
@@ -549,25 +565,21 @@ std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& p
   return toolpathDefect(toolpath, page);
 }
 
-Result<RgbImage> renderChecked(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,
-                               const RunContext& run) {
-  const Layout layout = layOut(page, params.width);
-  if (layout.width == 0) {
-    return Error{ErrorCode::TooLarge, "preview of panels " + std::to_string(params.width) +
-                                          " pixels wide would be beyond " + std::to_string(kMaxImageSide) +
-                                          " pixels per side or 100 million in all; choose fewer"};
-  }
+Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layout, const PreviewParams& params,
+                        const RunContext& run) {
   RgbImage image{layout.width, layout.height, {}};
   image.rgb.resize(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3);
 
   const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples);
-  const Bands bands = sortIntoBands(beads, layout.directions.height * kSamples, kBandRows * kSamples);
+  const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
   const Shadow shadow = shadowOf(toolpath, page, layout);
   const Scene scene{layout, beads, bands, shadow, lampOf(params)};
 
   drawBackground(scene, image);
-  drawLegend(image, layout);
-  drawLamp(image, layout, params);
+  if (layout.directions.width > 0) {
+    drawLegend(image, layout);
+    drawLamp(image, layout, params);
+  }
   parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) drawBand(scene, static_cast<std::size_t>(band), image);
   });
@@ -582,10 +594,32 @@ Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const Previe
   if (const std::string defect = defectOf(toolpath, page, params); !defect.empty()) {
     return Error{ErrorCode::InvalidArgument, defect};
   }
+  const Layout layout = layOut(page, params.width);
+  if (layout.width == 0) {
+    return Error{ErrorCode::TooLarge, "preview of panels " + std::to_string(params.width) +
+                                          " pixels wide would be beyond " + std::to_string(kMaxImageSide) +
+                                          " pixels per side or 100 million in all; choose fewer"};
+  }
   try {
-    return renderChecked(toolpath, page, params, run);
+    return render(toolpath, page, layout, params, run);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::TooLarge, "preview needs more memory than there is; choose a smaller width"};
+  }
+}
+
+Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int height, const RunContext& run) {
+  constexpr int kMaxSide = 1024;
+  if (width < 16 || width > kMaxSide || height < 16 || height > kMaxSide) {
+    return Error{ErrorCode::InvalidArgument, "the look's size is " + std::to_string(width) + " x " +
+                                                 std::to_string(height) + " pixels; each must be 16 to 1024"};
+  }
+  if (const std::string defect = toolpathDefect(toolpath, page); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, defect};
+  }
+  try {
+    return render(toolpath, page, layOutLook(page, width, height), {}, run);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::TooLarge, "the look needs more memory than there is; choose a smaller size"};
   }
 }
 

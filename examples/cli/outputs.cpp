@@ -13,6 +13,7 @@
 #include "sillon/image_io.hpp"
 #include "sillon/preview.hpp"
 #include "sillon/report.hpp"
+#include "sillon/thumbnails.hpp"
 #include "sillon/toolpath_svg.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -59,6 +60,9 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   sillon::PrintParams print = job.project.print;
   print.date = job.date;
   print.notes = sillon::plateNotes(job.project.toolpath, job.measures);
+  auto thumbnails = sillon::lookThumbnails(job.plate.toolpath, job.input.shape.page, run);
+  if (!thumbnails) return thumbnails.error();
+  print.thumbnails = std::move(thumbnails).value();
   std::string text;
   auto summary =
       sillon::writeGcode(job.plate.toolpath, job.input.shape, job.project.printer, print, [&](std::string_view piece) {

@@ -46,6 +46,13 @@ struct Printer {
   double lift = 0.4;
 };
 
+/// A picture for the printer's screen.
+struct Thumbnail {
+  int width = 0;   ///< [pixels], 1..1024
+  int height = 0;  ///< [pixels], 1..1024
+  std::vector<std::uint8_t> png;
+};
+
 /// How one plate is stacked and placed.
 struct PrintParams {
   int layers = 1;               ///< oriented layers, 1..1000
@@ -60,6 +67,7 @@ struct PrintParams {
   std::optional<Vec2> place;  ///< lower left corner of the turned page's box on the bed [mm]; unset: plate centred
   std::string date = "1970-01-01 at 00:00:00 UTC";  ///< written into line 1; core never reads a clock
   std::vector<std::string> notes;                   ///< extra header lines, without the semicolon
+  std::vector<Thumbnail> thumbnails;                ///< in the header, in this order
 };
 
 /// Totals of what was written, and what the user should know.

@@ -28,4 +28,9 @@ struct RgbImage {
 /// \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million in all) or Cancelled.
 Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run);
 
+/// The look alone, the page as large as fits with a margin, on the preview's dark ground.
+/// \param width, height  [pixels], 16..1024.
+/// \return as renderPreview.
+Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int height, const RunContext& run);
+
 }  // namespace sillon
