@@ -27,8 +27,8 @@ export interface EngineInfo {
   reason: string;
 }
 
-/** Calls run one after the other, in the order they were made. All of them reject with a SillonError, or with the
- * signal's reason; the engine stays usable after any error. */
+/** Calls run one after the other, in the order they were made. All of them reject with a SillonError, with the signal's
+ * reason, or with what a callback of the call threw; the engine stays usable after any error. */
 export interface Engine {
   readonly info: EngineInfo;
   /** @throws `InvalidArgument` (which field, its value, its range), `InvalidFile`, `EmptyShape`, `TooLarge`,
@@ -64,7 +64,7 @@ export interface Engine {
 export interface RunOptions {
   /** Ends the call, and its work, within 100 ms. */
   signal?: AbortSignal;
-  /** At most every 30 ms. @param fraction of the whole job, in [0, 1], never falling. */
+  /** At most every 30 ms, and with 1 at the end. @param fraction of the whole job, in [0, 1], never falling. */
   onProgress?: (progress: { stage: string; fraction: number }) => void;
 }
 
@@ -210,7 +210,11 @@ export interface Project {
   printer: Printer;
 }
 
-export type DeepPartial<T> = T extends readonly unknown[] ? T : T extends object ? { [K in keyof T]?: DeepPartial<T[K]> } : T;
+export type DeepPartial<T> = T extends readonly unknown[]
+  ? T
+  : T extends object
+    ? { [K in keyof T]?: DeepPartial<T[K]> }
+    : T;
 
 // --- What comes out ----------------------------------------------------------------------------------------------------
 

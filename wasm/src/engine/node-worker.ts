@@ -1,0 +1,56 @@
+// Gives a thread of Node what a web worker has, then runs a worker's script in it. So the engine's files need to know
+// nothing of Node.
+import { Worker, parentPort, workerData } from 'node:worker_threads';
+
+interface Thread {
+  script: string;
+  name: string;
+}
+
+/** A worker started by a worker: the engine's threads. */
+class NestedWorker {
+  onmessage: ((event: { data: unknown }) => void) | null = null;
+  onerror: ((event: { message: string; filename: string; lineno: number }) => void) | null = null;
+  readonly #thread: Worker;
+
+  constructor(script: string | URL, options?: { name?: string }) {
+    const thread: Thread = { script: String(script), name: options?.name ?? '' };
+    this.#thread = new Worker(new URL(import.meta.url), { workerData: thread, execArgv: [] });
+    this.#thread.on('message', (data) => this.onmessage?.({ data }));
+    this.#thread.on('error', (error: Error) =>
+      this.onerror?.({ message: error.message, filename: thread.script, lineno: 0 }),
+    );
+  }
+  postMessage(message: unknown, transfer?: ArrayBuffer[]): void {
+    this.#thread.postMessage(message, transfer);
+  }
+  terminate(): void {
+    void this.#thread.terminate();
+  }
+}
+
+const port = parentPort;
+if (port === null) throw new Error('node-worker.js runs in a worker thread only');
+const { script, name } = workerData as Thread;
+
+const scope = {
+  self: globalThis,
+  name,
+  location: new URL(script),
+  onmessage: null as ((event: { data: unknown }) => void) | null,
+  postMessage: (message: unknown, transfer?: ArrayBuffer[]): void => {
+    port.postMessage(message, transfer);
+  },
+  Worker: NestedWorker,
+  // Only their presence is asked for, as the mark of a worker.
+  WorkerGlobalScope: EventTarget,
+  importScripts: (): never => {
+    throw new Error('importScripts is not available');
+  },
+};
+Object.assign(globalThis, scope);
+
+await import(script);
+port.on('message', (data) => {
+  (globalThis as unknown as typeof scope).onmessage?.({ data });
+});

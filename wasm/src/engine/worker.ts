@@ -1,0 +1,275 @@
+// Runs the engine in a worker of its own. One file that imports only types, since bundlers copy it as it stands.
+import type * as api from '../../sillon.js';
+import type { Call, Failure, Files, FromWorker, StartMessage, ToWorker } from '../protocol.js';
+
+type Outcome<T> = { value: T; error?: undefined } | { error: Failure };
+type OnProgress = (stage: string, fraction: number) => void;
+type Inputs = Record<string, Uint8Array | api.Picture>;
+type CopiedBytes = Uint8Array<ArrayBuffer>;
+
+/** wasm/bindings.cpp */
+interface SillonModule {
+  start(threads: number): Outcome<{ version: string; cancelFlag: number }>;
+  generateToolpath(
+    project: string,
+    files: Inputs,
+    measure: boolean,
+    onProgress: OnProgress,
+  ): Outcome<{ toolpath: api.Toolpath; report: string }>;
+  writeGcode(
+    toolpath: api.Toolpath,
+    project: string,
+    date: string,
+    onChunk: (bytes: CopiedBytes) => boolean,
+  ): Outcome<api.GcodeSummary>;
+  writeSvg(toolpath: api.Toolpath): Outcome<CopiedBytes>;
+  renderPreview(
+    toolpath: api.Toolpath,
+    width: number,
+    lightAzimuth: number,
+    lightElevation: number,
+    onProgress: OnProgress,
+  ): Outcome<CopiedBytes>;
+  readShape(project: string, files: Inputs): Outcome<api.Shape>;
+  decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
+  readProject(project: string): Outcome<string>;
+}
+
+/** The part of the glue code's interface that is used. */
+interface ModuleArguments {
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance, compiled: WebAssembly.Module) => void,
+  ): object;
+  onAbort(what: unknown): void;
+  locateFile(name: string): string;
+  print(text: string): void;
+  printErr(text: string): void;
+  mainScriptUrlOrBlob: string;
+  wasmMemory?: WebAssembly.Memory;
+  poolSize?: number;
+}
+interface Glue {
+  default: (args: ModuleArguments) => Promise<SillonModule>;
+}
+
+interface Scope {
+  onmessage: ((event: { data: ToWorker }) => void) | null;
+  postMessage(message: FromWorker, transfer: ArrayBuffer[]): void;
+}
+const scope = globalThis as unknown as Scope;
+
+const initialPages = 256; // as the modules are linked
+const progressEvery = 30; // [ms]
+const aliveEvery = 1000; // [ms]
+
+let engine: SillonModule | undefined;
+let lastPost = 0;
+
+function post(message: FromWorker): void {
+  lastPost = performance.now();
+  scope.postMessage(message, message.type === 'done' || message.type === 'piece' ? buffersOf(message) : []);
+}
+
+/** What can be handed over without a copy. */
+function buffersOf(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== 'object' || value === null || value instanceof Blob) return [];
+  return Object.values(value).flatMap(buffersOf);
+}
+
+class Failed extends Error implements Failure {
+  constructor(
+    readonly code: Failure['code'],
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+/** What else is thrown: traps, aborts, and JavaScript's own failures to allocate. */
+function failed(problem: unknown, otherwise: Failure['code'], what: string): Failed {
+  if (problem instanceof Failed) return problem;
+  const text = String(problem);
+  return /out of memory|OOM|allocat|typed array length/i.test(text)
+    ? new Failed('OutOfMemory', `the engine ran out of memory: ${text}`)
+    : new Failed(otherwise, `${what}: ${text}`);
+}
+
+// --- Start -------------------------------------------------------------------------------------------------------------
+
+async function compile(url: string): Promise<WebAssembly.Module> {
+  let response: Response;
+  let bytes: Uint8Array<ArrayBuffer>;
+  try {
+    response = await fetch(url);
+    bytes = new Uint8Array(await response.arrayBuffer());
+  } catch (problem) {
+    throw new Failed('LoadFailed', `${url} could not be fetched: ${String(problem)}`);
+  }
+  if (!response.ok) throw new Failed('LoadFailed', `${url} could not be fetched: status ${response.status}`);
+  if (String(bytes.subarray(0, 4)) !== '0,97,115,109') {
+    const type = response.headers.get('content-type') ?? 'of unknown type';
+    throw new Failed('LoadFailed', `${url} is no WebAssembly: it came as ${type}, ${bytes.length} bytes`);
+  }
+  try {
+    return await WebAssembly.compile(bytes);
+  } catch (problem) {
+    throw new Failed('LoadFailed', `${url} could not be compiled: ${String(problem)}`);
+  }
+}
+
+async function importGlue(url: string): Promise<Glue> {
+  try {
+    return (await import(/* @vite-ignore */ /* webpackIgnore: true */ url)) as Glue;
+  } catch (problem) {
+    throw new Failed('LoadFailed', `${url} could not be loaded: ${String(problem)}`);
+  }
+}
+
+/** As much as the system lets threads share: phones refuse large maxima. */
+function sharedMemory(): WebAssembly.Memory {
+  for (const mib of [1024, 512, 256, 64]) {
+    try {
+      return new WebAssembly.Memory({ initial: initialPages, maximum: 16 * mib, shared: true });
+    } catch {
+      continue;
+    }
+  }
+  throw new Failed('OutOfMemory', 'the system gives no 64 MiB of memory that threads can share');
+}
+
+async function start({ threads, script, wasm, threadScript, compiled }: StartMessage): Promise<void> {
+  const wasmModule = compiled ?? (await compile(wasm));
+  const glue = await importGlue(script);
+  post({ type: 'loaded', compiled: wasmModule });
+
+  const memory = threads > 1 ? sharedMemory() : undefined;
+  const instance = new Promise<SillonModule>((resolve, reject) => {
+    const args: ModuleArguments = {
+      instantiateWasm(imports, done) {
+        WebAssembly.instantiate(wasmModule, imports).then((made) => {
+          done(made, wasmModule);
+        }, reject);
+        return {}; // what it exports comes later
+      },
+      onAbort: reject,
+      locateFile: (name) => (name.endsWith('.wasm') ? wasm : threadScript),
+      print() {},
+      printErr() {}, // what goes wrong is thrown as well
+      mainScriptUrlOrBlob: script,
+    };
+    if (memory !== undefined) Object.assign(args, { wasmMemory: memory, poolSize: threads - 1 });
+    glue.default(args).then(resolve, reject);
+  });
+  const module = await instance.catch((problem: unknown) => {
+    throw failed(problem, 'LoadFailed', `${script} and ${wasm} could not be started`);
+  });
+  const { version, cancelFlag } = valueOf(module.start(threads));
+  engine = module;
+  post({
+    type: 'started',
+    version,
+    cancelFlag: memory === undefined ? undefined : new Uint8Array(memory.buffer, cancelFlag, 1),
+  });
+}
+
+// --- Calls -------------------------------------------------------------------------------------------------------------
+
+async function bytesOf(blob: Blob, name: string): Promise<Uint8Array> {
+  try {
+    return new Uint8Array(await blob.arrayBuffer());
+  } catch (problem) {
+    throw new Failed('InvalidFile', `${name} could not be read: ${String(problem)}`);
+  }
+}
+
+async function inputsOf(files: Files): Promise<Inputs> {
+  const inputs: Inputs = {};
+  for (const [name, file] of Object.entries(files)) {
+    inputs[name] = file instanceof Blob ? await bytesOf(file, name) : file;
+  }
+  return inputs;
+}
+
+function valueOf<T>(outcome: Outcome<T>): T {
+  if (outcome.error) throw new Failed(outcome.error.code, outcome.error.message);
+  return outcome.value;
+}
+
+/** A project made of arguments: what is wrong in it is no file's fault. */
+function completed(project: string, module: SillonModule): string {
+  const outcome = module.readProject(project);
+  if (outcome.error?.code === 'InvalidFile') outcome.error.code = 'InvalidArgument';
+  return valueOf(outcome);
+}
+
+async function perform(call: Call, module: SillonModule): Promise<unknown> {
+  let lastProgress = -Infinity;
+  const onProgress: OnProgress = (stage, fraction) => {
+    const now = performance.now();
+    if (now - lastProgress < progressEvery) return;
+    lastProgress = now;
+    post({ type: 'progress', stage, fraction });
+  };
+
+  switch (call.name) {
+    case 'generateToolpath': {
+      completed(call.project, module);
+      const files = await inputsOf(call.files);
+      const made = valueOf(module.generateToolpath(call.project, files, call.measure, onProgress));
+      return { toolpath: made.toolpath, report: JSON.parse(made.report) as api.Report } satisfies api.Plate;
+    }
+    case 'writeGcode': {
+      completed(call.project, module);
+      const kept: CopiedBytes[] = [];
+      const summary = valueOf(
+        module.writeGcode(call.toolpath, call.project, call.date, (bytes) => {
+          if (call.inPieces) {
+            post({ type: 'piece', bytes });
+          } else {
+            kept.push(bytes);
+            if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' });
+          }
+          return true;
+        }),
+      );
+      return { blob: new Blob(kept, { type: 'text/x-gcode' }), summary } satisfies api.Gcode;
+    }
+    case 'writeSvg':
+      return new Blob([valueOf(module.writeSvg(call.toolpath))], { type: 'image/svg+xml' });
+    case 'renderPreview': {
+      const { width, lightAzimuth, lightElevation } = call.params;
+      const png = valueOf(module.renderPreview(call.toolpath, width, lightAzimuth, lightElevation, onProgress));
+      return new Blob([png], { type: 'image/png' });
+    }
+    case 'readShape':
+      completed(call.project, module);
+      return valueOf(module.readShape(call.project, await inputsOf(call.files)));
+    case 'decodePicture': {
+      const bytes = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      return valueOf(module.decodePicture(bytes, 'file'));
+    }
+    case 'readProject':
+      return valueOf(module.readProject(call.project));
+    case 'writeProject':
+      return completed(call.project, module);
+  }
+}
+
+async function answer(message: ToWorker): Promise<void> {
+  try {
+    if (message.type === 'start') {
+      await start(message);
+    } else if (engine === undefined) {
+      throw new Failed('Internal', 'a call came before the start');
+    } else {
+      post({ type: 'done', value: await perform(message.call, engine) });
+    }
+  } catch (problem) {
+    const { code, message: text } = failed(problem, 'Crashed', 'the engine stopped');
+    post({ type: 'failed', code, message: text });
+  }
+}
+
+scope.onmessage = ({ data }) => void answer(data);

@@ -1,0 +1,8 @@
+// The entry for browsers, and for workers in them.
+import type * as api from '../sillon.js';
+import { startEngine } from './engine.js';
+import { browser } from './platform-browser.js';
+
+export { SillonError } from './errors.js';
+
+export const createEngine: typeof api.createEngine = (options) => startEngine(browser, options);

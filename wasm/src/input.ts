@@ -1,0 +1,301 @@
+// Checks what users hand over and copies it, so that they may change it while its call waits. What a project file can
+// say is checked by the engine alone; here is what JSON cannot carry.
+import type * as api from '../sillon.js';
+import { SillonError, invalid } from './errors.js';
+import type { Files } from './protocol.js';
+
+type Fields = Record<string, unknown>;
+
+export interface EngineSettings {
+  threads: 'auto' | 'off' | number;
+  assetBase: string | URL | undefined;
+  idleTimeout: number;
+}
+
+export type CallOptions = api.GenerateOptions & api.GcodeOptions;
+
+const fileKinds = 'SVG text, bytes (an ArrayBuffer or a view of one), a Blob or a Picture';
+const fileHint =
+  'An ImageData becomes { width, height, channels: 4, samples: data }; draw other pictures to a canvas to get one.';
+const maxDepth = 64; // as project files
+
+// --- Words for messages --------------------------------------------------------------------------------------------------
+
+/** The built-in kind of an object, also if it comes from another frame. */
+const kindOf = (value: unknown): string => Object.prototype.toString.call(value).slice(8, -1);
+
+function describe(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value.length > 60 ? `${value.slice(0, 60)}...` : value);
+  if (typeof value === 'bigint') return 'a bigint';
+  if (typeof value === 'function') return 'a function';
+  if (typeof value === 'symbol') return 'a symbol';
+  if (Array.isArray(value)) return 'a list';
+  if (typeof value === 'object' && value !== null)
+    return kindOf(value) === 'Object' ? 'an object' : `of type ${kindOf(value)}`;
+  return String(value);
+}
+
+const mustBe = (path: string, value: unknown, what: string, hint?: string): SillonError =>
+  invalid(`${path} is ${describe(value)}; it must be ${what}`, hint);
+
+const below = (path: string, key: string): string => (path === '' ? key : `${path}.${key}`);
+
+// --- Plain values ----------------------------------------------------------------------------------------------------------
+
+function fieldsOf(value: unknown, path: string): Fields {
+  if (kindOf(value) !== 'Object') throw mustBe(path, value, 'an object');
+  return value as Fields;
+}
+
+/** Left out is the same as empty. */
+const optionalFields = (value: unknown, path: string): Fields => (value === undefined ? {} : fieldsOf(value, path));
+
+function refuseUnknown(fields: Fields, path: string, known: readonly string[]): void {
+  for (const [key, value] of Object.entries(fields)) {
+    if (value !== undefined && !known.includes(key)) {
+      throw invalid(`unknown key ${describe(below(path, key))}; known are ${known.join(', ')}`);
+    }
+  }
+}
+
+function finite(value: unknown, path: string): number {
+  if (typeof value !== 'number' || !Number.isFinite(value)) throw mustBe(path, value, 'a finite number');
+  return value;
+}
+
+function pair(value: unknown, path: string): [number, number] {
+  if (!Array.isArray(value) || value.length !== 2) throw mustBe(path, value, 'a list of two numbers');
+  return [finite(value[0], `${path}[0]`), finite(value[1], `${path}[1]`)];
+}
+
+function listOf<T>(value: unknown, path: string, item: (value: unknown, path: string) => T): T[] {
+  if (!Array.isArray(value)) throw mustBe(path, value, 'a list');
+  return Array.from(value, (one, k) => item(one, `${path}[${k}]`));
+}
+
+function text(value: unknown, path: string): string {
+  if (typeof value !== 'string') throw mustBe(path, value, 'text');
+  if (/\p{Surrogate}/u.test(value)) throw invalid(`${path} holds half a character; it must be Unicode text`);
+  return value;
+}
+
+/** The value as JSON can carry it; fields that are undefined are left out. */
+function plain(value: unknown, path: string, depth = 0): unknown {
+  if (depth > maxDepth) throw invalid(`${path} lies deeper than ${maxDepth} levels, or holds itself`);
+  if (value === null || typeof value === 'boolean') return value;
+  if (typeof value === 'string') return text(value, path);
+  if (typeof value === 'number') {
+    if (Number.isInteger(value) && !Number.isSafeInteger(value)) {
+      throw mustBe(path, value, `a number up to ${Number.MAX_SAFE_INTEGER}, beyond which whole numbers are not exact`);
+    }
+    return finite(value, path);
+  }
+  if (Array.isArray(value)) return listOf(value, path, (one, at) => plain(one, at, depth + 1));
+  if (kindOf(value) !== 'Object') throw mustBe(path, value, 'what a project file can hold');
+  return Object.fromEntries(
+    Object.entries(value as Fields)
+      .filter(([, one]) => one !== undefined)
+      .map(([key, one]) => [key, plain(one, below(path, key), depth + 1)]),
+  );
+}
+
+// --- Bytes -----------------------------------------------------------------------------------------------------------------
+
+function copied<T>(path: string, copy: () => T): T {
+  try {
+    return copy();
+  } catch (problem) {
+    if (problem instanceof RangeError) throw new SillonError('OutOfMemory', `there is no memory for a copy of ${path}`);
+    throw invalid(
+      `${path} lies in a buffer that was transferred away`,
+      'Hand over a buffer that still holds its data.',
+    );
+  }
+}
+
+function numbers<Kind extends 'Float32Array' | 'Float64Array'>(
+  value: unknown,
+  path: string,
+  kind: Kind,
+): InstanceType<(typeof globalThis)[Kind]> {
+  if (kindOf(value) !== kind) throw mustBe(path, value, `a ${kind}`);
+  const array = value as InstanceType<(typeof globalThis)[Kind]>;
+  return copied(path, () => array.slice() as typeof array);
+}
+
+function picture(value: Fields, path: string): api.Picture {
+  refuseUnknown(value, path, ['width', 'height', 'channels', 'samples']);
+  const samples = value['samples'];
+  if (!['Uint8Array', 'Uint8ClampedArray', 'Uint16Array'].includes(kindOf(samples))) {
+    throw mustBe(`${path}.samples`, samples, 'a Uint8Array, Uint8ClampedArray or Uint16Array', fileHint);
+  }
+  return {
+    width: finite(value['width'], `${path}.width`),
+    height: finite(value['height'], `${path}.height`),
+    channels: finite(value['channels'], `${path}.channels`) as api.Picture['channels'],
+    // A slice of Node's Buffer would be no copy.
+    samples: copied(path, () => {
+      const given = samples as api.Picture['samples'];
+      return kindOf(given) === 'Uint16Array' ? new Uint16Array(given) : new Uint8Array(given);
+    }),
+  };
+}
+
+function bytes(value: unknown, path: string): Uint8Array | Blob | undefined {
+  if (ArrayBuffer.isView(value)) {
+    return copied(path, () => new Uint8Array(value.buffer, value.byteOffset, value.byteLength).slice());
+  }
+  const kind = kindOf(value);
+  if (kind === 'ArrayBuffer' || kind === 'SharedArrayBuffer') {
+    return copied(path, () => new Uint8Array(value as ArrayBuffer).slice());
+  }
+  return kind === 'Blob' || kind === 'File' ? (value as Blob) : undefined;
+}
+
+function file(value: unknown, path: string): Files[string] {
+  if (typeof value === 'string') {
+    if (path === 'shape.file' && /^\uFEFF?\s*(<|$)/.test(value)) return new TextEncoder().encode(value);
+    const what = path === 'shape.file' ? fileKinds : fileKinds.replace('SVG text, ', '');
+    throw mustBe(path, value, what, 'Names of files are not opened here: hand over their content.');
+  }
+  const content = bytes(value, path);
+  if (content !== undefined) return content;
+  if (kindOf(value) === 'Object') return picture(value as Fields, path);
+  throw mustBe(path, value, fileKinds, fileHint);
+}
+
+// --- Arguments of the calls ------------------------------------------------------------------------------------------------
+
+export function engineOptions(value: unknown): EngineSettings {
+  const options = optionalFields(value, 'options');
+  refuseUnknown(options, 'options', ['threads', 'assetBase', 'idleTimeout']);
+  const { threads = 'auto', assetBase, idleTimeout = 10_000 } = options;
+  const counted = typeof threads === 'number' && Number.isInteger(threads) && threads >= 1 && threads <= 64;
+  if (threads !== 'auto' && threads !== 'off' && !counted) {
+    throw mustBe('threads', threads, '"auto", "off" or a whole number from 1 to 64');
+  }
+  if (assetBase !== undefined && typeof assetBase !== 'string' && kindOf(assetBase) !== 'URL') {
+    throw mustBe('assetBase', assetBase, 'text or a URL');
+  }
+  if (typeof idleTimeout !== 'number' || !(idleTimeout >= 0)) {
+    throw mustBe('idleTimeout', idleTimeout, 'a number of milliseconds, 0 or more');
+  }
+  return { threads, assetBase: assetBase as string | URL | undefined, idleTimeout };
+}
+
+/** @param special  what this call takes besides. */
+export function callOptions(value: unknown, special: readonly ('measure' | 'onChunk')[] = []): CallOptions {
+  const options = optionalFields(value, 'options');
+  refuseUnknown(options, 'options', ['signal', 'onProgress', ...special]);
+  const { signal, onProgress, onChunk, measure } = options;
+  if (signal !== undefined && kindOf(signal) !== 'AbortSignal') throw mustBe('signal', signal, 'an AbortSignal');
+  for (const [name, callback] of Object.entries({ onProgress, onChunk })) {
+    if (callback !== undefined && typeof callback !== 'function') throw mustBe(name, callback, 'a function');
+  }
+  if (measure !== undefined && typeof measure !== 'boolean') throw mustBe('measure', measure, 'true or false');
+  return options;
+}
+
+/** Text of a project file with the sections that are given. */
+export function projectText(sections: Fields): string {
+  return JSON.stringify({ sillon: 1, ...(plain(sections, '') as Fields) });
+}
+
+export function section(value: unknown, name: string): Fields {
+  return optionalFields(value, name);
+}
+
+export function project(value: unknown): Fields {
+  return fieldsOf(value, 'project');
+}
+
+export const projectJson = (value: unknown): string => text(value, 'json');
+
+/** Sections that name the files as their fields are called. */
+export function plate(value: unknown): { sections: Fields; files: Files } {
+  const given = fieldsOf(value, 'input');
+  refuseUnknown(given, '', ['shape', 'directions', 'modes']);
+  const sections: Fields = {};
+  const files: Files = {};
+  for (const [name, part] of Object.entries(given)) {
+    if (part === undefined) continue;
+    const { file: content, ...rest } = fieldsOf(part, name);
+    sections[name] = rest;
+    if (content === undefined) continue;
+    files[`${name}.file`] = file(content, `${name}.file`);
+    rest['file'] = `${name}.file`;
+  }
+  return { sections, files };
+}
+
+export function pictureFile(value: unknown): Uint8Array | Blob {
+  const content = bytes(value, 'file');
+  if (content === undefined)
+    throw mustBe('file', value, fileKinds.replace('SVG text, ', '').replace(' or a Picture', ''));
+  return content;
+}
+
+/** "2026-11-21 at 07:30:00 UTC" */
+export function date(value: unknown = new Date()): string {
+  if (kindOf(value) !== 'Date' || Number.isNaN((value as Date).getTime())) {
+    throw mustBe('print.date', value, 'a Date with a time');
+  }
+  return (value as Date)
+    .toISOString()
+    .replace('T', ' at ')
+    .replace(/\.\d+Z$/, ' UTC');
+}
+
+export function previewParams(value: unknown): api.PreviewParams {
+  const params = optionalFields(value, 'params');
+  refuseUnknown(params, '', ['width', 'lightAzimuth', 'lightElevation']);
+  const { width = 1600, lightAzimuth = 60, lightElevation = 35 } = params;
+  // The engine would cut it to 32 bits.
+  if (!Number.isInteger(width) || Math.abs(width as number) >= 2 ** 31) {
+    throw mustBe('width', width, 'a whole number from 16 to 16384');
+  }
+  return {
+    width: width as number,
+    lightAzimuth: finite(lightAzimuth, 'lightAzimuth'),
+    lightElevation: finite(lightElevation, 'lightElevation'),
+  };
+}
+
+/** Types only: values are checked by the engine. */
+export function toolpath(value: unknown): api.Toolpath {
+  const { spacing, cycles, shape, notes } = fieldsOf(value, 'toolpath');
+  const { page, paths } = fieldsOf(shape, 'toolpath.shape');
+  return {
+    spacing: finite(spacing, 'toolpath.spacing'),
+    cycles: listOf(cycles, 'toolpath.cycles', cycle),
+    shape: { page: pair(page, 'toolpath.shape.page'), paths: listOf(paths, 'toolpath.shape.paths', filledPath) },
+    notes: listOf(notes, 'toolpath.notes', text),
+  };
+}
+
+function cycle(value: unknown, path: string): api.Cycle {
+  const fields = fieldsOf(value, path);
+  const points = numbers(fields['points'], `${path}.points`, 'Float32Array');
+  const widths = numbers(fields['widths'], `${path}.widths`, 'Float32Array');
+  if (points.length !== 2 * widths.length) {
+    throw invalid(
+      `${path} has ${points.length} coordinates and ${widths.length} widths; it must have two for each width`,
+    );
+  }
+  return { points, widths };
+}
+
+function filledPath(value: unknown, path: string): api.Shape['paths'][number] {
+  const { fillRule, rings } = fieldsOf(value, path);
+  if (fillRule !== 'nonzero' && fillRule !== 'evenodd') {
+    throw mustBe(`${path}.fillRule`, fillRule, '"nonzero" or "evenodd"');
+  }
+  return {
+    fillRule,
+    rings: listOf(rings, `${path}.rings`, (ring, at) => {
+      const flat = numbers(ring, at, 'Float64Array');
+      if (flat.length % 2 !== 0) throw invalid(`${at} has ${flat.length} coordinates; it must have two for each point`);
+      return flat;
+    }),
+  };
+}

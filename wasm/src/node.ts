@@ -1,0 +1,8 @@
+// The entry for Node.
+import type * as api from '../sillon.js';
+import { startEngine } from './engine.js';
+import { node } from './platform-node.js';
+
+export { SillonError } from './errors.js';
+
+export const createEngine: typeof api.createEngine = (options) => startEngine(node, options);

@@ -1,0 +1,119 @@
+// Workers of browsers. They are started only from addresses of their page's own origin, so scripts from elsewhere become
+// blobs first; so do those that a bundler has turned into data: addresses.
+import { SillonError, invalid, messageOf } from './errors.js';
+import type { Platform } from './platform.js';
+import type { EngineFiles, FromWorker } from './protocol.js';
+
+// Written out one by one: bundlers find and copy only these.
+const beside: EngineFiles = {
+  worker: new URL('./engine/worker.js', import.meta.url).href,
+  st: {
+    script: new URL('./engine/sillon-st.js', import.meta.url).href,
+    wasm: new URL('./engine/sillon-st.wasm', import.meta.url).href,
+  },
+  mt: {
+    script: new URL('./engine/sillon-mt.js', import.meta.url).href,
+    wasm: new URL('./engine/sillon-mt.wasm', import.meta.url).href,
+    threadScript: new URL('./engine/sillon-mt.worker.js', import.meta.url).href,
+  },
+};
+
+function filesAt(assetBase: string | URL): EngineFiles {
+  const text = String(assetBase);
+  const page = typeof document === 'undefined' ? location.href : document.baseURI;
+  const at = (name: string): string => new URL(`${text.replace(/\/$/, '')}/${name}`, page).href;
+  try {
+    return {
+      worker: at('worker.js'),
+      st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
+      mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
+    };
+  } catch {
+    throw invalid(`assetBase is "${text}"; it must be a URL, or a path on this page's server`);
+  }
+}
+
+async function fetchScript(url: string): Promise<Uint8Array<ArrayBuffer>> {
+  if (url.startsWith('data:')) return decodeData(url); // which policies may forbid to fetch
+  let response: Response;
+  try {
+    response = await fetch(url);
+  } catch (problem) {
+    throw new SillonError('LoadFailed', `${url} could not be fetched: ${messageOf(problem)}`);
+  }
+  if (!response.ok) throw new SillonError('LoadFailed', `${url} could not be fetched: status ${response.status}`);
+  const type = response.headers.get('content-type') ?? 'of unknown type';
+  if (/html/i.test(type)) throw new SillonError('LoadFailed', `${url} is no script: it came as ${type}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+function decodeData(url: string): Uint8Array<ArrayBuffer> {
+  const comma = url.indexOf(',');
+  const body = url.slice(comma + 1);
+  if (!url.slice(0, comma).endsWith(';base64')) return new TextEncoder().encode(decodeURIComponent(body));
+  return Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0));
+}
+
+/** An address that a worker may be started from. */
+async function startable(url: string): Promise<string> {
+  const { origin } = new URL(url);
+  if (origin === self.origin && origin !== 'null') return url;
+  return URL.createObjectURL(new Blob([await fetchScript(url)], { type: 'text/javascript' }));
+}
+
+/** Why a worker failed. Browsers do not say what kept its script from being loaded. */
+async function whyNot(url: string, message: string | undefined): Promise<string> {
+  if (message) return `the worker ${url} failed: ${message}`;
+  try {
+    await fetchScript(url);
+    return `${url} could not be started as a worker`;
+  } catch (problem) {
+    return messageOf(problem);
+  }
+}
+
+export const browser: Platform = {
+  files: (assetBase) => (assetBase === undefined ? beside : filesAt(assetBase)),
+
+  cores: () => navigator.hardwareConcurrency,
+
+  obstacleToThreads() {
+    if (self.crossOriginIsolated) return '';
+    return 'this page is not cross-origin isolated (headers COOP and COEP), so threads cannot share memory';
+  },
+
+  async startWorker(files, threads, events) {
+    const script = await startable(files.worker);
+    const threadScript = threads > 1 ? await startable(files.mt.threadScript) : '';
+    const forgetBlobs = (): void => {
+      for (const url of [script, threadScript]) if (url.startsWith('blob:')) URL.revokeObjectURL(url);
+    };
+    let worker: Worker;
+    try {
+      worker = new Worker(script, { type: 'module', name: 'sillon' });
+    } catch (problem) {
+      throw new SillonError('LoadFailed', `${files.worker} could not be started as a worker: ${messageOf(problem)}`);
+    }
+    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+      if (data.type === 'started') forgetBlobs();
+      events.onMessage(data);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      void whyNot(files.worker, event.message).then((why) => {
+        events.onFailure(why);
+      });
+    };
+    return {
+      threadScript,
+      post(message) {
+        worker.postMessage(message);
+      },
+      hold() {}, // pages do not end by themselves
+      end() {
+        worker.terminate();
+        forgetBlobs();
+      },
+    };
+  },
+};

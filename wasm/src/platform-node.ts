@@ -1,0 +1,72 @@
+// Threads of Node that look like web workers to the engine's files.
+import { readFile } from 'node:fs/promises';
+import { availableParallelism } from 'node:os';
+import { resolve, sep } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Worker } from 'node:worker_threads';
+
+import { SillonError, invalid, messageOf } from './errors.js';
+import type { Platform } from './platform.js';
+import type { FromWorker } from './protocol.js';
+
+const beside = new URL('./engine/', import.meta.url);
+
+function folderOf(assetBase: string | URL): URL {
+  const isUrl = typeof assetBase !== 'string' || /^[a-z][a-z0-9+.-]+:/i.test(assetBase); // C:\ is none
+  if (!isUrl) return pathToFileURL(resolve(assetBase) + sep);
+  const text = String(assetBase);
+  if (!text.startsWith('file:')) throw invalid(`assetBase is "${text}"; in Node it must be a folder or its file: URL`);
+  return new URL(text.endsWith('/') ? text : `${text}/`);
+}
+
+export const node: Platform = {
+  files(assetBase) {
+    const folder = assetBase === undefined ? beside : folderOf(assetBase);
+    const at = (name: string): string => new URL(name, folder).href;
+    return {
+      worker: at('worker.js'),
+      st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
+      mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
+    };
+  },
+
+  cores: availableParallelism,
+
+  obstacleToThreads: () => '',
+
+  // fetch opens no files.
+  async compile(wasm) {
+    try {
+      return await WebAssembly.compile(await readFile(new URL(wasm)));
+    } catch (problem) {
+      throw new SillonError('LoadFailed', `${wasm} could not be read: ${messageOf(problem)}`);
+    }
+  },
+
+  startWorker(files, _threads, events) {
+    const scope = new URL('node-worker.js', files.worker);
+    const worker = new Worker(scope, { workerData: { script: files.worker, name: 'sillon' }, execArgv: [] });
+    worker.on('message', (message: FromWorker) => {
+      events.onMessage(message);
+    });
+    worker.on('error', (error) => {
+      events.onFailure(`the worker ${files.worker} failed: ${messageOf(error)}`);
+    });
+    worker.on('exit', () => {
+      events.onFailure('the worker ended by itself');
+    });
+    return Promise.resolve({
+      threadScript: files.mt.threadScript,
+      post(message) {
+        worker.postMessage(message);
+      },
+      hold(busy) {
+        if (busy) worker.ref();
+        else worker.unref();
+      },
+      end() {
+        void worker.terminate();
+      },
+    });
+  },
+};

@@ -1,0 +1,29 @@
+// What differs between browsers and Node.
+import type { EngineFiles, FromWorker, ToWorker } from './protocol.js';
+
+export interface Platform {
+  /** @throws SillonError InvalidArgument */
+  files(assetBase: string | URL | undefined): EngineFiles;
+  cores(): number;
+  /** Why memory cannot be shared between threads; empty if it can. */
+  obstacleToThreads(): string;
+  /** The module, where the worker cannot fetch it by itself. @throws SillonError LoadFailed */
+  compile?(wasm: string): Promise<WebAssembly.Module>;
+  /** @throws SillonError LoadFailed */
+  startWorker(files: EngineFiles, threads: number, events: WorkerEvents): Promise<EngineWorker>;
+}
+
+export interface WorkerEvents {
+  onMessage(message: FromWorker): void;
+  /** The worker could not be started, or has ended by itself. */
+  onFailure(message: string): void;
+}
+
+export interface EngineWorker {
+  /** The address that the engine starts its threads from. */
+  readonly threadScript: string;
+  post(message: ToWorker): void;
+  /** Whether the process must wait for the worker. */
+  hold(busy: boolean): void;
+  end(): void;
+}

@@ -1,0 +1,61 @@
+// What passes between the calling thread and the engine's worker. Types only: the worker is one file by itself.
+import type * as api from '../sillon.js';
+
+export type Variant = api.EngineInfo['variant'];
+
+/** Addresses of the files in dist/engine. */
+export interface EngineFiles {
+  worker: string;
+  st: ModuleFiles;
+  mt: ModuleFiles & { threadScript: string };
+}
+export interface ModuleFiles {
+  script: string;
+  wasm: string;
+}
+
+/** Inputs by the names that the project gives them. */
+export type Files = Record<string, Uint8Array | Blob | api.Picture>;
+
+/** One call of the engine. `project` is the text of a project file. */
+export type Call =
+  | { name: 'generateToolpath'; project: string; files: Files; measure: boolean }
+  | { name: 'writeGcode'; toolpath: api.Toolpath; project: string; date: string; inPieces: boolean }
+  | { name: 'writeSvg'; toolpath: api.Toolpath }
+  | { name: 'renderPreview'; toolpath: api.Toolpath; params: api.PreviewParams }
+  | { name: 'readShape'; project: string; files: Files }
+  | { name: 'decodePicture'; file: Uint8Array | Blob }
+  | { name: 'readProject'; project: string }
+  | { name: 'writeProject'; project: string };
+
+export interface StartMessage {
+  type: 'start';
+  threads: number;
+  script: string;
+  wasm: string;
+  /** Used with several threads only. */
+  threadScript: string;
+  /** If it has been compiled before. */
+  compiled: WebAssembly.Module | undefined;
+}
+
+/** One at a time. */
+export type ToWorker = StartMessage | { type: 'call'; call: Call };
+
+export interface Failure {
+  code: api.ErrorCode | 'Cancelled';
+  message: string;
+}
+
+/** The last message of a start is `started` or `failed`, that of a call `done` or `failed`. */
+export type FromWorker =
+  /** All files are there. */
+  | { type: 'loaded'; compiled: WebAssembly.Module }
+  /** `cancelFlag`: one byte of the engine's memory, if that can be shared; 1 asks the running call to stop. */
+  | { type: 'started'; version: string; cancelFlag: Uint8Array | undefined }
+  | { type: 'progress'; stage: string; fraction: number }
+  | { type: 'piece'; bytes: Uint8Array }
+  /** Nothing to tell but that work goes on. */
+  | { type: 'alive' }
+  | { type: 'done'; value: unknown }
+  | ({ type: 'failed' } & Failure);

@@ -1,0 +1,141 @@
+// One worker with a started engine in it, from its start to its end.
+import { SillonError } from './errors.js';
+import type { EngineWorker, Platform } from './platform.js';
+import type { Call, EngineFiles, FromWorker } from './protocol.js';
+
+const startSilence = 10; // [s] that an engine may take to start once its files are there
+const callSilence = 20; // [s] without a sign of life
+const answerToCancel = 80; // [ms], so that a cancelled call's work ends within 100
+
+type OnMessage = (message: FromWorker) => void;
+
+/** Somebody waits for the worker's answer to a start or a call. */
+interface Waiting {
+  resolve(answer: unknown): void;
+  reject(error: SillonError): void;
+  onMessage: OnMessage;
+}
+
+export class Session {
+  version = '';
+  /** Ended because it did not answer in time. */
+  silent = false;
+  #end: SillonError | undefined;
+  #worker: EngineWorker | undefined;
+  #cancelFlag: Uint8Array | undefined;
+  #waiting: Waiting | undefined;
+  #watch: ReturnType<typeof setInterval> | undefined;
+  #quietSeconds = 0;
+
+  constructor(readonly threads: number) {}
+
+  get ended(): boolean {
+    return this.#end !== undefined;
+  }
+
+  /** @returns the compiled module, for the next session.
+   * @throws SillonError LoadFailed, OutOfMemory, Crashed */
+  async start(
+    platform: Platform,
+    files: EngineFiles,
+    known: WebAssembly.Module | undefined,
+  ): Promise<WebAssembly.Module | undefined> {
+    const { script, wasm } = this.threads > 1 ? files.mt : files.st;
+    let compiled = known ?? (await platform.compile?.(wasm));
+    this.#worker = await platform.startWorker(files, this.threads, {
+      onMessage: (message) => {
+        this.#receive(message);
+      },
+      onFailure: (message) => {
+        this.end(new SillonError(this.version === '' ? 'LoadFailed' : 'Crashed', message));
+      },
+    });
+    if (this.#end !== undefined) {
+      this.#worker.end();
+      throw this.#end;
+    }
+
+    const { threadScript } = this.#worker;
+    const started = this.#answer((message) => {
+      if (message.type === 'loaded') {
+        compiled = message.compiled;
+        this.#expectSigns(startSilence); // not before: the network may take its time
+      } else if (message.type === 'started') {
+        this.version = message.version;
+        this.#cancelFlag = message.cancelFlag;
+      }
+    });
+    this.#worker.post({ type: 'start', threads: this.threads, script, wasm, threadScript, compiled });
+    await started;
+    return compiled;
+  }
+
+  /** One at a time. @throws SillonError */
+  run(call: Call, onMessage: OnMessage): Promise<unknown> {
+    const answer = this.#answer(onMessage);
+    this.#expectSigns(callSilence);
+    this.#worker?.post({ type: 'call', call });
+    return answer;
+  }
+
+  /** Stops the running call. Messages do not get into a worker that computes: it hears of it through shared memory, or
+   * it is ended. A new one from the compiled module is ready within 40 ms. */
+  cancel(): void {
+    const waiting = this.#waiting;
+    if (waiting === undefined) return;
+    const end = (): void => {
+      if (this.#waiting === waiting) this.end(new SillonError('Crashed', 'the worker was ended to stop its call'));
+    };
+    if (this.#cancelFlag === undefined) {
+      end();
+    } else {
+      Atomics.store(this.#cancelFlag, 0, 1);
+      setTimeout(end, answerToCancel);
+    }
+  }
+
+  /** @param error  what a running call rejects with. */
+  end(error: SillonError): void {
+    if (this.#end !== undefined) return;
+    this.#end = error;
+    this.#worker?.end();
+    this.#settle()?.reject(error);
+  }
+
+  #answer(onMessage: OnMessage): Promise<unknown> {
+    this.#worker?.hold(true);
+    return new Promise((resolve, reject) => {
+      this.#waiting = { resolve, reject, onMessage };
+    });
+  }
+
+  #settle(): Waiting | undefined {
+    const waiting = this.#waiting;
+    this.#waiting = undefined;
+    clearInterval(this.#watch);
+    this.#worker?.hold(false);
+    return waiting;
+  }
+
+  #receive(message: FromWorker): void {
+    this.#quietSeconds = 0;
+    this.#waiting?.onMessage(message);
+    if (message.type === 'started') this.#settle()?.resolve(undefined);
+    if (message.type === 'done') this.#settle()?.resolve(message.value);
+    if (message.type === 'failed') {
+      if (message.code === 'Cancelled') this.#settle()?.resolve(undefined);
+      else this.#settle()?.reject(new SillonError(message.code, message.message));
+    }
+  }
+
+  /** Counts seconds that passed here, not the clock's: after a laptop's sleep no worker is late. */
+  #expectSigns(seconds: number): void {
+    clearInterval(this.#watch);
+    this.#quietSeconds = 0;
+    this.#watch = setInterval(() => {
+      if (++this.#quietSeconds < seconds) return;
+      this.silent = true;
+      this.end(new SillonError('Crashed', `the engine gave no sign of life for ${seconds} s`));
+    }, 1000);
+  }
+}

@@ -1,0 +1,132 @@
+// The tests' tasks as a page of some site does them, or its worker (worker.js).
+import { inputOf, makePlate } from '/support/plate.js';
+
+/** More than a second of work. */
+const large = [{ shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } }, { spacing: 0.2 }];
+const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { measure: false }];
+
+const tasks = { plate, coldPlate, abort, longestTask, plateInWorker };
+
+/** A task's value, or what is to be seen of its error: errors lose their fields on the way out of a page. */
+globalThis.attempt = async (name, args) => {
+  try {
+    return { value: await tasks[name](args) };
+  } catch ({ name, code, message, hint }) {
+    return { error: { name, code, message, hint } };
+  }
+};
+
+async function readFile(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: status ${response.status}`);
+  return response.blob();
+}
+
+/** @param library  address of the package's entry */
+async function start({ library = '/sillon/dist/index.js', options }) {
+  const { createEngine } = await import(library);
+  return createEngine(options);
+}
+
+async function plate({ library, options, project }) {
+  const engine = await start({ library, options });
+  try {
+    const url = new URL(project, location.href);
+    const json = await (await readFile(url)).text();
+    const made = await makePlate(engine, json, (name) => readFile(new URL(name, url)));
+    return { ...engine.info, ...made };
+  } finally {
+    engine.dispose();
+  }
+}
+
+/** Milliseconds since the page was asked for until its first plate. */
+async function coldPlate({ options, project }) {
+  const engine = await start({ options });
+  const started = performance.now();
+  const url = new URL(project, location.href);
+  const description = await engine.readProject(await (await readFile(url)).text());
+  const input = await inputOf(description, (name) => readFile(new URL(name, url)));
+  await engine.generateToolpath(input, description.toolpath, { measure: false });
+  const finished = performance.now();
+  engine.dispose();
+  return { started, finished };
+}
+
+/** Milliseconds from the abort of a large job to its rejection, and to the answer of the next call. */
+async function abort({ options }) {
+  const engine = await start({ options });
+  const controller = new AbortController();
+  let running;
+  const atWork = new Promise((resolve) => {
+    const onProgress = ({ fraction }) => fraction > 0.1 && resolve();
+    running = engine.generateToolpath(...large, { measure: false, signal: controller.signal, onProgress });
+  });
+  await Promise.race([atWork, running]);
+
+  const before = performance.now();
+  controller.abort();
+  const outcome = await running.then(
+    () => 'finished',
+    (problem) => problem.name,
+  );
+  const rejected = performance.now() - before;
+  const { report } = await engine.generateToolpath(...small);
+  const answered = performance.now() - before;
+
+  // A job that nothing follows: whether its work has ended, the browser's CPU time tells.
+  const last = new AbortController();
+  const unfinished = engine.generateToolpath(...large, {
+    measure: false,
+    signal: last.signal,
+    onProgress: () => last.abort(),
+  });
+  await unfinished.catch(() => undefined);
+  globalThis.kept = engine;
+  return { ...engine.info, outcome, rejected, answered, digest: report.digest };
+}
+
+/** The longest this thread was busy [ms]: at making a plate, and as a proof of the measure at 200 ms of waiting. */
+async function longestTask({ options }) {
+  let longest = 0;
+  const observer = new PerformanceObserver((list) => {
+    for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
+  });
+  observer.observe({ type: 'longtask' });
+  const seen = async () => {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    const value = longest;
+    longest = 0;
+    return value;
+  };
+
+  const engine = await start({ options });
+  const { toolpath, report } = await engine.generateToolpath(...large, { measure: false });
+  const { summary } = await engine.writeGcode(toolpath);
+  const atWork = await seen();
+  engine.dispose();
+
+  await new Promise((resolve) => {
+    setTimeout(() => {
+      for (const end = performance.now() + 200; performance.now() < end;);
+      resolve();
+    });
+  });
+  return { atWork, atWaiting: await seen(), points: report.points, bytes: summary.bytes };
+}
+
+/** `plate` in a worker that this page starts. */
+async function plateInWorker(args) {
+  const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+  try {
+    const { value, error } = await new Promise((resolve, reject) => {
+      worker.onmessage = ({ data }) => resolve(data);
+      worker.onerror = ({ message }) => reject(new Error(`worker.js: ${message}`));
+      worker.postMessage(args);
+    });
+    if (error) throw error;
+    return value;
+  } finally {
+    worker.terminate();
+  }
+}

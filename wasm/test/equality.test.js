@@ -1,0 +1,86 @@
+// Same input, same bytes: the package against the native program, with and without threads.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { createEngine } from 'sillon';
+
+import { nativeProgram, openProject, projectPaths, publishedScenes } from './support/projects.js';
+
+const date = new Date(0);
+const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
+const engines = [];
+
+before(async () => {
+  for (const threads of ['off', 2, 4]) engines.push(await createEngine({ threads }));
+});
+after(() => {
+  for (const engine of engines) engine.dispose();
+  rmSync(folder, { recursive: true });
+});
+
+/** The native program's files, or what it says of a project that it refuses. */
+function native(path) {
+  const gcode = join(folder, 'plate.gcode');
+  const report = join(folder, 'plate.json');
+  const { status, stderr } = spawnSync(
+    nativeProgram,
+    ['generate', path, '--gcode', gcode, '--report', report, '--quiet'],
+    { env: { ...process.env, SOURCE_DATE_EPOCH: '0' }, encoding: 'utf8' },
+  );
+  if (status === 2) return { refusal: stderr };
+  assert.equal(status, 0, stderr);
+  return { gcode: readFileSync(gcode, 'utf8'), report: JSON.parse(readFileSync(report, 'utf8')) };
+}
+
+/** What the report says of the plate, without what it says of the run. */
+function plateOf({ time: _time, peakBytes: _peak, threads: _threads, ...plate }) {
+  return plate;
+}
+
+test('the engines run with the threads they were asked for', () => {
+  assert.deepEqual(
+    engines.map(({ info }) => [info.variant, info.threads, info.reason]),
+    [
+      ['st', 1, ''],
+      ['mt', 2, ''],
+      ['mt', 4, ''],
+    ],
+  );
+});
+
+test('the published scenes', { skip: existsSync(publishedScenes) ? false : 'not there (../shared/scenes)' }, () => {
+  assert.ok(projectPaths().some((path) => path.startsWith(publishedScenes)));
+});
+
+for (const path of projectPaths()) {
+  test(`${basename(path, '.json')} is the native program's plate and G-code, byte for byte`, async () => {
+    const expected = native(path);
+    let notes;
+    for (const engine of engines) {
+      const { input, project } = await openProject(engine, path);
+      // Measuring costs more than making, and its figures are the same sums: once is enough.
+      const measure = notes === undefined && expected.report !== undefined;
+      const { toolpath, report } = await engine.generateToolpath(input, project.toolpath, { measure });
+      if (measure) {
+        assert.deepEqual(plateOf(report), plateOf(expected.report));
+        notes = toolpath.notes;
+      }
+      const written = engine.writeGcode({ ...toolpath, notes: notes ?? [] }, project.printer, {
+        ...project.print,
+        date,
+      });
+      if (expected.refusal !== undefined) {
+        await assert.rejects(written, (error) => expected.refusal.includes(error.message));
+        continue;
+      }
+      assert.equal(report.digest, expected.report.digest);
+      const { blob, summary } = await written;
+      assert.equal(summary.bytes, expected.gcode.length);
+      assert.ok((await blob.text()) === expected.gcode, `G-code of ${engine.info.variant} differs`);
+    }
+  });
+}

@@ -1,0 +1,25 @@
+// A project's plate and G-code by the engine, in short: the same module runs in Node, in pages and in their workers.
+
+/** The input that a project describes. @param read  gives the Blob of a file that it names. */
+export async function inputOf({ shape, directions, modes }, read) {
+  const { builtin, size, radius, pageWidth, unitless } = shape;
+  const { encoding, angle } = directions;
+  const { mode } = modes;
+  const drawn = builtin === 'none' ? { size } : { builtin, size, radius };
+  return {
+    shape: shape.file === '' ? drawn : { file: await read(shape.file), pageWidth, unitless },
+    directions: directions.file === '' ? { angle } : { file: await read(directions.file), encoding },
+    modes: modes.file === '' ? { mode } : { file: await read(modes.file) },
+  };
+}
+
+/** Equal answers mean equal plates and equal bytes of G-code. */
+export async function makePlate(engine, json, read) {
+  const project = await engine.readProject(json);
+  const input = await inputOf(project, read);
+  const { toolpath, report } = await engine.generateToolpath(input, project.toolpath, { measure: false });
+  const { blob } = await engine.writeGcode(toolpath, project.printer, { ...project.print, date: new Date(0) });
+  const hash = await crypto.subtle.digest('SHA-256', await blob.arrayBuffer());
+  const gcode = Array.from(new Uint8Array(hash), (byte) => byte.toString(16).padStart(2, '0')).join('');
+  return { digest: report.digest, gcode, bytes: blob.size };
+}

@@ -1,0 +1,90 @@
+// A small web server for tests: folders under paths, every response with the same headers.
+import { createReadStream, realpathSync, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join, sep } from 'node:path';
+
+const types = {
+  '.css': 'text/css',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.json': 'application/json',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+
+const isolated = {
+  'Document-Isolation-Policy': 'isolate-and-credentialless',
+  'Cross-Origin-Opener-Policy': 'same-origin',
+  'Cross-Origin-Embedder-Policy': 'require-corp',
+  'Cross-Origin-Resource-Policy': 'cross-origin',
+};
+const shared = { 'Access-Control-Allow-Origin': '*' };
+const strict = {
+  'Content-Security-Policy':
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; base-uri 'none'",
+};
+
+export const headerSets = {
+  plain: {},
+  isolated,
+  strict: { ...isolated, ...strict },
+  /** For pages of any other origin. */
+  plainShared: shared,
+  isolatedShared: { ...isolated, ...shared },
+};
+
+/** The file that a request means, or undefined: outside of the folders, or not there. */
+function fileFor(path, folders) {
+  const prefix = Object.keys(folders)
+    .filter((start) => path.startsWith(start))
+    .sort((a, b) => b.length - a.length)[0];
+  if (prefix === undefined || path.includes('\0')) return undefined;
+  const rest = path.slice(prefix.length);
+  try {
+    const folder = realpathSync(folders[prefix]);
+    const file = realpathSync(join(folder, rest === '' || rest.endsWith('/') ? `${rest}index.html` : rest));
+    return file.startsWith(folder + sep) && statSync(file).isFile() ? file : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function decodedPath(url) {
+  try {
+    return decodeURIComponent(url.split('?')[0]);
+  } catch {
+    return '';
+  }
+}
+
+/**
+ * @param {Record<string, string>} folders  by the start of the path, with final slash
+ * @param {Record<string, string>} headers
+ * @param {number} missingStatus  of the web page that answers for what is not there: 404, or 200 as many servers of
+ *   single-page applications do
+ */
+export async function serve(folders, headers = {}, missingStatus = 404) {
+  const server = createServer((request, response) => {
+    const path = decodedPath(request.url);
+    const file = fileFor(path, folders);
+    const common = { 'Cache-Control': 'no-cache', ...headers };
+    if (file === undefined) {
+      response.writeHead(missingStatus, { ...common, 'Content-Type': types['.html'] });
+      response.end('<!doctype html><title>Not found</title><h1>Not found</h1>');
+      return;
+    }
+    const type = types[extname(file)] ?? 'application/octet-stream';
+    response.writeHead(200, { ...common, 'Content-Type': type, 'Content-Length': statSync(file).size });
+    createReadStream(file).pipe(response);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address();
+  return {
+    origin: `http://localhost:${port}`,
+    close() {
+      server.close();
+      server.closeAllConnections();
+    },
+  };
+}
