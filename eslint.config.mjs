@@ -3,7 +3,7 @@ import globals from 'globals';
 import tseslint from 'typescript-eslint';
 
 export default tseslint.config(
-  { ignores: ['build/', 'out/', '**/dist/', '**/node_modules/'] },
+  { ignores: ['build/', 'out/', 'web/', '**/dist/', '**/node_modules/', 'wasm/test/types/'] },
   js.configs.recommended,
   {
     files: ['**/*.ts'],
@@ -17,5 +17,6 @@ export default tseslint.config(
   {
     files: ['**/*.js', '**/*.mjs'],
     languageOptions: { globals: { ...globals.node, ...globals.browser } },
+    rules: { 'no-unused-vars': ['error', { argsIgnorePattern: '^_', varsIgnorePattern: '^_' }] },
   },
 );

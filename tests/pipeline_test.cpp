@@ -219,6 +219,26 @@ TEST_CASE("a cancelled run says so, whichever stage it is in") {
   }
 }
 
+TEST_CASE("a poll that says yes cancels a run on one thread, and is asked often") {
+  const PlateInput input =
+      scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {40, 40})}, {40, 40}), scenes::waves());
+  RunContext run(1);
+  int asked = 0;
+  run.onPoll([&] {
+    ++asked;
+    return false;
+  });
+  REQUIRE(generateToolpath(input, {}, run).ok());
+  CHECK(asked > 200);
+  const int half = asked / 2;
+  asked = 0;
+  run.onPoll([&] { return ++asked == half; });
+  const auto plate = generateToolpath(input, {}, run);
+  REQUIRE(!plate.ok());
+  CHECK(plate.error().code == ErrorCode::Cancelled);
+  CHECK(asked == half);  // not asked again once cancelled
+}
+
 #if !defined(SILLON_NO_THREADS)
 TEST_CASE("a cancel from another thread ends a long run well before it would end by itself") {
   const PlateInput input =

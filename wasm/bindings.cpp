@@ -61,9 +61,11 @@ void tell(sillon::RunContext& run, const val& onProgress, double begin, double e
 
 constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
 
-val start(int threads) {
+/// \param poll  () => boolean, for RunContext::onPoll; null where memory is shared.
+val start(int threads, const val& poll) {
   return guarded([&](sillon::RunContext&) {
     context = std::make_unique<sillon::RunContext>(threads);
+    if (!poll.isNull()) context->onPoll([poll] { return poll().as<bool>(); });
     val out = val::object();
     out.set("version", convert::toJs(sillon::kVersion));
     out.set("cancelFlag", reinterpret_cast<std::uintptr_t>(&context->cancelFlag()));

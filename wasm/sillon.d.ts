@@ -62,7 +62,8 @@ export interface Engine {
 }
 
 export interface RunOptions {
-  /** Ends the call, and its work, within 100 ms. */
+  /** Rejects the call at once and ends its work within 100 ms; within two seconds in a page that shares no memory and
+   * whose Content-Security-Policy forbids `connect-src blob:`. */
   signal?: AbortSignal;
   /** At most every 30 ms, and with 1 at the end. @param fraction of the whole job, in [0, 1], never falling. */
   onProgress?: (progress: { stage: string; fraction: number }) => void;

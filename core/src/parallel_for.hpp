@@ -42,7 +42,7 @@ void parallelFor(const RunContext& run, int count, int grain, const Body& body) 
     body(begin, std::min(count - begin, grain) + begin);
   };
   if (chunks == 1 || run.threads() == 1) {
-    for (int chunk = 0; chunk < chunks; ++chunk) chunkBody(chunk);
+    for (int chunk = 0; chunk < chunks && !run.poll(); ++chunk) chunkBody(chunk);
   } else {
     run.pool().run(chunks, chunkBody);
   }

@@ -112,6 +112,11 @@ RunContext::~RunContext() = default;
 
 int RunContext::threads() const { return pool_->threads(); }
 
+bool RunContext::poll() const {
+  if (poll_ && !cancelled() && poll_()) cancelled_.store(true, std::memory_order_relaxed);
+  return cancelled();
+}
+
 void RunContext::beginJob() const {
   stage_ = {};
   stageBegin_ = 0;

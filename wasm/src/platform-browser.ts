@@ -54,11 +54,14 @@ function decodeData(url: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0));
 }
 
-/** An address that a worker may be started from. */
+/** An address that a worker may be started from; a blob's as a classic worker: Chromium starts no module workers from
+ * blobs in frames of opaque origin. */
 async function startable(url: string): Promise<string> {
   const { origin } = new URL(url);
   if (origin === self.origin && origin !== 'null') return url;
-  return URL.createObjectURL(new Blob([await fetchScript(url)], { type: 'text/javascript' }));
+  const text = new TextDecoder().decode(await fetchScript(url));
+  const classic = text.replace(/\bexport\s*\{\s*\};?/, ''); // the compiler's mark of a module
+  return URL.createObjectURL(new Blob([classic], { type: 'text/javascript' }));
 }
 
 /** Why a worker failed. Browsers do not say what kept its script from being loaded. */
@@ -90,7 +93,7 @@ export const browser: Platform = {
     };
     let worker: Worker;
     try {
-      worker = new Worker(script, { type: 'module', name: 'sillon' });
+      worker = new Worker(script, { type: script.startsWith('blob:') ? 'classic' : 'module', name: 'sillon' });
     } catch (problem) {
       throw new SillonError('LoadFailed', `${files.worker} could not be started as a worker: ${messageOf(problem)}`);
     }

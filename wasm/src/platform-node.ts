@@ -7,7 +7,7 @@ import { Worker } from 'node:worker_threads';
 
 import { SillonError, invalid, messageOf } from './errors.js';
 import type { Platform } from './platform.js';
-import type { FromWorker } from './protocol.js';
+import type { Files, FromWorker } from './protocol.js';
 
 const beside = new URL('./engine/', import.meta.url);
 
@@ -17,6 +17,15 @@ function folderOf(assetBase: string | URL): URL {
   const text = String(assetBase);
   if (!text.startsWith('file:')) throw invalid(`assetBase is "${text}"; in Node it must be a folder or its file: URL`);
   return new URL(text.endsWith('/') ? text : `${text}/`);
+}
+
+async function withoutBlob<T>(file: T | Blob, name: string): Promise<T | Uint8Array> {
+  if (!(file instanceof Blob)) return file;
+  try {
+    return new Uint8Array(await file.arrayBuffer());
+  } catch (problem) {
+    throw new SillonError('InvalidFile', `${name} could not be read: ${messageOf(problem)}`);
+  }
 }
 
 export const node: Platform = {
@@ -41,6 +50,15 @@ export const node: Platform = {
     } catch (problem) {
       throw new SillonError('LoadFailed', `${wasm} could not be read: ${messageOf(problem)}`);
     }
+  },
+
+  // Blobs that stand for files on disk cannot be posted.
+  async portable(call) {
+    if (call.name === 'decodePicture') return { ...call, file: await withoutBlob(call.file, 'file') };
+    if (!('files' in call)) return call;
+    const files: Files = {};
+    for (const [name, file] of Object.entries(call.files)) files[name] = await withoutBlob(file, name);
+    return { ...call, files };
   },
 
   startWorker(files, _threads, events) {

@@ -1,5 +1,5 @@
 // What differs between browsers and Node.
-import type { EngineFiles, FromWorker, ToWorker } from './protocol.js';
+import type { Call, EngineFiles, FromWorker, ToWorker } from './protocol.js';
 
 export interface Platform {
   /** @throws SillonError InvalidArgument */
@@ -9,6 +9,8 @@ export interface Platform {
   obstacleToThreads(): string;
   /** The module, where the worker cannot fetch it by itself. @throws SillonError LoadFailed */
   compile?(wasm: string): Promise<WebAssembly.Module>;
+  /** The call as it can be posted to a worker. @throws SillonError InvalidFile */
+  portable?(call: Call): Promise<Call>;
   /** @throws SillonError LoadFailed */
   startWorker(files: EngineFiles, threads: number, events: WorkerEvents): Promise<EngineWorker>;
 }

@@ -40,7 +40,11 @@ export interface StartMessage {
 }
 
 /** One at a time. */
-export type ToWorker = StartMessage | { type: 'call'; call: Call };
+export type ToWorker = StartMessage | { type: 'call'; call: Call; wanted: Wanted };
+
+/** How a worker without shared engine memory learns, while it computes, that its call is wanted no more: a byte that
+ * becomes 1, or an address that cannot be fetched any more. */
+export type Wanted = Uint8Array | string | undefined;
 
 export interface Failure {
   code: api.ErrorCode | 'Cancelled';

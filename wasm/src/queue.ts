@@ -110,10 +110,11 @@ export class Queue {
   async #perform(job: Job, threads: number): Promise<void> {
     let session: Session | undefined;
     try {
+      const call = (await this.platform.portable?.(job.call)) ?? job.call;
       session = await this.#openSession(threads);
       if (job.settled) return; // while the session started
       job.started = true;
-      const value = await session.run(job.call, (message) => {
+      const value = await session.run(call, (message) => {
         this.#tell(job, message);
       });
       if (job.fraction < 1) this.#tell(job, { type: 'progress', stage: job.stage, fraction: 1 });

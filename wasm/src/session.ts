@@ -1,7 +1,8 @@
 // One worker with a started engine in it, from its start to its end.
-import { SillonError } from './errors.js';
+import { SillonError, messageOf } from './errors.js';
 import type { EngineWorker, Platform } from './platform.js';
 import type { Call, EngineFiles, FromWorker } from './protocol.js';
+import { type StopSign, flagSign, stopSign } from './stop.js';
 
 const startSilence = 10; // [s] that an engine may take to start once its files are there
 const callSilence = 20; // [s] without a sign of life
@@ -23,6 +24,7 @@ export class Session {
   #end: SillonError | undefined;
   #worker: EngineWorker | undefined;
   #cancelFlag: Uint8Array | undefined;
+  #stop: StopSign | undefined;
   #waiting: Waiting | undefined;
   #watch: ReturnType<typeof setInterval> | undefined;
   #quietSeconds = 0;
@@ -74,24 +76,26 @@ export class Session {
   run(call: Call, onMessage: OnMessage): Promise<unknown> {
     const answer = this.#answer(onMessage);
     this.#expectSigns(callSilence);
-    this.#worker?.post({ type: 'call', call });
+    this.#stop = this.#cancelFlag === undefined ? stopSign() : flagSign(this.#cancelFlag, undefined);
+    try {
+      this.#worker?.post({ type: 'call', call, wanted: this.#stop.wanted });
+    } catch (problem) {
+      this.#settle()?.reject(
+        new SillonError('InvalidArgument', `the input cannot be handed to the worker: ${messageOf(problem)}`),
+      );
+    }
     return answer;
   }
 
-  /** Stops the running call. Messages do not get into a worker that computes: it hears of it through shared memory, or
-   * it is ended. A new one from the compiled module is ready within 40 ms. */
+  /** Stops the running call. Messages do not get into a worker that computes: it sees a sign. If it does not answer to
+   * that it is ended, which browsers may take two seconds for; a new one from the compiled module is ready in 40 ms. */
   cancel(): void {
     const waiting = this.#waiting;
     if (waiting === undefined) return;
-    const end = (): void => {
+    this.#stop?.raise();
+    setTimeout(() => {
       if (this.#waiting === waiting) this.end(new SillonError('Crashed', 'the worker was ended to stop its call'));
-    };
-    if (this.#cancelFlag === undefined) {
-      end();
-    } else {
-      Atomics.store(this.#cancelFlag, 0, 1);
-      setTimeout(end, answerToCancel);
-    }
+    }, answerToCancel);
   }
 
   /** @param error  what a running call rejects with. */
@@ -112,6 +116,7 @@ export class Session {
   #settle(): Waiting | undefined {
     const waiting = this.#waiting;
     this.#waiting = undefined;
+    this.#stop?.forget();
     clearInterval(this.#watch);
     this.#worker?.hold(false);
     return waiting;

@@ -120,10 +120,14 @@ describe('results', () => {
 
   test('printer and print parameters reach the G-code', async () => {
     const { toolpath } = await st.generateToolpath(...small);
-    const { blob } = await st.writeGcode(toolpath, { flavor: 'klipper', nozzleTemperature: 233 }, { place: [7, 9] });
+    const { blob } = await st.writeGcode(
+      toolpath,
+      { flavor: 'klipper', nozzleTemperature: 233, setPressureAdvance: true },
+      { place: [7, 9] },
+    );
     const text = await blob.text();
     assert.ok(/^M109 S220$/m.test(text) && /^M104 S233$/m.test(text));
-    assert.ok(/^SET_VELOCITY_LIMIT /m.test(text));
+    assert.ok(/^SET_PRESSURE_ADVANCE /m.test(text));
   });
 
   test('drawing and preview are files of their kinds', async () => {

@@ -31,6 +31,11 @@ class RunContext {
   /// Asks the running job to stop; safe from any thread and from signal handlers.
   void requestCancel() { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  /// For hosts whose requests cannot come in while a job runs on their only thread: asked between the pieces of loops,
+  /// some thousand times a second; true is a request to cancel. Not asked where several threads work.
+  void onPoll(std::function<bool()> callback) { poll_ = std::move(callback); }
+  /// Asks; then as cancelled().
+  [[nodiscard]] bool poll() const;
   /// The request itself, for hosts that reach this memory but not this code, and to take it back before the next job.
   [[nodiscard]] std::atomic<bool>& cancelFlag() { return cancelled_; }
 
@@ -44,7 +49,8 @@ class RunContext {
  private:
   std::unique_ptr<ThreadPool> pool_;
   Progress progress_;
-  std::atomic<bool> cancelled_{false};
+  std::function<bool()> poll_;
+  mutable std::atomic<bool> cancelled_{false};
   mutable std::string_view stage_;
   mutable double stageBegin_ = 0;
   mutable double stageEnd_ = 1;

@@ -10,16 +10,17 @@ interface Thread {
 /** A worker started by a worker: the engine's threads. */
 class NestedWorker {
   onmessage: ((event: { data: unknown }) => void) | null = null;
-  onerror: ((event: { message: string; filename: string; lineno: number }) => void) | null = null;
+  onerror: ((event: Error & { filename: string; lineno: number }) => void) | null = null;
   readonly #thread: Worker;
 
   constructor(script: string | URL, options?: { name?: string }) {
     const thread: Thread = { script: String(script), name: options?.name ?? '' };
     this.#thread = new Worker(new URL(import.meta.url), { workerData: thread, execArgv: [] });
     this.#thread.on('message', (data) => this.onmessage?.({ data }));
-    this.#thread.on('error', (error: Error) =>
-      this.onerror?.({ message: error.message, filename: thread.script, lineno: 0 }),
-    );
+    // The glue code throws what it gets here.
+    this.#thread.on('error', (error: Error) => {
+      this.onerror?.(Object.assign(error, { filename: thread.script, lineno: 0 }));
+    });
   }
   postMessage(message: unknown, transfer?: ArrayBuffer[]): void {
     this.#thread.postMessage(message, transfer);

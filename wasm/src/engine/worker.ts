@@ -1,6 +1,6 @@
 // Runs the engine in a worker of its own. One file that imports only types, since bundlers copy it as it stands.
 import type * as api from '../../sillon.js';
-import type { Call, Failure, Files, FromWorker, StartMessage, ToWorker } from '../protocol.js';
+import type { Call, Failure, Files, FromWorker, StartMessage, ToWorker, Wanted } from '../protocol.js';
 
 type Outcome<T> = { value: T; error?: undefined } | { error: Failure };
 type OnProgress = (stage: string, fraction: number) => void;
@@ -9,7 +9,7 @@ type CopiedBytes = Uint8Array<ArrayBuffer>;
 
 /** wasm/bindings.cpp */
 interface SillonModule {
-  start(threads: number): Outcome<{ version: string; cancelFlag: number }>;
+  start(threads: number, poll: (() => boolean) | null): Outcome<{ version: string; cancelFlag: number }>;
   generateToolpath(
     project: string,
     files: Inputs,
@@ -54,6 +54,7 @@ interface Glue {
 }
 
 interface Scope {
+  onerror: (() => boolean) | null;
   onmessage: ((event: { data: ToWorker }) => void) | null;
   postMessage(message: FromWorker, transfer: ArrayBuffer[]): void;
 }
@@ -62,6 +63,7 @@ const scope = globalThis as unknown as Scope;
 const initialPages = 256; // as the modules are linked
 const progressEvery = 30; // [ms]
 const aliveEvery = 1000; // [ms]
+const fetchEvery = 50; // [ms]; a fetch takes 1 to 3
 
 let engine: SillonModule | undefined;
 let lastPost = 0;
@@ -76,6 +78,39 @@ function buffersOf(value: unknown): ArrayBuffer[] {
   if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
   if (typeof value !== 'object' || value === null || value instanceof Blob) return [];
   return Object.values(value).flatMap(buffersOf);
+}
+
+// --- Stop --------------------------------------------------------------------------------------------------------------
+
+let wanted: Wanted;
+let lastFetch = 0;
+
+/** Messages do not get into a worker that computes, but synchronous requests get out. */
+function canFetch(url: string): boolean {
+  try {
+    const request = new XMLHttpRequest();
+    request.open('GET', url, false);
+    request.send();
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** What a call begins with. An address that cannot be fetched now (policies may forbid it) tells nothing later. */
+function want(by: Wanted): void {
+  wanted = typeof by === 'string' && !canFetch(by) ? undefined : by;
+  lastFetch = performance.now();
+}
+
+function stopAsked(): boolean {
+  if (wanted === undefined) return false;
+  if (typeof wanted !== 'string') return Atomics.load(wanted, 0) !== 0;
+  const now = performance.now();
+  if (now - lastFetch < fetchEvery) return false;
+  const gone = !canFetch(wanted);
+  lastFetch = performance.now();
+  return gone;
 }
 
 class Failed extends Error implements Failure {
@@ -160,12 +195,18 @@ async function start({ threads, script, wasm, threadScript, compiled }: StartMes
       mainScriptUrlOrBlob: script,
     };
     if (memory !== undefined) Object.assign(args, { wasmMemory: memory, poolSize: threads - 1 });
+    // The glue code throws what keeps a thread from starting, where only this sees it.
+    scope.onerror = () => {
+      reject(new Failed('LoadFailed', `${threadScript} could not be started as a thread`));
+      return true; // handled: the page need not hear of it
+    };
     glue.default(args).then(resolve, reject);
   });
   const module = await instance.catch((problem: unknown) => {
     throw failed(problem, 'LoadFailed', `${script} and ${wasm} could not be started`);
   });
-  const { version, cancelFlag } = valueOf(module.start(threads));
+  scope.onerror = null;
+  const { version, cancelFlag } = valueOf(module.start(threads, memory === undefined ? stopAsked : null));
   engine = module;
   post({
     type: 'started',
@@ -264,6 +305,7 @@ async function answer(message: ToWorker): Promise<void> {
     } else if (engine === undefined) {
       throw new Failed('Internal', 'a call came before the start');
     } else {
+      want(message.wanted);
       post({ type: 'done', value: await perform(message.call, engine) });
     }
   } catch (problem) {

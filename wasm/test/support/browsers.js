@@ -1,6 +1,12 @@
-// The machine's browsers, each behind the same few functions. A missing browser is named, so that tests show it as skipped.
-import { accessSync, constants } from 'node:fs';
+// The machine's browsers, which do the tasks of browser/pages/page.js. A missing browser is named, so that its tests show
+// as skipped.
+import { spawn } from 'node:child_process';
+import { accessSync, constants, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
+
+const patience = 60; // [s] for one task
 
 function firstProgram(candidates) {
   const folders = (process.env.PATH ?? '').split(delimiter);
@@ -26,13 +32,22 @@ const programs = {
 export const lacking = (name) =>
   programs[name] === undefined && `no ${name} here; install it, or set ${name.toUpperCase()} to its program`;
 
+function inTime(promise, what) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`${what} gave no answer within ${patience} s`)), 1000 * patience);
+  });
+  return Promise.race([promise, late]).finally(() => clearTimeout(timer));
+}
+
 /**
- * Starts a browser with a fresh profile.
- * @returns {Promise<{newPage(): Promise<object>, close(): Promise<void>, cpuSeconds?: () => Promise<number>}>} pages are
- *   of profiles of their own, and have `goto`, `evaluate`, `frames` and `close`
+ * Starts a browser with a fresh profile. Its `attempt` opens a page, has it do a task by the page's function of the same name
+ * and gives what came of it: { value } or { error }.
+ * @returns {Promise<{attempt(url: string, task: string, args: object): Promise<object>, close(): Promise<void>}>}
  */
 export const launch = (name) => (name === 'Firefox' ? launchFirefox() : launchChromium());
 
+/** Has `cpuSeconds` besides. */
 async function launchChromium() {
   const { chromium } = await import('playwright-core');
   const browser = await chromium.launch({
@@ -49,13 +64,21 @@ async function launchChromium() {
   });
   const session = await browser.newBrowserCDPSession();
   return {
-    async newPage() {
+    /** @param whileOpen  asked when the task is done, while its page is there */
+    async attempt(url, task, args, whileOpen) {
       const context = await browser.newContext();
-      const page = await context.newPage();
-      page.on('close', () => void context.close());
-      return page;
+      try {
+        const page = await context.newPage();
+        await page.goto(url); // until its modules have run
+        const doTask = page.evaluate(([task, args]) => globalThis.attempt(task, args), [task, args]);
+        const outcome = await inTime(doTask, `task ${task}`);
+        await whileOpen?.();
+        return outcome;
+      } finally {
+        await context.close();
+      }
     },
-    /** That its pages and their workers have used so far. */
+    /** That all pages and their workers have used so far. */
     async cpuSeconds() {
       const { processInfo } = await session.send('SystemInfo.getProcessInfo');
       return processInfo.filter(({ type }) => type === 'renderer').reduce((sum, { cpuTime }) => sum + cpuTime, 0);
@@ -64,19 +87,95 @@ async function launchChromium() {
   };
 }
 
+const quietFirefox = `
+user_pref("app.normandy.enabled", false);
+user_pref("app.update.disabledForTesting", true);
+user_pref("browser.aboutwelcome.enabled", false);
+user_pref("browser.shell.checkDefaultBrowser", false);
+user_pref("datareporting.policy.dataSubmissionEnabled", false);
+user_pref("network.captive-portal-service.enabled", false);
+user_pref("network.connectivity-service.enabled", false);
+user_pref("toolkit.telemetry.server", "");
+`;
+
+const relayPage = `<!doctype html><meta charset="utf-8" /><title>relay</title><script type="module">
+  const { task } = await (await fetch('/', { method: 'POST', body: location.hash })).json();
+  location.replace(task);
+</script>`;
+
+/**
+ * Not remote-controlled: where Firefox 153 is, by WebDriver BiDi, one in thirty workers that a worker starts hangs (none in
+ * a thousand otherwise). Instead the test page finds its task in its address, and goes on with the outcome in the address of
+ * a page that fetches the next.
+ */
 async function launchFirefox() {
-  const { default: puppeteer } = await import('puppeteer-core');
-  const browser = await puppeteer.launch({
-    browser: 'firefox',
-    executablePath: programs.Firefox,
-    headless: true,
+  let finishTask = () => {};
+  let cameBack = () => {};
+  let asking; // the relay page's request for a task, to be answered
+  const server = createServer((request, response) => {
+    if (request.method === 'GET') {
+      response.writeHead(200, { 'Content-Type': 'text/html' }).end(relayPage);
+      return;
+    }
+    let outcome = '';
+    request.setEncoding('utf8');
+    request.on('data', (text) => (outcome += text));
+    request.on('end', () => {
+      asking = response;
+      if (outcome !== '') finishTask(JSON.parse(decodeURIComponent(outcome.slice(1))));
+      cameBack();
+    });
   });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const relay = `http://localhost:${server.address().port}/`;
+
+  const profile = mkdtempSync(join(tmpdir(), 'sillon-firefox-'));
+  writeFileSync(join(profile, 'user.js'), quietFirefox);
+  const firefox = spawn(programs.Firefox, ['--headless', '--no-remote', '--profile', profile, relay], {
+    stdio: 'ignore',
+    detached: true, // its processes are a group, to be ended together
+  });
+  const ended = new Promise((resolve) => {
+    firefox.once('exit', resolve);
+    firefox.once('error', resolve);
+  });
+  const ask = (promise, what) =>
+    inTime(
+      Promise.race([promise, ended.then((status) => Promise.reject(new Error(`Firefox ended: ${status}`)))]),
+      what,
+    );
+  const end = () => {
+    try {
+      process.kill(-firefox.pid, 'SIGKILL');
+    } catch {
+      // it has ended by itself
+    }
+  };
+  process.once('exit', end);
+  const close = async () => {
+    end();
+    await ended;
+    process.off('exit', end);
+    server.close();
+    server.closeAllConnections();
+    rmSync(profile, { recursive: true, force: true, maxRetries: 10 });
+  };
+
+  try {
+    await ask(new Promise((resolve) => (cameBack = resolve)), programs.Firefox);
+  } catch (problem) {
+    await close();
+    throw problem;
+  }
   return {
-    async newPage() {
-      const context = await browser.createBrowserContext();
-      const page = await context.newPage();
-      return page;
+    async attempt(url, task, args) {
+      if (asking === undefined) throw new Error('Firefox has not come back from its last task');
+      const outcome = new Promise((resolve) => (finishTask = resolve));
+      const address = `${url}#${encodeURIComponent(JSON.stringify({ task, args, relay }))}`;
+      asking.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify({ task: address }));
+      asking = undefined;
+      return ask(outcome, `task ${task}`);
     },
-    close: () => browser.close(),
+    close,
   };
 }

@@ -17,7 +17,7 @@ export function copyEngine(changes) {
     renameSync(join(folder, `sillon-${variant}.js`), join(folder, `real-${variant}.js`));
   const glue = { 'sillon-st.js': wrapped('st'), 'sillon-mt.js': wrapped('mt') };
   for (const [name, content] of Object.entries({ ...glue, ...changes })) {
-    if (content === null) rmSync(join(folder, name));
+    if (content === null) rmSync(join(folder, name), { force: true });
     else writeFileSync(join(folder, name), content);
   }
   return { folder, remove: () => rmSync(folder, { recursive: true }) };

@@ -1,11 +1,11 @@
-// The tests' tasks as a page of some site does them, or its worker (worker.js).
+// The tests' tasks, as a page of some site does them, or its worker, or a frame in it.
 import { inputOf, makePlate } from '/support/plate.js';
 
 /** More than a second of work. */
 const large = [{ shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } }, { spacing: 0.2 }];
 const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { measure: false }];
 
-const tasks = { plate, coldPlate, abort, longestTask, plateInWorker };
+const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, longestTask };
 
 /** A task's value, or what is to be seen of its error: errors lose their fields on the way out of a page. */
 globalThis.attempt = async (name, args) => {
@@ -15,6 +15,14 @@ globalThis.attempt = async (name, args) => {
     return { error: { name, code, message, hint } };
   }
 };
+
+// A browser without remote control names the task in the page's address, and takes the outcome from that of the next page.
+if (location.hash !== '') {
+  const { task, args, relay } = JSON.parse(decodeURIComponent(location.hash.slice(1)));
+  void globalThis.attempt(task, args).then((outcome) => {
+    location.replace(`${relay}#${encodeURIComponent(JSON.stringify(outcome))}`);
+  });
+}
 
 async function readFile(url) {
   const response = await fetch(url);
@@ -34,7 +42,7 @@ async function plate({ library, options, project }) {
     const url = new URL(project, location.href);
     const json = await (await readFile(url)).text();
     const made = await makePlate(engine, json, (name) => readFile(new URL(name, url)));
-    return { ...engine.info, ...made };
+    return { origin: self.origin, ...engine.info, ...made };
   } finally {
     engine.dispose();
   }
@@ -117,16 +125,41 @@ async function longestTask({ options }) {
 
 /** `plate` in a worker that this page starts. */
 async function plateInWorker(args) {
-  const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+  const worker = new Worker(import.meta.url, { type: 'module' });
+  const failed = new Promise((_, reject) => {
+    worker.onerror = ({ message }) => reject(new Error(`the page's worker failed: ${message}`));
+  });
   try {
-    const { value, error } = await new Promise((resolve, reject) => {
-      worker.onmessage = ({ data }) => resolve(data);
-      worker.onerror = ({ message }) => reject(new Error(`worker.js: ${message}`));
-      worker.postMessage(args);
-    });
-    if (error) throw error;
-    return value;
+    return await Promise.race([askPlate(worker, args), failed]);
   } finally {
     worker.terminate();
   }
 }
+
+/** `plate` in a sandboxed frame of this page. */
+async function plateInFrame(args) {
+  const frame = document.createElement('iframe');
+  frame.sandbox = 'allow-scripts';
+  frame.src = location.pathname;
+  const loaded = new Promise((resolve) => (frame.onload = resolve));
+  document.body.append(frame);
+  await loaded;
+  const plate = await askPlate(
+    { postMessage: (message, transfer) => frame.contentWindow.postMessage(message, '*', transfer) },
+    args,
+  );
+  frame.remove();
+  return plate;
+}
+
+async function askPlate(target, args) {
+  const { port1, port2 } = new MessageChannel();
+  target.postMessage(args, [port2]);
+  const { value, error } = await new Promise((resolve) => (port1.onmessage = ({ data }) => resolve(data)));
+  if (error) throw error;
+  return value;
+}
+
+addEventListener('message', async ({ data, ports: [port] }) => {
+  port.postMessage(await globalThis.attempt('plate', data));
+});

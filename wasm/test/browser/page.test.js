@@ -1,0 +1,133 @@
+// What a page's visitor feels: errors that name their cause, aborts that end the work, a page that never freezes.
+import assert from 'node:assert/strict';
+import { cpSync, existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+
+import { lacking, launch } from '../support/browsers.js';
+import { engineFolder, serveSite } from '../support/pages.js';
+import { publishedScenes } from '../support/projects.js';
+import { headerSets } from '../support/server.js';
+
+const brain = existsSync(join(publishedScenes, 'brain.json'));
+const projects = { usual: '/examples/stress_35.json', cold: brain ? '/scenes/brain.json' : '/examples/islands.json' };
+const engineFiles = {
+  st: ['worker.js', 'sillon-st.js', 'sillon-st.wasm'],
+  mt: ['sillon-mt.js', 'sillon-mt.wasm', 'sillon-mt.worker.js'],
+};
+const inMs = (time) => `${time.toFixed(0)} ms`;
+
+describe('Chromium', { skip: lacking('Chromium') }, () => {
+  let browser, copies, isolated, plain, friendly;
+
+  before(async () => {
+    copies = mkdtempSync(join(tmpdir(), 'sillon-'));
+    for (const name of [...engineFiles.st, ...engineFiles.mt]) {
+      cpSync(engineFolder, join(copies, name), { recursive: true, filter: (path) => !path.endsWith(`/${name}`) });
+    }
+    const without = { '/without/': copies };
+    isolated = await serveSite(headerSets.isolated, without);
+    plain = await serveSite(headerSets.plain, without);
+    friendly = await serveSite(headerSets.isolated, without, 200);
+    browser = await launch('Chromium');
+  });
+  after(async () => {
+    await browser?.close();
+    for (const site of [isolated, plain, friendly]) site?.close();
+    rmSync(copies, { recursive: true });
+  });
+
+  const failureOf = async (site, options) => {
+    const { value, error } = await browser.attempt(site.page, 'plate', { options, project: projects.usual });
+    assert.equal(value, undefined);
+    assert.equal(error.name, 'SillonError');
+    assert.equal(error.code, 'LoadFailed');
+    assert.notEqual(error.hint, '');
+    return error.message;
+  };
+
+  for (const name of engineFiles.st) {
+    test(`without ${name}, a web page of status 404 or 200 in its place: the error names its address`, async () => {
+      for (const site of [isolated, friendly]) {
+        const assetBase = `${site.origin}/without/${name}`;
+        const message = await failureOf(site, { threads: 'off', assetBase });
+        assert.ok(message.includes(`${assetBase}/${name}`), message);
+      }
+    });
+  }
+
+  test('with no engine at all: the error names an address', async () => {
+    const message = await failureOf(isolated, { assetBase: '/nowhere/' });
+    assert.ok(message.includes(`${isolated.origin}/nowhere/`), message);
+  });
+
+  test('engine files of another origin that shares nothing: the error names an address', async () => {
+    const message = await failureOf(isolated, { assetBase: `${plain.origin}/sillon/dist/engine` });
+    assert.ok(message.includes(`${plain.origin}/sillon/dist/engine/`), message);
+  });
+
+  for (const name of engineFiles.mt) {
+    test(`without ${name}: one thread, and the reason names its address`, async () => {
+      const assetBase = `${isolated.origin}/without/${name}`;
+      const { value, error } = await browser.attempt(isolated.page, 'plate', {
+        options: { threads: 2, assetBase },
+        project: projects.usual,
+      });
+      assert.equal(error, undefined);
+      assert.equal(value.variant, 'st');
+      assert.equal(value.threads, 1);
+      assert.ok(value.reason.includes(`${assetBase}/${name}`), value.reason);
+    });
+  }
+
+  // Three ways for a worker to see that it is to stop: the engine's shared memory, a shared byte beside it, and an
+  // address that is withdrawn.
+  for (const [kind, threads] of [
+    ['isolated', 2],
+    ['isolated', 'off'],
+    ['plain', 'off'],
+  ]) {
+    test(`an abort ends the call and its work within 100 ms: ${kind} page, threads ${threads}`, async (t) => {
+      const site = kind === 'isolated' ? isolated : plain;
+      let busy;
+      const whileOpen = async () => {
+        await wait(100);
+        const before = await browser.cpuSeconds();
+        await wait(500);
+        busy = (await browser.cpuSeconds()) - before;
+      };
+      const args = { options: { threads } };
+      const { value, error } = await browser.attempt(site.page, 'abort', args, whileOpen);
+      assert.equal(error, undefined);
+      t.diagnostic(`rejected after ${inMs(value.rejected)}, next call answered after ${inMs(value.answered)}`);
+      assert.equal(value.threads, threads === 'off' ? 1 : threads);
+      assert.equal(value.outcome, 'AbortError');
+      assert.ok(value.rejected < 100);
+      assert.ok(value.answered < 1000);
+      assert.ok(busy < 0.25, `${busy} s of CPU time in half a second after the abort`);
+    });
+  }
+
+  for (const threads of ['off', 'auto']) {
+    test(`no task above 100 ms on the page's thread while a plate is made, threads: ${threads}`, async (t) => {
+      const { value, error } = await browser.attempt(isolated.page, 'longestTask', { options: { threads } });
+      assert.equal(error, undefined);
+      t.diagnostic(`longest task ${inMs(value.atWork)} (0: none above 50 ms) for ${value.points} points`);
+      assert.ok(value.atWaiting >= 200, 'long tasks are not seen here');
+      assert.ok(value.atWork <= 100);
+    });
+  }
+
+  test('the first plate of a page never visited', async (t) => {
+    await browser.attempt(plain.page, 'coldPlate', { options: {}, project: projects.cold }); // the browser is warm
+    const { value, error } = await browser.attempt(isolated.page, 'coldPlate', {
+      options: {},
+      project: projects.cold,
+    });
+    assert.equal(error, undefined);
+    t.diagnostic(`engine after ${inMs(value.started)}, plate after ${inMs(value.finished)}; budget 1500 ms`);
+    assert.ok(value.finished < 15000);
+  });
+});

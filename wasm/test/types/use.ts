@@ -1,0 +1,124 @@
+// Uses of the package that the compiler must accept, and, where marked, must refuse.
+import {
+  createEngine,
+  SillonError,
+  type DeepPartial,
+  type Engine,
+  type ErrorCode,
+  type Gcode,
+  type InputFile,
+  type Plate,
+  type Project,
+  type Toolpath,
+} from 'sillon';
+
+const engine: Engine = await createEngine();
+await createEngine({ threads: 'auto' });
+await createEngine({ threads: 4, assetBase: '/engine', idleTimeout: Infinity });
+await createEngine({ threads: 'off', assetBase: new URL('https://example.org/engine/') });
+// @ts-expect-error no such word
+await createEngine({ threads: 'on' });
+// @ts-expect-error no such option
+await createEngine({ thread: 4 });
+
+const { version, variant, threads, reason } = engine.info;
+const told: [string, 'mt' | 'st', number, string] = [version, variant, threads, reason];
+// @ts-expect-error told, not asked
+engine.info = engine.info;
+
+// Shapes
+declare const file: File;
+declare const image: ImageData;
+const controller = new AbortController();
+const plate: Plate = await engine.generateToolpath(
+  { shape: { file, pageWidth: 60, unitless: 'mm' }, directions: { file, encoding: 'tangent' }, modes: { file } },
+  { spacing: 0.45, perimeterMode: 'soft', bridge: null },
+  {
+    signal: controller.signal,
+    onProgress: ({ stage, fraction }) => [stage.length, fraction.toFixed(2)],
+    measure: false,
+  },
+);
+await engine.generateToolpath({ shape: { builtin: 'disc', size: [30, 30] }, directions: { angle: 30 } });
+await engine.generateToolpath({ shape: { size: [30, 0] }, directions: { file: '...' }, modes: { mode: 'parallel' } });
+await engine.generateToolpath({});
+// @ts-expect-error an input is needed
+await engine.generateToolpath();
+// @ts-expect-error no such shape
+await engine.generateToolpath({ shape: { builtin: 'star', size: [1, 1] } });
+// @ts-expect-error a pair
+await engine.generateToolpath({ shape: { builtin: 'disc', size: [1, 2, 3] } });
+// @ts-expect-error no such section
+await engine.generateToolpath({ shape: { builtin: 'disc' }, printer: {} });
+// @ts-expect-error misspelt
+await engine.generateToolpath({}, { spacin: 1 });
+// @ts-expect-error a number
+await engine.generateToolpath({}, { spacing: '0.4' });
+// @ts-expect-error only for G-code
+await engine.generateToolpath({}, {}, { onChunk: () => undefined });
+
+// Files
+const files: InputFile[] = [
+  '<svg/>',
+  new ArrayBuffer(1),
+  new Uint8Array(1),
+  new DataView(new ArrayBuffer(1)),
+  new Blob([]),
+  file,
+  { width: image.width, height: image.height, channels: 4, samples: image.data },
+  { width: 1, height: 1, channels: 1, samples: new Uint16Array(1) },
+];
+// @ts-expect-error its pixels, not itself
+files.push(image);
+// @ts-expect-error whole numbers only
+files.push({ width: 1, height: 1, channels: 1, samples: new Float32Array(1) });
+// @ts-expect-error a path is no file
+files.push(new URL('file:///leaf.svg'));
+
+// Results
+const toolpath: Toolpath = plate.toolpath;
+const xs: number[] = toolpath.cycles.flatMap(({ points, widths }) => [...points.subarray(0, 2), ...widths]);
+const measured: number | undefined = plate.report.coverage;
+// @ts-expect-error only where it was measured
+const coverage: number = plate.report.coverage;
+structuredClone(plate, { transfer: toolpath.cycles.map(({ points }) => points.buffer as ArrayBuffer) });
+
+const gcode: Gcode = await engine.writeGcode(
+  toolpath,
+  { name: 'Bench', flavor: 'klipper', bedMax: [250, 210] },
+  { layers: 2, place: null, date: new Date(0) },
+  { onChunk: (chunk) => chunk.byteLength },
+);
+const text: string = await gcode.blob.text();
+const warnings: string[] = gcode.summary.warnings;
+// @ts-expect-error no such dialect
+await engine.writeGcode(toolpath, { flavor: 'reprap' });
+// @ts-expect-error a Date
+await engine.writeGcode(toolpath, {}, { date: '2026-11-21' });
+// @ts-expect-error a toolpath, not a plate
+await engine.writeGcode(plate);
+
+const blobs: Blob[] = [await engine.writeSvg(toolpath), await engine.renderPreview(toolpath, { width: 800 })];
+const { page, paths } = await engine.readShape({ file }, { angle: 0 });
+const { samples } = await engine.decodePicture(file);
+const project: Project = await engine.readProject('{}');
+const changes: DeepPartial<Project> = { toolpath: { spacing: 0.5 }, print: { place: [1, 2] } };
+const json: string = await engine.writeProject({ ...project, ...changes });
+// @ts-expect-error the whole pair
+await engine.writeProject({ print: { place: [1] } });
+
+// Errors
+try {
+  engine.dispose();
+} catch (error) {
+  if (error instanceof SillonError) {
+    const code: ErrorCode = error.code;
+    const hint: string = error.hint;
+    console.error(code, hint, error.message, error.stack);
+    // @ts-expect-error no such code
+    if (error.code === 'Cancelled') console.error(error);
+    // @ts-expect-error told, not asked
+    error.code = 'Internal';
+  }
+}
+console.log(told, xs, measured, coverage, text, warnings, blobs, page, paths, samples, json);
