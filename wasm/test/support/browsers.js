@@ -47,10 +47,10 @@ function inTime(promise, what) {
  */
 export const launch = (name) => (name === 'Firefox' ? launchFirefox() : launchChromium());
 
-/** Has `cpuSeconds` besides. */
-async function launchChromium() {
+/** Playwright's Chromium, for tests that look at pages of other kinds. */
+export async function startChromium() {
   const { chromium } = await import('playwright-core');
-  const browser = await chromium.launch({
+  return chromium.launch({
     executablePath: programs.Chromium,
     chromiumSandbox: false, // containers and root have none
     args: [
@@ -62,6 +62,11 @@ async function launchChromium() {
       '--disable-sync',
     ],
   });
+}
+
+/** Has `cpuSeconds` besides. */
+async function launchChromium() {
+  const browser = await startChromium();
   const session = await browser.newBrowserCDPSession();
   return {
     /** @param whileOpen  asked when the task is done, while its page is there */
