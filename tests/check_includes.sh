@@ -17,6 +17,7 @@ outline: shape
 sdf: outline
 constraints: direction_map sdf
 line_field: constraints sdf
+spacing_field: constraints line_field
 phase_field: line_field sdf
 sine_field: phase_field
 contour:
@@ -26,7 +27,7 @@ neighbour_gaps: sdf
 relaxation: neighbour_gaps sdf
 bead_width: neighbour_gaps sdf
 simplify: bead_width
-pipeline: shape direction_map sdf parts line_field phase_field sine_field contour stitch relaxation bead_width simplify
+pipeline: shape direction_map sdf parts line_field phase_field sine_field spacing_field contour stitch relaxation bead_width simplify
 measure: direction_map outline sdf constraints
 report: measure pipeline
 turned: shape gcode

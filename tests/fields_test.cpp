@@ -6,8 +6,10 @@
 #include "fast_math.hpp"
 #include "sillon/constraints.hpp"
 #include "sillon/line_field.hpp"
+#include "sillon/measure.hpp"
 #include "sillon/phase_field.hpp"
 #include "sillon/sine_field.hpp"
+#include "sillon/spacing_field.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -23,6 +25,7 @@ struct Fields {
   SignedDistanceField sdf;
   CellConstraints cells;
   LineField lines;
+  std::vector<float> frequency;
   SineField waves;
   std::vector<float> nodeDistance;
   std::vector<float> values;
@@ -36,7 +39,8 @@ Fields fieldsOf(const PlateInput& input, const ToolpathParams& params = {}, cons
   f.sdf = signedDistanceField(input.shape, index, grid, run).value();
   f.cells = cellConstraints(f.sdf, input.directions, input.modes, input.shape.page, params, run).value();
   f.lines = lineField(f.sdf, f.cells, params, run).value();
-  f.waves = alignPhases(f.lines, f.sdf, f.cells, params, run).value();
+  f.frequency = spacingField(f.lines, f.cells, params, run).value();
+  f.waves = alignPhases(f.lines, f.frequency, f.sdf, f.cells, params, run).value();
   f.nodeDistance = bandDistance(input.shape, index, nodeLattice(grid), static_cast<float>(params.spacing), run).value();
   f.values = evaluateSineField(f.waves, f.nodeDistance, run).value();
   return f;
@@ -252,7 +256,7 @@ TEST_CASE("a uniform field becomes one plane wave at any angle, without a single
         const std::size_t j = grid.index(x - 1, y);
         if (f.cells.zone[i] == Zone::Masked || f.cells.zone[j] == Zone::Masked) continue;
         const Vec2f q = f.waves.phase[i];
-        const float expected = alignedPhase({0.2f, 0}, f.waves.direction[i], f.waves.direction[j],
+        const float expected = alignedPhase({0.2f, 0}, f.waves.wave[i], f.waves.wave[j],
                                             std::atan2(f.waves.phase[j].y, f.waves.phase[j].x), kFrequency);
         REQUIRE(q.x * std::cos(expected) + q.y * std::sin(expected) > 0.999f);
       }
@@ -266,8 +270,8 @@ TEST_CASE("the ring's wave vanishes half a bead inside the border") {
   for (std::size_t i = 0; i < f.cells.zone.size(); ++i) {
     if (f.cells.zone[i] != Zone::Ring) continue;
     ++rings;
-    const float along = dot(f.waves.direction[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
-    CHECK(std::abs(dot(f.waves.direction[i], f.sdf.normal[i])) > 0.999f);
+    const float along = dot(f.waves.wave[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
+    CHECK(std::abs(dot(f.waves.wave[i], f.sdf.normal[i])) > 0.999f);
     // sin(phi + along w (-tau/2 - sd)) = 0, falling inwards
     const float angle =
         std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
@@ -286,7 +290,7 @@ TEST_CASE("a soft border pulls beads along it where the map agrees and leaves th
     for (int y = 0; y < grid.ny; ++y) {
       const std::size_t i = grid.index(x, y);
       if (f.cells.zone[i] != Zone::Ring) continue;
-      const float along = dot(f.waves.direction[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
+      const float along = dot(f.waves.wave[i], f.sdf.normal[i]) > 0 ? 1.0f : -1.0f;
       const float angle =
           std::atan2(f.waves.phase[i].y, f.waves.phase[i].x) + along * kFrequency * (-0.2f - f.sdf.distance[i]);
       CHECK(std::abs(std::sin(angle)) < 0.15f);
@@ -315,7 +319,7 @@ TEST_CASE("the sine field of a plane wave is that wave, times the Gaussian's los
       if (std::abs(p.x - p0.x) > 2 || std::abs(p.y - p0.y) > 2) continue;
       const Vec2f to{static_cast<float>(p.x - p0.x), static_cast<float>(p.y - p0.y)};
       const float expected =
-          std::sin(kFrequency * dot(to, f.waves.direction[i0]) + std::atan2(f.waves.phase[i0].y, f.waves.phase[i0].x));
+          std::sin(kFrequency * dot(to, f.waves.wave[i0]) + std::atan2(f.waves.phase[i0].y, f.waves.phase[i0].x));
       REQUIRE(f.values[n] == doctest::Approx(expected).epsilon(0.02));
     }
   }
@@ -335,4 +339,51 @@ TEST_CASE("fields are equal for any number of threads") {
       CHECK(one.values == many.values);
     }
   }
+}
+
+TEST_CASE("parallel lines keep one spacing") {
+  const Fields f = fieldsOf(square(12, mapOf(1, [](double, double) { return 0.4; })));
+  for (const float frequency : f.frequency) CHECK(frequency == doctest::Approx(1).epsilon(1e-5));
+}
+
+TEST_CASE("where beads fan out they widen, by no more than asked, and the signs of lines mean nothing") {
+  // Beads on rays from a point left of the page: at distance r their spacing wants to be proportional to r.
+  PlateInput input = square(12, mapOf(256, [](double x, double y) { return std::atan2(12 * y - 6, 12 * x + 14); }));
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::None;
+  params.spacingBend = 0.25;
+  Fields f = fieldsOf(input, params);
+  const Grid& grid = f.lines.grid;
+  const auto meanAt = [&](double x) {
+    double sum = 0;
+    int count = 0;
+    for (int iy = 0; iy < grid.ny; ++iy) {
+      for (int ix = 0; ix < grid.nx; ++ix) {
+        const Vec2 p = grid.centre(ix, iy);
+        if (std::abs(p.x - x) > 0.5 || std::abs(p.y - 6) > 3) continue;
+        sum += std::log(f.frequency[grid.index(ix, iy)]);
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  // On a line of length 30 tau the best u of (u' - kappa)² + (u / 8 tau)² is kappa 8 tau sinh(x / 8 tau) / cosh(15 /
+  // 8), x from the middle; 7.5 tau to either side that is 0.345 of log(r2 / r1).
+  const double wanted = std::log((14 + 9.0) / (14 + 3.0));
+  CHECK((meanAt(3) - meanAt(9)) / wanted == doctest::Approx(0.345).epsilon(0.15));
+  for (const float frequency : f.frequency) CHECK(std::abs(std::log(frequency)) <= 0.2501f);
+
+  LineField flipped = f.lines;
+  for (std::size_t i = 0; i < flipped.direction.size(); i += 3) flipped.direction[i] = -flipped.direction[i];
+  CHECK(spacingField(flipped, f.cells, params, RunContext(1)).value() == f.frequency);
+
+  const PlateInput waves = square(40, scenes::waves());
+  const auto turnsWith = [&](double bend) {
+    params.spacingBend = bend;
+    const Plate plate = generateToolpath(waves, params, RunContext(2)).value();
+    return measureToolpath(plate.toolpath, waves.shape, waves.directions, waves.modes, params, RunContext(2))
+        .value()
+        .uTurns;
+  };
+  CHECK(turnsWith(0.2) < 0.95 * static_cast<double>(turnsWith(0)));
 }

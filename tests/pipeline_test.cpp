@@ -142,6 +142,7 @@ TEST_CASE("parameters out of range are named with their value and range, and not
       {"bridge", [](auto& p) { p.bridge = -1; }},
       {"bridge", [=](auto& p) { p.bridge = nan; }},
       {"sweepsPerLevel", [](auto& p) { p.sweepsPerLevel = 0; }},
+      {"spacingBend", [](auto& p) { p.spacingBend = 0.6; }},
       {"borderPull", [](auto& p) { p.borderPull = -1; }},
       {"stitchAlignment", [](auto& p) { p.stitchAlignment = 11; }},
       {"relaxationRounds", [](auto& p) { p.relaxationRounds = -1; }},

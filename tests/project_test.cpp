@@ -48,6 +48,7 @@ Project unusualProject() {
   p.toolpath.mapFilter = MapFilter::Nearest;
   p.toolpath.seed = std::numeric_limits<std::uint64_t>::max();
   p.toolpath.sweepsPerLevel = 9;
+  p.toolpath.spacingBend = 0.1;
   p.toolpath.borderPull = 2.5;
   p.toolpath.stitchAlignment = 0.6;
   p.toolpath.relaxationRounds = 4;

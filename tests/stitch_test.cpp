@@ -26,7 +26,7 @@ Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {}
   const CellConstraints cells =
       cellConstraints(sdf, input.directions, input.modes, input.shape.page, params, run).value();
   const LineField lines = lineField(sdf, cells, params, run).value();
-  const SineField waves = alignPhases(lines, sdf, cells, params, run).value();
+  const SineField waves = alignPhases(lines, std::vector<float>(grid.size(), 1.0f), sdf, cells, params, run).value();
   const Grid nodes = nodeLattice(grid);
   const float spacing = static_cast<float>(params.spacing);
   const std::vector<float> distance = bandDistance(input.shape, border, nodes, spacing, run).value();

@@ -129,6 +129,7 @@ export interface ToolpathParams {
   /** 0..2^53 - 1. */
   seed: number;
   sweepsPerLevel: number;
+  spacingBend: number;
   borderPull: number;
   stitchAlignment: number;
   relaxationRounds: number;

@@ -31,6 +31,7 @@ struct PhaseLevel {
   float step = 0;  ///< frequency times the level's cell side [rad]
   int depth = 0;
   Planes dx, dy;  ///< lines; 0 where masked
+  Planes f;       ///< frequency, about 1
   Planes qr, qi;  ///< phases
   Planes free;    ///< 1 where sweeps may change the phase, else 0
   Planes ar, ai;  ///< soft border: the border's wave times its weight; else empty
@@ -57,15 +58,19 @@ class Jitter {
 Vec2f multiply(Vec2f a, Vec2f b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
 // The wave of j seen from i, without weight: the phase flips to pi - phase where the lines oppose each other.
-Vec2f transported(Vec2f offsetSteps, Vec2f di, Vec2f dj, Vec2f qj) {
-  const float s = dot(di, dj) > 0 ? 1.0f : -1.0f;
-  const SinCos turn = sinCos(0.5f * dot(offsetSteps, dj + di * s));
+Vec2f transported(Vec2f offsetSteps, Vec2f ki, Vec2f kj, Vec2f qj) {
+  const float s = dot(ki, kj) > 0 ? 1.0f : -1.0f;
+  const SinCos turn = sinCos(0.5f * dot(offsetSteps, kj + ki * s));
   const Vec2f q = multiply({turn.cos, turn.sin}, qj);
   return {s * q.x, q.y};
 }
 
 Vec2f lineAt(const PhaseLevel& level, std::size_t colour, std::size_t i) {
   return {level.dx[colour][i], level.dy[colour][i]};
+}
+
+Vec2f waveAt(const PhaseLevel& level, std::size_t colour, std::size_t i) {
+  return lineAt(level, colour, i) * level.f[colour][i];
 }
 
 bool isMasked(const PhaseLevel& level, std::size_t colour, std::size_t i) {
@@ -77,7 +82,8 @@ PhaseLevel makeLevel(LevelShape shape, float step, int depth, bool anchors) {
   level.shape = shape;
   level.step = step;
   level.depth = depth;
-  for (Planes* planes : {&level.dx, &level.dy, &level.qr, &level.qi, &level.free}) *planes = makePlanes(shape);
+  for (Planes* planes : {&level.dx, &level.dy, &level.f, &level.qr, &level.qi, &level.free})
+    *planes = makePlanes(shape);
   if (anchors) {
     level.ar = makePlanes(shape);
     level.ai = makePlanes(shape);
@@ -115,7 +121,9 @@ void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run
             const F4 djy = load4(&level.dy[n.colour][j]);
             const F4 along = dix * djx + diy * djy;
             const F4 sign = select4(along > splat(0), splat(1), splat(-1));
-            const F4 angle = splat(0.5f * level.step) * (ox * (djx + sign * dix) + oy * (djy + sign * diy));
+            const F4 fi = sign * load4(&level.f[colour][i]);
+            const F4 fj = load4(&level.f[n.colour][j]);
+            const F4 angle = splat(0.5f * level.step) * (ox * (fj * djx + fi * dix) + oy * (fj * djy + fi * diy));
             const SinCos4 turn = sinCos(angle);
             const F4 weight = splat(corner ? kCornerWeight : kSideWeight) * (sign * along);
             store4(&edge.re[colour][i], weight * turn.cos);
@@ -246,11 +254,15 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
         const std::size_t child = fine.shape.at(x, y);
         Vec2f z{};
         Vec2f any{};
+        float frequencies = 0;
+        float count = 0;
         for (std::size_t c = 0; c < kColours; ++c) {
           const Vec2f d = lineAt(fine, c, child);
           if (isMasked(fine, c, child)) continue;
           any = d;
           z = z + lineOf(d);
+          frequencies += fine.f[c][child];
+          ++count;
         }
         if (any == Vec2f{}) continue;
         const std::size_t colour = colourOf(x, y);
@@ -260,20 +272,22 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
         if (size > 1e-6f) d = directionOf(z * (1 / size));
         coarse.dx[colour][at] = d.x;
         coarse.dy[colour][at] = d.y;
+        coarse.f[colour][at] = frequencies / count;
+        const Vec2f k = waveAt(coarse, colour, at);
         Vec2f fixedSum{};
         Vec2f anchorSum{};
         bool fixed = false;
         for (std::size_t c = 0; c < kColours; ++c) {
           if (isMasked(fine, c, child)) continue;
-          const Vec2f dj = lineAt(fine, c, child);
+          const Vec2f kj = waveAt(fine, c, child);
           const Vec2f offset = parentOffset(fine, c, x, y, jitter) * fine.step;
-          const float along = std::abs(dot(d, dj));
+          const float along = std::abs(dot(d, lineAt(fine, c, child)));
           if (fine.free[c][child] == 0) {
             fixed = true;
-            fixedSum = fixedSum + transported(offset, d, dj, {fine.qr[c][child], fine.qi[c][child]}) * along;
+            fixedSum = fixedSum + transported(offset, k, kj, {fine.qr[c][child], fine.qi[c][child]}) * along;
           }
           if (anchors)
-            anchorSum = anchorSum + transported(offset, d, dj, {fine.ar[c][child], fine.ai[c][child]}) * along;
+            anchorSum = anchorSum + transported(offset, k, kj, {fine.ar[c][child], fine.ai[c][child]}) * along;
         }
         const float sum = length(fixedSum);
         const Vec2f q = sum > kNoPhase ? fixedSum * (1 / sum) : Vec2f{1, 0};
@@ -297,12 +311,12 @@ void prolong(const PhaseLevel& coarse, PhaseLevel& fine, const Jitter& jitter, c
         const std::size_t colour = colourOf(x, y);
         const std::size_t parent = coarse.shape.atCell(x, y);
         const std::size_t child = fine.shape.at(x, y);
-        const Vec2f dp = lineAt(coarse, colour, parent);
+        const Vec2f kp = waveAt(coarse, colour, parent);
         const Vec2f qp{coarse.qr[colour][parent], coarse.qi[colour][parent]};
         for (std::size_t c = 0; c < kColours; ++c) {
           if (fine.free[c][child] == 0) continue;
           const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
-          const Vec2f q = transported(offset, lineAt(fine, c, child), dp, qp);
+          const Vec2f q = transported(offset, waveAt(fine, c, child), kp, qp);
           fine.qr[c][child] = q.x;
           fine.qi[c][child] = q.y;
         }
@@ -317,8 +331,8 @@ Vec2f borderPhase(float distance, float spacing) {
   return {v.cos, v.sin};
 }
 
-PhaseLevel finestLevel(const LineField& lines, const SignedDistanceField& sdf, const CellConstraints& cells,
-                       const ToolpathParams& params, const Jitter& jitter) {
+PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequency, const SignedDistanceField& sdf,
+                       const CellConstraints& cells, const ToolpathParams& params, const Jitter& jitter) {
   const Grid& grid = lines.grid;
   const float spacing = static_cast<float>(params.spacing);
   const bool soft = params.perimeterMode == PerimeterMode::Soft;
@@ -333,6 +347,7 @@ PhaseLevel finestLevel(const LineField& lines, const SignedDistanceField& sdf, c
       const Vec2f d = lines.direction[i];
       level.dx[colour][at] = d.x;
       level.dy[colour][at] = d.y;
+      level.f[colour][at] = frequency[i];
       level.free[colour][at] = 1;
       level.qr[colour][at] = 1;
       if (cells.zone[i] != Zone::Ring || !(ring || soft)) continue;
@@ -340,7 +355,7 @@ PhaseLevel finestLevel(const LineField& lines, const SignedDistanceField& sdf, c
       const float along = dot(d, n);
       Vec2f q = borderPhase(sdf.distance[i], spacing);
       if (along < 0) q.x = -q.x;  // (d, phi) = (-d, pi - phi)
-      const SinCos move = sinCos(level.step * dot(jitter.at(0, x, y), d));
+      const SinCos move = sinCos(level.step * frequency[i] * dot(jitter.at(0, x, y), d));
       q = multiply({move.cos, move.sin}, q);
       if (ring) {
         level.qr[colour][at] = q.x;
@@ -364,11 +379,12 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
   return s > 0 ? along : kPi - along;  // opposed lines run backwards
 }
 
-Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField& sdf, const CellConstraints& cells,
+Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
+                              const SignedDistanceField& sdf, const CellConstraints& cells,
                               const ToolpathParams& params, const RunContext& run) {
   const Jitter jitter(params.seed);
   std::vector<PhaseLevel> levels;
-  levels.push_back(finestLevel(lines, sdf, cells, params, jitter));
+  levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter));
   while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));
   for (std::size_t k = levels.size() - 1; k-- > 0;) {
     PhaseLevel& level = levels[k];
@@ -386,17 +402,18 @@ Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField&
 
   const PhaseLevel& finest = levels.front();
   const Grid& grid = lines.grid;
-  SineField field{grid, params.spacing, lines.direction, std::vector<Vec2f>(grid.size())};
+  SineField field{grid, params.spacing, std::vector<Vec2f>(grid.size()), std::vector<Vec2f>(grid.size())};
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 4.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < grid.nx; ++x) {
         const std::size_t i = grid.index(x, y);
         if (cells.zone[i] == Zone::Masked) continue;
+        field.wave[i] = lines.direction[i] * frequency[i];
         const std::size_t colour = colourOf(x, y);
         const std::size_t at = finest.shape.atCell(x, y);
         Vec2f q{finest.qr[colour][at], finest.qi[colour][at]};
         if (params.seed != 0) {  // back from the moved sample point to the cell's centre
-          const SinCos move = sinCos(-finest.step * dot(jitter.at(0, x, y), field.direction[i]));
+          const SinCos move = sinCos(-finest.step * dot(jitter.at(0, x, y), field.wave[i]));
           q = multiply({move.cos, move.sin}, q);
         }
         field.phase[i] = q;

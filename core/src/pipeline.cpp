@@ -14,6 +14,7 @@
 #include "sillon/sdf.hpp"
 #include "sillon/simplify.hpp"
 #include "sillon/sine_field.hpp"
+#include "sillon/spacing_field.hpp"
 #include "sillon/stitch.hpp"
 #include "text.hpp"
 
@@ -66,6 +67,7 @@ std::string invalidParameter(const ToolpathParams& p) {
   if (p.bridge && !within(*p.bridge, 0, 100)) return outOfRange("bridge", *p.bridge, " mm", "0 to 100 mm");
   if (p.sweepsPerLevel < 1 || p.sweepsPerLevel > 1000)
     return outOfRange("sweepsPerLevel", p.sweepsPerLevel, "", "1 to 1000");
+  if (!within(p.spacingBend, 0, 0.5)) return outOfRange("spacingBend", p.spacingBend, "", "0 to 0.5");
   if (!within(p.borderPull, 0, 100)) return outOfRange("borderPull", p.borderPull, "", "0 to 100");
   if (!within(p.stitchAlignment, 0, 10)) return outOfRange("stitchAlignment", p.stitchAlignment, "", "0 to 10");
   if (p.relaxationRounds < 0 || p.relaxationRounds > 100) {
@@ -131,7 +133,9 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   if (!lines) return lines.error();
 
   clock.start("phases", 0.35);
-  const Result<SineField> waves = alignPhases(lines.value(), sdf.value(), constraints.value(), params, run);
+  const Result<std::vector<float>> frequency = spacingField(lines.value(), constraints.value(), params, run);
+  if (!frequency) return frequency.error();
+  const Result<SineField> waves = alignPhases(lines.value(), frequency.value(), sdf.value(), constraints.value(), params, run);
   if (!waves) return waves.error();
 
   clock.start("contour", 0.5);

@@ -87,6 +87,7 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.choice("mapFilter", p.toolpath.mapFilter, kMapFilters);
   v.integer("seed", p.toolpath.seed);
   v.integer("sweepsPerLevel", p.toolpath.sweepsPerLevel);
+  v.number("spacingBend", p.toolpath.spacingBend);
   v.number("borderPull", p.toolpath.borderPull);
   v.number("stitchAlignment", p.toolpath.stitchAlignment);
   v.integer("relaxationRounds", p.toolpath.relaxationRounds);

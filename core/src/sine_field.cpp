@@ -35,8 +35,8 @@ struct CellRow {
     for (std::size_t x = 0; x < nx; ++x) {
       qr[x] = field.phase[first + x].x;
       qi[x] = field.phase[first + x].y;
-      const SinCos ex = sinCos(0.25f * kPi * field.direction[first + x].x);
-      const SinCos ey = sinCos(0.25f * kPi * field.direction[first + x].y);
+      const SinCos ex = sinCos(0.25f * kPi * field.wave[first + x].x);
+      const SinCos ey = sinCos(0.25f * kPi * field.wave[first + x].y);
       cx[0][x] = cy[0][x] = 1;
       sx[0][x] = sy[0][x] = 0;
       cx[1][x] = ex.cos;

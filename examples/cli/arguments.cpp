@@ -397,6 +397,9 @@ void addAdvanced(Options& options) {
       "--sweeps", "N", "smoothing sweeps on each level",
       [](Project & p) -> auto& { return p.toolpath.sweepsPerLevel; });
   options.number(
+      "--spacing-bend", "F", "how far beads may lie closer or wider where that saves U-turns",
+      [](Project & p) -> auto& { return p.toolpath.spacingBend; });
+  options.number(
       "--border-pull", "F", "weight of the border's wave, --perimeters soft",
       [](Project & p) -> auto& { return p.toolpath.borderPull; });
   options.number(

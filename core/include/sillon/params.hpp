@@ -24,9 +24,10 @@ struct ToolpathParams {
   int perimeters = 1;            ///< beads along the border in mode Count, 0..100
   std::optional<double> bridge;  ///< solids nearer than this count as one part [mm], >= 0; unset: one spacing
   MapFilter mapFilter = MapFilter::Average;
-  std::uint64_t seed = 0;  ///< 0: regular sample points; others: moved by up to tau/40, another plate of like quality
-  int sweepsPerLevel = 8;  ///< smoothing sweeps on each level of the hierarchy, 1..1000
-  double borderPull = 3;   ///< soft border: weight of the border's wave against a neighbour's, 0..100
+  std::uint64_t seed = 0;    ///< 0: regular sample points; others: moved by up to tau/40, another plate of like quality
+  int sweepsPerLevel = 8;    ///< smoothing sweeps on each level of the hierarchy, 1..1000
+  double spacingBend = 0.2;  ///< beads may lie up to e^this closer or wider where that saves U-turns, 0..0.5
+  double borderPull = 3;     ///< soft border: weight of the border's wave against a neighbour's, 0..100
   double stitchAlignment = 0.7;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
   int relaxationRounds = 3;      ///< rounds of spacing relaxation, 0..100
   double relaxationSmoothing = 0.4;  ///< pull towards the neighbours' middle per round, 0..1

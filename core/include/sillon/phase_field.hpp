@@ -11,13 +11,13 @@
 
 namespace sillon {
 
-/// One wave per cell: sin(pi/tau (x - p) . d + phi) around the cell's centre p (Eq. 6); (d, phi) = (-d, pi - phi).
-/// Phases are kept as unit numbers q = e^{i phi}. Masked cells have d = q = 0.
+/// One wave per cell: sin(pi/tau (x - p) . k + phi) around the cell's centre p (Eq. 6); (k, phi) = (-k, pi - phi).
+/// Phases are kept as unit numbers q = e^{i phi}. Masked cells have k = q = 0.
 struct SineField {
   Grid grid;
-  double spacing = 0;            ///< tau; a period of 2 tau holds two beads
-  std::vector<Vec2f> direction;  ///< d, unit
-  std::vector<Vec2f> phase;      ///< q, unit
+  double spacing = 0;        ///< tau; a period of 2 tau holds two beads
+  std::vector<Vec2f> wave;   ///< k = frequency times the unit direction d
+  std::vector<Vec2f> phase;  ///< q, unit
 };
 
 /// Phase of i [rad, not wrapped] that lays its wave over that of j: Eq. 8 at the midpoint, which is second order where
@@ -27,7 +27,9 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
 
 /// Aligns all waves over the hierarchy. In mode Count the ring's phase is fixed so that the first bead lies half a bead
 /// inside the border; in mode Soft the border's wave joins the sum of ring cells as one more neighbour.
-Result<SineField> alignPhases(const LineField& lines, const SignedDistanceField& sdf, const CellConstraints& cells,
+/// \param frequency  of the wave per cell, from spacingField.
+Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
+                              const SignedDistanceField& sdf, const CellConstraints& cells,
                               const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon
