@@ -135,7 +135,8 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   clock.start("phases", 0.35);
   const Result<std::vector<float>> frequency = spacingField(lines.value(), constraints.value(), params, run);
   if (!frequency) return frequency.error();
-  const Result<SineField> waves = alignPhases(lines.value(), frequency.value(), sdf.value(), constraints.value(), params, run);
+  const Result<SineField> waves =
+      alignPhases(lines.value(), frequency.value(), sdf.value(), constraints.value(), params, run);
   if (!waves) return waves.error();
 
   clock.start("contour", 0.5);
