@@ -822,7 +822,8 @@ TEST_CASE("a quarter turn of the plate is a quarter turn of every vertex, and a 
   job.params.place = Vec2{50, 60};
   const auto vertices = [&] {
     std::vector<std::pair<std::int64_t, std::int64_t>> out;
-    for (const auto& move : lastPath(checkFile(job, job.write())).moves) out.emplace_back(move.x0, move.y0);
+    const ReadPath path = lastPath(checkFile(job, job.write()));
+    for (const auto& move : path.moves) out.emplace_back(move.x0, move.y0);
     return out;
   };
   const auto straight = vertices();
