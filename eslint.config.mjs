@@ -3,7 +3,7 @@ import globals from 'globals';
 import tseslint from 'typescript-eslint';
 
 export default tseslint.config(
-  { ignores: ['build/', 'out/', 'web/', '**/dist/', '**/node_modules/', 'wasm/test/types/'] },
+  { ignores: ['build/', 'out/', '**/dist/', 'web/build/', '**/node_modules/', 'wasm/test/types/'] },
   js.configs.recommended,
   {
     files: ['**/*.ts'],
@@ -12,6 +12,17 @@ export default tseslint.config(
     rules: {
       // `${number}` reads well in messages
       '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true }],
+      '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
+    },
+  },
+  {
+    files: ['**/test/**/*.ts'],
+    rules: {
+      // node:test awaits its own
+      '@typescript-eslint/no-floating-promises': [
+        'error',
+        { allowForKnownSafeCalls: [{ from: 'package', name: ['test', 'describe', 'it'], package: 'node:test' }] },
+      ],
     },
   },
   {

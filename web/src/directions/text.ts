@@ -1,0 +1,43 @@
+import type { Picture } from 'sillon';
+import { storeDegrees } from './angle.js';
+import { parted, tonesAt } from './grey.js';
+import type { SourceOf } from './source.js';
+import type { Size } from './texels.js';
+
+const lineHeight = 1.2;
+const mostOfPage = 0.94; // larger letters are made smaller rather than cut off
+
+/** The letters, white on black, in the middle of the page. The one function here that needs a canvas. */
+export function drawText(source: SourceOf<'text'>, { width, height }: Size): Picture {
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  if (context === null) throw new Error('this browser has no canvas to draw letters on');
+  const family = source.font.replace(/[^\p{L}\p{N} ,-]/gu, '');
+  const font = (pixels: number): string => `${source.bold ? 'bold ' : ''}${pixels}px ${family || 'sans-serif'}`;
+  const lines = source.text.split('\n');
+  const wanted = source.size * width;
+  context.font = font(wanted);
+  const widest = Math.max(...lines.map((line) => context.measureText(line).width));
+  const fit = Math.min(
+    1,
+    (mostOfPage * width) / Math.max(1, widest),
+    (mostOfPage * height) / (wanted * lineHeight * lines.length),
+  );
+  context.fillStyle = 'black';
+  context.fillRect(0, 0, width, height);
+  context.fillStyle = 'white';
+  context.font = font(wanted * fit);
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  lines.forEach((line, k) => {
+    const below = (k - (lines.length - 1) / 2) * lineHeight * wanted * fit;
+    context.fillText(line, width / 2, height / 2 + below);
+  });
+  return { width, height, channels: 4, samples: context.getImageData(0, 0, width, height).data };
+}
+
+/** @param letters  white where letters are. */
+export function textAngles(source: SourceOf<'text'>, size: Size, letters: Picture): Uint16Array {
+  const inside = storeDegrees(source.letters);
+  const outside = storeDegrees(source.ground);
+  return parted(tonesAt(letters, size), 0.5, outside, inside);
+}

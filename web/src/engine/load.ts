@@ -1,0 +1,19 @@
+// Fetches and starts the engine, behind the first picture of the page.
+import type { Engine } from 'sillon';
+
+/** Resolves once the page has been drawn; at once where it is hidden and never will be. */
+function afterPaint(): Promise<void> {
+  if (document.visibilityState === 'hidden') return Promise.resolve();
+  return new Promise((resolve) => {
+    requestAnimationFrame(() => {
+      setTimeout(resolve, 0);
+    });
+  });
+}
+
+/** @param threads  'off' where the address says `?threads=off` */
+export async function loadEngine(threads: 'auto' | 'off'): Promise<Engine> {
+  await afterPaint();
+  const { createEngine } = await import('sillon');
+  return createEngine({ threads, assetBase: new URL('engine/', document.baseURI) });
+}

@@ -1,0 +1,311 @@
+// The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
+// it rests, then its measures. One job runs; what it makes stale is stopped.
+import type { Engine, EngineInfo, Gcode, PreviewParams } from 'sillon';
+import type { DirectionRaster } from '../directions/raster.js';
+import type { Plate } from '../model/plate.js';
+import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
+import type { Made, Progress } from '../model/state.js';
+import { Cost } from './coarse.js';
+import { engineInput, sameToolpath, type Input } from './input.js';
+import { TimeLeft } from './time-left.js';
+
+const restAfter = 250; // [ms] without an update, after which a hand rests
+
+export interface EngineEvents {
+  onMade(made: Made): void;
+  /** undefined: nothing runs. */
+  onProgress(progress: Progress | undefined): void;
+  /** undefined: the last one is over. */
+  onProblem(problem: Problem | undefined): void;
+  onInfo(info: EngineInfo): void;
+}
+
+export interface EngineHost {
+  /** Called when an engine is first needed, and again after it failed. */
+  load(): Promise<Engine>;
+  /** [ms] */
+  now(): number;
+}
+
+type Kind = 'coarse' | 'full' | 'measured';
+const order = ['none', 'coarse', 'full', 'measured'] as const;
+
+interface Wanted extends Input {
+  live: boolean;
+}
+
+interface Done {
+  input: Input;
+  level: (typeof order)[number];
+  made: Made | undefined;
+  problem: Problem | undefined;
+}
+
+interface Job {
+  kind: Kind;
+  /** By how much the spacing grows. */
+  factor: number;
+  input: Input;
+  /** Begun while a hand moved: short, and an unfinished one would show nothing, so it may end. */
+  quick: boolean;
+}
+
+interface Running extends Job {
+  control: AbortController;
+}
+
+interface Waiter {
+  resolve(made: Made): void;
+  reject(error: unknown): void;
+}
+
+export class StudioEngine {
+  #engine: Promise<Engine> | undefined;
+  #latest: Input | undefined;
+  /** undefined: nothing asked for, or cancelled. */
+  #wanted: Wanted | undefined;
+  #running: Running | undefined;
+  #done: Done | undefined;
+  #rest: ReturnType<typeof setTimeout> | undefined;
+  #waiters: Waiter[] = [];
+  readonly #exports = new Set<AbortController>();
+  readonly #cost = new Cost();
+  #problem: Problem | undefined;
+  #disposed = false;
+
+  constructor(
+    private readonly host: EngineHost,
+    private readonly events: EngineEvents,
+  ) {}
+
+  /** The plate as it is now. @param live  a hand still moves: a preview will do. */
+  update(plate: Plate, raster: DirectionRaster | undefined, { live = false }: { live?: boolean } = {}): void {
+    if (this.#disposed) return;
+    const input = { plate, raster };
+    this.#latest = input;
+    this.#wanted = { ...input, live };
+    clearTimeout(this.#rest);
+    if (live) {
+      this.#rest = setTimeout(() => {
+        this.#settle();
+      }, restAfter);
+    }
+    const running = this.#running;
+    if (running !== undefined && !running.quick && !sameToolpath(running.input, input)) running.control.abort();
+    this.#pump();
+  }
+
+  /** Stops what runs and what waits; the next update, or `retry`, begins again. */
+  cancel(): void {
+    clearTimeout(this.#rest);
+    this.#wanted = undefined;
+    this.#running?.control.abort();
+    for (const control of this.#exports) control.abort();
+    this.#tellWaiters((waiter) => {
+      waiter.reject(aborted());
+    });
+  }
+
+  /** Makes the latest plate once more, after a problem or a cancel. */
+  retry(): void {
+    if (this.#latest === undefined || this.#disposed) return;
+    if (this.#done?.problem !== undefined) this.#done = undefined;
+    this.#wanted = { ...this.#latest, live: false };
+    this.#pump();
+  }
+
+  /** @param plate  whose printer and print it is for; the path is that of the last update, whole and measured.
+   * @throws SillonError, StudioError, AbortError */
+  async gcode(plate: Plate): Promise<{ gcode: Gcode; made: Made }> {
+    return this.#export(async (engine, made, signal) => ({
+      gcode: await engine.writeGcode(made.toolpath, plate.printer, plate.print, { signal }),
+      made,
+    }));
+  }
+
+  async svg(): Promise<Blob> {
+    return this.#export((engine, { toolpath }, signal) => engine.writeSvg(toolpath, { signal }));
+  }
+
+  async preview(params: Partial<PreviewParams>): Promise<Blob> {
+    return this.#export((engine, { toolpath }, signal) => engine.renderPreview(toolpath, params, { signal }));
+  }
+
+  /** For what needs neither the queue nor a plate: reading shapes, pictures and projects. */
+  async engine(): Promise<Engine> {
+    if (this.#disposed) throw new StudioError('Disposed');
+    if (this.#engine === undefined) {
+      const loading = this.host.load();
+      this.#engine = loading;
+      loading.then(
+        (engine) => {
+          if (this.#disposed) engine.dispose();
+          else this.events.onInfo(engine.info);
+        },
+        () => {
+          this.#engine = undefined;
+        },
+      );
+    }
+    return this.#engine;
+  }
+
+  dispose(): void {
+    this.cancel();
+    this.#disposed = true;
+    this.#engine?.then(
+      (engine) => {
+        engine.dispose();
+      },
+      () => undefined,
+    );
+  }
+
+  // --- Which job comes next -----------------------------------------------------------------------------------------------
+
+  #settle(): void {
+    clearTimeout(this.#rest);
+    if (this.#wanted !== undefined) this.#wanted = { ...this.#wanted, live: false };
+    this.#pump();
+  }
+
+  #nextJob(): Job | undefined {
+    const wanted = this.#wanted;
+    if (wanted === undefined) return undefined;
+    const done = this.#done !== undefined && sameToolpath(this.#done.input, wanted) ? this.#done : undefined;
+    if (done?.problem !== undefined) return undefined;
+    const level = order.indexOf(done?.level ?? 'none');
+    const input = { plate: wanted.plate, raster: wanted.raster };
+    if (wanted.live) {
+      if (level > 0) return undefined;
+      const factor = this.#cost.factorFor(wanted.plate);
+      return { kind: factor > 1 ? 'coarse' : 'full', factor, input, quick: true };
+    }
+    if (level < order.indexOf('full')) return { kind: 'full', factor: 1, input, quick: false };
+    if (level < order.indexOf('measured')) return { kind: 'measured', factor: 1, input, quick: false };
+    return undefined;
+  }
+
+  #pump(): void {
+    if (this.#running !== undefined || this.#disposed) return;
+    const job = this.#nextJob();
+    if (job === undefined) {
+      this.events.onProgress(undefined);
+      this.#tellFinished();
+      return;
+    }
+    const control = new AbortController();
+    this.#running = { ...job, control };
+    void this.#run(job, control.signal).finally(() => {
+      this.#running = undefined;
+      this.#pump();
+    });
+  }
+
+  async #run(job: Job, signal: AbortSignal): Promise<void> {
+    const { kind, input } = job;
+    try {
+      if (this.#engine === undefined) this.#tellProgress('loading', '', 0, undefined);
+      const engine = await this.engine();
+      if (signal.aborted) return;
+      const made = await this.#make(engine, job, signal);
+      // A change of printer or name while it ran is no other toolpath.
+      const plate = this.#wanted !== undefined && sameToolpath(this.#wanted, input) ? this.#wanted.plate : input.plate;
+      this.#done = { input, level: kind, made: { ...made, plate }, problem: undefined };
+      this.#tellProblem(undefined);
+      this.events.onMade({ ...made, plate });
+    } catch (error) {
+      if (isAbort(error) || signal.aborted) return;
+      const problem = problemOf(error);
+      this.#done = { input, level: 'none', made: undefined, problem };
+      // What is said of a plate that is gone already would only confuse.
+      if (this.#wanted !== undefined && sameToolpath(this.#wanted, input)) this.#tellProblem(problem);
+    }
+  }
+
+  async #make(engine: Engine, { kind, quick, factor, input }: Job, signal: AbortSignal): Promise<Made> {
+    const begin = this.host.now();
+    const timeLeft = new TimeLeft(begin);
+    const job = kind === 'measured' ? 'measuring' : 'making';
+    const measure = kind === 'measured';
+    if (!quick) this.#tellProgress(job, '', 0, undefined);
+    const { input: plateInput, params } = engineInput(input, factor);
+    const { toolpath, report } = await engine.generateToolpath(plateInput, params, {
+      measure,
+      signal,
+      onProgress: ({ stage, fraction }) => {
+        if (quick || signal.aborted) return;
+        this.#tellProgress(job, stage, fraction, timeLeft.estimate(fraction, this.host.now()));
+      },
+    });
+    if (!measure) this.#cost.learn(input.plate, factor, this.host.now() - begin);
+    // The same beads as before: views that compare `cycles` need not upload them again.
+    const before = measure ? this.#done?.made?.toolpath : undefined;
+    return {
+      plate: input.plate,
+      toolpath: before === undefined ? toolpath : { ...toolpath, cycles: before.cycles, shape: before.shape },
+      report,
+      coarse: kind === 'coarse',
+      measured: measure,
+    };
+  }
+
+  // --- Exports --------------------------------------------------------------------------------------------------------------
+
+  async #export<Result>(write: (engine: Engine, made: Made, signal: AbortSignal) => Promise<Result>): Promise<Result> {
+    const control = new AbortController();
+    const { signal } = control;
+    this.#exports.add(control);
+    try {
+      const made = await this.#finished();
+      const engine = await this.engine();
+      if (signal.aborted) throw aborted();
+      if (this.#running === undefined) this.#tellProgress('writing', '', 0, undefined);
+      return await write(engine, made, signal);
+    } finally {
+      this.#exports.delete(control);
+      if (this.#running === undefined) this.events.onProgress(undefined);
+    }
+  }
+
+  /** The latest plate's path, whole and measured: its measures go into the G-code. */
+  #finished(): Promise<Made> {
+    if (this.#latest === undefined || this.#disposed) return Promise.reject(new StudioError('Disposed'));
+    return new Promise((resolve, reject) => {
+      this.#waiters.push({ resolve, reject });
+      this.#wanted ??= { ...(this.#latest as Input), live: false };
+      this.#settle();
+    });
+  }
+
+  /** Nothing is left to do for the plate that is wanted. */
+  #tellFinished(): void {
+    const done = this.#done;
+    if (this.#wanted === undefined || this.#wanted.live || done === undefined) return;
+    const { made, problem } = done;
+    this.#tellWaiters((waiter) => {
+      if (problem !== undefined) waiter.reject(new StudioError(problem.code, problem.values, problem.detail));
+      else if (made !== undefined) waiter.resolve(made);
+    });
+  }
+
+  #tellWaiters(tell: (waiter: Waiter) => void): void {
+    const waiters = this.#waiters;
+    this.#waiters = [];
+    waiters.forEach(tell);
+  }
+
+  // --- Words ----------------------------------------------------------------------------------------------------------------
+
+  #tellProgress(job: Progress['job'], stage: string, fraction: number, secondsLeft: number | undefined): void {
+    this.events.onProgress({ job, stage, fraction, secondsLeft });
+  }
+
+  #tellProblem(problem: Problem | undefined): void {
+    if (problem === this.#problem) return;
+    this.#problem = problem;
+    this.events.onProblem(problem);
+  }
+}
+
+const aborted = (): DOMException => new DOMException('The job was cancelled', 'AbortError');

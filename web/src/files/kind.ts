@@ -1,0 +1,68 @@
+// What a file is: its first bytes decide, never its name alone.
+
+export type Kind = 'svg' | 'picture' | 'zip' | 'json' | 'unknown';
+
+export interface Known {
+  kind: Kind;
+  /** For the browser's own decoders. */
+  mime: string;
+}
+
+const unknown: Known = { kind: 'unknown', mime: '' };
+
+const startsWith = (bytes: Uint8Array, ...magic: readonly number[]): boolean =>
+  magic.every((byte, k) => bytes[k] === byte);
+
+/** TGA has no mark at its beginning: its header must make sense, and its name say so. */
+function isTga(bytes: Uint8Array, name: string): boolean {
+  const [, mapType = 9, imageType = 0] = bytes;
+  const sane = bytes.length >= 18 && mapType <= 1 && [1, 2, 3, 9, 10, 11].includes(imageType);
+  return sane && [8, 15, 16, 24, 32].includes(bytes[16] ?? 0) && /\.tga$/i.test(name);
+}
+
+function textOf(bytes: Uint8Array): string {
+  const utf16 = startsWith(bytes, 0xff, 0xfe) ? 'utf-16le' : startsWith(bytes, 0xfe, 0xff) ? 'utf-16be' : undefined;
+  return new TextDecoder(utf16 ?? 'utf-8').decode(bytes).replace(/^\ufeff/, ''); // a BOM may come twice
+}
+
+/** The text behind `end`, which begins the search at `from`; undefined where it never ends. */
+function behind(text: string, end: string, from: number): number | undefined {
+  const at = text.indexOf(end, from);
+  return at < 0 ? undefined : at + end.length;
+}
+
+/** Whether the first element, behind declaration, comments and document type, is svg. */
+function isSvg(text: string): boolean {
+  let at: number | undefined = 0;
+  for (;;) {
+    while (/\s/.test(text.charAt(at))) ++at;
+    if (text.startsWith('<?', at)) at = behind(text, '?>', at);
+    else if (text.startsWith('<!--', at)) at = behind(text, '-->', at + 4);
+    else if (/^<!doctype/i.test(text.slice(at, at + 9))) {
+      const subset = text.indexOf('[', at);
+      const close = text.indexOf('>', at);
+      // Entities of drawing programs stand in brackets, with '>' of their own.
+      at = subset >= 0 && subset < close ? behind(text, ']', subset) : close < 0 ? undefined : close + 1;
+      if (at !== undefined && subset >= 0 && subset < close) at = behind(text, '>', at);
+    } else return /^<(?:[\w-]{1,40}:)?svg[\s/>]/.test(text.slice(at, at + 50));
+    if (at === undefined) return false;
+  }
+}
+
+/** Bytes that decide. */
+export const enoughToKnow = 1 << 16;
+
+/** @param bytes  the first `enoughToKnow` of the file */
+export function kindOf(bytes: Uint8Array, name: string): Known {
+  if (startsWith(bytes, 0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a)) return { kind: 'picture', mime: 'image/png' };
+  if (startsWith(bytes, 0xff, 0xd8, 0xff)) return { kind: 'picture', mime: 'image/jpeg' };
+  if (startsWith(bytes, 0x42, 0x4d) && bytes.length >= 26) return { kind: 'picture', mime: 'image/bmp' };
+  if (startsWith(bytes, 0x50, 0x4b, 3, 4) || startsWith(bytes, 0x50, 0x4b, 5, 6)) {
+    return { kind: 'zip', mime: 'application/zip' };
+  }
+  const text = textOf(bytes.subarray(0, enoughToKnow));
+  if (isSvg(text)) return { kind: 'svg', mime: 'image/svg+xml' };
+  if (/^\s*\{/.test(text)) return { kind: 'json', mime: 'application/json' };
+  if (isTga(bytes, name)) return { kind: 'picture', mime: 'image/x-tga' };
+  return unknown;
+}

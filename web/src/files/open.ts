@@ -1,0 +1,201 @@
+// Files as they were opened: what they are, what they are probably for, and the plate that they make.
+import type { Engine } from 'sillon';
+import { newFileDirections, newShape } from '../model/defaults.js';
+import type { DirectionSource, Plate, ShapeSource, SourceFile } from '../model/plate.js';
+import { StudioError, problemOf } from '../model/problem.js';
+import type { Opened, Role } from '../panels/shown.js';
+import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
+import { enoughToKnow, kindOf, type Kind } from './kind.js';
+import { sourceFile, stemOf } from './source-file.js';
+
+const mostBytes = { one: 64e6, project: 256e6, together: 256e6 };
+
+export interface Found {
+  /** Then nothing else counts. */
+  project: Plate | undefined;
+  opened: Opened[];
+}
+
+type OpeningEngine = Pick<Engine, 'decodePicture' | 'readShape' | 'readProject'>;
+
+interface Read {
+  source: SourceFile;
+  kind: Kind;
+}
+
+const megabytes = (bytes: number): number => Math.ceil(bytes / 1e6);
+
+function checkSizes(files: readonly File[]): void {
+  let together = 0;
+  for (const { name, size } of files) {
+    together += size;
+    const most = /\.zip$/i.test(name) ? mostBytes.project : mostBytes.one;
+    if (size > most) {
+      throw new StudioError(
+        'InvalidFile',
+        { name },
+        `${name} has ${megabytes(size)} MB; at most ${megabytes(most)} MB`,
+      );
+    }
+  }
+  if (together > mostBytes.together) {
+    const most = megabytes(mostBytes.together);
+    throw new StudioError('InvalidFile', {}, `the files have ${megabytes(together)} MB together; at most ${most} MB`);
+  }
+}
+
+async function read(file: File): Promise<Read> {
+  let bytes: Uint8Array<ArrayBuffer>;
+  try {
+    bytes = new Uint8Array(await file.arrayBuffer());
+  } catch (error) {
+    // A folder, or a file that has gone since.
+    throw new StudioError('InvalidFile', { name: file.name }, `${file.name}: ${problemOf(error).detail}`);
+  }
+  const { kind } = kindOf(bytes.subarray(0, enoughToKnow), file.name);
+  const source = await sourceFile(file.name, bytes);
+  if (kind === 'unknown') throw new StudioError('UnknownFile', { name: source.name });
+  return { source, kind };
+}
+
+// A picture is decoded once, however often its role changes.
+const known = new WeakMap<SourceFile, PictureFacts>();
+
+/** With the file's name in what the engine says. */
+async function naming<Result>(name: string, promise: Promise<Result>): Promise<Result> {
+  try {
+    return await promise;
+  } catch (error) {
+    const { code, values, detail } = problemOf(error);
+    throw code === 'InvalidFile' ? new StudioError(code, { ...values, name }, `${name}: ${detail}`) : error;
+  }
+}
+
+async function pictureFacts(source: SourceFile, engine: Pick<Engine, 'decodePicture'>): Promise<PictureFacts> {
+  const before = known.get(source);
+  if (before !== undefined) return before;
+  const facts = factsOf(await naming(source.name, engine.decodePicture(source.bytes)));
+  known.set(source, facts);
+  return facts;
+}
+
+/** @param plate  that they will be put into
+ * @throws StudioError UnknownFile, InvalidFile, TooManyFiles, BrokenProject; errors of the engine */
+export async function identify(files: readonly File[], plate: Plate, engine: OpeningEngine): Promise<Found> {
+  checkSizes(files);
+  const all: Read[] = [];
+  for (const file of files) all.push(await read(file));
+
+  const projects = all.filter(({ kind }) => kind === 'zip' || kind === 'json');
+  const [project] = projects;
+  if (projects.length > 1) throw new StudioError('TooManyFiles');
+  if (project !== undefined) {
+    const { readProject } = await import('./project.js');
+    const others = all.filter((one) => one !== project).map(({ source }) => source);
+    return { project: await readProject(project.source, others, engine), opened: [] };
+  }
+
+  const guessed = [];
+  for (const { source, kind } of all) {
+    guessed.push({ name: source.name, facts: kind === 'svg' ? undefined : await pictureFacts(source, engine) });
+  }
+  const roles = guessRoles(guessed, plate);
+  const opened = all.map(({ source, kind }, k) => ({
+    source,
+    role: roles[k] ?? 'none',
+    roles: allowedRoles(kind === 'picture'),
+  }));
+  return { project: undefined, opened };
+}
+
+// --- Into a plate ------------------------------------------------------------------------------------------------------
+
+type Size = readonly [number, number];
+
+const longest = ({ width, height }: Plate): number => Math.max(width, height);
+const tenths = (length: number): number => Math.max(0.1, Math.round(10 * length) / 10);
+
+/** These proportions, as long as the plate was. */
+function proportioned(plate: Plate, [wide, tall]: Size): Pick<Plate, 'width' | 'height'> {
+  const scale = longest(plate) / Math.max(wide, tall);
+  const width = tenths(wide * scale);
+  return { width, height: (width * tall) / wide };
+}
+
+const smallest = 10; // [mm] drawings in pixels are often icons
+
+/** As it was drawn, where that can be printed. */
+function drawn(plate: Plate, [width, height]: Size): Pick<Plate, 'width' | 'height'> {
+  const { bedMin, bedMax } = plate.printer;
+  const fits = width <= bedMax[0] - bedMin[0] && height <= bedMax[1] - bedMin[1] && Math.max(width, height) >= smallest;
+  return fits ? { width, height } : proportioned(plate, [width, height]);
+}
+
+/** What was chosen for the file before it goes on for this one. */
+function directionsOf(before: DirectionSource, file: SourceFile, role: Role): DirectionSource | undefined {
+  switch (role) {
+    case 'angle':
+    case 'rotation':
+    case 'tangent':
+      return { kind: 'map', file, encoding: role };
+    case 'tone':
+    case 'edges':
+    case 'levels':
+      return before.kind === role ? { ...before, file } : newFileDirections(role, file);
+    default:
+      return undefined;
+  }
+}
+
+/** Built-in shapes take the picture's proportions, and a disc has none but one to one. */
+function framed(plate: Plate, [wide, tall]: Size): Plate {
+  const { shape } = plate;
+  const page = proportioned(plate, [wide, tall]);
+  if (shape.kind === 'file') return plate;
+  const square = Math.abs(Math.log(wide / tall)) < 0.02;
+  if (shape.kind === 'disc') return square ? plate : { ...plate, ...page, shape: newShape('rectangle') };
+  return { ...plate, ...page };
+}
+
+/** The plate with a file put to use. @param size  its page [mm] for a shape, else its pixels */
+export function withFile(plate: Plate, file: SourceFile, role: Role, size: Size): Plate {
+  const { shape, modes } = plate;
+  switch (role) {
+    case 'shape':
+    case 'mask': {
+      const next: ShapeSource = { kind: 'file', file, unitless: shape.kind === 'file' ? shape.unitless : 'px' };
+      return { ...plate, shape: next, ...(role === 'shape' ? drawn(plate, size) : proportioned(plate, size)) };
+    }
+    case 'modes':
+      return { ...plate, modes: { ...modes, file } };
+    case 'none':
+    case 'project':
+      return plate;
+    default: {
+      const directions = directionsOf(plate.directions, file, role);
+      return directions === undefined ? plate : { ...framed(plate, size), directions };
+    }
+  }
+}
+
+async function sizeOf(plate: Plate, source: SourceFile, role: Role, engine: OpeningEngine): Promise<Size> {
+  if (role === 'shape') {
+    const unitless = plate.shape.kind === 'file' ? plate.shape.unitless : 'px';
+    return (await naming(source.name, engine.readShape({ file: source.bytes, unitless }))).page;
+  }
+  const { width, height } = await pictureFacts(source, engine);
+  return [width, height];
+}
+
+/** The plate with all of them put to use: shapes first, as pictures are laid over them.
+ * @throws errors of the engine */
+export async function withFiles(plate: Plate, opened: readonly Opened[], engine: OpeningEngine): Promise<Plate> {
+  const used = opened.filter(({ role }) => role !== 'none');
+  const isShape = ({ role }: Opened): boolean => role === 'shape' || role === 'mask';
+  let made = plate;
+  for (const { source, role } of [...used.filter(isShape), ...used.filter((one) => !isShape(one))]) {
+    made = withFile(made, source, role, await sizeOf(made, source, role, engine));
+  }
+  const [first] = used;
+  return made.name === '' && first !== undefined ? { ...made, name: stemOf(first.source.name) } : made;
+}

@@ -1,0 +1,140 @@
+// Words for the data of the model: settings, problems, verdicts, warnings of the engine.
+import type { EngineInfo } from 'sillon';
+import type { Filament } from '../model/filaments.js';
+import { printers, type PrinterChoice } from '../model/printers.js';
+import type { Problem } from '../model/problem.js';
+import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
+import type { Untold } from '../model/share.js';
+import type { Progress } from '../model/state.js';
+import type { Verdict } from '../model/verdicts.js';
+import { formatDuration, formatNumber, hasText, language, t } from './text.js';
+
+export const settingLabel = ({ id }: Setting): string => t(`setting.${id}`);
+export const settingHelp = ({ id }: Setting): string => t(`help.${id}`);
+
+export function choiceLabel({ id }: ChoiceSetting, choice: string): string {
+  const text = `choice.${id}.${choice}`;
+  return hasText(text) ? t(text) : choice;
+}
+
+export const unitText = (unit: Unit): string => (unit === 'spacing' ? t('unit.spacing') : unit);
+
+/** What null means. */
+export function nullLabel({ id }: NumberSetting | PairSetting): string {
+  const text = `null.${id}`;
+  return hasText(text) ? t(text) : '';
+}
+
+export function valueText(setting: Setting, value: SettingValue): string {
+  const measured = (number: number, unit: Unit): string =>
+    `${formatNumber(number, 3)}${unit === '' ? '' : unit === '°' ? '°' : `\u00a0${unitText(unit)}`}`;
+  switch (setting.kind) {
+    case 'number':
+    case 'integer':
+      return typeof value === 'number' ? measured(value, setting.unit) : nullLabel(setting);
+    case 'pair':
+      return Array.isArray(value)
+        ? `${formatNumber(value[0], 3)}; ${measured(value[1], setting.unit)}`
+        : nullLabel(setting);
+    case 'choice':
+      return choiceLabel(setting, String(value));
+    case 'flag':
+      return t(value === true ? 'verb.yes' : 'verb.no');
+    case 'text':
+      return String(value);
+  }
+}
+
+export interface ProblemWords {
+  message: string;
+  /** What to do about it. */
+  hint: string;
+  /** In English, from the engine or the browser; may be empty. */
+  detail: string;
+}
+
+export const problemWords = ({ code, values, detail }: Problem): ProblemWords => ({
+  message: t(`problem.${code}`, values),
+  hint: t(`hint.${code}`, values),
+  detail,
+});
+
+export const verdictText = ({ text, values }: Verdict): string => t(`verdict.${text}`, values);
+
+export const printerLabel = (printer: PrinterChoice | undefined): string => {
+  if (printer === undefined) return t('printer.own');
+  const text = `printer.${printer.key}`;
+  return hasText(text) ? t(text) : printer.label;
+};
+
+export const printerLabels = (): { key: string; label: string }[] =>
+  printers.map((printer) => ({ key: printer.key, label: printerLabel(printer) }));
+
+export const filamentLabel = ({ key }: Filament): string => t(`filament.${key}`);
+
+export function untoldText(parts: readonly Untold[]): string {
+  if (parts.length === 0) return t('link.complete');
+  const list = new Intl.ListFormat(language(), { type: 'conjunction' });
+  return t('link.untold', { parts: list.format(parts.map((part) => t(`link.untold.${part}`))) });
+}
+
+export interface ProgressWords {
+  job: string;
+  stage: string;
+  percent: string;
+  /** Empty where nothing is known. */
+  left: string;
+}
+
+export function progressWords({ job, stage, fraction, secondsLeft }: Progress): ProgressWords {
+  const id = `stage.${stage}`;
+  return {
+    job: t(`job.${job}`),
+    stage: hasText(id) ? t(id) : stage,
+    percent: t('progress.percent', { percent: Math.floor(100 * fraction) }),
+    left: secondsLeft === undefined ? '' : t('progress.left', { time: formatDuration(secondsLeft) }),
+  };
+}
+
+/** Of the chip that tells how many threads work. @param asked  what the engine was started with */
+export function threadsWords({ threads, reason }: EngineInfo, asked: 'auto' | 'off'): { count: string; why: string } {
+  const count = t('threads.count', { n: threads });
+  if (threads > 1) return { count, why: '' };
+  if (asked === 'off') return { count, why: t('threads.off') };
+  if (reason === '') return { count, why: t('threads.one') };
+  return { count, why: t(reason.includes('isolated') ? 'threads.isolation' : 'threads.givenUp') };
+}
+
+// The engine's warnings, with the numbers in them.
+const warnings: readonly [RegExp, (found: string[]) => string][] = [
+  [/^the plate leaves no room for a purge line/, () => t('warning.purge')],
+  [/^the skirt does not fit the bed/, () => t('warning.skirt')],
+  [/^the base layers cover only (\S+) %/, ([percent]) => t('warning.base', { percent: Number(percent) })],
+  [/^filamentDiameter is (\S+) mm/, ([value]) => t('warning.diameter', { value: Number(value) })],
+  [/^layerHeight is (\S+) mm/, ([value]) => t('warning.layerHeight', { value: Number(value) })],
+  [/^(?:flow|baseFlow) is ([\d.]+);/, ([value]) => t('warning.flow', { value: Number(value) })],
+  [
+    /^(\d+) points have beads no wider than the layer is high \((\S+) mm\)/,
+    ([n, value]) => t('warning.flat', { n: Number(n), value: Number(value) }),
+  ],
+  [/^the beads cover (\S+) %/, ([percent]) => t('warning.fill', { percent: Number(percent) })],
+  [/^pressure advance is 0 after the print/, () => t('warning.pressureAdvance')],
+  [/^(\d+) points of the path lie more than/, ([n]) => t('warning.outside', { n: Number(n) })],
+  [
+    /^(\S+) % of the path is printed with a width held at (\S+) or (\S+) mm/,
+    ([percent, low, high]) => t('warning.held', { percent: Number(percent), low: Number(low), high: Number(high) }),
+  ],
+  [/^maxFlow slows (\S+) %/, ([percent]) => t('warning.maxFlow', { percent: Number(percent) })],
+  [/^maxSegmentsPerSecond slows (\S+) %/, ([percent]) => t('warning.segments', { percent: Number(percent) })],
+  [/^the file has (\d+) moves/, ([n]) => t('warning.moves', { n: Number(n) })],
+  [/^the file has (\d+) MB/, ([mb]) => t('warning.bytes', { mb: Number(mb) })],
+];
+
+/** A warning of GcodeSummary in the page's language; one that is not known stays as it is. */
+export function warningText(warning: string): string {
+  for (const [pattern, say] of warnings) {
+    const found = pattern.exec(warning);
+    if (found !== null) return say(found.slice(1));
+  }
+  return warning;
+}

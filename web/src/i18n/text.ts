@@ -1,0 +1,67 @@
+// The page's words. English is always there; another language is loaded when it is chosen, and what it lacks would be a
+// type error.
+import { en } from './en.js';
+
+export type TextId = keyof typeof en;
+/** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
+export type Text = string | { readonly one: string; readonly other: string };
+export type Dictionary = Readonly<Record<TextId, Text>>;
+export type Values = Readonly<Record<string, string | number>>;
+
+export const languages = { en: 'English', fr: 'Français' } as const;
+export type Language = keyof typeof languages;
+
+let current: Language = 'en';
+let dictionary: Dictionary = en;
+let plurals = new Intl.PluralRules('en');
+
+export const language = (): Language => current;
+
+/** From now on `t` speaks this language. */
+export async function setLanguage(next: Language): Promise<void> {
+  const loaded = next === 'fr' ? (await import('./fr.js')).fr : en;
+  current = next;
+  dictionary = loaded;
+  plurals = new Intl.PluralRules(next);
+}
+
+/** The first of these that the page speaks, else English. @param wanted  as navigator.languages */
+export function languageFor(wanted: readonly string[]): Language {
+  for (const tag of wanted) {
+    const base = tag.toLowerCase().split('-')[0] ?? '';
+    if (Object.hasOwn(languages, base)) return base as Language;
+  }
+  return 'en';
+}
+
+/** Numbers among the values are written as the language does, with at most two decimals. */
+export function t(id: TextId, values: Values = {}): string {
+  const text = dictionary[id];
+  const form = typeof text === 'string' ? text : plurals.select(Number(values['n'])) === 'one' ? text.one : text.other;
+  return form.replace(/\{(\w+)\}/g, (whole, name: string) => {
+    const value = values[name];
+    if (value === undefined) return whole;
+    return typeof value === 'number' ? formatNumber(value) : value;
+  });
+}
+
+/** For names that come from elsewhere, as the engine's stages. */
+export const hasText = (id: string): id is TextId => Object.hasOwn(en, id);
+
+export function formatNumber(value: number, digits = 2): string {
+  return new Intl.NumberFormat(current, { maximumFractionDigits: digits }).format(value);
+}
+
+/** "45 s", "12 min", "2 h 05 min" */
+export function formatDuration(seconds: number): string {
+  if (seconds < 59.5) return t('duration.seconds', { s: Math.max(1, Math.round(seconds)) });
+  const minutes = Math.round(seconds / 60);
+  if (minutes < 60) return t('duration.minutes', { m: minutes });
+  return t('duration.hours', { h: Math.floor(minutes / 60), m: String(minutes % 60).padStart(2, '0') });
+}
+
+export function formatBytes(bytes: number): string {
+  if (bytes < 1000) return t('bytes.b', { b: bytes });
+  if (bytes < 1e6) return t('bytes.kb', { kb: Math.round(bytes / 1000) });
+  return t('bytes.mb', { mb: Math.round(bytes / 1e5) / 10 });
+}

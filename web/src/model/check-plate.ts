@@ -1,0 +1,217 @@
+// What comes from elsewhere - a link, a project, storage - may have been written by anybody: it becomes a plate only as far
+// as a control could have set it.
+import { fileKinds, generatorKinds, newFileDirections, newGenerator, newPlate, newShape } from './defaults.js';
+import { filaments } from './filaments.js';
+import type { DirectionSource, ModeSource, Plate, ShapeSource, SourceFile, Stroke } from './plate.js';
+import { accepts, settings, type SectionName } from './settings.js';
+
+export type Fields = Record<string, unknown>;
+
+/** The file that a piece of data stands for. @throws Unfit */
+export type FileFrom = (value: unknown, where: string) => SourceFile;
+
+function shortened(value: unknown): string {
+  let text: string | undefined;
+  try {
+    text = JSON.stringify(value);
+  } catch {
+    // nested too deep
+  }
+  return text === undefined ? typeof value : text.length > 40 ? `${text.slice(0, 40)}…` : text;
+}
+
+/** A value that no control could have set. */
+export class Unfit extends Error {
+  /** As JSON, shortened. */
+  readonly value: string;
+
+  constructor(
+    /** Path of keys; empty: the whole. */
+    readonly where: string,
+    value: unknown,
+  ) {
+    const short = shortened(value);
+    super(`${where === '' ? 'the plate' : where} is ${short}, which is not allowed`);
+    this.value = short;
+  }
+}
+
+export function fieldsOf(value: unknown, where: string, known: readonly string[]): Fields {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new Unfit(where, value);
+  for (const [name, one] of Object.entries(value)) {
+    if (!known.includes(name)) throw new Unfit(where === '' ? name : `${where}.${name}`, one);
+  }
+  return value as Fields;
+}
+
+export function numberIn(value: unknown, where: string, min: number, max: number): number {
+  if (typeof value !== 'number' || !(value >= min && value <= max)) throw new Unfit(where, value);
+  return value;
+}
+
+export function textIn(value: unknown, where: string, longest: number): string {
+  // eslint-disable-next-line no-control-regex
+  if (typeof value !== 'string' || value.length > longest || /[\u0000-\u0008\u000b-\u001f]/.test(value)) {
+    throw new Unfit(where, value);
+  }
+  return value;
+}
+
+export function flagIn(value: unknown, where: string): boolean {
+  if (typeof value !== 'boolean') throw new Unfit(where, value);
+  return value;
+}
+
+export function oneOf<Choice extends string>(value: unknown, where: string, choices: readonly Choice[]): Choice {
+  if (!choices.includes(value as Choice)) throw new Unfit(where, value);
+  return value as Choice;
+}
+
+// --- Parts of a plate --------------------------------------------------------------------------------------------------
+
+export const nameFrom = (value: unknown): string => textIn(value, 'name', 200);
+export const widthFrom = (value: unknown): number => numberIn(value, 'width', 0.1, 10000);
+export const heightFrom = (value: unknown): number => numberIn(value, 'height', 0, 10000);
+
+export const modeFrom = (value: unknown, where: string): ModeSource['base'] =>
+  oneOf(value, where, ['parallel', 'orthogonal', 'smoothest', 'constrained']);
+
+export const filamentFrom = (value: unknown): string =>
+  oneOf(
+    value,
+    'filament',
+    filaments.map(({ key }) => key as string),
+  );
+
+/** @param fileFrom  undefined: files are not allowed */
+export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
+  const fields = fieldsOf(value, 'shape', ['kind', 'radius', 'file', 'unitless']);
+  const builtins = ['rectangle', 'rounded', 'disc'] as const;
+  const kinds = fileFrom === undefined ? builtins : ([...builtins, 'file'] as const);
+  const kind = oneOf(fields['kind'], 'shape.kind', kinds);
+  if (kind === 'file' && fileFrom !== undefined) {
+    fieldsOf(value, 'shape', ['kind', 'file', 'unitless']);
+    const unitless = oneOf(fields['unitless'], 'shape.unitless', ['px', 'mm'] as const);
+    return { kind, file: fileFrom(fields['file'], 'shape.file'), unitless };
+  }
+  fieldsOf(value, 'shape', ['kind', 'radius']);
+  if (kind === 'rounded') return { kind, radius: numberIn(fields['radius'], 'shape.radius', 0, 10000) };
+  return newShape(kind as (typeof builtins)[number]);
+}
+
+/** Of every number of directions. Lengths are shares of the page. */
+const ranges: Readonly<Record<string, [number, number]>> = {
+  angle: [-360, 360],
+  turns: [-1000, 1000],
+  amplitude: [-360, 360],
+  length: [0.001, 100],
+  scale: [0.001, 100],
+  seed: [0, Number.MAX_SAFE_INTEGER],
+  size: [0.001, 10],
+  letters: [-360, 360],
+  ground: [-360, 360],
+  dark: [-360, 360],
+  light: [-360, 360],
+  margin: [0, 100],
+  from: [-360, 360],
+  to: [-360, 360],
+  contrast: [0.01, 100],
+  smoothing: [0, 1],
+  threshold: [0, 1],
+};
+const longestText = 2000;
+
+/** A value like the one that directions of this kind begin with. */
+function like(pattern: unknown, given: unknown, name: string): unknown {
+  const where = `directions.${name}`;
+  if (name === 'encoding') return oneOf(given, where, ['angle', 'rotation', 'tangent']);
+  if (typeof pattern === 'string') return textIn(given, where, longestText);
+  if (typeof pattern === 'boolean') return flagIn(given, where);
+  if (Array.isArray(pattern)) {
+    if (!Array.isArray(given) || given.length !== 2) throw new Unfit(where, given);
+    return [numberIn(given[0], where, -10, 10), numberIn(given[1], where, -10, 10)];
+  }
+  const [min, max] = ranges[name] ?? [0, 0];
+  return numberIn(given, where, min, max);
+}
+
+const includes = <Kind extends string>(kinds: readonly Kind[], kind: string): kind is Kind =>
+  (kinds as readonly string[]).includes(kind);
+
+/** @param fileFrom  undefined: files are not allowed */
+export function directionsFrom(value: unknown, fileFrom?: FileFrom): DirectionSource {
+  const kinds = fileFrom === undefined ? generatorKinds : ([...generatorKinds, ...fileKinds] as const);
+  const given = (value as Fields | null | undefined) ?? {};
+  const kind = oneOf(given['kind'], 'directions.kind', kinds);
+  const file = includes(fileKinds, kind) ? fileFrom?.(given['file'], 'directions.file') : undefined;
+  const usual =
+    includes(fileKinds, kind) && file !== undefined ? newFileDirections(kind, file) : newGenerator(kind as 'angle');
+  const fields = fieldsOf(value, 'directions', Object.keys(usual));
+  const read: Fields = {};
+  for (const [name, pattern] of Object.entries(usual)) {
+    read[name] = name === 'kind' || name === 'file' ? pattern : like(pattern, fields[name], name);
+  }
+  return read as unknown as DirectionSource;
+}
+
+function modesFrom(value: unknown, fileFrom: FileFrom): ModeSource {
+  const fields = fieldsOf(value, 'modes', ['base', 'file']);
+  const base = modeFrom(fields['base'], 'modes.base');
+  return fields['file'] === undefined ? { base } : { base, file: fileFrom(fields['file'], 'modes.file') };
+}
+
+function strokeFrom(value: unknown, k: number): Stroke {
+  const where = `strokes[${k}]`;
+  const fields = fieldsOf(value, where, ['tool', 'points', 'radius', 'softness', 'mode']);
+  const given = fields['points'];
+  if (!Array.isArray(given) || given.length % 2 !== 0) throw new Unfit(`${where}.points`, given);
+  const points = given.map((one) => numberIn(one, `${where}.points`, -1e6, 1e6)); // hands leave the page
+  const stroke: Stroke = {
+    tool: oneOf(fields['tool'], `${where}.tool`, ['comb', 'mode', 'erase'] as const),
+    points,
+    radius: numberIn(fields['radius'], `${where}.radius`, 0, 100),
+    softness: numberIn(fields['softness'], `${where}.softness`, 0, 1),
+  };
+  return fields['mode'] === undefined ? stroke : { ...stroke, mode: modeFrom(fields['mode'], `${where}.mode`) };
+}
+
+function strokesFrom(value: unknown): Stroke[] {
+  if (!Array.isArray(value)) throw new Unfit('strokes', value);
+  return value.map(strokeFrom);
+}
+
+/** What is left out has its default: settings come with versions. */
+function sectionFrom(section: SectionName, value: unknown): Fields {
+  const rows = settings.filter((setting) => setting.section === section);
+  const fields = fieldsOf(
+    value,
+    section,
+    rows.map(({ key }) => key),
+  );
+  const read: Fields = {};
+  for (const setting of rows) {
+    const given = fields[setting.key];
+    if (given === undefined) read[setting.key] = structuredClone(setting.default);
+    else if (accepts(setting, given)) read[setting.key] = given;
+    else throw new Unfit(setting.id, given);
+  }
+  return read;
+}
+
+/** A whole plate. @throws Unfit */
+export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
+  const fields = fieldsOf(value, '', Object.keys(newPlate()));
+  return {
+    name: nameFrom(fields['name']),
+    shape: shapeFrom(fields['shape'], fileFrom),
+    width: widthFrom(fields['width']),
+    height: heightFrom(fields['height']),
+    directions: directionsFrom(fields['directions'], fileFrom),
+    modes: modesFrom(fields['modes'], fileFrom),
+    strokes: strokesFrom(fields['strokes']),
+    toolpath: sectionFrom('toolpath', fields['toolpath']) as unknown as Plate['toolpath'],
+    print: sectionFrom('print', fields['print']) as unknown as Plate['print'],
+    printer: sectionFrom('printer', fields['printer']) as unknown as Plate['printer'],
+    filament: filamentFrom(fields['filament']),
+  };
+}

@@ -1,0 +1,112 @@
+// What a plate is before anybody changes it.
+import type { PrintParams, Printer, ToolpathParams } from 'sillon';
+import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
+
+/** As docs/project.md has them; a test compares. */
+export const toolpathDefaults: Readonly<ToolpathParams> = {
+  spacing: 0.4,
+  spacingBend: 0.2,
+  perimeterMode: 'count',
+  perimeters: 1,
+  bridge: null,
+  mapFilter: 'average',
+  seed: 0,
+  sweepsPerLevel: 8,
+  borderPull: 3,
+  stitchAlignment: 0.7,
+  relaxationRounds: 3,
+  relaxationSmoothing: 0.4,
+  widthBalance: 0.3,
+  minWidth: 0.5,
+  maxWidth: 2,
+  simplifyTolerance: 0.005,
+};
+
+export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
+  layers: 1,
+  base: 2,
+  skirt: 1,
+  layerHeight: 0.2,
+  firstLayerHeight: 0,
+  flow: 0.95,
+  baseFlow: 1,
+  rotate: 0,
+  mirror: false,
+  place: null,
+};
+
+export const printerDefaults: Readonly<Printer> = {
+  name: 'Generic',
+  flavor: 'marlin',
+  bedMin: [0, 0],
+  bedMax: [220, 220],
+  maxZ: 200,
+  nozzle: 0.4,
+  filamentDiameter: 1.75,
+  filamentDensity: 1.24,
+  filamentType: 'PLA',
+  nozzleTemperature: 215,
+  firstLayerNozzleTemperature: 220,
+  bedTemperature: 60,
+  speed: 50,
+  firstLayerSpeed: 20,
+  travelSpeed: 120,
+  acceleration: 1000,
+  machineAcceleration: 0,
+  cornerSpeed: 5,
+  maxFlow: 10,
+  maxSegmentsPerSecond: 300,
+  pressureAdvance: 0.04,
+  setPressureAdvance: false,
+  retractLength: 0.8,
+  retractSpeed: 35,
+  lift: 0.4,
+};
+
+type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
+
+/** Each kind of directions as it is first chosen. */
+const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file'> } = {
+  angle: { kind: 'angle', angle: 0 },
+  map: { kind: 'map', encoding: 'angle' },
+  // Under the light from 60° that the appearance begins with, bright is bright.
+  tone: { kind: 'tone', from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },
+  edges: { kind: 'edges', smoothing: 0.01, across: false },
+  levels: { kind: 'levels', dark: 0, light: 90, threshold: 0.5, invert: false },
+  text: { kind: 'text', text: 'Sillon', font: 'sans-serif', bold: true, size: 0.3, letters: 90, ground: 0 },
+  qr: { kind: 'qr', text: 'SILLON', dark: 0, light: 90, margin: 2 },
+  radial: { kind: 'radial', centre: [0.5, 0.5], angle: 0 },
+  spiral: { kind: 'spiral', centre: [0.5, 0.5], turns: 3, angle: 0 },
+  waves: { kind: 'waves', angle: 0, amplitude: 40, length: 0.35 },
+  noise: { kind: 'noise', seed: 1, scale: 0.2, amplitude: 90, angle: 0 },
+};
+
+export type FileKind = 'map' | 'tone' | 'edges' | 'levels';
+export type GeneratorKind = Exclude<DirectionSource['kind'], FileKind>;
+
+export const generatorKinds = ['angle', 'radial', 'spiral', 'waves', 'noise', 'text', 'qr'] as const;
+export const fileKinds = ['tone', 'edges', 'levels', 'map'] as const;
+
+export const newGenerator = <Kind extends GeneratorKind>(kind: Kind): Generated[Kind] =>
+  structuredClone(directions[kind]) as unknown as Generated[Kind];
+
+export const newFileDirections = <Kind extends FileKind>(kind: Kind, file: SourceFile): Generated[Kind] =>
+  ({ ...directions[kind], file }) as unknown as Generated[Kind];
+
+export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource =>
+  kind === 'rounded' ? { kind, radius: 6 } : { kind };
+
+/** The plate that a first visit shows. */
+export const newPlate = (): Plate => ({
+  name: '',
+  shape: newShape('disc'),
+  width: 70,
+  height: 70,
+  directions: newGenerator('waves'),
+  modes: { base: 'constrained' },
+  strokes: [],
+  toolpath: { ...toolpathDefaults },
+  print: { ...printDefaults },
+  printer: structuredClone(printerDefaults),
+  filament: 'goldPla',
+});

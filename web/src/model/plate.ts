@@ -1,0 +1,72 @@
+// Everything that makes a plate. Plain data, never changed in place: one undo step is one Plate, and two Plates share what
+// did not change.
+import type { DirectionEncoding, DirectionMode, PrintParams, Printer, ToolpathParams } from 'sillon';
+
+/** A file as it came: kept for the project file. Equal `id`: equal bytes. */
+export interface SourceFile {
+  id: string;
+  name: string;
+  bytes: Blob;
+}
+
+/** The 2D shape on its page. Sizes are mm. */
+export type ShapeSource =
+  | { kind: 'rectangle' }
+  | { kind: 'rounded'; radius: number }
+  | { kind: 'disc' }
+  /** SVG, or a mask picture: bright, opaque pixels are inside. */
+  | { kind: 'file'; file: SourceFile; unitless: 'px' | 'mm' };
+
+/** Where directions come from. Angles are degrees, counter-clockwise from the right; a bead has no sense: 180° is 0°.
+ * Places are in the page's unit square, y up; lengths are shares of the page's width. */
+export type DirectionSource =
+  | { kind: 'angle'; angle: number }
+  /** A picture that tells angles as the engine reads them. */
+  | { kind: 'map'; file: SourceFile; encoding: DirectionEncoding }
+  /** Tone to angle: black is `from`, white is `to`. Smoothing is a blur radius; contrast 1 leaves tones as they are. */
+  | { kind: 'tone'; file: SourceFile; from: number; to: number; invert: boolean; contrast: number; smoothing: number }
+  /** Along the picture's edges, smoothly between them. */
+  | { kind: 'edges'; file: SourceFile; smoothing: number; across: boolean }
+  /** Two directions: where the picture is dark, and where it is light. */
+  | { kind: 'levels'; file: SourceFile; dark: number; light: number; threshold: number; invert: boolean }
+  | { kind: 'text'; text: string; font: string; bold: boolean; size: number; letters: number; ground: number }
+  | { kind: 'qr'; text: string; dark: number; light: number; margin: number }
+  | { kind: 'radial'; centre: [number, number]; angle: number }
+  | { kind: 'spiral'; centre: [number, number]; turns: number; angle: number }
+  | { kind: 'waves'; angle: number; amplitude: number; length: number }
+  | { kind: 'noise'; seed: number; scale: number; amplitude: number; angle: number };
+
+/** One gesture of a brush, in page units as above. Edits are replayed in order over the source. */
+export interface Stroke {
+  tool: 'comb' | 'mode' | 'erase';
+  /** x0, y0, x1, y1, ... */
+  points: readonly number[];
+  /** Radius, share of the page's width. */
+  radius: number;
+  /** How soft the rim is: 0 hard, 1 fades from the middle. */
+  softness: number;
+  /** Of `mode`; `comb` makes what it touches constrained. */
+  mode?: DirectionMode;
+}
+
+/** What everything but the strokes asks of places, and a picture of modes laid over it. */
+export interface ModeSource {
+  base: DirectionMode;
+  file?: SourceFile;
+}
+
+export interface Plate {
+  name: string;
+  shape: ShapeSource;
+  /** Of the page; a file's proportions are kept by whoever sets them. 0 height: follows the direction picture. */
+  width: number;
+  height: number;
+  directions: DirectionSource;
+  modes: ModeSource;
+  strokes: readonly Stroke[];
+  toolpath: ToolpathParams;
+  print: Omit<PrintParams, 'date'>;
+  printer: Printer;
+  /** Key of the filament whose colour and gloss the appearance shows. */
+  filament: string;
+}

@@ -1,0 +1,49 @@
+// What went wrong, as plain data: the dictionary has a sentence (`problem.CODE`) and what to do about it (`hint.CODE`).
+import type { ErrorCode } from 'sillon';
+
+export type ProblemCode =
+  | ErrorCode
+  /** A file of no kind that the page knows. */
+  | 'UnknownFile'
+  /** A project whose zip, or whose studio.json, cannot be read. */
+  | 'BrokenProject'
+  /** More than one project among files that were dropped together. */
+  | 'TooManyFiles'
+  | 'LinkBroken'
+  | 'LinkTooLong'
+  | 'LinkTooNew'
+  /** A value in a link that no control could set. */
+  | 'LinkValue'
+  | 'TextTooLong'
+  | 'NoWebGl'
+  | 'NoVideo'
+  | 'StorageFull';
+
+export interface Problem {
+  code: ProblemCode;
+  /** For the placeholders of the sentences. */
+  values: Readonly<Record<string, string | number>>;
+  /** What the engine or the browser said, in English; may be empty. */
+  detail: string;
+}
+
+export class StudioError extends Error implements Problem {
+  constructor(
+    readonly code: ProblemCode,
+    readonly values: Problem['values'] = {},
+    readonly detail = '',
+  ) {
+    super(detail === '' ? `${code} ${JSON.stringify(values)}` : `${code}: ${detail}`);
+  }
+}
+
+/** Any error as a problem. An abort is none: ask `isAbort` first. */
+export function problemOf(error: unknown): Problem {
+  if (error instanceof StudioError) return { code: error.code, values: error.values, detail: error.detail };
+  if (error instanceof Error && error.name === 'SillonError') {
+    return { code: (error as Error & { code: ErrorCode }).code, values: {}, detail: error.message };
+  }
+  return { code: 'Internal', values: {}, detail: error instanceof Error ? error.message : String(error) };
+}
+
+export const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';

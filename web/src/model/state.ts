@@ -1,0 +1,73 @@
+// All that the page shows, but for the cameras, which move too often.
+import type { GcodeSummary, Report, Toolpath } from 'sillon';
+import type { DirectionRaster } from '../directions/raster.js';
+import type { Language } from '../i18n/text.js';
+import type { ColourBy, Light, ViewName } from '../views/scene.js';
+import { newPlate } from './defaults.js';
+import type { Plate } from './plate.js';
+import type { Problem } from './problem.js';
+
+export type Theme = 'auto' | 'light' | 'dark';
+export type { Language };
+export type Tool = 'pan' | 'comb' | 'mode' | 'erase';
+
+/** What the engine does now. */
+export interface Progress {
+  job: 'loading' | 'making' | 'measuring' | 'writing';
+  /** As the engine names it; the dictionary has `stage.NAME`. Empty: not begun. */
+  stage: string;
+  /** 0..1, never falling within a job. */
+  fraction: number;
+  /** Estimate; undefined while there is nothing to estimate from. */
+  secondsLeft: number | undefined;
+}
+
+/** A toolpath and the plate that it was made for. */
+export interface Made {
+  plate: Plate;
+  toolpath: Toolpath;
+  /** With measures, once those are there. */
+  report: Report;
+  /** Made with a larger spacing, to be quick. */
+  coarse: boolean;
+  measured: boolean;
+}
+
+export interface State {
+  plate: Plate;
+  view: ViewName;
+  colourBy: ColourBy;
+  compare: boolean;
+  light: Light;
+  theme: Theme;
+  language: Language;
+  /** Which section of settings is open; empty: none. */
+  panel: string;
+  advanced: boolean;
+  tool: Tool;
+
+  // What follows from the plate.
+  directions: DirectionRaster | undefined;
+  made: Made | undefined;
+  summary: GcodeSummary | undefined;
+  progress: Progress | undefined;
+  problem: Problem | undefined;
+}
+
+export const newState = (): State => ({
+  plate: newPlate(),
+  view: 'appearance',
+  colourBy: 'direction',
+  compare: false,
+  light: { azimuth: 60, elevation: 35 },
+  theme: 'auto',
+  language: 'en',
+  panel: '',
+  advanced: false,
+  tool: 'pan',
+  directions: undefined,
+  made: undefined,
+  summary: undefined,
+  progress: undefined,
+  problem: undefined,
+});

@@ -1,0 +1,138 @@
+// What a report means to somebody who is about to print. Limits are by eye, from printed and rendered examples; the
+// sentences are in the dictionary: `verdict.TEXT`.
+import type { Report } from 'sillon';
+
+export type Measure =
+  'path' | 'coverage' | 'overlap' | 'alignment' | 'uTurns' | 'kinks' | 'widths' | 'fill' | 'lost' | 'crossings';
+export type Level = 'good' | 'fair' | 'poor';
+
+export type VerdictText =
+  | `${'coverage' | 'overlap' | 'uTurns' | 'widths' | 'lost' | 'alignment'}.${Level}`
+  | `${'kinks' | 'fill'}.${'good' | 'fair'}`
+  | 'alignment.free'
+  | 'path.one'
+  | 'path.many'
+  | 'crossings.poor';
+
+export interface Verdict {
+  measure: Measure;
+  level: Level;
+  text: VerdictText;
+  values: Readonly<Record<string, number>>;
+}
+
+/** @param rising  whether more is worse */
+const levelBetween = (value: number, good: number, fair: number, rising: boolean): Level => {
+  const sign = rising ? 1 : -1;
+  if (sign * value <= sign * good) return 'good';
+  return sign * value <= sign * fair ? 'fair' : 'poor';
+};
+
+const round = (value: number, digits: number): number => Number(value.toFixed(digits));
+
+/** Empty for a report without measures. */
+export function verdictsOf(report: Report): Verdict[] {
+  const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = report;
+  const { alignmentConstrained } = report;
+  if (
+    width === undefined ||
+    coverage === undefined ||
+    overlap === undefined ||
+    uTurns === undefined ||
+    kinks === undefined ||
+    crossings === undefined ||
+    fillRatio === undefined ||
+    lostAreaMm2 === undefined ||
+    lengthMm === undefined ||
+    alignmentConstrained === undefined
+  ) {
+    return [];
+  }
+  const area = Math.max(1e-6, lengthMm * spacing); // [mm²], near enough for a density
+  const perCm2 = (count: number): number => round((100 * count) / area, 1);
+  const verdicts: Verdict[] = [];
+
+  const metres = round(lengthMm / 1000, 2);
+  const one = report.toolpaths === 1;
+  verdicts.push({
+    measure: 'path',
+    level: 'good',
+    text: one ? 'path.one' : 'path.many',
+    values: { n: report.toolpaths, length: metres },
+  });
+  if (crossings > 0) {
+    verdicts.push({ measure: 'crossings', level: 'poor', text: 'crossings.poor', values: { n: crossings } });
+  }
+
+  const covered = levelBetween(coverage, 98.5, 96, false);
+  verdicts.push({
+    measure: 'coverage',
+    level: covered,
+    text: `coverage.${covered}`,
+    values: { percent: round(coverage, 1) },
+  });
+
+  const overlapping = levelBetween(overlap, 1.5, 4, true);
+  verdicts.push({
+    measure: 'overlap',
+    level: overlapping,
+    text: `overlap.${overlapping}`,
+    values: { percent: round(overlap, 1) },
+  });
+
+  if (alignmentConstrained === 0) {
+    verdicts.push({ measure: 'alignment', level: 'good', text: 'alignment.free', values: {} });
+  } else {
+    // -1 is perfect, -0.5 chance.
+    const percent = Math.max(0, (-alignmentConstrained - 0.5) * 200);
+    const aligned = levelBetween(percent, 90, 70, false);
+    verdicts.push({
+      measure: 'alignment',
+      level: aligned,
+      text: `alignment.${aligned}`,
+      values: { percent: round(percent, 1) },
+    });
+  }
+
+  const turning = levelBetween(perCm2(uTurns), 6, 15, true);
+  verdicts.push({
+    measure: 'uTurns',
+    level: turning,
+    text: `uTurns.${turning}`,
+    values: { n: uTurns, density: perCm2(uTurns) },
+  });
+
+  const kinked = perCm2(kinks) <= 0.2 ? 'good' : 'fair';
+  verdicts.push({ measure: 'kinks', level: kinked, text: `kinks.${kinked}`, values: { n: kinks } });
+
+  const held = levelBetween(width.clamped, 0.01, 0.05, true);
+  verdicts.push({
+    measure: 'widths',
+    level: held,
+    text: `widths.${held}`,
+    values: {
+      low: round(width.p01 * spacing, 2),
+      high: round(width.p99 * spacing, 2),
+      median: round(width.median * spacing, 2),
+      percent: round(100 * width.clamped, 1),
+    },
+  });
+
+  const filled = fillRatio >= 0.97 && fillRatio <= 1.05 ? 'good' : 'fair';
+  verdicts.push({
+    measure: 'fill',
+    level: filled,
+    text: `fill.${filled}`,
+    values: { percent: round(100 * fillRatio, 1) },
+  });
+
+  const lostShare = (100 * lostAreaMm2) / area;
+  const lost = lostAreaMm2 < 0.005 ? 'good' : lostShare < 1 ? 'fair' : 'poor';
+  verdicts.push({
+    measure: 'lost',
+    level: lost,
+    text: `lost.${lost}`,
+    values: { area: round(lostAreaMm2, 2), percent: round(lostShare, 1) },
+  });
+  return verdicts;
+}

@@ -1,0 +1,129 @@
+// Files and examples become plates: what each file is for is guessed, used at once, and can be changed afterwards.
+import type { Engine } from 'sillon';
+import { t } from './i18n/text.js';
+import { newPlate } from './model/defaults.js';
+import { withFilament } from './model/filaments.js';
+import type { Plate, ShapeSource, SourceFile } from './model/plate.js';
+import { StudioError } from './model/problem.js';
+import type { Example } from './panels/examples.js';
+import type { Opened, Role } from './panels/shown.js';
+import type { Studio } from './panels/studio.js';
+
+export interface Opener {
+  /** @throws StudioError, SillonError */
+  open(files: readonly File[]): Promise<void>;
+  /** Uses one of the files that were opened last as something else. */
+  setRole(index: number, role: Role): Promise<void>;
+  openExample(example: Example): Promise<void>;
+}
+
+const gesture = 'files';
+
+/** @param show  puts up another plate altogether. */
+export function createOpener(studio: Studio, engine: () => Promise<Engine>, show: (plate: Plate) => void): Opener {
+  /** What the files are put into, whatever they are used as. */
+  let before: Plate | undefined;
+
+  async function use(opened: readonly Opened[]): Promise<void> {
+    const { withFiles } = await import('./files/open.js');
+    const base = before ?? studio.store.state.plate;
+    const plate = await withFiles(base, opened, await engine());
+    // One step of undo, however often the roles are changed.
+    studio.store.change(() => plate, gesture);
+    studio.store.set({ opened });
+    studio.stage?.fit();
+  }
+
+  return {
+    async open(files) {
+      const { identify } = await import('./files/open.js');
+      const { plate } = studio.store.state;
+      const found = await identify(await Promise.all(files.map(readable)), plate, await engine());
+      if (found.project !== undefined) {
+        show(found.project);
+        studio.store.set({ opened: [] });
+        return;
+      }
+      before = plate;
+      studio.store.settle();
+      await use(found.opened);
+      if (found.opened.length > 1) {
+        studio.show('files');
+        return;
+      }
+      for (const { source, role } of found.opened) {
+        studio.notify(t('files.opened', { name: source.name, role: t(`role.${role}`) }), {
+          label: t('files.change'),
+          run: () => {
+            studio.show('files');
+          },
+        });
+      }
+    },
+
+    async setRole(index, role) {
+      const { opened } = studio.store.state;
+      await use(opened.map((file, k) => (k === index ? { ...file, role } : file)));
+    },
+
+    async openExample(example) {
+      show(await plateOf(example));
+      studio.store.set({ opened: [] });
+    },
+  };
+}
+
+/** Pictures of kinds that only the browser reads, as PNG; everything else as it is. */
+async function readable(file: File): Promise<File> {
+  if (!/^image\/(webp|gif|avif|heic|heif)$/.test(file.type)) return file;
+  try {
+    const image = await createImageBitmap(file);
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    canvas.getContext('2d')?.drawImage(image, 0, 0);
+    return new File([await canvas.convertToBlob({ type: 'image/png' })], file.name, { type: 'image/png' });
+  } catch {
+    return file; // it will be refused by its name
+  }
+}
+
+async function fetched(name: string): Promise<SourceFile> {
+  let response: Response;
+  try {
+    response = await fetch(new URL(`examples/${name}`, document.baseURI));
+    if (!response.ok) throw new Error(`status ${response.status}`);
+    return { id: `example/${name}`, name, bytes: await response.blob() };
+  } catch (error) {
+    throw new StudioError('LoadFailed', {}, `examples/${name}: ${String(error)}`);
+  }
+}
+
+async function plateOf(example: Example): Promise<Plate> {
+  const { directions, modes = {}, width, height, filament, spacing, nozzle, nearest } = example;
+  const shape: ShapeSource =
+    typeof example.shape === 'string'
+      ? { kind: 'file', file: await fetched(example.shape), unitless: 'px' }
+      : example.shape;
+  const plate = newPlate();
+  const made: Plate = {
+    ...plate,
+    name: t(`example.${example.id}`),
+    shape,
+    width,
+    height,
+    directions:
+      'kind' in directions
+        ? directions
+        : { kind: 'map', file: await fetched(directions.file), encoding: directions.encoding },
+    modes: {
+      base: modes.base ?? plate.modes.base,
+      ...(modes.file === undefined ? {} : { file: await fetched(modes.file) }),
+    },
+    toolpath: {
+      ...plate.toolpath,
+      spacing: spacing ?? plate.toolpath.spacing,
+      mapFilter: nearest === true ? 'nearest' : 'average',
+    },
+    printer: { ...plate.printer, nozzle: nozzle ?? plate.printer.nozzle },
+  };
+  return withFilament(made, filament);
+}

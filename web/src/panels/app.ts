@@ -1,0 +1,330 @@
+// The page: head, sections of settings, plate. In narrow windows the sections are a sheet over the plate's lower half.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import './directions-panel.js';
+import { StudioElement } from './element.js';
+import './header.js';
+import { icon, type IconName } from './icons.js';
+import './notices.js';
+import './print-panel.js';
+import './quality-panel.js';
+import './shape-panel.js';
+import type { Dialog } from './shown.js';
+import { onShortcut } from './shortcuts.js';
+import './stage.js';
+import './toolpath-panel.js';
+
+type Section = 'shape' | 'directions' | 'toolpath' | 'print' | 'quality';
+
+const sections: readonly (readonly [Section, IconName])[] = [
+  ['shape', 'shape'],
+  ['directions', 'directions'],
+  ['toolpath', 'toolpath'],
+  ['print', 'print'],
+  ['quality', 'quality'],
+];
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'sillon-app': App;
+  }
+}
+
+const loadDialog: Record<Dialog, () => Promise<unknown>> = {
+  gallery: () => import('./gallery.js'),
+  help: () => import('./help.js'),
+  files: () => import('./files-dialog.js'),
+  share: () => import('./share-dialog.js'),
+};
+
+@customElement('sillon-app')
+export class App extends StudioElement {
+  static override reads = ['panel', 'dialog', 'dropping'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        display: grid;
+        grid-template: auto minmax(0, 1fr) / minmax(0, 1fr);
+        height: 100%;
+      }
+      .skip {
+        position: fixed;
+        top: 8px;
+        left: 8px;
+        z-index: 5;
+      }
+      .skip:not(:focus) {
+        clip-path: inset(50%);
+      }
+      .work {
+        display: grid;
+        grid-template-columns: 80px auto minmax(0, 1fr);
+        min-height: 0;
+      }
+      nav {
+        display: flex;
+        flex-direction: column;
+        gap: 4px;
+        padding: 10px 6px;
+        border-right: 1px solid var(--line);
+        background: var(--surface);
+      }
+      nav button {
+        position: relative;
+        flex-direction: column;
+        gap: 4px;
+        min-height: 60px;
+        padding: 6px 2px;
+        border-color: transparent;
+        background: none;
+        color: var(--soft);
+        font-size: var(--small);
+      }
+      nav button[aria-expanded='true'] {
+        background: var(--tint);
+        color: var(--accent);
+      }
+      .panel {
+        width: 332px;
+        border-right: 1px solid var(--line);
+        background: var(--surface);
+        overflow: auto;
+        overscroll-behavior: contain;
+        scrollbar-width: thin;
+        scrollbar-color: var(--line) transparent;
+      }
+      .grip {
+        display: none;
+      }
+      .drop {
+        position: fixed;
+        inset: 0;
+        z-index: 10;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: 8px;
+        margin: 14px;
+        border: 2px dashed var(--accent);
+        border-radius: 14px;
+        background: color-mix(in srgb, var(--surface) 92%, transparent);
+        text-align: center;
+        pointer-events: none;
+      }
+      .drop b {
+        font-size: var(--display);
+        font-weight: 600;
+        letter-spacing: -0.02em;
+      }
+      @media (max-width: 980px) {
+        .panel {
+          width: 300px;
+        }
+      }
+      @media (max-width: 720px) {
+        .work {
+          grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
+        }
+        sillon-stage {
+          grid-row: 1;
+        }
+        .panel {
+          grid-row: 2;
+          width: auto;
+          height: min(46dvh, 420px);
+          border-right: 0;
+          border-top: 1px solid var(--line);
+          border-radius: 14px 14px 0 0;
+          margin-top: -12px;
+          position: relative;
+          z-index: 2;
+          box-shadow: 0 -6px 20px var(--shade);
+        }
+        .grip {
+          position: sticky;
+          top: 0;
+          z-index: 3;
+          display: flex;
+          justify-content: center;
+          width: 100%;
+          min-height: 24px;
+          border: 0;
+          border-radius: 14px 14px 0 0;
+          background: var(--surface);
+        }
+        .grip::before {
+          content: '';
+          width: 40px;
+          height: 4px;
+          border-radius: 2px;
+          background: var(--edge);
+        }
+        nav {
+          grid-row: 3;
+          flex-direction: row;
+          gap: 0;
+          padding: 4px 4px calc(4px + env(safe-area-inset-bottom));
+          border-right: 0;
+          border-top: 1px solid var(--line);
+          z-index: 2;
+        }
+        nav button {
+          flex: 1;
+          min-width: 0;
+          min-height: 52px;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { panel, dropping } = this.state;
+    return html`
+      <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
+      <sillon-header role="banner" .studio=${this.studio}></sillon-header>
+      <div class="work">
+        <nav aria-label=${t('app.settings')}>
+          ${sections.map(
+            ([name, image]) =>
+              html`<button
+                type="button"
+                aria-expanded=${String(panel === name)}
+                aria-controls="panel"
+                @click=${() => {
+                  this.studio.setPanel(panel === name ? '' : name);
+                }}
+              >
+                ${icon(image, 22)} <span>${name === 'toolpath' ? t('view.toolpath') : t(`section.${name}`)}</span>
+              </button>`,
+          )}
+        </nav>
+        <aside class="panel" id="panel" aria-label=${t('app.settings')} ?hidden=${panel === ''} tabindex="-1">
+          <button
+            type="button"
+            class="grip"
+            aria-label=${t('verb.close')}
+            @click=${() => {
+              this.studio.setPanel('');
+            }}
+          ></button>
+          ${this.#panel(panel)}
+        </aside>
+        <sillon-stage role="main" .studio=${this.studio}></sillon-stage>
+      </div>
+      <sillon-notices .studio=${this.studio}></sillon-notices>
+      ${this.#dialog()}
+      ${
+        dropping
+          ? html`<div class="drop" role="status">
+              ${icon('download', 40)}<b>${t('drop.now')}</b><span class="note">${t('drop.help')}</span>
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  #panel(panel: string): TemplateResult | typeof nothing {
+    switch (panel) {
+      case 'shape':
+        return html`<sillon-shape-panel .studio=${this.studio}></sillon-shape-panel>`;
+      case 'directions':
+        return html`<sillon-directions-panel .studio=${this.studio}></sillon-directions-panel>`;
+      case 'toolpath':
+        return html`<sillon-toolpath-panel .studio=${this.studio}></sillon-toolpath-panel>`;
+      case 'print':
+        return html`<sillon-print-panel .studio=${this.studio}></sillon-print-panel>`;
+      case 'quality':
+        return html`<sillon-quality-panel .studio=${this.studio}></sillon-quality-panel>`;
+      default:
+        return nothing;
+    }
+  }
+
+  /** Rare, so loaded when first asked for; drawn once its element is known. */
+  #dialog(): TemplateResult | typeof nothing {
+    const { dialog } = this.state;
+    if (dialog === undefined) return nothing;
+    if (!this.#loaded.has(dialog)) {
+      void this.studio.attempt(async () => {
+        await loadDialog[dialog]();
+        this.#loaded.add(dialog);
+        this.requestUpdate();
+      });
+      return nothing;
+    }
+    switch (dialog) {
+      case 'gallery':
+        return html`<sillon-gallery .studio=${this.studio}></sillon-gallery>`;
+      case 'help':
+        return html`<sillon-help .studio=${this.studio}></sillon-help>`;
+      case 'files':
+        return html`<sillon-files .studio=${this.studio}></sillon-files>`;
+      case 'share':
+        return html`<sillon-share .studio=${this.studio}></sillon-share>`;
+    }
+  }
+
+  readonly #loaded = new Set<Dialog>();
+
+  #skip = (): void => {
+    const stage = this.renderRoot.querySelector<StudioElement>('sillon-stage');
+    const canvas = stage?.renderRoot.querySelector<StudioElement>('sillon-canvas');
+    canvas?.renderRoot.querySelector<HTMLElement>('.overlay')?.focus();
+  };
+
+  // --- Files and keys ---------------------------------------------------------------------------------------------------
+
+  #leaving: ReturnType<typeof setTimeout> | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    addEventListener('dragover', this.#onDragOver);
+    addEventListener('drop', this.#onDrop);
+    addEventListener('paste', this.#onPaste);
+    addEventListener('keydown', this.#onKey);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    removeEventListener('dragover', this.#onDragOver);
+    removeEventListener('drop', this.#onDrop);
+    removeEventListener('paste', this.#onPaste);
+    removeEventListener('keydown', this.#onKey);
+  }
+
+  #onDragOver = (event: DragEvent): void => {
+    if (!event.dataTransfer?.types.includes('Files')) return;
+    event.preventDefault();
+    // Leaving and entering come for every element; no news for a moment means that the files are gone.
+    clearTimeout(this.#leaving);
+    this.#leaving = setTimeout(() => {
+      this.studio.store.set({ dropping: false });
+    }, 300);
+    if (!this.state.dropping) this.studio.store.set({ dropping: true });
+  };
+
+  #onDrop = (event: DragEvent): void => {
+    if (event.dataTransfer === null || event.dataTransfer.files.length === 0) return;
+    event.preventDefault();
+    this.studio.store.set({ dropping: false });
+    void this.studio.open([...event.dataTransfer.files]);
+  };
+
+  #onPaste = (event: ClipboardEvent): void => {
+    const files = [...(event.clipboardData?.files ?? [])];
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (files.length === 0 && /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text)) {
+      files.push(new File([text], 'pasted.svg', { type: 'image/svg+xml' }));
+    }
+    if (files.length === 0) return;
+    event.preventDefault();
+    void this.studio.open(files);
+  };
+
+  #onKey = (event: KeyboardEvent): void => {
+    if (onShortcut(this.studio, event)) event.preventDefault();
+  };
+}

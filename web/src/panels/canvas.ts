@@ -1,0 +1,450 @@
+// The plate on its bench: drawn by the renderer, moved by hand, wheel and keys, combed by brushes; rulers along two sides.
+import { css, html, type TemplateResult } from 'lit';
+import type { Shape } from 'sillon';
+import { customElement, query } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import { lookOf } from '../model/filaments.js';
+import type { Plate, Stroke } from '../model/plate.js';
+import { problemOf, StudioError } from '../model/problem.js';
+import { createRenderer } from '../views/renderer.js';
+import type { Camera, Renderer, Scene } from '../views/scene.js';
+import { StudioElement } from './element.js';
+import { drawOverlay, type Cursor } from './overlay.js';
+import { Gestures } from './gestures.js';
+import type { Shown } from './shown.js';
+import type { Stage } from './studio.js';
+
+const gap = 0.08; // between plate and zigzag, share of the page's width
+const margin = 40; // around the plate [CSS pixels]
+const swayPeriod = 9000; // [ms]
+const slowFrame = 120; // [ms]
+const mostSlowFrames = 8;
+const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
+
+@customElement('sillon-canvas')
+export class PlateCanvas extends StudioElement implements Stage {
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        position: relative;
+        display: block;
+        overflow: hidden;
+        background: var(--bench);
+        touch-action: none;
+      }
+      canvas {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 100%;
+        display: block;
+      }
+      .overlay {
+        cursor: grab;
+      }
+      .overlay.draws {
+        cursor: none;
+      }
+      .overlay:focus-visible {
+        outline-offset: -3px;
+      }
+      .overlay:active {
+        cursor: grabbing;
+      }
+      .overlay.draws:active {
+        cursor: none;
+      }
+    `,
+  ];
+
+  static override reads = ['tool'] as const;
+
+  @query('.drawing') private drawing!: HTMLCanvasElement;
+  @query('.overlay') private overlay!: HTMLCanvasElement;
+
+  #renderer: Renderer | undefined;
+  /** Pixels of the screen. */
+  #camera: Camera = { x: 0, y: 0, scale: 1 };
+  #fitted = true;
+  #frame = 0;
+  #cursor: Cursor | undefined;
+  /** What is being drawn, page units. */
+  #points: number[] | undefined;
+  #observer: ResizeObserver | undefined;
+  #lastTouch = 0;
+  #hovered = false;
+  readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
+  readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
+  #gestures: Gestures | undefined;
+
+  override render(): TemplateResult {
+    return html`<canvas class="drawing" aria-hidden="true"></canvas
+      ><canvas
+        class="overlay ${this.state.tool === 'pan' ? '' : 'draws'}"
+        tabindex="0"
+        role="application"
+        aria-roledescription=${t('app.plate')}
+        aria-label=${t('view.canvas')}
+      ></canvas>`;
+  }
+
+  override firstUpdated(): void {
+    this.studio.stage = this;
+    try {
+      this.#renderer = createRenderer(this.drawing);
+    } catch (error) {
+      this.studio.fail(problemOf(error instanceof StudioError ? error : new StudioError('NoWebGl', {}, String(error))));
+    }
+    this.#gestures = new Gestures(this.overlay, {
+      draws: (event) => this.state.tool !== 'pan' && event.button === 0 && !event.altKey,
+      pan: (dx, dy) => {
+        this.#move(dx, dy);
+      },
+      zoom: (factor, x, y) => {
+        this.#zoomAt(factor, x, y);
+      },
+      hover: (point) => {
+        this.#hover(point);
+      },
+      begin: (point) => {
+        this.#points = this.#toUnit(point);
+        this.#drawStroke();
+      },
+      draw: (point) => {
+        this.#points?.push(...this.#toUnit(point));
+        this.#drawStroke();
+      },
+      end: () => {
+        this.#points = undefined;
+        this.studio.settle();
+      },
+      abandon: () => {
+        if (this.#points === undefined) return;
+        this.#points = undefined;
+        this.studio.settle();
+        this.studio.store.undo();
+      },
+    });
+    this.overlay.addEventListener('keydown', this.#onKey);
+    this.#observer = new ResizeObserver(() => {
+      this.#resize();
+    });
+    this.#observer.observe(this);
+    this.#lastTouch = performance.now();
+    this.#darkScheme.addEventListener('change', this.#redraw);
+    addEventListener('deviceorientation', this.#onTilt);
+    addEventListener('pointermove', this.#onActivity, { passive: true });
+    document.addEventListener('visibilitychange', this.#redraw);
+    this.#resize();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    cancelAnimationFrame(this.#frame);
+    this.#observer?.disconnect();
+    this.#gestures?.dispose();
+    this.#renderer?.dispose();
+    this.#darkScheme.removeEventListener('change', this.#redraw);
+    removeEventListener('deviceorientation', this.#onTilt);
+    removeEventListener('pointermove', this.#onActivity);
+    document.removeEventListener('visibilitychange', this.#redraw);
+  }
+
+  protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
+    const { plate } = now;
+    const resized = plate.width !== before.plate.width || plate.height !== before.plate.height;
+    const compared = this.#compares(now) !== this.#compares(before);
+    if ((resized || compared) && this.#fitted) this.fit();
+    this.#redraw();
+  }
+
+  // --- Drawing ----------------------------------------------------------------------------------------------------------
+
+  #redraw = (): void => {
+    if (this.#frame !== 0 || !this.isConnected) return;
+    this.#frame = requestAnimationFrame((now) => {
+      this.#frame = 0;
+      this.#draw(now);
+    });
+  };
+
+  #draw(now: number): void {
+    const sways = this.#moveLight(now);
+    this.#renderer?.draw(this.scene(), this.#camera);
+    const pixels = devicePixelRatio;
+    const { plate, view, marks, mark } = this.state;
+    drawOverlay(this.overlay, {
+      camera: this.#camera,
+      pixels,
+      page: [plate.width, plate.height || plate.width],
+      cursor: this.state.tool === 'pan' ? undefined : this.#cursor,
+      radius: this.state.brush.radius * plate.width,
+      softness: this.state.brush.softness,
+      marks: view === 'quality' ? marks : [],
+      mark,
+      shape: view === 'directions' ? this.#shapeOf(plate) : undefined,
+      styles: getComputedStyle(this),
+    });
+    if (sways) this.#redraw();
+  }
+
+  /** That of the toolpath, while it still is the plate's. */
+  #shapeOf({ shape, width, height }: Plate): Shape | undefined {
+    const { made } = this.state;
+    const same = made?.plate.shape === shape && made.plate.width === width && made.plate.height === height;
+    return same ? made.toolpath.shape : undefined;
+  }
+
+  #compares = ({ compare, view }: Readonly<Shown>): boolean => compare && view === 'appearance';
+
+  scene(): Scene {
+    const { plate, made, directions, view, colourBy, played, compare, light, marks, theme } = this.state;
+    const { page } = this.#page();
+    return {
+      page,
+      toolpath: made?.toolpath,
+      directions,
+      view,
+      colourBy,
+      progress: view === 'toolpath' ? played : 1,
+      compare: compare && view === 'appearance',
+      light,
+      filament: lookOf(plate),
+      marks,
+      dark: theme === 'auto' ? this.#darkScheme.matches : theme === 'dark',
+    };
+  }
+
+  #page(): { page: [number, number]; shown: number } {
+    const { plate } = this.state;
+    const page: [number, number] = [plate.width, plate.height || plate.width];
+    return { page, shown: this.#compares(this.state) ? page[0] * (2 + gap) : page[0] };
+  }
+
+  #resize(): void {
+    const { width, height } = this.getBoundingClientRect();
+    if (width === 0 || height === 0) return;
+    const [columns, rows] = [Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio)];
+    this.#renderer?.resize(columns, rows);
+    this.overlay.width = columns;
+    this.overlay.height = rows;
+    if (this.#fitted) this.fit();
+    this.#draw(performance.now());
+  }
+
+  // --- The light --------------------------------------------------------------------------------------------------------
+
+  /** @returns whether it goes on moving by itself. */
+  #moveLight(now: number): boolean {
+    const { lightMode, view, light, recording } = this.state;
+    if (view !== 'appearance' || recording || document.hidden) return false;
+    const resting = now - this.#lastTouch > swayFor || this.#calm.matches;
+    const orbits = lightMode === 'orbit' && !this.#calm.matches;
+    const sways = lightMode === 'pointer' && !this.#hovered && !resting && this.#slowFrames < mostSlowFrames;
+    if (!orbits && !sways) return false;
+    if (now - this.#lastSway > slowFrame && now - this.#lastSway < 1000) ++this.#slowFrames;
+    else if (now - this.#lastSway <= slowFrame) this.#slowFrames = 0;
+    const azimuth = (light.azimuth + (360 * Math.min(50, now - (this.#lastSway || now))) / swayPeriod) % 360;
+    this.#lastSway = now;
+    const elevation = sways ? 38 + 8 * Math.sin(now / 2900) : light.elevation;
+    this.studio.store.set({ light: { azimuth, elevation } });
+    return true;
+  }
+
+  #lastSway = 0;
+  /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
+  #slowFrames = 0;
+
+  #onActivity = (): void => {
+    const rested = performance.now() - this.#lastTouch > swayFor;
+    this.#lastTouch = performance.now();
+    if (rested) this.#redraw();
+  };
+
+  #onTilt = ({ beta, gamma }: DeviceOrientationEvent): void => {
+    if (this.state.lightMode !== 'tilt' || beta === null || gamma === null) return;
+    // A lamp stands still above the phone, which lies at 40° in a hand.
+    const x = Math.sin((gamma * Math.PI) / 180);
+    const y = Math.sin(((beta - 40) * Math.PI) / 180);
+    const azimuth = (Math.atan2(y, -x) * 180) / Math.PI;
+    const elevation = Math.max(10, 90 - 110 * Math.min(0.9, Math.hypot(x, y)));
+    this.studio.store.set({ light: { azimuth: (azimuth + 360) % 360, elevation } });
+  };
+
+  #hover(point: { x: number; y: number } | undefined): void {
+    this.#hovered = point !== undefined;
+    this.#cursor = point === undefined ? undefined : this.#toPage(point);
+    const { lightMode, view, recording } = this.state;
+    if (point !== undefined && lightMode === 'pointer' && view === 'appearance' && !recording) {
+      // As if the pointer held the lamp above the plate.
+      const { width, height } = this.getBoundingClientRect();
+      const dx = (point.x - width / 2) / (width / 2);
+      const dy = (height / 2 - point.y) / (height / 2);
+      const azimuth = (Math.atan2(dy, dx) * 180) / Math.PI;
+      const elevation = 90 - 75 * Math.min(1, Math.hypot(dx, dy));
+      this.studio.store.set({ light: { azimuth: (azimuth + 360) % 360, elevation } });
+    }
+    this.#redraw();
+  }
+
+  // --- The camera -------------------------------------------------------------------------------------------------------
+
+  /** Millimetres under a point of the element. */
+  #toPage({ x, y }: { x: number; y: number }): Cursor {
+    const { width, height } = this.getBoundingClientRect();
+    const scale = this.#camera.scale / devicePixelRatio;
+    return { x: this.#camera.x + (x - width / 2) / scale, y: this.#camera.y - (y - height / 2) / scale };
+  }
+
+  #toUnit(point: { x: number; y: number }): number[] {
+    const { x, y } = this.#toPage(point);
+    const { page } = this.#page();
+    return [x / page[0], y / page[1]];
+  }
+
+  fit(): void {
+    const { page, shown } = this.#page();
+    const { width, height } = this.getBoundingClientRect();
+    const room = Math.min(margin, width * 0.08);
+    const scale = Math.min((width - 2 * room) / shown, (height - 2 * room - 2 * margin) / page[1]);
+    this.#camera = { x: shown / 2, y: page[1] / 2, scale: Math.max(0.01, scale) * devicePixelRatio };
+    this.#fitted = true;
+    this.#redraw();
+  }
+
+  zoom(factor: number): void {
+    const { width, height } = this.getBoundingClientRect();
+    this.#zoomAt(factor, width / 2, height / 2);
+  }
+
+  #zoomAt(factor: number, x: number, y: number): void {
+    const at = this.#toPage({ x, y });
+    const { page } = this.#page();
+    const { width } = this.getBoundingClientRect();
+    const least = (width * devicePixelRatio) / (12 * Math.max(...page));
+    const scale = Math.min(1200 * devicePixelRatio, Math.max(least, this.#camera.scale * factor));
+    const share = this.#camera.scale / scale;
+    this.#camera = {
+      x: at.x + (this.#camera.x - at.x) * share,
+      y: at.y + (this.#camera.y - at.y) * share,
+      scale,
+    };
+    this.#fitted = false;
+    this.#redraw();
+  }
+
+  #move(dx: number, dy: number): void {
+    const scale = this.#camera.scale / devicePixelRatio;
+    const { page, shown } = this.#page();
+    const within = (value: number, length: number): number => Math.min(1.5 * length, Math.max(-0.5 * length, value));
+    this.#camera = {
+      ...this.#camera,
+      x: within(this.#camera.x - dx / scale, shown),
+      y: within(this.#camera.y + dy / scale, page[1]),
+    };
+    this.#fitted = false;
+    this.#redraw();
+  }
+
+  lookAt(x: number, y: number, across: number): void {
+    const { width } = this.getBoundingClientRect();
+    this.#camera = { x, y, scale: (width * devicePixelRatio) / across };
+    this.#fitted = false;
+    this.#redraw();
+  }
+
+  // --- Brushes ------------------------------------------------------------------------------------------------------------
+
+  #drawStroke(): void {
+    const points = this.#points;
+    const { tool, brush } = this.state;
+    if (points === undefined || tool === 'pan') return;
+    const stroke: Stroke = {
+      tool,
+      points: [...points],
+      radius: brush.radius,
+      softness: brush.softness,
+      ...(tool === 'mode' ? { mode: brush.mode } : {}),
+    };
+    const first = points.length === 2;
+    this.studio.change(
+      (plate) => ({ ...plate, strokes: [...(first ? plate.strokes : plate.strokes.slice(0, -1)), stroke] }),
+      'stroke',
+    );
+  }
+
+  // --- Keys ---------------------------------------------------------------------------------------------------------------
+
+  #onKey = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { key } = event;
+    const step = event.shiftKey ? 80 : 24;
+    const arrows: Record<string, readonly [number, number]> = {
+      ArrowLeft: [step, 0],
+      ArrowRight: [-step, 0],
+      ArrowUp: [0, step],
+      ArrowDown: [0, -step],
+    };
+    const arrow = arrows[key];
+    const drawing = this.state.tool !== 'pan';
+    if (arrow !== undefined && drawing) this.#moveCursor(-arrow[0], arrow[1]);
+    else if (arrow !== undefined) this.#move(arrow[0], arrow[1]);
+    else if (drawing && (key === ' ' || key === 'Enter')) this.#togglePen();
+    else if (key === '+' || key === '=') this.zoom(1.25);
+    else if (key === '-') this.zoom(0.8);
+    else if (key === '0') this.fit();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  /** With keys a brush is led as with a pointer; the space bar puts it down and takes it up. */
+  #moveCursor(dx: number, dy: number): void {
+    const scale = this.#camera.scale / devicePixelRatio;
+    const { page } = this.#page();
+    const from = this.#cursor ?? { x: page[0] / 2, y: page[1] / 2 };
+    this.#cursor = {
+      x: Math.min(page[0], Math.max(0, from.x + dx / scale)),
+      y: Math.min(page[1], Math.max(0, from.y + dy / scale)),
+    };
+    if (this.#points !== undefined) {
+      this.#points.push(this.#cursor.x / page[0], this.#cursor.y / page[1]);
+      this.#drawStroke();
+    }
+    this.#redraw();
+  }
+
+  #togglePen(): void {
+    if (this.#points !== undefined) {
+      this.#points = undefined;
+      this.studio.settle();
+      return;
+    }
+    const { page } = this.#page();
+    this.#cursor ??= { x: page[0] / 2, y: page[1] / 2 };
+    this.#points = [this.#cursor.x / page[0], this.#cursor.y / page[1]];
+    this.#drawStroke();
+  }
+
+  // --- Pictures -------------------------------------------------------------------------------------------------------------
+
+  async capture(width: number): Promise<Blob> {
+    if (this.#renderer === undefined) throw new StudioError('NoWebGl');
+    return this.#renderer.capture({ ...this.scene(), view: 'appearance', progress: 1 }, width);
+  }
+
+  /** One turn of the light, as a video. */
+  async record(seconds: number): Promise<Blob> {
+    const { recordCanvas } = await import('./video.js');
+    const before = this.state.light;
+    this.studio.store.set({ recording: true, view: 'appearance' });
+    try {
+      return await recordCanvas(this.drawing, seconds, (share) => {
+        this.studio.store.set({ light: { ...before, azimuth: (before.azimuth + 360 * share) % 360 } });
+      });
+    } finally {
+      this.studio.store.set({ recording: false, light: before });
+    }
+  }
+}

@@ -1,0 +1,48 @@
+// A sheet above the page. It closes with Escape, with its cross, and with a click beside it.
+import { html, type TemplateResult } from 'lit';
+import { query } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import { StudioElement } from './element.js';
+import { icon } from './icons.js';
+
+export abstract class DialogElement extends StudioElement {
+  @query('dialog') private dialog!: HTMLDialogElement;
+
+  protected abstract heading(): string;
+  protected abstract body(): TemplateResult;
+
+  override render(): TemplateResult {
+    return html`<dialog
+      aria-labelledby="title"
+      @close=${() => {
+        this.studio.show(undefined);
+      }}
+      @click=${(event: MouseEvent) => {
+        if (event.target === this.dialog) this.close();
+      }}
+    >
+      <div class="head">
+        <h2 id="title">${this.heading()}</h2>
+        <button
+          type="button"
+          class="plain square"
+          aria-label=${t('verb.close')}
+          @click=${() => {
+            this.close();
+          }}
+        >
+          ${icon('close')}
+        </button>
+      </div>
+      <div class="body">${this.body()}</div>
+    </dialog>`;
+  }
+
+  override firstUpdated(): void {
+    this.dialog.showModal();
+  }
+
+  protected close(): void {
+    this.dialog.close();
+  }
+}

@@ -1,0 +1,265 @@
+// Where the beads' directions come from, what they do elsewhere, and the brushes that change both.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { t, type TextId } from '../i18n/text.js';
+import { fileKinds, generatorKinds, newFileDirections, newGenerator, type FileKind } from '../model/defaults.js';
+import type { DirectionSource, SourceFile } from '../model/plate.js';
+import { StudioElement } from './element.js';
+import { cards, flag, numberField, numberInput, select, textField } from './fields.js';
+import { fileChip } from './file-chip.js';
+import { icon, type IconName } from './icons.js';
+import './dial.js';
+import { panelStyle } from './panel-style.js';
+import { sourceRows, type SourceRow } from './source-rows.js';
+
+type Kind = DirectionSource['kind'];
+
+const pictures = '.png,.jpg,.jpeg,image/*';
+const modes = ['constrained', 'parallel', 'orthogonal', 'smoothest'] as const;
+const isFileKind = (kind: Kind): kind is FileKind => (fileKinds as readonly string[]).includes(kind);
+
+@customElement('sillon-directions-panel')
+export class DirectionsPanel extends StudioElement {
+  static override reads = ['plate', 'tool', 'brush'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    panelStyle,
+    css`
+      .strokes {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        min-height: var(--control);
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { directions } = this.state.plate;
+    return html`
+      <section aria-labelledby="directions-title">
+        <h2 id="directions-title">${t('section.directions')}</h2>
+        ${this.#picker(directions)}
+        <p class="note">${t(`source.${directions.kind}.help`)}</p>
+        ${'file' in directions ? fileChip(this.studio, directions.file, pictures) : nothing}
+        ${sourceRows(directions).map((row) => this.#row(directions, row))}
+      </section>
+      ${this.#brushes()} ${this.#modes()}
+    `;
+  }
+
+  #picker({ kind }: DirectionSource): TemplateResult {
+    const option = (value: Kind): { value: Kind; label: string; icon: IconName } => ({
+      value,
+      label: t(`source.${value}`),
+      icon: value,
+    });
+    return cards<Kind>({
+      id: 'source',
+      label: t('source.title'),
+      value: kind,
+      options: [...generatorKinds, ...fileKinds].map(option),
+      onChoose: (chosen) => {
+        void this.#choose(chosen);
+      },
+    });
+  }
+
+  async #choose(kind: Kind): Promise<void> {
+    const { directions } = this.state.plate;
+    if (!isFileKind(kind)) {
+      this.#set(newGenerator(kind));
+      return;
+    }
+    if ('file' in directions) {
+      this.#set(newFileDirections(kind, directions.file));
+      return;
+    }
+    this.requestUpdate(); // the card stays as it was until a picture is there
+    const files = await this.studio.pick(pictures);
+    if (files.length === 0) return;
+    await this.studio.open(files);
+    const opened = this.state.plate.directions;
+    if ('file' in opened && opened.kind !== kind) this.#set(newFileDirections(kind, opened.file));
+  }
+
+  #set(directions: DirectionSource, gesture?: string): void {
+    this.studio.change((plate) => ({ ...plate, directions }), gesture);
+  }
+
+  #row(source: DirectionSource, row: SourceRow): TemplateResult {
+    const label = t(row.label as TextId);
+    const id = `source-${row.key}`;
+    const value = row.get(source);
+    const set = (next: unknown): void => {
+      this.#set(row.with(this.state.plate.directions, next), `${source.kind}.${row.key}`);
+    };
+    const onSettle = (): void => {
+      this.studio.settle();
+    };
+    const choose = (next: unknown): void => {
+      set(next);
+      onSettle();
+    };
+    switch (row.control) {
+      case 'number':
+        return numberField({ ...row, id, label, value: value as number, onInput: set, onSettle });
+      case 'angle': {
+        const field = { ...row, id, label, value: value as number, unit: '°', step: 1, onInput: set, onSettle };
+        return html`<div class="field angle">
+          <label for=${id}>${label}</label>
+          <sillon-dial
+            .label=${label}
+            .value=${value}
+            .min=${row.min}
+            .max=${row.max}
+            @turn=${(event: CustomEvent<number>) => {
+              set(event.detail);
+            }}
+            @settle=${onSettle}
+          ></sillon-dial>
+          ${numberInput(field)}
+          <p class="error" id="${id}-error" role="status" hidden></p>
+        </div>`;
+      }
+      case 'flag':
+        return flag({ id, label, value: value as boolean, onChange: choose });
+      case 'text':
+        return textField({
+          id,
+          label,
+          value: value as string,
+          maxLength: row.max,
+          long: row.long,
+          onInput: set,
+          onSettle,
+        });
+      case 'choice':
+        return select({
+          id,
+          label,
+          value: value as string,
+          options: row.choices.map((choice) => ({ value: choice.value, label: t(choice.label as TextId) })),
+          onChoose: choose,
+        });
+    }
+  }
+
+  #brushes(): TemplateResult {
+    const { tool, brush, plate } = this.state;
+    const setBrush = (change: Partial<typeof brush>): void => {
+      this.studio.store.set({ brush: { ...this.state.brush, ...change } });
+    };
+    const drawing = tool !== 'pan';
+    return html`<section aria-labelledby="edit-title">
+      <h3 id="edit-title">${t('section.edit')}</h3>
+      ${cards<typeof tool>({
+        id: 'tool',
+        label: t('tool.title'),
+        value: tool,
+        options: [
+          { value: 'pan', label: t('tool.pan'), icon: 'hand' },
+          { value: 'comb', label: t('tool.comb'), icon: 'comb' },
+          { value: 'mode', label: t('tool.mode'), icon: 'mode' },
+          { value: 'erase', label: t('tool.erase'), icon: 'erase' },
+        ],
+        onChoose: (chosen) => {
+          this.studio.setTool(chosen);
+        },
+      })}
+      <p class="note">${t(`tool.${tool}.help`)}</p>
+      ${
+        tool === 'mode'
+          ? select({
+              id: 'brush-mode',
+              label: t('section.modes'),
+              value: brush.mode,
+              options: modes.map((value) => ({ value, label: t(`mode.${value}`) })),
+              onChoose: (mode) => {
+                setBrush({ mode });
+              },
+            })
+          : nothing
+      }
+      ${
+        drawing
+          ? html`${numberField({
+              id: 'brush-radius',
+              label: t('tool.radius'),
+              value: Math.round(brush.radius * 2 * plate.width * 10) / 10,
+              min: 0.1,
+              max: plate.width,
+              step: 0.1,
+              usual: [0.1, Math.max(1, Math.round(plate.width / 2))],
+              unit: 'mm',
+              onInput: (across) => {
+                setBrush({ radius: across / 2 / plate.width });
+              },
+              onSettle: () => undefined,
+            })}
+            ${numberField({
+              id: 'brush-softness',
+              label: t('tool.softness'),
+              value: Math.round(brush.softness * 100),
+              min: 0,
+              max: 100,
+              step: 1,
+              usual: [0, 100],
+              unit: '%',
+              onInput: (percent) => {
+                setBrush({ softness: percent / 100 });
+              },
+              onSettle: () => undefined,
+            })}`
+          : nothing
+      }
+      ${
+        plate.strokes.length > 0
+          ? html`<div class="strokes">
+              <span class="note">${t('tool.strokes', { n: plate.strokes.length })}</span>
+              <button
+                type="button"
+                @click=${() => {
+                  this.studio.change((now) => ({ ...now, strokes: [] }));
+                }}
+              >
+                ${icon('erase', 16)} ${t('tool.clear')}
+              </button>
+            </div>`
+          : nothing
+      }
+    </section>`;
+  }
+
+  #modes(): TemplateResult {
+    const { base, file } = this.state.plate.modes;
+    const set = (change: { base?: typeof base; file?: SourceFile | undefined }): void => {
+      this.studio.change((plate) => {
+        const { file: kept, ...next } = { ...plate.modes, ...change };
+        return { ...plate, modes: kept === undefined ? next : { ...next, file: kept } };
+      });
+    };
+    return html`<section aria-labelledby="modes-title">
+      <h3 id="modes-title">${t('section.modes')}</h3>
+      ${select({
+        id: 'mode-base',
+        label: t('modes.base'),
+        value: base,
+        options: modes.map((value) => ({ value, label: t(`mode.${value}`) })),
+        onChoose: (mode) => {
+          set({ base: mode });
+        },
+      })}
+      <p class="note">${t(`mode.${base}.help`)}</p>
+      ${
+        file === undefined
+          ? nothing
+          : html`<p>${t('modes.map')}</p>
+              ${fileChip(this.studio, file, pictures, () => {
+                set({ file: undefined });
+              })}`
+      }
+    </section>`;
+  }
+}

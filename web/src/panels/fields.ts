@@ -1,0 +1,314 @@
+// Controls as functions of plain data. What they tell comes as `onInput` while a hand moves and `onSettle` when it lets go.
+import { html, nothing, type TemplateResult } from 'lit';
+import { Directive, directive, type ElementPart } from 'lit/directive.js';
+import { live } from 'lit/directives/live.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { icon, type IconName } from './icons.js';
+
+type Content = TemplateResult | typeof nothing;
+
+/** Shows a number, but leaves alone what is being typed unless the number changes elsewhere. */
+class Shows extends Directive {
+  #shown: number | undefined;
+
+  override render(_value: number): typeof nothing {
+    return nothing;
+  }
+
+  override update({ element }: ElementPart, [value]: [number]): typeof nothing {
+    const input = element as HTMLInputElement;
+    const typing = input.matches(':focus') && value === this.#shown;
+    if (!typing && Number(input.value || Number.NaN) !== value) input.value = String(value);
+    this.#shown = value;
+    return nothing;
+  }
+}
+const shows = directive(Shows);
+
+/** Styles by property: attributes are what a strict Content-Security-Policy forbids. */
+const share = (value: number): string => `--share: ${Math.min(1, Math.max(0, value))}`;
+
+function toggleHelp(event: Event): void {
+  const button = event.currentTarget as HTMLElement;
+  const help = button.closest('.field')?.querySelector<HTMLElement>('.help');
+  if (help === null || help === undefined) return;
+  help.hidden = !help.hidden;
+  button.setAttribute('aria-expanded', String(!help.hidden));
+}
+
+const aboutButton = (id: string, label: string, help: string): Content =>
+  help === ''
+    ? nothing
+    : html`<button
+        type="button"
+        class="about"
+        aria-label="${t('verb.help')}: ${label}"
+        aria-expanded="false"
+        aria-controls="${id}-help"
+        @click=${toggleHelp}
+      >
+        ${icon('info', 14)}
+      </button>`;
+
+const helpText = (id: string, help: string): Content =>
+  help === '' ? nothing : html`<p class="help" id="${id}-help" hidden>${help}</p>`;
+
+export interface NumberField {
+  id: string;
+  label: string;
+  value: number;
+  min: number;
+  max: number;
+  step: number;
+  /** What the slider spans; none without. */
+  usual?: readonly [number, number] | undefined;
+  unit?: string;
+  help?: string;
+  integer?: boolean;
+  disabled?: boolean;
+  onInput: (value: number) => void;
+  onSettle: () => void;
+}
+
+const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
+
+/** As little of a number as its step can tell apart. */
+export const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
+
+function readNumber(field: NumberField, input: HTMLInputElement): number | undefined {
+  const value = input.value.trim() === '' ? Number.NaN : Number(input.value);
+  const right = value >= field.min && value <= field.max && (!field.integer || Number.isInteger(value));
+  input.setAttribute('aria-invalid', String(!right));
+  const error = input.closest('.field')?.querySelector<HTMLElement>('.error');
+  if (error !== null && error !== undefined) {
+    error.hidden = right;
+    error.textContent = right
+      ? ''
+      : Number.isNaN(value) || (field.integer && !Number.isInteger(value))
+        ? t('setting.notANumber', { name: field.label, example: field.value })
+        : t('setting.outOfRange', { name: field.label, min: field.min, max: field.max });
+  }
+  return right ? value : undefined;
+}
+
+/** The number alone, with its unit. */
+export function numberInput(field: NumberField, name = true): TemplateResult {
+  const { id, label, unit = '', min, max, step } = field;
+  const onInput = (event: Event): void => {
+    const value = readNumber(field, event.currentTarget as HTMLInputElement);
+    if (value !== undefined) field.onInput(value);
+  };
+  const onChange = (event: Event): void => {
+    const input = event.currentTarget as HTMLInputElement;
+    if (readNumber(field, input) === undefined) {
+      // What cannot be used does not stay; the sentence about it does, until the next change.
+      input.value = String(shortNumber(field.value, step));
+      input.setAttribute('aria-invalid', 'false');
+    }
+    field.onSettle();
+  };
+  return html`<span class="measure">
+    <input
+      type="number"
+      inputmode=${min < 0 ? 'text' : 'decimal'}
+      id=${id}
+      aria-label=${name ? nothing : label}
+      aria-describedby="${id}-error"
+      min=${min}
+      max=${max}
+      step=${step}
+      ?disabled=${field.disabled ?? false}
+      ${shows(shortNumber(field.value, step))}
+      @input=${onInput}
+      @change=${onChange}
+    />
+    <span class="unit" aria-hidden="true">${unit}</span>
+  </span>`;
+}
+
+export function numberField(field: NumberField): TemplateResult {
+  const { id, label, value, step, usual, help = '' } = field;
+  const [low, high] = usual ?? [0, 1];
+  return html`<div class="field">
+    <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
+    ${numberInput(field)}
+    ${
+      usual === undefined
+        ? nothing
+        : html`<input
+            type="range"
+            tabindex="-1"
+            aria-hidden="true"
+            min=${low}
+            max=${high}
+            step=${step}
+            ?disabled=${field.disabled ?? false}
+            .value=${live(String(value))}
+            .style=${share((value - low) / (high - low))}
+            @input=${(event: Event) => {
+              field.onInput(Number((event.currentTarget as HTMLInputElement).value));
+            }}
+            @change=${field.onSettle}
+          />`
+    }
+    <p class="error" id="${id}-error" role="status" hidden></p>
+    ${helpText(id, help)}
+  </div>`;
+}
+
+export interface Option<Value extends string = string> {
+  value: Value;
+  label: string;
+  icon?: IconName | undefined;
+  disabled?: boolean;
+  title?: string;
+}
+
+export interface ChoiceField<Value extends string = string> {
+  id: string;
+  label: string;
+  value: Value | undefined;
+  options: readonly Option<Value>[];
+  help?: string;
+  onChoose: (value: Value) => void;
+}
+
+function radios<Value extends string>(field: ChoiceField<Value>, size: number): TemplateResult[] {
+  return field.options.map(
+    ({ value, label, icon: name, disabled = false, title = '' }) =>
+      html`<label title=${title || nothing}>
+        <input
+          type="radio"
+          name=${field.id}
+          value=${value}
+          ?disabled=${disabled}
+          .checked=${live(value === field.value)}
+          @change=${() => {
+            field.onChoose(value);
+          }}
+        />
+        ${name === undefined ? nothing : icon(name, size)}<span>${label}</span>
+      </label>`,
+  );
+}
+
+/** A few short words side by side. */
+export const segments = <Value extends string>(field: ChoiceField<Value>, legend = true): TemplateResult =>
+  html`<div class="field">
+    ${
+      legend
+        ? html`<span class="name"
+            ><span id="${field.id}-name">${field.label}</span
+            >${aboutButton(field.id, field.label, field.help ?? '')}</span
+          >`
+        : nothing
+    }
+    <div
+      class="segments wide"
+      role="radiogroup"
+      aria-label=${legend ? nothing : field.label}
+      aria-labelledby=${legend ? `${field.id}-name` : nothing}
+    >
+      ${radios(field, 16)}
+    </div>
+    ${helpText(field.id, field.help ?? '')}
+  </div>`;
+
+/** Things to choose from, each with a picture. */
+export const cards = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>
+  html`<div class="cards" role="radiogroup" aria-label=${field.label}>${radios(field, 22)}</div>`;
+
+export const select = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>
+  html`<div class="field">
+    <span class="name"
+      ><label for=${field.id}>${field.label}</label>${aboutButton(field.id, field.label, field.help ?? '')}</span
+    >
+    <select
+      id=${field.id}
+      class="wide"
+      .value=${live(field.value ?? '')}
+      @change=${(event: Event) => {
+        field.onChoose((event.currentTarget as HTMLSelectElement).value as Value);
+      }}
+    >
+      ${field.options.map(
+        ({ value, label, disabled = false }) =>
+          html`<option value=${value} ?disabled=${disabled} ?selected=${value === field.value}>${label}</option>`,
+      )}
+    </select>
+    ${helpText(field.id, field.help ?? '')}
+  </div>`;
+
+export interface FlagField {
+  id: string;
+  label: string;
+  value: boolean;
+  help?: string;
+  onChange: (value: boolean) => void;
+}
+
+export const flag = (field: FlagField): TemplateResult =>
+  html`<div class="field">
+    <span class="name"
+      ><label for=${field.id}>${field.label}</label>${aboutButton(field.id, field.label, field.help ?? '')}</span
+    >
+    <span class="switch"
+      ><input
+        type="checkbox"
+        role="switch"
+        id=${field.id}
+        .checked=${live(field.value)}
+        @change=${(event: Event) => {
+          field.onChange((event.currentTarget as HTMLInputElement).checked);
+        }}
+    /></span>
+    ${helpText(field.id, field.help ?? '')}
+  </div>`;
+
+export interface TextField {
+  id: string;
+  label: string;
+  value: string;
+  maxLength: number;
+  long?: boolean;
+  help?: string;
+  onInput: (value: string) => void;
+  onSettle: () => void;
+}
+
+export function textField(field: TextField): TemplateResult {
+  const { id, label, value, maxLength, help = '' } = field;
+  const onInput = (event: Event): void => {
+    field.onInput((event.currentTarget as HTMLInputElement | HTMLTextAreaElement).value);
+  };
+  return html`<div class="field">
+    <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
+    ${
+      field.long
+        ? html`<textarea
+            class="wide"
+            id=${id}
+            rows="2"
+            maxlength=${maxLength}
+            .value=${live(value)}
+            @input=${onInput}
+            @change=${field.onSettle}
+          ></textarea>`
+        : html`<input
+            type="text"
+            class="wide"
+            id=${id}
+            maxlength=${maxLength}
+            spellcheck="false"
+            .value=${live(value)}
+            @input=${onInput}
+            @change=${field.onSettle}
+          />`
+    }
+    ${helpText(id, help)}
+  </div>`;
+}
+
+/** "0.4 mm" */
+export const withUnit = (value: number, unit: string, digits = 2): string =>
+  unit === '' ? formatNumber(value, digits) : `${formatNumber(value, digits)} ${unit}`;

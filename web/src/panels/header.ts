@@ -1,0 +1,328 @@
+// The page's head: what the plate is called, back and forth, out of the door.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { languages, t } from '../i18n/text.js';
+import type { Theme } from '../model/state.js';
+import { StudioElement } from './element.js';
+import { icon, mark, type IconName } from './icons.js';
+import type { Product } from './studio.js';
+
+const products: readonly (readonly [Product, IconName])[] = [
+  ['gcode', 'print'],
+  ['svg', 'toolpath'],
+  ['png', 'camera'],
+  ['project', 'file'],
+];
+const themes: readonly Theme[] = ['auto', 'light', 'dark'];
+
+@customElement('sillon-header')
+export class Header extends StudioElement {
+  static override reads = ['plate', 'theme'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        height: var(--bar);
+        padding: 0 12px 0 14px;
+        border-bottom: 1px solid var(--line);
+        background: var(--surface);
+      }
+      h1 {
+        display: flex;
+        align-items: center;
+        gap: 9px;
+        font-size: var(--lead);
+        font-weight: 600;
+        letter-spacing: 0.01em;
+      }
+      h1 .mark {
+        color: var(--accent);
+      }
+      input.name {
+        width: 20ch;
+        min-width: 0;
+        margin: 0 6px 0 10px;
+        border-color: transparent;
+        background: none;
+        color: var(--soft);
+        text-overflow: ellipsis;
+      }
+      input.name:hover,
+      input.name:focus {
+        border-color: var(--edge);
+        color: var(--ink);
+      }
+      .space {
+        flex: 1;
+      }
+      .rule {
+        width: 1px;
+        height: 22px;
+        margin: 0 4px;
+        background: var(--line);
+      }
+      .main {
+        margin-left: 4px;
+        padding: 0 14px;
+        min-height: 34px;
+      }
+      [popover] {
+        position: fixed;
+        inset: calc(var(--bar) + 2px) 10px auto auto;
+        width: 292px;
+        max-height: calc(100dvh - var(--bar) - 20px);
+        margin: 0;
+        padding: 6px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface);
+        color: var(--ink);
+        box-shadow: var(--lift);
+        overflow: auto;
+      }
+      [popover] button {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        justify-items: start;
+        gap: 0 12px;
+        width: 100%;
+        padding: 8px 10px;
+        border-color: transparent;
+        background: none;
+        text-align: left;
+      }
+      [popover] button:hover {
+        background: var(--hover);
+      }
+      [popover] button .icon {
+        grid-row: span 2;
+        color: var(--accent);
+      }
+      [popover] hr {
+        margin: 6px 10px;
+        border: 0;
+        border-top: 1px solid var(--line);
+      }
+      [popover] .field {
+        padding: 8px 10px;
+        gap: 6px;
+      }
+      .narrow {
+        display: none;
+      }
+      @media (max-width: 980px) {
+        .wide {
+          display: none !important;
+        }
+        .narrow {
+          display: inline-flex;
+        }
+      }
+      @media (max-width: 560px) {
+        :host {
+          padding: 0 6px 0 10px;
+          gap: 2px;
+        }
+        h1 .word,
+        input.name {
+          display: none;
+        }
+        .main {
+          padding: 0 12px;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { store } = this.studio;
+    const { plate } = this.state;
+    return html`
+      <h1>${mark()}<span class="word">Sillon</span></h1>
+      <input
+        class="name"
+        type="text"
+        aria-label=${t('app.plate')}
+        placeholder=${t('app.untitled')}
+        maxlength="80"
+        spellcheck="false"
+        .value=${plate.name}
+        @change=${(event: Event) => {
+          const name = (event.currentTarget as HTMLInputElement).value.trim();
+          this.studio.change((now) => (now.name === name ? now : { ...now, name }));
+        }}
+      />
+      ${this.#button(
+        'undo',
+        t('verb.undo'),
+        'Ctrl+Z',
+        () => {
+          store.undo();
+        },
+        !store.canUndo,
+      )}
+      ${this.#button(
+        'redo',
+        t('verb.redo'),
+        'Ctrl+Shift+Z',
+        () => {
+          store.redo();
+        },
+        !store.canRedo,
+      )}
+      <span class="space"></span>
+      ${this.#worded('gallery', t('section.gallery'), () => {
+        this.studio.show('gallery');
+      })}
+      ${this.#worded('open', t('verb.open'), () => {
+        void this.#open();
+      })}
+      ${this.#worded('share', t('verb.share'), () => {
+        this.studio.show('share');
+      })}
+      <span class="rule wide"></span>
+      <button
+        type="button"
+        class="plain square"
+        aria-label=${t('app.menu')}
+        title=${t('app.menu')}
+        popovertarget="menu"
+      >
+        ${icon('more')}
+      </button>
+      ${this.#button(
+        'help',
+        t('verb.help'),
+        '?',
+        () => {
+          this.studio.show('help');
+        },
+        false,
+        'wide',
+      )}
+      <button type="button" class="main" popovertarget="export">${icon('download')} ${t('verb.download')}</button>
+      ${this.#exports()} ${this.#menu()}
+    `;
+  }
+
+  async #open(): Promise<void> {
+    await this.studio.open(await this.studio.pick());
+  }
+
+  #button(name: IconName, label: string, keys: string, run: () => void, disabled = false, where = ''): TemplateResult {
+    return html`<button
+      type="button"
+      class="plain square ${where}"
+      aria-label=${label}
+      aria-keyshortcuts=${keys.replace('Ctrl', 'Control')}
+      title="${label} (${keys})"
+      ?disabled=${disabled}
+      @click=${run}
+    >
+      ${icon(name)}
+    </button>`;
+  }
+
+  #worded(name: IconName, label: string, run: () => void): TemplateResult {
+    return html`<button type="button" class="plain wide" @click=${run}>${icon(name)} ${label}</button>`;
+  }
+
+  #hide(): void {
+    for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
+  }
+
+  #item(name: IconName, label: string, help: string, run: () => void, where = ''): TemplateResult {
+    return html`<button
+      type="button"
+      class=${where}
+      @click=${() => {
+        this.#hide();
+        run();
+      }}
+    >
+      ${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}
+    </button>`;
+  }
+
+  #exports(): TemplateResult {
+    return html`<div id="export" popover role="group" aria-label=${t('section.export')}>
+      ${products.map(([product, name]) =>
+        this.#item(name, t(`export.${product}`), t(`export.${product}.help`), () => {
+          void this.studio.save(product);
+        }),
+      )}
+      <hr />
+      ${this.#item('share', t('verb.share'), t('export.link.help'), () => {
+        this.studio.show('share');
+      })}
+    </div>`;
+  }
+
+  #menu(): TemplateResult {
+    const { theme, language } = this.state;
+    return html`<div id="menu" popover role="group" aria-label=${t('app.menu')}>
+      ${this.#item('plus', t('verb.new'), '', () => {
+        this.studio.services.newPlate();
+      })}
+      ${this.#item(
+        'gallery',
+        t('section.gallery'),
+        '',
+        () => {
+          this.studio.show('gallery');
+        },
+        'narrow',
+      )}
+      ${this.#item(
+        'open',
+        t('verb.open'),
+        '',
+        () => {
+          void this.#open();
+        },
+        'narrow',
+      )}
+      ${this.#item(
+        'share',
+        t('verb.share'),
+        '',
+        () => {
+          this.studio.show('share');
+        },
+        'narrow',
+      )}
+      ${this.#item('help', t('help.title'), '', () => {
+        this.studio.show('help');
+      })}
+      <hr />
+      <div class="field">
+        <label for="language">${t('language.title')}</label>
+        <select
+          id="language"
+          @change=${(event: Event) => {
+            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value as typeof language);
+          }}
+        >
+          ${Object.entries(languages).map(
+            ([key, name]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
+          )}
+        </select>
+        <label for="theme">${t('theme.title')}</label>
+        <select
+          id="theme"
+          @change=${(event: Event) => {
+            this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme);
+          }}
+        >
+          ${themes.map((key) => html`<option value=${key} ?selected=${key === theme}>${t(`theme.${key}`)}</option>`)}
+        </select>
+      </div>
+      <hr />
+      <p class="note field">${t('app.local')}</p>
+    </div>`;
+  }
+}

@@ -1,0 +1,193 @@
+// What has happened, in passing; what went wrong, until it is read.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { problemWords } from '../i18n/say.js';
+import { t } from '../i18n/text.js';
+import { StudioElement } from './element.js';
+import { icon } from './icons.js';
+import type { Notice } from './shown.js';
+
+@customElement('sillon-notices')
+export class Notices extends StudioElement {
+  static override reads = ['notices', 'problem'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        position: fixed;
+        z-index: 8;
+        right: 12px;
+        bottom: 64px;
+        display: grid;
+        justify-items: end;
+        gap: 8px;
+        width: min(400px, calc(100vw - 24px));
+        pointer-events: none;
+      }
+      .notice {
+        display: grid;
+        grid-template-columns: auto 1fr auto;
+        align-items: start;
+        gap: 4px 10px;
+        padding: 10px 8px 10px 14px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--raised);
+        box-shadow: var(--lift);
+        pointer-events: auto;
+        overflow-wrap: anywhere;
+      }
+      .notice > .icon {
+        margin-top: 1px;
+        color: var(--accent);
+      }
+      .problem {
+        border-color: var(--bad);
+        background: var(--bad-tint);
+      }
+      .problem > .icon {
+        color: var(--bad);
+      }
+      .problem b {
+        display: block;
+      }
+      .problem details {
+        font-size: var(--note);
+      }
+      .problem summary {
+        min-height: 26px;
+      }
+      .close {
+        min-height: 24px;
+        width: 24px;
+        padding: 0;
+      }
+      .actions {
+        display: flex;
+        gap: 6px;
+        margin-top: 6px;
+      }
+      @media (max-width: 720px) {
+        :host {
+          right: 8px;
+          left: 8px;
+          bottom: 116px;
+          width: auto;
+        }
+        .notice {
+          width: 100%;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { notices, problem } = this.state;
+    return html`<div role="status">
+        ${notices.filter((notice) => notice.problem === undefined).map((notice) => this.#word(notice))}
+      </div>
+      <div role="alert">
+        ${
+          problem === undefined
+            ? nothing
+            : this.#problem(
+                problem,
+                () => {
+                  this.studio.store.set({ problem: undefined });
+                },
+                true,
+              )
+        }
+        ${notices.map((notice) =>
+          notice.problem === undefined
+            ? nothing
+            : this.#problem(
+                notice.problem,
+                () => {
+                  this.studio.dismiss(notice.id);
+                },
+                false,
+              ),
+        )}
+      </div>`;
+  }
+
+  #close(close: () => void): TemplateResult {
+    return html`<button type="button" class="plain close" aria-label=${t('verb.dismiss')} @click=${close}>
+      ${icon('close', 14)}
+    </button>`;
+  }
+
+  #word({ id, text, action }: Notice): TemplateResult {
+    return html`<div class="notice">
+      ${icon('check')}
+      <div>
+        ${text}
+        ${
+          action === undefined
+            ? nothing
+            : html`<button
+                type="button"
+                class="link"
+                @click=${() => {
+                  this.studio.dismiss(id);
+                  action.run();
+                }}
+              >
+                ${action.label}
+              </button>`
+        }
+      </div>
+      ${this.#close(() => {
+        this.studio.dismiss(id);
+      })}
+    </div>`;
+  }
+
+  /** @param ofPlate  the engine's, which another try may mend */
+  #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
+    const { message, hint, detail } = problemWords(problem);
+    return html`<div class="notice problem">
+      ${icon('warn')}
+      <div>
+        <b>${message}</b>${hint}
+        ${
+          detail === ''
+            ? nothing
+            : html`<details>
+                <summary>${icon('fold', 14)} ${t('problem.details')}</summary>
+                ${detail}
+              </details>`
+        }
+        ${
+          ofPlate
+            ? html`<div class="actions">
+                ${
+                  this.studio.store.canUndo
+                    ? html`<button
+                        type="button"
+                        @click=${() => {
+                          this.studio.store.undo();
+                        }}
+                      >
+                        ${icon('undo', 16)} ${t('verb.undo')}
+                      </button>`
+                    : nothing
+                }
+                <button
+                  type="button"
+                  @click=${() => {
+                    this.studio.services.retry();
+                  }}
+                >
+                  ${t('verb.retry')}
+                </button>
+              </div>`
+            : nothing
+        }
+      </div>
+      ${this.#close(close)}
+    </div>`;
+  }
+}

@@ -1,0 +1,201 @@
+// What lies above the plate: what is outside of the shape, places to look at, the brush, rulers in millimetres.
+import type { Shape } from 'sillon';
+import { markColours } from '../views/palette.js';
+import type { Camera, Mark } from '../views/scene.js';
+
+export interface Cursor {
+  x: number;
+  y: number;
+}
+
+export interface Overlay {
+  camera: Camera;
+  /** Device pixels per CSS pixel. */
+  pixels: number;
+  page: readonly [number, number];
+  cursor: Cursor | undefined;
+  /** [mm] */
+  radius: number;
+  softness: number;
+  marks: readonly Mark[];
+  /** Which of the marks is looked at. */
+  mark: number;
+  /** Veils the page outside of it. */
+  shape: Shape | undefined;
+  styles: CSSStyleDeclaration;
+}
+
+export const rulerWidth = 20; // [CSS pixels]
+const leastBetweenNumbers = 56;
+
+/** 1, 2 or 5 times a power of ten. */
+function roundStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
+}
+
+export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
+  const context = canvas.getContext('2d');
+  if (context === null) return;
+  const { pixels, camera } = overlay;
+  const width = canvas.width / pixels;
+  const height = canvas.height / pixels;
+  const scale = camera.scale / pixels;
+  const toX = (x: number): number => (x - camera.x) * scale + width / 2;
+  const toY = (y: number): number => height / 2 - (y - camera.y) * scale;
+  context.setTransform(pixels, 0, 0, pixels, 0, 0);
+  context.clearRect(0, 0, width, height);
+  if (overlay.shape !== undefined) {
+    context.setTransform(scale * pixels, 0, 0, -scale * pixels, toX(0) * pixels, toY(0) * pixels);
+    drawVeil(context, overlay.shape, overlay);
+    context.setTransform(pixels, 0, 0, pixels, 0, 0);
+  }
+  drawMarks(context, overlay, toX, toY);
+  if (overlay.cursor !== undefined) drawBrush(context, overlay, toX(overlay.cursor.x), toY(overlay.cursor.y), scale);
+  drawRulers(context, overlay, width, height, scale, toX, toY);
+}
+
+function drawBrush(context: CanvasRenderingContext2D, overlay: Overlay, x: number, y: number, scale: number): void {
+  const radius = overlay.radius * scale;
+  const ring = (size: number, dashes: number[]): void => {
+    for (const [colour, line] of [
+      ['rgb(0 0 0 / 0.55)', 3],
+      ['rgb(255 255 255 / 0.95)', 1.25],
+    ] as const) {
+      context.beginPath();
+      context.setLineDash(dashes);
+      context.arc(x, y, Math.max(1, size), 0, 2 * Math.PI);
+      context.strokeStyle = colour;
+      context.lineWidth = line;
+      context.stroke();
+    }
+  };
+  ring(radius, []);
+  if (overlay.softness > 0.02) ring(radius * (1 - overlay.softness), [2, 3]);
+  context.setLineDash([]);
+  context.fillStyle = 'white';
+  context.fillRect(x - 0.75, y - 0.75, 1.5, 1.5);
+}
+
+const outlines = new WeakMap<Shape, { path: Path2D; fillRule: CanvasFillRule }[]>();
+
+/** The rings of a shape as paths, in millimetres. */
+function outlineOf(shape: Shape): { path: Path2D; fillRule: CanvasFillRule }[] {
+  const known = outlines.get(shape);
+  if (known !== undefined) return known;
+  const made = shape.paths.map(({ rings, fillRule }) => {
+    const path = new Path2D();
+    for (const ring of rings) {
+      for (let k = 0; k + 1 < ring.length; k += 2) {
+        if (k === 0) path.moveTo(ring[0] ?? 0, ring[1] ?? 0);
+        else path.lineTo(ring[k] ?? 0, ring[k + 1] ?? 0);
+      }
+      path.closePath();
+    }
+    return { path, fillRule };
+  });
+  outlines.set(shape, made);
+  return made;
+}
+
+function drawVeil(context: CanvasRenderingContext2D, shape: Shape, { page, styles }: Overlay): void {
+  context.save();
+  context.globalAlpha = 0.82;
+  context.fillStyle = styles.getPropertyValue('--bench');
+  context.fillRect(-0.5, -0.5, page[0] + 1, page[1] + 1);
+  context.globalAlpha = 1;
+  context.globalCompositeOperation = 'destination-out';
+  for (const { path, fillRule } of outlineOf(shape)) context.fill(path, fillRule);
+  context.restore();
+}
+
+function drawMarks(
+  context: CanvasRenderingContext2D,
+  { marks, mark: looked, styles }: Overlay,
+  toX: (x: number) => number,
+  toY: (y: number) => number,
+): void {
+  context.lineWidth = 1.5;
+  for (const { x, y, kind } of marks) {
+    context.strokeStyle = markColours[kind];
+    context.beginPath();
+    context.arc(toX(x), toY(y), 6, 0, 2 * Math.PI);
+    context.stroke();
+  }
+  const at = marks[looked];
+  if (at === undefined) return;
+  const [x, y] = [toX(at.x), toY(at.y)];
+  context.strokeStyle = styles.getPropertyValue('--accent');
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(x, y, 26, 0, 2 * Math.PI);
+  for (const [dx, dy] of [
+    [1, 0],
+    [-1, 0],
+    [0, 1],
+    [0, -1],
+  ] as const) {
+    context.moveTo(x + 26 * dx, y + 26 * dy);
+    context.lineTo(x + 36 * dx, y + 36 * dy);
+  }
+  context.stroke();
+}
+
+function drawRulers(
+  context: CanvasRenderingContext2D,
+  { camera, page, cursor, styles }: Overlay,
+  width: number,
+  height: number,
+  scale: number,
+  toX: (x: number) => number,
+  toY: (y: number) => number,
+): void {
+  const step = roundStep(leastBetweenNumbers / scale);
+  const tick = step / (step / 10 ** Math.floor(Math.log10(step)) === 2 ? 4 : 5);
+  const digits = Math.max(0, -Math.floor(Math.log10(step)));
+  context.fillStyle = styles.getPropertyValue('--surface');
+  context.fillRect(0, 0, width, rulerWidth);
+  context.fillRect(0, 0, rulerWidth, height);
+  // The plate's own sides, on the rulers.
+  context.fillStyle = styles.getPropertyValue('--tint');
+  context.fillRect(toX(0), 0, page[0] * scale, rulerWidth);
+  context.fillRect(0, toY(page[1]), rulerWidth, page[1] * scale);
+  context.strokeStyle = styles.getPropertyValue('--edge');
+  context.fillStyle = styles.getPropertyValue('--soft');
+  context.font = `10px ${styles.getPropertyValue('--font')}`;
+  context.lineWidth = 1;
+  context.beginPath();
+  const across = width / scale / 2;
+  for (let k = Math.ceil((camera.x - across) / tick); k * tick <= camera.x + across; ++k) {
+    const x = Math.round(toX(k * tick)) + 0.5;
+    const long = Math.abs(k * tick - Math.round((k * tick) / step) * step) < tick / 2;
+    context.moveTo(x, rulerWidth);
+    context.lineTo(x, rulerWidth - (long ? 9 : 4));
+    if (long) context.fillText((k * tick).toFixed(digits), x + 3, 10);
+  }
+  const tall = height / scale / 2;
+  for (let k = Math.ceil((camera.y - tall) / tick); k * tick <= camera.y + tall; ++k) {
+    const y = Math.round(toY(k * tick)) + 0.5;
+    const long = Math.abs(k * tick - Math.round((k * tick) / step) * step) < tick / 2;
+    context.moveTo(rulerWidth, y);
+    context.lineTo(rulerWidth - (long ? 9 : 4), y);
+    if (!long) continue;
+    context.save();
+    context.translate(10, y - 3);
+    context.rotate(-Math.PI / 2);
+    context.fillText((k * tick).toFixed(digits), 0, 0);
+    context.restore();
+  }
+  context.stroke();
+  context.strokeStyle = styles.getPropertyValue('--line');
+  context.strokeRect(rulerWidth + 0.5 - 1, rulerWidth + 0.5 - 1, width + 2, height + 2);
+  if (cursor !== undefined) {
+    context.fillStyle = styles.getPropertyValue('--accent');
+    context.fillRect(toX(cursor.x) - 0.75, 0, 1.5, rulerWidth);
+    context.fillRect(0, toY(cursor.y) - 0.75, rulerWidth, 1.5);
+  }
+  context.fillStyle = styles.getPropertyValue('--surface');
+  context.fillRect(0, 0, rulerWidth - 1, rulerWidth - 1);
+  context.fillStyle = styles.getPropertyValue('--soft');
+  context.fillText('mm', 2, 13);
+}

@@ -1,0 +1,227 @@
+// Printer, filament, layers, place; what it will take; the file.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { filamentLabel, printerLabel, warningText } from '../i18n/say.js';
+import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
+import { filaments, withFilament } from '../model/filaments.js';
+import { printerOf, printers, withPrinter, type PrinterKey } from '../model/printers.js';
+import { settings } from '../model/settings.js';
+import { advancedSettings } from './advanced.js';
+import './bed.js';
+import { StudioElement } from './element.js';
+import { select } from './fields.js';
+import { icon } from './icons.js';
+import { panelStyle } from './panel-style.js';
+import { settingField } from './setting-field.js';
+
+@customElement('sillon-print-panel')
+export class PrintPanel extends StudioElement {
+  static override reads = ['plate', 'summary', 'made', 'advanced'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    panelStyle,
+    css`
+      .swatches {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 8px;
+      }
+      .swatches label {
+        position: relative;
+        width: 36px;
+        height: 36px;
+        border-radius: 50%;
+        box-shadow: inset 0 0 0 1px var(--edge);
+        background:
+          conic-gradient(
+            from 20deg,
+            rgb(255 255 255 / 0.5),
+            transparent 50deg 150deg,
+            rgb(255 255 255 / 0.35) 190deg,
+            transparent 230deg 320deg,
+            rgb(255 255 255 / 0.5)
+          ),
+          var(--colour);
+      }
+      .swatches label:has(:checked) {
+        outline: 2px solid var(--accent);
+        outline-offset: 3px;
+      }
+      .swatches label:has(:focus-visible) {
+        outline: 3px solid var(--ink);
+        outline-offset: 3px;
+      }
+      .swatches input {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 100%;
+        margin: 0;
+        opacity: 0;
+        cursor: pointer;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+        gap: 12px 16px;
+      }
+      dt {
+        color: var(--soft);
+        font-size: var(--note);
+      }
+      dd {
+        font-size: var(--title);
+        font-weight: 500;
+        letter-spacing: -0.01em;
+        font-variant-numeric: tabular-nums;
+      }
+      .warnings {
+        display: grid;
+        gap: 6px;
+      }
+      .warnings li {
+        display: flex;
+        gap: 8px;
+        font-size: var(--note);
+      }
+      .warnings .icon {
+        color: var(--accent);
+        margin-top: 1px;
+      }
+      .take {
+        position: sticky;
+        bottom: 0;
+        padding: 12px 20px;
+        border-top: 1px solid var(--line);
+        background: var(--surface);
+      }
+      .take button {
+        width: 100%;
+        min-height: 38px;
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    return html`
+      <section aria-labelledby="print-title">
+        <h2 id="print-title">${t('section.print')}</h2>
+        ${this.#summary()}
+      </section>
+      <section aria-label=${t('section.printer')}>
+        ${this.#printer()}
+        <sillon-bed .studio=${this.studio}></sillon-bed>
+        ${settingField(this.studio, 'print.place')} ${settingField(this.studio, 'print.rotate')}
+        ${settingField(this.studio, 'print.mirror')}
+      </section>
+      <section aria-label=${t('section.filament')}>
+        ${this.#filament()} ${settingField(this.studio, 'printer.nozzleTemperature')}
+        ${settingField(this.studio, 'printer.bedTemperature')} ${settingField(this.studio, 'printer.speed')}
+      </section>
+      <section aria-label=${t('section.basics')}>
+        ${settingField(this.studio, 'print.layers')} ${settingField(this.studio, 'print.base')}
+        ${settingField(this.studio, 'print.layerHeight')}
+      </section>
+      ${advancedSettings(
+        this.studio,
+        settings.filter(({ section, advanced }) => section !== 'toolpath' && advanced),
+      )}
+      <div class="take">
+        <button
+          type="button"
+          class="main"
+          @click=${() => {
+            void this.studio.save('gcode');
+          }}
+        >
+          ${icon('download')} ${t('verb.download')} ${t('export.gcode')}
+        </button>
+      </div>
+    `;
+  }
+
+  #summary(): TemplateResult {
+    const { summary, plate } = this.state;
+    const { print } = plate;
+    const tall = (print.layers + print.base - 1) * print.layerHeight + (print.firstLayerHeight || print.layerHeight);
+    const value = (label: string, text: string): TemplateResult =>
+      html`<div>
+        <dt>${label}</dt>
+        <dd>${text}</dd>
+      </div>`;
+    const figure = (make: (known: NonNullable<typeof summary>) => string): string =>
+      summary === undefined ? '–' : make(summary);
+    return html`<dl>
+        ${value(
+          t('summary.time'),
+          figure(({ seconds }) => formatDuration(seconds)),
+        )}
+        ${value(
+          t('summary.weight'),
+          figure(({ filamentGrams }) => t('summary.grams', { g: formatNumber(filamentGrams, 1) })),
+        )}
+        ${value(
+          t('summary.filament'),
+          figure(({ filamentMm }) => t('summary.metres', { m: formatNumber(filamentMm / 1000, 2) })),
+        )}
+        ${value(t('summary.height'), `${formatNumber(tall)} mm`)}
+      </dl>
+      <p class="note">
+        ${t('summary.estimate')} ${summary === undefined ? '' : t('summary.size', { size: formatBytes(summary.bytes) })}
+      </p>
+      ${
+        summary === undefined || summary.warnings.length === 0
+          ? nothing
+          : html`<h3>${t('summary.warnings')}</h3>
+              <ul class="warnings">
+                ${summary.warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
+              </ul>`
+      }`;
+  }
+
+  #printer(): TemplateResult {
+    const current = printerOf(this.state.plate);
+    const options: { value: PrinterKey | ''; label: string }[] = printers.map((printer) => ({
+      value: printer.key,
+      label: printerLabel(printer),
+    }));
+    if (current === undefined) options.unshift({ value: '', label: this.state.plate.printer.name || t('printer.own') });
+    return html`${select<PrinterKey | ''>({
+        id: 'printer',
+        label: t('section.printer'),
+        value: current?.key ?? '',
+        options,
+        onChoose: (key) => {
+          if (key !== '') this.studio.change((plate) => withPrinter(plate, key));
+        },
+      })}
+      <p class="note">${t('printer.start')}</p>`;
+  }
+
+  #filament(): TemplateResult {
+    const { filament: key } = this.state.plate;
+    const chosen = filaments.find((filament) => filament.key === key) ?? filaments[0];
+    return html`<div class="field">
+        <span class="name" id="filament-name">${t('section.filament')}</span>
+        <span class="note">${chosen === undefined ? '' : filamentLabel(chosen)}</span>
+        <div class="wide swatches" role="radiogroup" aria-labelledby="filament-name">
+          ${filaments.map(
+            (filament) =>
+              html`<label title=${filamentLabel(filament)} .style=${`--colour: rgb(${filament.colour.join(' ')})`}>
+                <input
+                  type="radio"
+                  name="filament"
+                  aria-label=${filamentLabel(filament)}
+                  .checked=${filament.key === key}
+                  @change=${() => {
+                    this.studio.change((plate) => withFilament(plate, filament.key));
+                  }}
+                />
+              </label>`,
+          )}
+        </div>
+      </div>
+      <p class="note">${t('filament.help')}</p>`;
+  }
+}

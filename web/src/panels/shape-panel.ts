@@ -1,0 +1,240 @@
+// The shape, and how large it is.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { newShape } from '../model/defaults.js';
+import type { Plate, ShapeSource } from '../model/plate.js';
+import { settingOf, withValue } from '../model/settings.js';
+import { StudioElement } from './element.js';
+import { cards, numberField, numberInput, select } from './fields.js';
+import { fileChip } from './file-chip.js';
+import { icon } from './icons.js';
+import { panelStyle } from './panel-style.js';
+import { settingField } from './setting-field.js';
+
+const smallest = 1; // [mm]
+const largest = 1000;
+const tenth = (value: number): number => Math.round(value * 100) / 100;
+
+@customElement('sillon-shape-panel')
+export class ShapePanel extends StudioElement {
+  static override reads = ['plate', 'keepRatio'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    panelStyle,
+    css`
+      .size {
+        display: grid;
+        grid-template-columns: 1fr auto 1fr;
+        align-items: end;
+        gap: 8px;
+      }
+      .size .measure {
+        width: 100%;
+      }
+      .size label {
+        display: block;
+        margin-bottom: 4px;
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { plate } = this.state;
+    const { shape } = plate;
+    return html`
+      <section aria-labelledby="shape-title">
+        <h2 id="shape-title">${t('section.shape')}</h2>
+        ${cards<ShapeSource['kind']>({
+          id: 'shape-kind',
+          label: t('section.shape'),
+          value: shape.kind,
+          options: [
+            { value: 'disc', label: t('shape.disc'), icon: 'disc' },
+            { value: 'rectangle', label: t('shape.rectangle'), icon: 'rectangle' },
+            { value: 'rounded', label: t('shape.rounded'), icon: 'rounded' },
+            { value: 'file', label: t('shape.file'), icon: 'file' },
+          ],
+          onChoose: (kind) => {
+            void this.#choose(kind);
+          },
+        })}
+        ${this.#details(shape)}
+      </section>
+      <section aria-labelledby="size-title">
+        <h3 id="size-title">${t('section.size')}</h3>
+        ${shape.kind === 'disc' ? this.#diameter(plate) : this.#sides(plate)} ${this.#fit(plate)}
+      </section>
+      <section aria-label=${t('verb.rotate')}>
+        <div class="buttons">
+          ${this.#action('turn', t('verb.rotateLeft'), () => {
+            this.#turn(90);
+          })}
+          ${this.#action('mirror', t('verb.mirror'), () => {
+            this.#mirror();
+          })}
+        </div>
+        ${settingField(this.studio, 'print.rotate')}
+      </section>
+    `;
+  }
+
+  #action(name: 'turn' | 'mirror', label: string, run: () => void): TemplateResult {
+    const pressed = name === 'mirror' ? String(this.state.plate.print.mirror) : nothing;
+    return html`<button type="button" aria-pressed=${pressed} @click=${run}>${icon(name, 16)} ${label}</button>`;
+  }
+
+  #turn(by: number): void {
+    const setting = settingOf('print.rotate');
+    this.studio.change((plate) => {
+      const turned = plate.print.rotate + by;
+      return withValue(plate, setting, turned > 180 ? turned - 360 : turned);
+    });
+  }
+
+  #mirror(): void {
+    this.studio.change((plate) => withValue(plate, settingOf('print.mirror'), !plate.print.mirror));
+  }
+
+  async #choose(kind: ShapeSource['kind']): Promise<void> {
+    if (kind === 'file') {
+      this.requestUpdate(); // the card stays as it was until a file is there
+      await this.studio.open(await this.studio.pick('.svg,.png,.jpg,.jpeg,image/*'));
+      return;
+    }
+    this.studio.change((plate) => {
+      const side = kind === 'disc' ? Math.min(plate.width, plate.height || plate.width) : undefined;
+      return { ...plate, shape: newShape(kind), ...(side === undefined ? {} : { width: side, height: side }) };
+    });
+  }
+
+  #details(shape: ShapeSource): TemplateResult | typeof nothing {
+    if (shape.kind === 'rounded') {
+      return numberField({
+        id: 'radius',
+        label: t('shape.radius'),
+        value: shape.radius,
+        min: 0,
+        max: 500,
+        step: 0.5,
+        usual: [0, Math.max(1, Math.floor(Math.min(this.state.plate.width, this.state.plate.height) / 2))],
+        unit: 'mm',
+        onInput: (radius) => {
+          this.studio.change((plate) => ({ ...plate, shape: { kind: 'rounded', radius } }), 'radius');
+        },
+        onSettle: () => {
+          this.studio.settle();
+        },
+      });
+    }
+    if (shape.kind !== 'file') return nothing;
+    const vector = /\.svg$/i.test(shape.file.name);
+    return html`${fileChip(this.studio, shape.file, '.svg,.png,.jpg,.jpeg,image/*')}
+    ${
+      vector
+        ? select({
+            id: 'unitless',
+            label: t('shape.unitless'),
+            value: shape.unitless,
+            options: [
+              { value: 'px', label: t('shape.unitless.px') },
+              { value: 'mm', label: t('shape.unitless.mm') },
+            ],
+            onChoose: (unitless) => {
+              this.studio.change((plate) => ({ ...plate, shape: { ...shape, unitless } }));
+            },
+          })
+        : nothing
+    }`;
+  }
+
+  #resize(change: (plate: Plate) => Partial<Plate>, gesture: string): void {
+    this.studio.change((plate) => ({ ...plate, ...change(plate) }), gesture);
+  }
+
+  #side(side: 'width' | 'height', locked: boolean): TemplateResult {
+    const { plate } = this.state;
+    const other = side === 'width' ? 'height' : 'width';
+    const field = {
+      id: `size-${side}`,
+      label: t(`size.${side}`),
+      value: tenth(plate[side]),
+      min: smallest,
+      max: largest,
+      step: 0.1,
+      unit: 'mm',
+      onInput: (value: number) => {
+        this.#resize(
+          (now) => ({ [side]: value, ...(locked ? { [other]: tenth((now[other] / now[side]) * value) } : {}) }),
+          side,
+        );
+      },
+      onSettle: () => {
+        this.studio.settle();
+      },
+    };
+    return html`<div class="field stacked">
+      <label for=${field.id}>${field.label}</label>${numberInput(field)}
+      <p class="error" id="${field.id}-error" role="status" hidden></p>
+    </div>`;
+  }
+
+  #sides({ shape }: Plate): TemplateResult {
+    // A file's proportions are its own.
+    const locked = this.state.keepRatio || shape.kind === 'file';
+    return html`<div class="size">
+      ${this.#side('width', locked)}
+      <button
+        type="button"
+        class="square"
+        aria-pressed=${String(locked)}
+        aria-label=${t('size.lock')}
+        title=${t('size.lock')}
+        ?disabled=${shape.kind === 'file'}
+        @click=${() => {
+          this.studio.store.set({ keepRatio: !this.state.keepRatio });
+        }}
+      >
+        ${icon(locked ? 'lock' : 'unlock', 16)}
+      </button>
+      ${this.#side('height', locked)}
+    </div>`;
+  }
+
+  #diameter({ width }: Plate): TemplateResult {
+    return numberField({
+      id: 'size-width',
+      label: t('size.diameter'),
+      value: tenth(width),
+      min: smallest,
+      max: largest,
+      step: 0.1,
+      usual: [10, 200],
+      unit: 'mm',
+      onInput: (value) => {
+        this.#resize(() => ({ width: value, height: value }), 'width');
+      },
+      onSettle: () => {
+        this.studio.settle();
+      },
+    });
+  }
+
+  #fit({ printer, toolpath, width, height }: Plate): TemplateResult {
+    const bed = [printer.bedMax[0] - printer.bedMin[0], printer.bedMax[1] - printer.bedMin[1]] as const;
+    const box = this.studio.boxOnBed();
+    const beads = Math.floor(Math.min(width, height || width) / toolpath.spacing);
+    const tooLarge = box[0] > bed[0] || box[1] > bed[1];
+    return html`<p class="note figures">
+        ${t('size.onBed', {
+          width: formatNumber(box[0], 1),
+          height: formatNumber(box[1], 1),
+          bedWidth: bed[0],
+          bedHeight: bed[1],
+        })}
+      </p>
+      ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${t('size.tooLarge')}</p>` : nothing}
+      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} ${t('size.tooThin', { n: beads })}</p>` : nothing}`;
+  }
+}

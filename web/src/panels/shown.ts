@@ -1,0 +1,79 @@
+// What only the panels know, beside the state that others share.
+import type { EngineInfo, DirectionMode } from 'sillon';
+import { newState, type State } from '../model/state.js';
+import type { Problem } from '../model/problem.js';
+import type { SourceFile } from '../model/plate.js';
+import type { Mark } from '../views/scene.js';
+
+export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
+export type Dialog = 'gallery' | 'help' | 'files' | 'share';
+
+/** What a file may be for; the dictionary has `role.NAME`. */
+export type Role =
+  'shape' | 'mask' | 'tone' | 'edges' | 'levels' | 'angle' | 'rotation' | 'tangent' | 'modes' | 'project' | 'none';
+
+/** A file as it was opened, and what it is used as. */
+export interface Opened {
+  source: SourceFile;
+  role: Role;
+  /** What it may be used as. */
+  roles: readonly Role[];
+}
+
+export interface Brush {
+  /** Share of the page's width. */
+  radius: number;
+  softness: number;
+  mode: DirectionMode;
+}
+
+/** Something to tell, that goes away by itself unless it is a problem. */
+export interface Notice {
+  id: number;
+  text: string;
+  problem?: Problem;
+  action?: { label: string; run: () => void };
+}
+
+export interface Shown extends State {
+  brush: Brush;
+  /** 0..1: how much of the print is shown. */
+  played: number;
+  playing: boolean;
+  lightMode: LightMode;
+  marks: readonly Mark[];
+  /** Index of the mark that is looked at; -1: none. */
+  mark: number;
+  /** The proportions that `width` and `height` keep while one of them changes. */
+  keepRatio: boolean;
+  /** A drag that changes the plate is going on. */
+  live: boolean;
+  dialog: Dialog | undefined;
+  /** The files that were opened last, for as long as what they are for can be changed. */
+  opened: readonly Opened[];
+  dropping: boolean;
+  recording: boolean;
+  notices: readonly Notice[];
+  engine: EngineInfo | undefined;
+  /** The engine was told to stop, and nothing has changed since. */
+  cancelled: boolean;
+}
+
+export const newShown = (): Shown => ({
+  ...newState(),
+  brush: { radius: 0.08, softness: 0.5, mode: 'parallel' },
+  played: 1,
+  playing: false,
+  lightMode: 'pointer',
+  marks: [],
+  mark: -1,
+  keepRatio: true,
+  live: false,
+  dialog: undefined,
+  opened: [],
+  dropping: false,
+  recording: false,
+  notices: [],
+  engine: undefined,
+  cancelled: false,
+});

@@ -1,0 +1,310 @@
+// The plate and all that lies around it on the bench.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import type { ColourBy, ViewName } from '../views/scene.js';
+import './canvas.js';
+import { StudioElement } from './element.js';
+import { icon } from './icons.js';
+import './legend.js';
+import './light-control.js';
+import './player.js';
+import './status-bar.js';
+import { download, fileName } from './studio.js';
+import './tool-palette.js';
+
+const views: readonly ViewName[] = ['directions', 'toolpath', 'appearance', 'quality'];
+const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order'];
+const videoSeconds = 6;
+
+@customElement('sillon-stage')
+export class StageElement extends StudioElement {
+  static override reads = ['view', 'colourBy', 'compare', 'recording', 'made'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: minmax(0, 1fr) auto;
+        min-width: 0;
+        min-height: 0;
+      }
+      .bench {
+        position: relative;
+        min-height: 0;
+        container-type: size;
+      }
+      sillon-canvas {
+        position: absolute;
+        inset: 0;
+      }
+      .views,
+      .actions,
+      .bottom,
+      sillon-tools {
+        position: absolute;
+        z-index: 1;
+      }
+      .views {
+        top: 32px;
+        left: 50%;
+        transform: translateX(-50%);
+        display: flex;
+        gap: 2px;
+        padding: 3px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface);
+        box-shadow: var(--lift);
+      }
+      .views button {
+        min-height: calc(var(--control) - 2px);
+        padding: 0 14px;
+        border-color: transparent;
+        background: none;
+        color: var(--soft);
+      }
+      .views button[aria-selected='true'] {
+        background: var(--tint);
+        color: var(--accent);
+      }
+      .actions {
+        top: 32px;
+        right: 12px;
+        display: flex;
+        gap: 6px;
+      }
+      .actions button {
+        background: var(--surface);
+        box-shadow: var(--lift);
+      }
+      .actions button[aria-pressed='true'] {
+        background: var(--tint);
+      }
+      sillon-tools {
+        top: 32px;
+        left: 32px;
+      }
+      .bottom {
+        left: 32px;
+        right: 12px;
+        bottom: 12px;
+        display: flex;
+        flex-wrap: wrap;
+        align-items: end;
+        justify-content: space-between;
+        gap: 8px;
+        pointer-events: none;
+      }
+      .bottom > * {
+        pointer-events: auto;
+      }
+      sillon-player {
+        flex: 1;
+        max-width: 460px;
+        min-width: 200px;
+      }
+      .colour {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        padding: 4px 4px 4px 12px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface);
+        box-shadow: var(--lift);
+        white-space: nowrap;
+      }
+      .colour select {
+        width: auto;
+        border-color: transparent;
+        background-color: transparent;
+        font-weight: 500;
+      }
+      .captions span {
+        position: absolute;
+        bottom: 98px;
+        padding: 2px 8px;
+        border-radius: var(--radius);
+        background: var(--surface);
+        color: var(--soft);
+        font-size: var(--note);
+        transform: translateX(-50%);
+      }
+      .captions span:first-child {
+        left: 27%;
+      }
+      .captions span:last-child {
+        left: 75%;
+      }
+      .light {
+        margin-left: auto;
+      }
+      @media (max-width: 1180px) {
+        .actions {
+          top: 78px;
+          flex-direction: column;
+        }
+        .actions .words {
+          position: absolute;
+          clip-path: inset(50%);
+        }
+        .actions button {
+          width: calc(var(--control) + 4px);
+          min-height: calc(var(--control) + 4px);
+          padding: 0;
+        }
+      }
+      @media (max-width: 720px) {
+        .views {
+          top: 26px;
+          left: 26px;
+          right: 6px;
+          transform: none;
+        }
+        .views button {
+          flex: 1;
+          min-width: 0;
+          padding: 0 4px;
+          font-size: var(--note);
+        }
+        sillon-tools {
+          top: 78px;
+          left: 26px;
+        }
+        .actions {
+          top: 78px;
+          right: 6px;
+        }
+        .bottom {
+          left: 26px;
+          right: 6px;
+          bottom: 6px;
+        }
+      }
+      /* A low bench is for the plate. */
+      @container (max-height: 340px) {
+        sillon-tools,
+        .actions,
+        .bottom {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { view, compare } = this.state;
+    return html`
+      <div class="bench">
+        <sillon-canvas .studio=${this.studio}></sillon-canvas>
+        <div class="views" role="tablist" aria-label=${t('view.title')} @keydown=${this.#onTabKey}>
+          ${views.map(
+            (name, k) =>
+              html`<button
+                type="button"
+                role="tab"
+                id="tab-${name}"
+                aria-selected=${String(view === name)}
+                aria-keyshortcuts=${k + 1}
+                title="${t(`view.${name}.help`)} (${k + 1})"
+                tabindex=${view === name ? 0 : -1}
+                @click=${() => {
+                  this.studio.setView(name);
+                }}
+              >
+                ${t(`view.${name}`)}
+              </button>`,
+          )}
+        </div>
+        <sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>
+        ${view === 'appearance' ? this.#looks() : nothing}
+        <div class="bottom">
+          ${view === 'toolpath' ? this.#colourBy() : nothing}
+          ${view === 'appearance' ? nothing : html`<sillon-legend .studio=${this.studio}></sillon-legend>`}
+          ${view === 'toolpath' ? html`<sillon-player .studio=${this.studio}></sillon-player>` : nothing}
+          ${view === 'appearance' ? html`<sillon-light class="light" .studio=${this.studio}></sillon-light>` : nothing}
+        </div>
+        ${
+          view === 'appearance' && compare
+            ? html`<div class="captions"><span>${t('view.yours')}</span><span>${t('view.zigzag')}</span></div>`
+            : nothing
+        }
+      </div>
+      <sillon-status .studio=${this.studio}></sillon-status>
+    `;
+  }
+
+  #onTabKey = (event: KeyboardEvent): void => {
+    const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    const next = views[(views.indexOf(this.state.view) + by + views.length) % views.length] as ViewName;
+    this.studio.setView(next);
+    void this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
+  };
+
+  #looks(): TemplateResult {
+    const { compare, recording } = this.state;
+    return html`<div class="actions">
+      <button
+        type="button"
+        aria-pressed=${String(compare)}
+        title="${t('view.compare.help')} (C)"
+        @click=${() => {
+          this.studio.store.set({ compare: !compare });
+        }}
+      >
+        ${icon('compare')} <span class="words">${t('view.zigzag')}</span>
+      </button>
+      <button
+        type="button"
+        class="square"
+        aria-label=${t('capture.picture')}
+        title=${t('capture.picture')}
+        @click=${() => {
+          void this.studio.save('png');
+        }}
+      >
+        ${icon('camera')}
+      </button>
+      <button
+        type="button"
+        class="square"
+        aria-pressed=${String(recording)}
+        aria-label=${t(recording ? 'capture.recording' : 'capture.video')}
+        title=${t(recording ? 'capture.recording' : 'capture.video')}
+        ?disabled=${recording}
+        @click=${this.#record}
+      >
+        ${icon('video')}
+      </button>
+    </div>`;
+  }
+
+  #record = async (): Promise<void> => {
+    await this.studio.attempt(async () => {
+      const video = await this.studio.stage?.record(videoSeconds);
+      if (video === undefined) return;
+      const name = fileName(this.state.plate, video.type.startsWith('video/mp4') ? '.mp4' : '.webm');
+      download(video, name);
+      this.studio.notify(t('export.done', { name }));
+    });
+  };
+
+  #colourBy(): TemplateResult {
+    const { colourBy } = this.state;
+    return html`<label class="colour"
+      ><span class="note">${t('colour.title')}</span>
+      <select
+        .value=${colourBy}
+        @change=${(event: Event) => {
+          this.studio.store.set({ colourBy: (event.currentTarget as HTMLSelectElement).value as ColourBy });
+        }}
+      >
+        ${colours.map((name) => html`<option value=${name} ?selected=${name === colourBy}>${t(`colour.${name}`)}</option>`)}
+      </select></label
+    >`;
+  }
+}

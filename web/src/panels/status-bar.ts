@@ -1,0 +1,166 @@
+// The line below the plate: what it measures and takes, and what the engine does.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { progressWords } from '../i18n/say.js';
+import { formatDuration, formatNumber, t } from '../i18n/text.js';
+import { StudioElement } from './element.js';
+import { icon } from './icons.js';
+
+@customElement('sillon-status')
+export class StatusBar extends StudioElement {
+  static override reads = ['plate', 'made', 'summary', 'progress', 'cancelled', 'live'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        position: relative;
+        display: flex;
+        align-items: center;
+        gap: 0 18px;
+        min-height: 40px;
+        padding: 0 6px 0 14px;
+        border-top: 1px solid var(--line);
+        background: var(--surface);
+        font-size: var(--note);
+        white-space: nowrap;
+      }
+      .figures {
+        display: flex;
+        flex: 1;
+        gap: 16px;
+        min-width: 0;
+        overflow: hidden;
+        color: var(--soft);
+      }
+      .figures b {
+        color: var(--ink);
+        font-weight: 500;
+      }
+      .job {
+        display: flex;
+        flex: 1;
+        align-items: center;
+        gap: 12px;
+        min-width: 0;
+      }
+      .job .stage {
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      .job .share {
+        color: var(--soft);
+        font-variant-numeric: tabular-nums;
+      }
+      .bar {
+        position: absolute;
+        inset: -2px 0 auto;
+        height: 2px;
+        background: var(--line);
+      }
+      .bar div {
+        height: 100%;
+        width: calc(100% * var(--share));
+        background: var(--accent);
+      }
+      .zoom {
+        display: flex;
+      }
+      .job button {
+        min-height: 28px;
+        font-size: var(--note);
+      }
+      @media (max-width: 720px) {
+        :host {
+          padding-left: 10px;
+        }
+        .rest {
+          display: none;
+        }
+        .figures {
+          gap: 10px;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { progress } = this.state;
+    return html`${progress === undefined ? this.#figures() : this.#job(progress)}
+      <div class="zoom" role="group" aria-label=${t('section.view')}>
+        ${this.#button('minus', t('verb.zoomOut'), () => this.studio.stage?.zoom(1 / 1.4))}
+        ${this.#button('plus', t('verb.zoomIn'), () => this.studio.stage?.zoom(1.4))}
+        ${this.#button('fit', t('verb.fit'), () => this.studio.stage?.fit())}
+      </div>`;
+  }
+
+  #button(name: 'minus' | 'plus' | 'fit', label: string, run: () => void): TemplateResult {
+    return html`<button type="button" class="plain square" aria-label=${label} title=${label} @click=${run}>
+      ${icon(name, 16)}
+    </button>`;
+  }
+
+  #job(progress: NonNullable<this['state']['progress']>): TemplateResult {
+    const { job, stage, percent, left } = progressWords(progress);
+    return html`<div
+        class="bar"
+        role="progressbar"
+        aria-label=${job}
+        aria-valuemin="0"
+        aria-valuemax="100"
+        aria-valuenow=${Math.floor(100 * progress.fraction)}
+      >
+        <div .style=${`--share: ${progress.fraction}`}></div>
+      </div>
+      <div class="job">
+        <span class="stage">${stage === '' ? job : stage}</span>
+        <span class="share">${percent}</span><span class="share rest">${left}</span>
+        <button
+          type="button"
+          @click=${() => {
+            this.studio.services.cancel();
+          }}
+        >
+          ${t('verb.cancel')}
+        </button>
+      </div>`;
+  }
+
+  #figures(): TemplateResult {
+    const { plate, made, summary, cancelled } = this.state;
+    const length = made?.report.lengthMm;
+    return html`<div class="figures">
+      ${
+        cancelled
+          ? html`<span>${t('job.cancelled')}</span>
+              <button
+                type="button"
+                class="link"
+                @click=${() => {
+                  this.studio.services.retry();
+                }}
+              >
+                ${t('verb.retry')}
+              </button>`
+          : html`<b>${formatNumber(plate.width, 1)} × ${formatNumber(plate.height || plate.width, 1)} mm</b> ${
+                length === undefined
+                  ? nothing
+                  : html`<span class="rest"
+                      >${t('summary.length')} <b>${t('summary.metres', { m: formatNumber(length / 1000, 1) })}</b></span
+                    >`
+              }
+              ${
+                summary === undefined
+                  ? nothing
+                  : html`<span
+                        ><span class="rest">${t('summary.time')} </span><b>${formatDuration(summary.seconds)}</b></span
+                      >
+                      <span
+                        ><span class="rest">${t('summary.weight')} </span
+                        ><b>${t('summary.grams', { g: formatNumber(summary.filamentGrams, 1) })}</b></span
+                      >`
+              }`
+      }
+    </div>`;
+  }
+}

@@ -1,0 +1,252 @@
+// What the elements can do. They know the state and this; what it takes stands in main.ts.
+import type { Gcode } from 'sillon';
+import { t } from '../i18n/text.js';
+import type { Plate } from '../model/plate.js';
+import type { Problem } from '../model/problem.js';
+import { isAbort, problemOf } from '../model/problem.js';
+import type { Store } from '../model/store.js';
+import type { Language, Theme, Tool } from '../model/state.js';
+import type { Light, ViewName } from '../views/scene.js';
+import type { Example } from './examples.js';
+import type { Dialog, LightMode, Notice, Role, Shown } from './shown.js';
+
+export type Product = 'gcode' | 'svg' | 'png' | 'project';
+
+/** What reaches beyond the page's thread; each may reject. */
+export interface Services {
+  cancel(): void;
+  retry(): void;
+  gcode(): Promise<Gcode>;
+  svg(): Promise<Blob>;
+  project(plate: Plate): Promise<Blob>;
+  link(plate: Plate): Promise<{ url: string; told: string }>;
+  setLanguage(language: Language): Promise<void>;
+  /** Opens files as they are guessed; they can be changed in the dialog 'files'. */
+  open(files: readonly File[]): Promise<void>;
+  /** Uses one of the files that were opened last as something else. */
+  setRole(index: number, role: Role): Promise<void>;
+  openExample(example: Example): Promise<void>;
+  newPlate(): void;
+  forget(): Promise<void>;
+}
+
+/** What the canvas lends to others. */
+export interface Stage {
+  fit(): void;
+  zoom(factor: number): void;
+  /** Millimetres of the page. */
+  lookAt(x: number, y: number, across: number): void;
+  capture(width: number): Promise<Blob>;
+  record(seconds: number): Promise<Blob>;
+}
+
+const noticeFor = 7000; // [ms]
+
+export function download(blob: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => {
+    URL.revokeObjectURL(link.href);
+  }, 60_000);
+}
+
+const endings: Record<Product, string> = { gcode: '.gcode', svg: '.svg', png: '.png', project: '.sillon.zip' };
+
+export const fileName = (plate: Plate, product: string): string =>
+  `${plate.name.replace(/[^\p{L}\p{N}._ -]+/gu, '').trim() || 'plate'}${product}`;
+
+/** Phones ask their owner, and only after a touch; computers have no tilt to tell. */
+async function mayTilt(): Promise<boolean> {
+  if (!('DeviceOrientationEvent' in window)) return false;
+  const { requestPermission } = DeviceOrientationEvent as { requestPermission?: () => Promise<string> };
+  try {
+    if (requestPermission !== undefined) return (await requestPermission()) === 'granted';
+  } catch {
+    return false;
+  }
+  return matchMedia('(pointer: coarse)').matches;
+}
+
+export class Studio {
+  stage: Stage | undefined;
+  services!: Services;
+  #nextNotice = 1;
+
+  constructor(
+    readonly store: Store<Shown>,
+    /** What the engine is asked for. */
+    readonly threads: 'auto' | 'off',
+  ) {}
+
+  // --- The plate ----------------------------------------------------------------------------------------------------------
+
+  /** @param gesture  names a drag that goes on until `settle`. */
+  change(change: (plate: Plate) => Plate, gesture?: string): void {
+    this.store.change(change, gesture);
+    if (gesture !== undefined && !this.store.state.live) this.store.set({ live: true });
+  }
+
+  settle(): void {
+    this.store.settle();
+    if (this.store.state.live) this.store.set({ live: false });
+  }
+
+  /** Lower left corner of a plate in the middle of the bed. */
+  centredPlace(): [number, number] {
+    const { bedMin, bedMax } = this.store.state.plate.printer;
+    const [width, height] = this.boxOnBed();
+    const middle = (k: 0 | 1, length: number): number => Math.round((10 * (bedMin[k] + bedMax[k] - length)) / 2) / 10;
+    return [middle(0, width), middle(1, height)];
+  }
+
+  /** The page's box as it lies turned. */
+  boxOnBed(): [number, number] {
+    const { width, height, print } = this.store.state.plate;
+    const angle = (print.rotate * Math.PI) / 180;
+    const c = Math.abs(Math.cos(angle));
+    const s = Math.abs(Math.sin(angle));
+    const tall = height || width;
+    return [c * width + s * tall, s * width + c * tall];
+  }
+
+  // --- The page -----------------------------------------------------------------------------------------------------------
+
+  setView(view: ViewName): void {
+    this.store.set({ view });
+  }
+
+  setPanel(panel: string): void {
+    this.store.set({ panel });
+    if (panel === 'quality') this.setView('quality');
+  }
+
+  setTool(tool: Tool): void {
+    this.store.set({ tool });
+    if (tool !== 'pan') this.setView('directions');
+  }
+
+  togglePlay(): void {
+    const { playing, played } = this.store.state;
+    this.setView('toolpath');
+    this.store.set(playing ? { playing: false } : { playing: true, played: played >= 1 ? 0 : played });
+  }
+
+  /** By hand: whatever moved the light before leaves it alone. */
+  setLight(change: Partial<Light>): void {
+    this.store.set({ light: { ...this.store.state.light, ...change }, lightMode: 'fixed' });
+  }
+
+  async setLightMode(lightMode: LightMode): Promise<void> {
+    if (lightMode === 'tilt' && !(await mayTilt())) {
+      this.notify(t('light.tiltDenied'));
+      this.store.set({ lightMode: 'orbit' });
+      return;
+    }
+    this.store.set({ lightMode });
+  }
+
+  lookAtMark(index: number): void {
+    const mark = this.store.state.marks[index];
+    if (mark === undefined) return;
+    this.store.set({ mark: index, view: 'quality' });
+    this.stage?.lookAt(mark.x, mark.y, 20 * this.store.state.plate.toolpath.spacing);
+  }
+
+  setTheme(theme: Theme): void {
+    this.store.set({ theme });
+  }
+
+  show(dialog: Dialog | undefined): void {
+    this.store.set({ dialog });
+  }
+
+  async setLanguage(language: Language): Promise<void> {
+    await this.attempt(() => this.services.setLanguage(language));
+  }
+
+  // --- Words --------------------------------------------------------------------------------------------------------------
+
+  notify(text: string, action?: Notice['action']): void {
+    this.#tell(action === undefined ? { text } : { text, action });
+  }
+
+  fail(problem: Problem): void {
+    this.#tell({ text: '', problem });
+  }
+
+  dismiss(id: number): void {
+    this.store.set({ notices: this.store.state.notices.filter((notice) => notice.id !== id) });
+  }
+
+  /** Runs what may fail; a failure is told. @returns whether it went well. */
+  async attempt(action: () => Promise<void> | void): Promise<boolean> {
+    try {
+      await action();
+      return true;
+    } catch (error) {
+      if (!isAbort(error)) this.fail(problemOf(error));
+      return false;
+    }
+  }
+
+  #tell(words: Omit<Notice, 'id'>): void {
+    const id = this.#nextNotice++;
+    const others = this.store.state.notices.filter(
+      (notice) => notice.problem === undefined || words.problem === undefined,
+    );
+    this.store.set({ notices: [...others, { id, ...words }].slice(-3) });
+    if (words.problem === undefined) {
+      setTimeout(() => {
+        this.dismiss(id);
+      }, noticeFor);
+    }
+  }
+
+  // --- Files --------------------------------------------------------------------------------------------------------------
+
+  async open(files: readonly File[]): Promise<void> {
+    if (files.length > 0) await this.attempt(() => this.services.open(files));
+  }
+
+  /** Asks for files; the plate is as before where none is chosen. */
+  pick(accept = ''): Promise<File[]> {
+    return new Promise((resolve) => {
+      const input = document.createElement('input');
+      input.type = 'file';
+      input.multiple = true;
+      input.accept = accept;
+      input.addEventListener('change', () => {
+        resolve([...(input.files ?? [])]);
+      });
+      input.addEventListener('cancel', () => {
+        resolve([]);
+      });
+      input.click();
+    });
+  }
+
+  async save(product: Product): Promise<void> {
+    const { plate } = this.store.state;
+    const name = fileName(plate, endings[product]);
+    const done = await this.attempt(async () => {
+      download(await this.#make(product, plate), name);
+    });
+    if (done) this.notify(t('export.done', { name }));
+  }
+
+  async #make(product: Product, plate: Plate): Promise<Blob> {
+    switch (product) {
+      case 'gcode':
+        return (await this.services.gcode()).blob;
+      case 'svg':
+        return this.services.svg();
+      case 'project':
+        return this.services.project(plate);
+      case 'png':
+        if (this.stage === undefined) throw new Error('the canvas is not there');
+        return this.stage.capture(2400);
+    }
+  }
+}

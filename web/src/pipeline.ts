@@ -1,0 +1,159 @@
+// From a plate to what follows from it: directions, toolpath, places to look at, the file's summary.
+import type { Gcode } from 'sillon';
+import { coarseResolution, fineResolution } from './directions/rasterise.js';
+import type { DirectionRaster } from './directions/raster.js';
+import type { Rasteriser } from './directions/rasteriser.js';
+import type { StudioEngine } from './engine/studio-engine.js';
+import type { Plate } from './model/plate.js';
+import { isAbort, problemOf } from './model/problem.js';
+import type { Made } from './model/state.js';
+import type { Store } from './model/store.js';
+import type { Shown } from './panels/shown.js';
+import { findMarks } from './views/marks.js';
+
+const summaryAfter = 400; // [ms] without a change
+
+const sameSource = (a: Plate, b: Plate): boolean =>
+  a.directions === b.directions && a.modes === b.modes && a.width === b.width && a.height === b.height;
+
+interface Drawn {
+  plate: Plate;
+  raster: DirectionRaster;
+  coarse: boolean;
+}
+
+interface Written {
+  plate: Plate;
+  made: Made;
+  gcode: Gcode;
+}
+
+const sameFile = (a: Written, plate: Plate, made: Made | undefined): boolean =>
+  a.made.toolpath.cycles === made?.toolpath.cycles &&
+  a.plate.print === plate.print &&
+  a.plate.printer === plate.printer;
+
+export class Pipeline {
+  #drawn: Drawn | undefined;
+  #written: Written | undefined;
+  #summaryTimer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly store: Store<Shown>,
+    private readonly engine: StudioEngine,
+    private readonly rasteriser: Rasteriser,
+  ) {}
+
+  start(): void {
+    this.store.subscribe((state, before) => {
+      if (state.plate !== before.plate || state.live !== before.live) this.#follow(state);
+    });
+    this.#follow(this.store.state);
+  }
+
+  retry(): void {
+    this.store.set({ cancelled: false, problem: undefined });
+    this.engine.retry();
+  }
+
+  cancel(): void {
+    this.engine.cancel();
+    this.store.set({ cancelled: true, progress: undefined });
+  }
+
+  /** Of the plate as it is now. */
+  async gcode(): Promise<Gcode> {
+    const { plate, made } = this.store.state;
+    if (this.#written !== undefined && sameFile(this.#written, plate, made)) return this.#written.gcode;
+    clearTimeout(this.#summaryTimer);
+    const written = { plate, ...(await this.engine.gcode(plate)) };
+    this.#written = written;
+    if (sameFile(written, this.store.state.plate, this.store.state.made))
+      this.store.set({ summary: written.gcode.summary });
+    return written.gcode;
+  }
+
+  /** Directions in full, for files. */
+  async directions(): Promise<DirectionRaster> {
+    const { plate } = this.store.state;
+    for (;;) {
+      const drawn = this.#drawn;
+      if (
+        drawn !== undefined &&
+        !drawn.coarse &&
+        drawn.plate.strokes === plate.strokes &&
+        sameSource(drawn.plate, plate)
+      )
+        return drawn.raster;
+      await this.#draw(plate, false);
+    }
+  }
+
+  onMade(made: Made): void {
+    const sameBeads = made.toolpath.cycles === this.store.state.made?.toolpath.cycles;
+    this.store.set({ made, ...(sameBeads ? {} : { marks: [], mark: -1 }) });
+    if (!made.coarse) this.#findMarks(made);
+    this.#summarise();
+  }
+
+  #follow({ plate, live }: Readonly<Shown>): void {
+    this.store.set({ cancelled: false });
+    this.#summarise();
+    const drawn = this.#drawn;
+    const fresh =
+      drawn !== undefined &&
+      sameSource(drawn.plate, plate) &&
+      drawn.plate.strokes === plate.strokes &&
+      (live || !drawn.coarse);
+    if (fresh) this.engine.update(plate, drawn.raster, { live });
+    else void this.#draw(plate, live);
+  }
+
+  async #draw(plate: Plate, live: boolean): Promise<void> {
+    // Strokes are cheap on a raster that is there.
+    const coarse = live && !(this.#drawn !== undefined && !this.#drawn.coarse && sameSource(this.#drawn.plate, plate));
+    try {
+      const raster = await this.rasteriser.rasterise({
+        source: plate.directions,
+        modes: plate.modes,
+        strokes: plate.strokes,
+        page: [plate.width, plate.height || plate.width],
+        resolution: coarse ? coarseResolution : fineResolution,
+      });
+      if (raster === undefined) return;
+      this.#drawn = { plate, raster, coarse };
+      this.store.set({ directions: raster });
+    } catch (error) {
+      if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
+      return;
+    }
+    const now = this.store.state;
+    if (now.plate.strokes === plate.strokes && sameSource(now.plate, plate)) this.#follow(now);
+  }
+
+  #findMarks(made: Made): void {
+    setTimeout(() => {
+      if (this.store.state.made?.toolpath.cycles !== made.toolpath.cycles) return;
+      this.store.set({ marks: findMarks(made.toolpath), mark: -1 });
+    }, 0);
+  }
+
+  /** Time, length and weight need the file to be written; it is kept for a download. */
+  #summarise(): void {
+    clearTimeout(this.#summaryTimer);
+    const { plate, made, summary } = this.store.state;
+    if (this.#written !== undefined && sameFile(this.#written, plate, made)) {
+      this.store.set({ summary: this.#written.gcode.summary });
+      return;
+    }
+    if (summary !== undefined) this.store.set({ summary: undefined });
+    if (made === undefined || made.coarse || !made.measured) return;
+    this.#summaryTimer = setTimeout(() => {
+      const { state } = this.store;
+      if (state.live || state.made?.toolpath.cycles !== made.toolpath.cycles) return;
+      this.gcode().catch((error: unknown) => {
+        if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
+      });
+    }, summaryAfter);
+  }
+}

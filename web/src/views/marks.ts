@@ -1,0 +1,99 @@
+// Places worth a look before printing: hairpin turns, and beads whose width is far from the spacing.
+import type { Toolpath } from 'sillon';
+import type { Mark } from './scene.js';
+
+const mostMarks = 200;
+const turnWithin = 1.5; // [spacings] of path in which a hairpin turns round
+const turnFrom = (120 * Math.PI) / 180;
+const narrow = 0.55; // [spacings]
+const wide = 1.6;
+const oneEach = 3; // [spacings] within which marks of a kind are one
+
+interface Found extends Mark {
+  /** How far from good; the worst are kept. */
+  weight: number;
+}
+
+/** At most 200, the worst first of each kind, no two of a kind within three spacings. */
+export function findMarks({ cycles, spacing }: Toolpath): Mark[] {
+  const kept = new Sparse(oneEach * spacing);
+  const found: Found[] = [];
+  for (const { points, widths } of cycles) {
+    findTurns(points, spacing, found);
+    for (let k = 0; k < widths.length; ++k) {
+      const ratio = (widths[k] as number) / spacing;
+      const place = { x: points[2 * k] as number, y: points[2 * k + 1] as number };
+      if (ratio < narrow) found.push({ ...place, kind: 'narrow', weight: narrow / Math.max(ratio, 1e-3) });
+      else if (ratio > wide) found.push({ ...place, kind: 'wide', weight: ratio / wide });
+    }
+  }
+  found.sort((a, b) => b.weight - a.weight);
+  const marks: Mark[] = [];
+  for (const { x, y, kind } of found) {
+    if (marks.length === mostMarks) break;
+    if (kept.add(kind, x, y)) marks.push({ x, y, kind });
+  }
+  return marks;
+}
+
+/** Turning angles are summed over a window that slides along the path. */
+function findTurns(points: Float32Array, spacing: number, found: Found[]): void {
+  const count = points.length / 2;
+  if (count < 4) return;
+  const lengths = new Float32Array(count);
+  const turns = new Float32Array(count); // at the beginning of each segment
+  let before: number | undefined;
+  for (let round = 0; round < 2; ++round) {
+    for (let k = 0; k < count; ++k) {
+      const j = (k + 1) % count;
+      const dx = (points[2 * j] as number) - (points[2 * k] as number);
+      const dy = (points[2 * j + 1] as number) - (points[2 * k + 1] as number);
+      lengths[k] = Math.hypot(dx, dy);
+      if (lengths[k] === 0) continue;
+      const angle = Math.atan2(dy, dx);
+      if (before !== undefined) turns[k] = Math.atan2(Math.sin(angle - before), Math.cos(angle - before));
+      before = angle;
+      if (round === 1) break; // the first segment's turn needed the last one
+    }
+  }
+  const window = turnWithin * spacing;
+  let last = 0;
+  let length = 0;
+  let turned = turns[0] as number;
+  for (let first = 0; first < count; ++first) {
+    while (length < window && last - first < count - 1) {
+      length += lengths[last % count] as number;
+      ++last;
+      turned += turns[last % count] as number;
+    }
+    if (Math.abs(turned) > turnFrom) {
+      const middle = Math.round((first + last) / 2) % count;
+      const [x, y] = [points[2 * middle] as number, points[2 * middle + 1] as number];
+      found.push({ x, y, kind: 'turn', weight: Math.abs(turned) / Math.PI });
+    }
+    length -= lengths[first] as number;
+    turned -= turns[first] as number;
+  }
+}
+
+/** Places of a kind with a distance between them. */
+class Sparse {
+  readonly #cells = new Map<string, [number, number][]>();
+
+  constructor(private readonly distance: number) {}
+
+  add(kind: string, x: number, y: number): boolean {
+    const [column, row] = [Math.floor(x / this.distance), Math.floor(y / this.distance)];
+    const key = (dx: number, dy: number): string => `${kind} ${column + dx} ${row + dy}`;
+    for (let dy = -1; dy <= 1; ++dy) {
+      for (let dx = -1; dx <= 1; ++dx) {
+        const near = this.#cells.get(key(dx, dy)) ?? [];
+        if (near.some(([px, py]) => Math.hypot(px - x, py - y) < this.distance)) return false;
+      }
+    }
+    const own = this.#cells.get(key(0, 0)) ?? [];
+    own.push([x, y]);
+    this.#cells.set(key(0, 0), own);
+    return true;
+  }
+}

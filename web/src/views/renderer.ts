@@ -1,0 +1,281 @@
+// Draws the plate with WebGL2: beads as instanced capsules, their look by an anisotropic microfacet lobe (Beckmann).
+import type { Toolpath } from 'sillon';
+import type { DirectionRaster } from '../directions/raster.js';
+import { directionPalette } from './palette.js';
+import type { Camera, ColourBy, Renderer, Scene } from './scene.js';
+import { beadFragment, beadVertex, fieldFragment, fieldVertex } from './shaders.js';
+import { zigzag } from './zigzag.js';
+
+/** Floats per point: x, y, width, share of the print. Segments read their neighbours' points too. */
+const stride = 4;
+
+/** Segments that follow each other, and the box around them [mm]; what is off the screen is not drawn. */
+interface Run {
+  first: number;
+  segments: number;
+  box: [number, number, number, number];
+}
+
+interface Beads {
+  buffer: WebGLBuffer;
+  runs: Run[];
+  spacing: number;
+}
+
+const segmentsPerRun = 4096;
+
+const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3 };
+
+function compile(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {
+  const program = gl.createProgram();
+  for (const [type, text] of [
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
+  ] as const) {
+    const shader = gl.createShader(type);
+    if (shader === null) throw new Error('WebGL was lost');
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true && !gl.isContextLost()) {
+    throw new Error(`a shader could not be built: ${gl.getProgramInfoLog(program) ?? ''}`);
+  }
+  return program;
+}
+
+function integerTexture(
+  gl: WebGL2RenderingContext,
+  { width, height }: DirectionRaster,
+  format: GLenum,
+  type: GLenum,
+  texels: Uint16Array | Uint8Array,
+): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, gl.RED_INTEGER, type, texels);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return texture;
+}
+
+function upload(gl: WebGL2RenderingContext, toolpath: Toolpath): Beads {
+  const counts = toolpath.cycles.map((cycle) => cycle.widths.length);
+  const total = counts.reduce((sum, count) => sum + count + 3, 0);
+  const data = new Float32Array(total * stride);
+  const all = counts.reduce((sum, count) => sum + count, 0);
+  const runs: Run[] = [];
+  let at = 0;
+  let done = 0;
+  for (const { points, widths } of toolpath.cycles) {
+    const count = widths.length;
+    for (let from = 0; from < count; from += segmentsPerRun) {
+      const segments = Math.min(segmentsPerRun, count - from);
+      runs.push({ first: at + from, segments, box: boxOf(points, widths, from, segments) });
+    }
+    // One point before the first, and two after the last: every segment has neighbours.
+    for (let k = -1; k < count + 2; ++k, ++at) {
+      const from = (k + count) % count;
+      data[at * stride] = points[2 * from] ?? 0;
+      data[at * stride + 1] = points[2 * from + 1] ?? 0;
+      data[at * stride + 2] = widths[from] ?? 0;
+      data[at * stride + 3] = (done + Math.max(0, k)) / all;
+    }
+    done += count;
+  }
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+  return { buffer, runs, spacing: toolpath.spacing };
+}
+
+function boxOf(points: Float32Array, widths: Float32Array, first: number, segments: number): Run['box'] {
+  const box: Run['box'] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let k = first; k <= first + segments; ++k) {
+    const at = k % widths.length;
+    const [x, y, radius] = [points[2 * at] ?? 0, points[2 * at + 1] ?? 0, (widths[at] ?? 0) / 2];
+    box[0] = Math.min(box[0], x - radius);
+    box[1] = Math.min(box[1], y - radius);
+    box[2] = Math.max(box[2], x + radius);
+    box[3] = Math.max(box[3], y + radius);
+  }
+  return box;
+}
+
+/** @throws Error where there is no WebGL2. */
+export function createRenderer(canvas: HTMLCanvasElement): Renderer {
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true, preserveDrawingBuffer: false });
+  if (context === null) throw new Error('this browser has no WebGL2');
+  const gl = context;
+  let beadProgram: WebGLProgram;
+  let fieldProgram: WebGLProgram;
+  let palette: WebGLTexture;
+  let array: WebGLVertexArrayObject;
+  let fieldTextures: { angle: WebGLTexture; mode: WebGLTexture; of: DirectionRaster } | undefined;
+  const uploaded = new Map<Toolpath, Beads>();
+  const zigzags = new WeakMap<Toolpath, Toolpath>();
+  let last: { scene: Scene; camera: Camera } | undefined;
+
+  function prepare(): void {
+    beadProgram = compile(gl, beadVertex, beadFragment);
+    fieldProgram = compile(gl, fieldVertex, fieldFragment);
+    array = gl.createVertexArray();
+    palette = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, palette);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, directionPalette());
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    uploaded.clear();
+    fieldTextures = undefined;
+  }
+  prepare();
+
+  const onLost = (event: Event): void => {
+    event.preventDefault();
+  };
+  const onRestored = (): void => {
+    prepare();
+    if (last !== undefined) draw(last.scene, last.camera);
+  };
+  canvas.addEventListener('webglcontextlost', onLost);
+  canvas.addEventListener('webglcontextrestored', onRestored);
+
+  /** Keeps what the scene shows, frees the rest. */
+  function beadsOf(wanted: Toolpath[]): Beads[] {
+    for (const [toolpath, beads] of uploaded) {
+      if (wanted.includes(toolpath)) continue;
+      gl.deleteBuffer(beads.buffer);
+      uploaded.delete(toolpath);
+    }
+    return wanted.map((toolpath) => {
+      const beads = uploaded.get(toolpath) ?? upload(gl, toolpath);
+      uploaded.set(toolpath, beads);
+      return beads;
+    });
+  }
+
+  function zigzagOf(toolpath: Toolpath): Toolpath {
+    const made = zigzags.get(toolpath) ?? zigzag(toolpath.shape, toolpath.spacing);
+    zigzags.set(toolpath, made);
+    return made;
+  }
+
+  function drawBeads(beads: Beads, scene: Scene, camera: Camera, offset: number): void {
+    gl.useProgram(beadProgram);
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, beads.buffer);
+    const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(beadProgram, name);
+    const { azimuth, elevation } = scene.light;
+    const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
+    gl.uniform4f(at('camera'), camera.x - offset, camera.y, camera.scale, 1);
+    gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.uniform3f(at('lamp'), Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e));
+    gl.uniform3f(at('body'), ...scene.filament.colour);
+    gl.uniform2f(at('slopes'), scene.filament.along, scene.filament.across);
+    gl.uniform2f(at('page'), ...scene.page);
+    gl.uniform1f(at('progress'), scene.progress);
+    gl.uniform1f(at('spacing'), beads.spacing);
+    gl.uniform1i(at('view'), scene.view === 'appearance' ? 0 : scene.view === 'quality' ? 2 : 1);
+    gl.uniform1i(at('colourBy'), colourModes[scene.colourBy]);
+    gl.uniform1i(at('palette'), 0);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, palette);
+    const [acrossHalf, tallHalf] = [
+      gl.drawingBufferWidth / camera.scale / 2,
+      gl.drawingBufferHeight / camera.scale / 2,
+    ];
+    const x = camera.x - offset;
+    for (const { first, segments, box } of beads.runs) {
+      if (box[0] > x + acrossHalf || box[2] < x - acrossHalf) continue;
+      if (box[1] > camera.y + tallHalf || box[3] < camera.y - tallHalf) continue;
+      for (let k = 0; k < 4; ++k) {
+        gl.enableVertexAttribArray(k);
+        gl.vertexAttribPointer(k, 4, gl.FLOAT, false, 4 * stride, 4 * stride * (first + k));
+        gl.vertexAttribDivisor(k, 1);
+      }
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, segments);
+    }
+    gl.bindVertexArray(null);
+  }
+
+  function drawField(raster: DirectionRaster, scene: Scene, camera: Camera): void {
+    if (fieldTextures?.of !== raster) {
+      if (fieldTextures !== undefined) {
+        gl.deleteTexture(fieldTextures.angle);
+        gl.deleteTexture(fieldTextures.mode);
+      }
+      const angle = integerTexture(gl, raster, gl.R16UI, gl.UNSIGNED_SHORT, raster.angle);
+      const mode = integerTexture(gl, raster, gl.R8UI, gl.UNSIGNED_BYTE, raster.mode);
+      fieldTextures = { angle, mode, of: raster };
+    }
+    gl.useProgram(fieldProgram);
+    gl.bindVertexArray(null);
+    const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(fieldProgram, name);
+    gl.uniform4f(at('camera'), camera.x, camera.y, camera.scale, 1);
+    gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.uniform2f(at('page'), ...scene.page);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, fieldTextures.angle);
+    gl.uniform1i(at('angles'), 1);
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_2D, fieldTextures.mode);
+    gl.uniform1i(at('modes'), 2);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, palette);
+    gl.uniform1i(at('palette'), 0);
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+  }
+
+  function draw(scene: Scene, camera: Camera): void {
+    last = { scene, camera };
+    if (gl.isContextLost()) return;
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    if (scene.view === 'directions') {
+      if (scene.directions !== undefined) drawField(scene.directions, scene, camera);
+      return;
+    }
+    if (scene.toolpath === undefined) return;
+    const wanted = scene.compare ? [scene.toolpath, zigzagOf(scene.toolpath)] : [scene.toolpath];
+    beadsOf(wanted).forEach((beads, k) => {
+      drawBeads(beads, scene, camera, k * scene.page[0] * 1.08);
+    });
+  }
+
+  return {
+    draw,
+    resize(width, height) {
+      canvas.width = width;
+      canvas.height = height;
+      if (last !== undefined) draw(last.scene, last.camera);
+    },
+    async capture(scene, width) {
+      const shown = scene.compare ? 2.08 : 1;
+      const scale = width / (scene.page[0] * (shown + 0.1));
+      const before = { width: canvas.width, height: canvas.height, last };
+      canvas.width = width;
+      canvas.height = Math.round(scale * scene.page[1] * 1.1);
+      draw(scene, { x: (scene.page[0] * shown) / 2, y: scene.page[1] / 2, scale });
+      const blob = await new Promise<Blob | null>((resolve) => {
+        canvas.toBlob(resolve, 'image/png');
+      });
+      canvas.width = before.width;
+      canvas.height = before.height;
+      if (before.last !== undefined) draw(before.last.scene, before.last.camera);
+      if (blob === null) throw new Error('the picture could not be made');
+      return blob;
+    },
+    dispose() {
+      canvas.removeEventListener('webglcontextlost', onLost);
+      canvas.removeEventListener('webglcontextrestored', onRestored);
+      for (const beads of uploaded.values()) gl.deleteBuffer(beads.buffer);
+      gl.getExtension('WEBGL_lose_context')?.loseContext();
+    },
+  };
+}

@@ -1,0 +1,183 @@
+// GLSL of the views. Lengths are mm, y up; `camera` is the screen's middle and device pixels per mm.
+
+const toScreen = `
+uniform vec4 camera;
+uniform vec2 screen;
+vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0.0, 1.0); }
+`;
+
+/** One segment of a path as a capsule: its two points, and those before and after for a smooth tangent. */
+export const beadVertex = `#version 300 es
+precision highp float;
+layout(location = 0) in vec4 before;
+layout(location = 1) in vec4 a;
+layout(location = 2) in vec4 b;
+layout(location = 3) in vec4 after;
+uniform float progress;
+${toScreen}
+out vec2 p;
+flat out vec4 ends;      // a, b
+flat out vec4 tangents;  // at a, at b
+flat out vec2 radii;
+flat out float order;
+
+vec2 direction(vec2 v) { float l = length(v); return l > 0.0 ? v / l : vec2(1.0, 0.0); }
+
+// The mean of both pieces, so that curves look round; their own direction at sharp turns.
+vec2 joint(vec2 own, vec2 other) { return dot(own, other) > 0.5 ? direction(own + other) : own; }
+
+void main() {
+  vec2 along = direction(b.xy - a.xy);
+  tangents = vec4(joint(along, direction(a.xy - before.xy)), joint(along, direction(after.xy - b.xy)));
+  ends = vec4(a.xy, b.xy);
+  radii = 0.5 * vec2(a.z, b.z);
+  order = a.w;
+  float reach = max(radii.x, radii.y) + 1.0 / camera.z;
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  vec2 end = corner.x < 0.0 ? a.xy : b.xy;
+  p = end + along * corner.x * reach + vec2(-along.y, along.x) * corner.y * reach;
+  gl_Position = a.w >= progress && progress < 1.0 ? vec4(2.0, 2.0, 2.0, 1.0) : toScreen(p);
+}
+`;
+
+/** The look: light that a bead's round top sends to an eye straight above. Half vector against a normal distribution of
+ * slopes, Gaussian along and across the bead (Beckmann); what is too fine to be seen widens it across. */
+export const beadFragment = `#version 300 es
+precision highp float;
+in vec2 p;
+flat in vec4 ends;
+flat in vec4 tangents;
+flat in vec2 radii;
+flat in float order;
+uniform vec4 camera;
+uniform vec3 lamp;
+uniform vec3 body;
+uniform vec2 slopes;
+uniform vec2 page;
+uniform float spacing;
+uniform int view;
+uniform int colourBy;
+uniform sampler2D palette;
+out vec4 colour;
+
+const float kLampSlope = 0.10;     // a softbox, not a point
+const float kProfileSlope = 0.30;  // of the round top at its edge, flattened by the nozzle
+
+vec3 encoded(vec3 c) { return mix(1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThan(c, vec3(0.0031308))); }
+// Reinhard's curve with a white point, so that highlights keep their colour until they are really bright.
+vec3 toned(vec3 c) { return encoded(clamp(c * (1.0 + c / 6.0) / (1.0 + c * 0.72), 0.0, 1.0)); }
+
+vec3 look(vec2 along, float side, float relief) {
+  vec2 eye = (0.5 * page - p) / (2.4 * max(page.x, page.y));
+  float eyeSize = inversesqrt(dot(eye, eye) + 1.0);
+  vec2 tilt = (lamp.xy + eye * eyeSize) / (lamp.z + eyeSize);
+  float tiltAlong = dot(tilt, along);
+  float tiltAcross = along.x * tilt.y - along.y * tilt.x - kProfileSlope * side * relief;
+  vec2 rough = tan(radians(slopes));
+  float blur = kProfileSlope * kProfileSlope * (1.0 - relief) / 3.0;
+  vec2 variance = rough * rough + kLampSlope * kLampSlope + vec2(0.0, blur);
+  // Exposed so that beads across the light are bright but not burnt.
+  vec2 lampTilt = lamp.xy / (1.0 + lamp.z);
+  float exposure = 1.0 / max(0.02, exp(-dot(lampTilt, lampTilt) / (2.0 * (variance.y + 0.09))));
+  float exponent = tiltAlong * tiltAlong / (2.0 * variance.x) + tiltAcross * tiltAcross / (2.0 * variance.y);
+  float highlight = exp(-exponent) * min(exposure, 6.0);
+  float room = exp(-exponent / 4.0);
+  float open = 1.0 - relief * 0.5 * side * side * side * side;
+  vec3 specular = vec3(1.0, 0.97, 0.92) * (1.9 * highlight) + vec3(0.82, 0.90, 1.0) * (0.15 * room + 0.015);
+  vec3 metal = mix(vec3(1.0), body, 0.8);
+  vec3 diffuse = body * (0.08 + 0.14 * lamp.z);
+  return (metal * specular + diffuse) * open;
+}
+
+vec3 ramp(float x) {  // dark blue over green to amber, even in lightness
+  x = clamp(x, 0.0, 1.0);
+  return x < 0.5 ? mix(vec3(0.16, 0.24, 0.55), vec3(0.16, 0.62, 0.55), 2.0 * x) : mix(vec3(0.16, 0.62, 0.55), vec3(0.98, 0.75, 0.25), 2.0 * x - 1.0);
+}
+
+void main() {
+  vec2 ab = ends.zw - ends.xy;
+  float t = clamp(dot(p - ends.xy, ab) / max(dot(ab, ab), 1e-12), 0.0, 1.0);
+  vec2 off = p - ends.xy - ab * t;
+  float radius = mix(radii.x, radii.y, t);
+  float distance = length(off);
+  float pixels = radius * camera.z;
+  float alpha = clamp((radius - distance) * camera.z + 0.5, 0.0, 1.0);
+  if (alpha <= 0.0) discard;
+  vec2 along = normalize(mix(tangents.xy, tangents.zw, t));
+  float side = clamp((along.x * off.y - along.y * off.x) / max(radius, 1e-6), -1.0, 1.0);
+  float relief = clamp((pixels - 0.75) / 1.5, 0.0, 1.0);
+  if (view == 0) {
+    colour = vec4(toned(look(along, side, relief)), alpha);
+    return;
+  }
+  float shade = 1.0 - 0.35 * relief * side * side;
+  vec3 base;
+  if (view == 2) {
+    float ratio = 2.0 * radius / spacing;
+    base = mix(vec3(0.60, 0.60, 0.59), vec3(0.25, 0.50, 0.84), smoothstep(0.8, 0.55, ratio));
+    base = mix(base, vec3(0.78, 0.27, 0.23), smoothstep(1.25, 1.6, ratio));
+  }
+  else if (colourBy == 0) base = texture(palette, vec2(atan(along.y, along.x) / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
+  else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
+  else if (colourBy == 2) base = ramp(1.0 - (2.0 * radius / spacing - 0.8) / 0.8);
+  else base = ramp(order);
+  colour = vec4(base * shade, alpha);
+}
+`;
+
+export const fieldVertex = `#version 300 es
+precision highp float;
+uniform vec2 page;
+${toScreen}
+out vec2 p;
+void main() {
+  p = page * vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  gl_Position = toScreen(p);
+}
+`;
+
+/** The direction of each texel as a colour, with short strokes along it. */
+export const fieldFragment = `#version 300 es
+precision highp float;
+precision highp usampler2D;
+in vec2 p;
+uniform vec4 camera;
+uniform vec2 page;
+uniform usampler2D angles;
+uniform usampler2D modes;
+uniform sampler2D palette;
+out vec4 colour;
+
+ivec2 texelAt(vec2 at) {
+  ivec2 size = textureSize(angles, 0);
+  return clamp(ivec2(vec2(at.x, page.y - at.y) / page * vec2(size)), ivec2(0), size - 1);
+}
+float angleAt(vec2 at) { return (float(texelFetch(angles, texelAt(at), 0).r) / 65535.0 - 0.5) * 3.14159265; }
+
+// Places that follow no map: one grey per mode, with rings (parallel), spokes (orthogonal) or nothing (smoothest).
+vec3 modeColour(uint mode, vec2 d, float cell) {
+  vec3 base = mode == 0u ? vec3(0.80, 0.79, 0.76) : mode == 1u ? vec3(0.62, 0.62, 0.61) : vec3(0.71, 0.72, 0.73);
+  float sign = mode == 0u ? abs(length(d) - 0.26 * cell) : min(abs(d.x), abs(d.y)) + max(0.0, length(d) - 0.3 * cell);
+  float ink = mode == 2u ? 0.0 : clamp(1.4 - sign * camera.z, 0.0, 1.0);
+  return mix(base, vec3(0.25), 0.5 * ink);
+}
+
+void main() {
+  float angle = angleAt(p);
+  vec3 base = texture(palette, vec2(angle / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
+  float cell = 22.0 / camera.z;  // one stroke every so many mm
+  vec2 middle = (floor(p / cell) + 0.5) * cell;
+  float turn = angleAt(middle);
+  vec2 t = vec2(cos(turn), sin(turn));
+  vec2 d = p - middle;
+  uint mode = texelFetch(modes, texelAt(p), 0).r;
+  if (mode != 3u) {
+    colour = vec4(modeColour(mode, d, cell), 1.0);
+    return;
+  }
+  float along = clamp(dot(d, t), -0.36 * cell, 0.36 * cell);
+  float distance = length(d - t * along) * camera.z;
+  float ink = clamp(1.6 - distance, 0.0, 1.0);
+  colour = vec4(mix(base, vec3(0.09, 0.09, 0.10), 0.75 * ink), 1.0);
+}
+`;

@@ -1,0 +1,256 @@
+// From a first visit to files that a printer takes, against the native program and another's reading of the G-code.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { after, afterEach, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { unzipSync } from 'fflate';
+import Toolpath from 'gcode-toolpath';
+
+import { fileAt, inputs, skip, start } from './support/studio.js';
+
+const program = fileURLToPath(new URL('../../../build/release/sillon', import.meta.url));
+let bench, visit;
+
+before(async () => {
+  if (!skip) bench = await start();
+});
+after(() => bench?.close());
+afterEach(async () => {
+  await visit?.close();
+  visit = undefined;
+});
+
+/** Moves of a G-code as another program understands them. */
+async function movesOf(text) {
+  const moves = [];
+  const toolpath = new Toolpath({
+    addLine: (modal, from, to) => moves.push({ from, to }),
+    addArcCurve: () => assert.fail('the file has arcs'),
+  });
+  await new Promise((resolve, reject) => {
+    toolpath.loadFromString(text, (error) => (error ? reject(error) : resolve()));
+  });
+  return moves;
+}
+
+/** Where plastic is laid down, and how much filament is pushed in all [mm]. */
+function beadsOf(text) {
+  const at = { X: 0, Y: 0, Z: 0, E: 0 };
+  let relative = false;
+  let filament = 0;
+  const beads = [];
+  for (const line of text.split('\n')) {
+    const command = line.split(';')[0].trim();
+    if (command === 'M82' || command === 'M83') relative = command === 'M83';
+    if (!/^G(0|1|92)\b/.test(command)) continue;
+    const words = Object.fromEntries(
+      [...command.matchAll(/([XYZE])(-?[\d.]+)/g)].map(([, name, value]) => [name, Number(value)]),
+    );
+    const pushed = words.E === undefined || command.startsWith('G92') ? 0 : relative ? words.E : words.E - at.E;
+    const from = { ...at };
+    Object.assign(at, words);
+    filament += pushed;
+    if (pushed > 0 && (words.X !== undefined || words.Y !== undefined)) beads.push({ from, to: { ...at } });
+  }
+  return { beads, filament };
+}
+
+/** The G-code that the native program makes from the project file, with the same date. */
+function natively(project, gcode) {
+  const folder = mkdtempSync(join(tmpdir(), 'sillon-flow-'));
+  try {
+    for (const [name, bytes] of Object.entries(unzipSync(project))) {
+      mkdirSync(dirname(join(folder, name)), { recursive: true });
+      writeFileSync(join(folder, name), bytes);
+    }
+    const date = /(\d{4}-\d\d-\d\d) at (\d\d:\d\d:\d\d) UTC/.exec(gcode);
+    assert.ok(date, 'the file tells no date');
+    const epoch = String(Date.parse(`${date[1]}T${date[2]}Z`) / 1000);
+    const out = join(folder, 'native.gcode');
+    execFileSync(program, ['generate', join(folder, 'project.json'), '--gcode', out], {
+      env: { ...process.env, SOURCE_DATE_EPOCH: epoch },
+    });
+    return readFileSync(out, 'utf8');
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+function firstDifference(a, b) {
+  const left = a.split('\n');
+  const right = b.split('\n');
+  const at = left.findIndex((line, k) => line !== right[k]);
+  return at < 0 ? undefined : `line ${at + 1}: ${left[at]} | ${right[at]}`;
+}
+
+test('a first visit shows a finished plate, isolated, without errors', { skip }, async (t) => {
+  visit = await bench.open();
+  const begun = Date.now();
+  await visit.idle();
+  t.diagnostic(`plate after ${Date.now() - begun} ms`);
+  assert.equal(await visit.page.evaluate(() => crossOriginIsolated), true);
+  assert.equal(await visit.state((state) => state.made.report.toolpaths), 1);
+  assert.match((await visit.status()).join(' '), /70\s×\s70\smm/);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('the plate shimmers: its picture follows the light', { skip }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  const box = await visit.canvas();
+  const clip = { x: box.x + box.width / 2 - 60, y: box.y + box.height / 2 - 60, width: 120, height: 120 };
+  const picture = async (dx, dy) => {
+    await visit.page.mouse.move(box.x + box.width * (0.5 + dx), box.y + box.height * (0.5 + dy));
+    await visit.page.waitForTimeout(400);
+    return visit.page.screenshot({ clip });
+  };
+  const right = await picture(0.4, 0);
+  const above = await picture(0, -0.4);
+  assert.ok(!right.equals(above), 'two lights give the same picture');
+  assert.ok(right.equals(await picture(0.4, 0)), 'the same light gives another picture');
+});
+
+test(
+  'the downloaded G-code is closed, inside the bed, fed as told, and the native program’s byte for byte',
+  { skip },
+  async () => {
+    visit = await bench.open();
+    await visit.idle();
+    const { name, bytes } = await visit.download('G-code');
+    assert.equal(name, 'plate.gcode');
+    const text = bytes.toString('utf8');
+    const moves = await movesOf(text);
+    assert.ok(moves.length > 1000, `only ${moves.length} moves`);
+    for (const { to } of moves) {
+      assert.ok(to.x >= 0 && to.x <= 220 && to.y >= 0 && to.y <= 220, `(${to.x}, ${to.y}) lies beside the bed`);
+    }
+    const { beads, filament } = beadsOf(text);
+    const told = await visit.state((state) => state.summary.filamentMm);
+    assert.ok(Math.abs(filament - told) < 0.02 * told, `${filament} mm are pushed, ${told} are told`);
+    const top = Math.max(...beads.map(({ to }) => to.Z));
+    const path = beads.filter(({ to }) => to.Z === top);
+    assert.ok(top > 0.59 && path.length > 1000, `the top layer at ${top} mm has ${path.length} beads`);
+    for (const [k, { from }] of path.slice(1).entries()) {
+      assert.deepEqual([from.X, from.Y], [path[k].to.X, path[k].to.Y], 'the nozzle moves without a bead');
+    }
+    const [first, last] = [path[0].from, path.at(-1).to];
+    assert.ok(Math.hypot(first.X - last.X, first.Y - last.Y) < 0.01, 'the path does not come back to its beginning');
+    const project = await visit.download('Project with its files');
+    assert.equal(project.name, 'plate.sillon.zip');
+    assert.equal(firstDifference(text, natively(project.bytes, text)), undefined);
+  },
+);
+
+test(
+  'dropped files become a plate; what they are for can be changed; its files are the native program’s',
+  { skip },
+  async () => {
+    visit = await bench.open();
+    await visit.idle();
+    await visit.drop([
+      fileAt(join(inputs, 'logo.svg')),
+      fileAt(join(inputs, 'logo_angle.png')),
+      fileAt(join(inputs, 'logo_mode.png')),
+    ]);
+    const roles = visit.page.locator('sillon-files select');
+    await roles.first().waitFor();
+    const chosen = await roles.evaluateAll((all) => all.map((one) => one.value));
+    assert.deepEqual(chosen, ['shape', 'angle', 'modes']);
+    await roles.nth(2).selectOption('none');
+    await visit.until((state) => state.plate.modes.file === undefined);
+    await roles.nth(2).selectOption('modes');
+    await visit.until((state) => state.plate.modes.file !== undefined);
+    await visit.button('Done').click();
+    await visit.idle();
+    assert.equal(await visit.state((state) => state.plate.shape.kind), 'file');
+    const { bytes } = await visit.download('G-code');
+    const project = await visit.download('Project with its files');
+    const text = bytes.toString('utf8');
+    assert.equal(firstDifference(text, natively(project.bytes, text)), undefined);
+    // One step back: the files are gone.
+    await visit.page.keyboard.press('Control+z');
+    await visit.until((state) => state.plate.shape.kind === 'disc' && state.plate.directions.kind === 'waves');
+    // The project brings all of it back.
+    await visit.drop([{ name: 'logo.sillon.zip', type: 'application/zip', data: project.bytes.toString('base64') }]);
+    await visit.until((state) => state.plate.shape.kind === 'file');
+    await visit.idle();
+    const again = await visit.download('G-code');
+    const undated = (gcode) => gcode.replace(/\d{4}-\d\d-\d\d at \d\d:\d\d:\d\d UTC/g, '');
+    assert.equal(firstDifference(undated(text), undated(again.bytes.toString('utf8'))), undefined);
+    assert.deepEqual(visit.problems, []);
+  },
+);
+
+test('a photograph becomes directions, and a drawing from the clipboard a shape', { skip }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  await visit.paste([fileAt(join(inputs, 'photo.png'))]);
+  await visit.until((state) => 'file' in state.plate.directions);
+  await visit.idle();
+  await visit.paste(
+    [],
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20" width="40mm" height="20mm"><rect width="40" height="20" rx="5"/></svg>',
+  );
+  await visit.until((state) => state.plate.shape.kind === 'file');
+  await visit.idle();
+  const page = await visit.state((state) => [state.plate.width, state.plate.height]);
+  assert.ok(Math.abs(page[0] / page[1] - 2) < 1e-6, `the page is ${page[0]} × ${page[1]} mm`);
+});
+
+test('drawings and pictures download', { skip }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  const svg = await visit.download('Drawing (SVG)');
+  assert.match(svg.bytes.toString('utf8', 0, 400), /<svg\b/);
+  const png = await visit.download('Picture (PNG)');
+  assert.equal(png.bytes.toString('latin1', 1, 4), 'PNG');
+  const [width, height] = [png.bytes.readUInt32BE(16), png.bytes.readUInt32BE(20)];
+  assert.equal(width, 2400);
+  assert.ok(height > 2000 && height < 2800, `${width} × ${height}`);
+});
+
+test('every example of the gallery makes one whole plate', { skip, timeout: 400_000 }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  await visit.button('Examples').click();
+  await visit.page.locator('sillon-gallery li').first().waitFor();
+  const count = await visit.page.locator('sillon-gallery li button').count();
+  assert.ok(count >= 10, `${count} examples`);
+  await visit.page.keyboard.press('Escape');
+  for (let k = 0; k < count; ++k) {
+    await visit.button('Examples').click();
+    const entry = visit.page.locator('sillon-gallery li button').nth(k);
+    const name = await entry.innerText();
+    await entry.click();
+    await visit.page.waitForFunction(
+      (name) => document.querySelector('sillon-app').studio.store.state.plate.name === name,
+      name,
+    );
+    await visit.idle();
+    const { toolpaths, parts, crossings } = await visit.state((state) => state.made.report);
+    assert.equal(toolpaths, parts, name);
+    assert.equal(crossings, 0, name);
+  }
+  assert.deepEqual(visit.problems, []);
+});
+
+test('a link carries the settings, and says what it cannot carry', { skip }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  await visit.section('Toolpath');
+  await visit.page.getByRole('spinbutton', { name: 'Bead spacing' }).fill('0.52');
+  await visit.page.keyboard.press('Enter');
+  await visit.until((state) => state.plate.toolpath.spacing === 0.52);
+  await visit.button('Share').click();
+  const field = visit.page.locator('sillon-share input');
+  await visit.page.waitForFunction((input) => input.value !== '', await field.elementHandle());
+  const url = await field.inputValue();
+  const other = await bench.open({ path: new URL(url).pathname + new URL(url).hash });
+  await other.until((state) => state.plate.toolpath.spacing === 0.52 && state.plate.directions.kind === 'waves');
+  await other.idle();
+  await other.close();
+});

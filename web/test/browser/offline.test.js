@@ -1,0 +1,197 @@
+// The service worker, on hosts that send no headers and on our own: threads, no network, new versions, broken ones.
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, afterEach, before, beforeEach, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { lacking, startChromium } from '../../../wasm/test/support/browsers.js';
+import { serve as servePlain } from '../../../wasm/test/support/server.js';
+import { serve } from '../../serve.js';
+
+const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+const skip = lacking('Chromium');
+
+let browser, context, folder, site;
+
+before(async () => {
+  if (skip) return;
+  assert.ok(existsSync(join(dist, 'sw.js')), 'there is no web/dist; ./dev build makes it');
+  browser = await startChromium();
+});
+after(() => browser?.close());
+
+beforeEach(async () => {
+  if (skip) return;
+  context = await browser.newContext();
+  folder = mkdtempSync(join(tmpdir(), 'sillon-offline-'));
+  cpSync(dist, folder, { recursive: true });
+});
+afterEach(async () => {
+  await context?.close();
+  site?.close();
+  if (folder) rmSync(folder, { recursive: true });
+  site = undefined;
+});
+
+/** As GitHub Pages: in a folder of a site, without headers. */
+async function plainHost() {
+  site = await servePlain({ '/studio/': folder, '/': folder });
+  return `${site.origin}/studio/`;
+}
+
+async function open(address) {
+  const page = await context.newPage();
+  const visits = [];
+  const problems = [];
+  page.on('framenavigated', (frame) => visits.push(frame.url()));
+  page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  page.on('pageerror', (error) => problems.push(String(error)));
+  await page.goto(address);
+  return { page, visits, problems };
+}
+
+/** Waits until the service worker is there, as `active` or `waiting`. */
+const workerIs = (page, state) =>
+  page.evaluate(async (state) => {
+    const registration = await navigator.serviceWorker.ready;
+    while (registration[state] === null) await new Promise((resolve) => setTimeout(resolve, 50));
+  }, state);
+const isolatedPage = (page) => page.waitForFunction(() => crossOriginIsolated);
+const rest = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** Another version: one file changed, in the list of the service worker too unless it is to be broken. */
+function deploy({ broken = false } = {}) {
+  const file = 'manifest.webmanifest';
+  const hash = (bytes) => createHash('sha256').update(bytes).digest('base64');
+  const manifest = JSON.parse(readFileSync(join(folder, file), 'utf8'));
+  const bytes = JSON.stringify({ ...manifest, name: 'Another version' });
+  const worker = readFileSync(join(folder, 'sw.js'), 'utf8');
+  const old = hash(readFileSync(join(folder, file)));
+  assert.ok(worker.includes(old), `sw.js does not list ${file}`);
+  writeFileSync(join(folder, file), bytes);
+  const next = worker
+    .replace(/"version":"[^"]*"/, '"version":"next"')
+    .replace(old, broken ? hash('something else') : hash(bytes));
+  writeFileSync(join(folder, 'sw.js'), next);
+}
+
+const caches = (page) => page.evaluate(() => globalThis.caches.keys());
+const nameInCache = (page) => page.evaluate(async () => (await (await fetch('manifest.webmanifest')).json()).name);
+
+test('a host without headers gets threads after one reload', { skip }, async () => {
+  const { page, visits, problems } = await open(await plainHost());
+  await isolatedPage(page);
+  assert.equal(visits.length, 2);
+  await page.reload();
+  await isolatedPage(page);
+  await rest(1500);
+  assert.equal(visits.length, 3, 'it reloads again and again');
+  assert.deepEqual(problems, []);
+});
+
+const oneCore = availableParallelism() < 2 && 'one core: threads are not asked for';
+
+test('threads really run there', { skip: skip || oneCore }, async () => {
+  const address = await plainHost();
+  const { page } = await open(address);
+  await isolatedPage(page);
+  // Only the engine with threads is fetched, and it starts its threads: else the one without would be fetched next.
+  const threads = page.waitForEvent('worker', { predicate: (worker) => worker.url().includes('sillon-mt') });
+  const fetched = [];
+  page.on('request', (request) => request.url().endsWith('.wasm') && fetched.push(request.url()));
+  await page.reload();
+  await threads.catch(() => assert.fail('no thread was started'));
+  await rest(1000);
+  assert.deepEqual(fetched, [`${address}engine/sillon-mt.wasm`]);
+});
+
+test('our own server needs no reload', { skip }, async () => {
+  site = await serve(folder, 0);
+  const { page, visits, problems } = await open(`${site.origin}/`);
+  assert.equal(await page.evaluate(() => crossOriginIsolated), true);
+  await workerIs(page, 'active');
+  await rest(1000);
+  assert.equal(visits.length, 1);
+  assert.deepEqual(problems, []);
+});
+
+test('after the first visit it works without the server', { skip }, async () => {
+  const address = await plainHost();
+  const { page, problems } = await open(address);
+  await isolatedPage(page);
+  site.close();
+  for (const way of [address, `${address}index.html`, `${address}?threads=off`]) {
+    await page.goto(way);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), true, way);
+  }
+  const engine = page.waitForRequest((request) => /engine\/sillon-\w+\.wasm$/.test(request.url()));
+  await page.reload();
+  const response = await (await engine).response();
+  assert.equal(response?.status(), 200);
+  const languages = await page.evaluate(async () => {
+    const names = (await (await caches.open((await caches.keys())[0])).keys()).map((request) => request.url);
+    return names.filter((name) => /\/fr-[^/]*\.js$/.test(name)).length;
+  });
+  assert.equal(languages, 1, 'the other language is not kept');
+  assert.deepEqual(problems, []);
+});
+
+test('other pages and sites are left alone', { skip }, async () => {
+  writeFileSync(join(folder, 'other.html'), '<!doctype html><title>other</title>');
+  const { page } = await open(await plainHost());
+  await isolatedPage(page);
+  await page.goto(`${site.origin}/studio/other.html`);
+  assert.equal(await page.evaluate(() => crossOriginIsolated), false);
+  assert.equal(await page.evaluate(async () => (await fetch('missing.js')).status), 404);
+});
+
+test('a new version waits for open pages, then takes over and leaves nothing of the old', { skip }, async () => {
+  const { page } = await open(await plainHost());
+  await isolatedPage(page);
+  const before = await caches(page);
+  assert.equal(before.length, 1);
+  await page.evaluate(() => globalThis.caches.open('of somebody else'));
+  const name = await nameInCache(page);
+  deploy();
+  await page.reload();
+  await workerIs(page, 'waiting');
+  assert.equal(await nameInCache(page), name, 'an open page got a file of another version');
+
+  await page.evaluate(async () => {
+    const changed = new Promise((resolve) =>
+      navigator.serviceWorker.addEventListener('controllerchange', resolve, { once: true }),
+    );
+    (await navigator.serviceWorker.ready).waiting.postMessage('activate');
+    await changed;
+  });
+  await page.goto(`${site.origin}/studio/`);
+  assert.equal(await nameInCache(page), 'Another version');
+  const left = await caches(page);
+  assert.equal(left.length, 2);
+  assert.ok(left.includes('of somebody else') && left.some((cache) => cache.endsWith(' next')), left.join());
+});
+
+test('a version that came incompletely is not taken', { skip }, async () => {
+  const { page } = await open(await plainHost());
+  await isolatedPage(page);
+  const before = await caches(page);
+  const name = await nameInCache(page);
+  deploy({ broken: true });
+  await page.evaluate(async () => {
+    const registration = await navigator.serviceWorker.ready;
+    const found = new Promise((resolve) => registration.addEventListener('updatefound', resolve, { once: true }));
+    await registration.update();
+    await found;
+    const { installing } = registration;
+    await new Promise((resolve) => {
+      if (installing === null || installing.state === 'redundant') resolve();
+      installing?.addEventListener('statechange', () => installing.state === 'redundant' && resolve());
+    });
+  });
+  await page.reload();
+  assert.equal(await nameInCache(page), name);
+  assert.deepEqual(await caches(page), before);
+});

@@ -1,0 +1,196 @@
+// For everybody: screen readers (axe-core), keys alone, narrow screens and fingers, French, still pictures, small first views.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, afterEach, before, test } from 'node:test';
+
+import { skip, start } from './support/studio.js';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+let bench, visit;
+
+before(async () => {
+  if (!skip) bench = await start();
+});
+after(() => bench?.close());
+afterEach(async () => {
+  await visit?.close();
+  visit = undefined;
+});
+
+async function violations(page) {
+  const found = await page.evaluate(`(async () => {
+    ${axe}
+    const { violations } = await axe.run(document, { resultTypes: ['violations'] });
+    return violations.map(({ id, nodes }) => id + ': ' + nodes.map(({ html }) => html.slice(0, 120)).join(' | '));
+  })()`);
+  return found;
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`axe finds nothing in any section, view and dialog, ${colorScheme}`, { skip, timeout: 300_000 }, async () => {
+    visit = await bench.open({ colorScheme });
+    await visit.idle();
+    const { page } = visit;
+    for (const view of ['Directions', 'Toolpath', 'Appearance', 'Quality']) {
+      await visit.view(view);
+      await page.waitForTimeout(300);
+      assert.deepEqual(await violations(page), [], view);
+    }
+    for (const section of ['Shape', 'Toolpath', 'Print', 'Quality', 'Directions']) {
+      await visit.section(section);
+      await page.waitForTimeout(300);
+      assert.deepEqual(await violations(page), [], section);
+    }
+    for (const source of ['Text', 'QR code', 'Noise', 'Rays']) {
+      await page.getByRole('radio', { name: source }).check({ force: true });
+      await visit.idle();
+      assert.deepEqual(await violations(page), [], source);
+    }
+    for (const dialog of ['Examples', 'Share', 'Help']) {
+      await visit.button(dialog).click();
+      await page.getByRole('dialog').waitFor();
+      await page.waitForTimeout(500);
+      assert.deepEqual(await violations(page), [], dialog);
+      await page.keyboard.press('Escape');
+    }
+    await page.locator('[popovertarget=menu]').click();
+    assert.deepEqual(await violations(page), [], 'menu');
+  });
+}
+
+/** What has the focus, through all shadows. */
+const focused = (page) =>
+  page.evaluate(() => {
+    let element = document.activeElement;
+    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+    return element === null
+      ? ''
+      : `${element.tagName} ${element.getAttribute('aria-label') ?? element.textContent.trim()}`;
+  });
+
+test('keys alone reach everything that the plate needs', { skip }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  const { page } = visit;
+  await page.keyboard.press('Tab');
+  assert.match(await focused(page), /Skip to the plate/);
+  const seen = new Set();
+  for (let k = 0; k < 120; ++k) {
+    await page.keyboard.press('Tab');
+    seen.add(await focused(page));
+  }
+  const names = [...seen].join('\n');
+  for (const name of [
+    'Examples',
+    'Open',
+    'Share',
+    'Menu',
+    'Download',
+    'Shape',
+    'Print',
+    'Appearance',
+    'Picture of the plate',
+  ]) {
+    assert.ok(names.includes(name), `${name} is not reached; these are:\n${names}`);
+  }
+  // Views, tools, a stroke, undo, help: without a pointer.
+  await page.locator('sillon-canvas .overlay').focus();
+  await page.keyboard.press('1');
+  await visit.until((state) => state.view === 'directions');
+  await page.keyboard.press('b');
+  await visit.until((state) => state.tool === 'comb');
+  await page.locator('sillon-canvas .overlay').focus();
+  await page.keyboard.press('Space');
+  for (let k = 0; k < 4; ++k) await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Space');
+  await visit.until((state) => state.plate.strokes.length === 1 && !state.live);
+  await visit.idle();
+  await page.keyboard.press('Control+z');
+  await visit.until((state) => state.plate.strokes.length === 0);
+  await page.keyboard.press('?');
+  await page.getByRole('dialog').waitFor();
+  await page.keyboard.press('Escape');
+  await visit.until((state) => state.dialog === undefined);
+  await page.keyboard.press('3');
+  await visit.until((state) => state.view === 'appearance');
+});
+
+test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, async () => {
+  visit = await bench.open({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  await visit.idle();
+  const { page } = visit;
+  const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
+  assert.equal(await wide(), 360);
+  for (const section of ['Shape', 'Directions', 'Toolpath', 'Print', 'Quality']) {
+    await page.locator('nav').getByRole('button', { name: section, exact: true }).tap();
+    await page.waitForTimeout(200);
+    assert.equal(await wide(), 360, section);
+    // What is in the panel keeps inside of it.
+    const outside = await page.evaluate(() => {
+      const panel = document.querySelector('sillon-app').renderRoot.querySelector('.panel');
+      const right = panel.getBoundingClientRect().right;
+      const all = (root) =>
+        [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+      return all(panel)
+        .filter((one) => !one.closest('.unseen') && getComputedStyle(one).visibility !== 'hidden')
+        .filter((one) => one.getBoundingClientRect().width > 0 && one.getBoundingClientRect().right > right + 1)
+        .map((one) => one.outerHTML.slice(0, 90));
+    });
+    assert.deepEqual(outside, [], section);
+  }
+  // Targets for fingers: 24 pixels at least, as WCAG 2.2 asks.
+  const small = await page.evaluate(() => {
+    const all = (root) =>
+      [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+    return all(document)
+      .filter((one) => one.matches('button, select, a[href]'))
+      .map((one) => [one.getBoundingClientRect(), one])
+      .filter(([box]) => box.width > 0 && Math.min(box.width, box.height) < 24)
+      .map(([box, one]) => `${one.outerHTML.slice(0, 90)} ${box.width} × ${box.height}`);
+  });
+  assert.deepEqual(small, []);
+});
+
+test('French, from the browser or from the menu, and it stays', { skip }, async () => {
+  visit = await bench.open({ locale: 'fr-FR' });
+  await visit.idle();
+  assert.equal(await visit.page.evaluate(() => document.documentElement.lang), 'fr');
+  assert.ok(await visit.button('Exemples').isVisible());
+  await visit.page.locator('[popovertarget=menu]').click();
+  await visit.page.locator('#language').selectOption('en');
+  await visit.until((state) => state.language === 'en');
+  await visit.page.reload();
+  await visit.idle();
+  assert.ok(await visit.button('Examples').isVisible());
+});
+
+test('the light keeps still for people who ask for less motion, and moves for others', { skip }, async () => {
+  const azimuths = async (reducedMotion) => {
+    visit = await bench.open({ reducedMotion });
+    await visit.until((state) => state.made !== undefined);
+    const light = (state) => state.light.azimuth;
+    const first = await visit.state(light);
+    await visit.page.waitForTimeout(900);
+    const moved = (await visit.state(light)) !== first;
+    await visit.close();
+    visit = undefined;
+    return moved;
+  };
+  assert.equal(await azimuths('reduce'), false);
+  assert.equal(await azimuths('no-preference'), true);
+});
+
+test('the page can be used before the engine is there', { skip }, async () => {
+  visit = await bench.open({ path: '/404' });
+  await visit.page.route('**/engine/**', () => undefined); // never answered
+  await visit.page.goto(bench.origin);
+  await visit.section('Toolpath');
+  const spacing = visit.page.getByRole('spinbutton', { name: 'Bead spacing' });
+  await spacing.fill('0.6');
+  await visit.page.keyboard.press('Enter');
+  await visit.until((state) => state.plate.toolpath.spacing === 0.6 && state.progress?.job === 'loading');
+  await visit.page.keyboard.press('Control+z');
+  await visit.section('Print');
+  assert.ok(await visit.page.getByRole('combobox', { name: 'Printer' }).isVisible());
+});

@@ -1,0 +1,169 @@
+// The built studio, served and opened in Chromium, and what tests do with it.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { basename, extname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { lacking, startChromium } from '../../../../wasm/test/support/browsers.js';
+import { serve } from '../../../serve.js';
+
+const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
+export const inputs = fileURLToPath(new URL('../../../../examples/inputs', import.meta.url));
+export const skip = lacking('Chromium');
+
+const patience = 60_000; // [ms] for a plate; software draws the pictures here
+
+const types = { '.png': 'image/png', '.svg': 'image/svg+xml', '.jpg': 'image/jpeg', '.json': 'application/json' };
+
+/** A file as the page gets it. */
+export const fileAt = (path) => ({
+  name: basename(path),
+  type: types[extname(path)] ?? '',
+  data: readFileSync(path).toString('base64'),
+});
+export const fileOf = (name, bytes, type = '') => ({ name, type, data: Buffer.from(bytes).toString('base64') });
+
+/** One browser and one server for a file of tests. */
+export async function start() {
+  assert.ok(existsSync(`${dist}/index.html`), 'there is no web/dist; ./dev build makes it');
+  const browser = await startChromium();
+  const site = await serve(dist, 0);
+  return {
+    browser,
+    origin: site.origin,
+    /** @param options  of the browser's context; `path` of the page; `keep`: a context to open it in */
+    async open({ path = '/', keep, ...options } = {}) {
+      const context =
+        keep ??
+        (await browser.newContext({
+          viewport: { width: 1280, height: 800 },
+          reducedMotion: 'reduce',
+          locale: 'en-US',
+          acceptDownloads: true,
+          ...options,
+        }));
+      const page = await context.newPage();
+      page.setDefaultTimeout(patience);
+      const problems = [];
+      page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+      page.on('pageerror', (error) => problems.push(String(error)));
+      await page.goto(site.origin + path);
+      return new Visit(page, context, problems);
+    },
+    async close() {
+      await browser.close();
+      site.close();
+    },
+  };
+}
+
+class Visit {
+  constructor(page, context, problems) {
+    this.page = page;
+    this.context = context;
+    /** What the browser's console said of errors. */
+    this.problems = problems;
+  }
+
+  /** Waits until the plate is whole and measured, and its file is written. */
+  async idle() {
+    await this.page.waitForFunction(() => {
+      const state = document.querySelector('sillon-app')?.studio.store.state;
+      return (
+        state?.made?.measured === true &&
+        !state.made.coarse &&
+        state.made.plate === state.plate &&
+        state.summary !== undefined &&
+        state.progress === undefined
+      );
+    });
+  }
+
+  /** A function of the studio's state, run in the page. */
+  state(read) {
+    return this.page.evaluate(`(${read})(document.querySelector('sillon-app').studio.store.state)`);
+  }
+
+  /** Waits until a function of the state gives true. */
+  async until(read) {
+    const end = Date.now() + patience;
+    while (!(await this.state(read))) {
+      assert.ok(Date.now() < end, `never came: ${read}`);
+      await this.page.waitForTimeout(50);
+    }
+  }
+
+  /** What the line below the plate says. */
+  status() {
+    return this.page.locator('sillon-status').locator('.figures, .job').allInnerTexts();
+  }
+
+  button(name) {
+    return this.page.getByRole('button', { name, exact: true });
+  }
+
+  async section(name) {
+    await this.page.locator('nav').getByRole('button', { name, exact: true }).click();
+  }
+
+  async view(name) {
+    await this.page.getByRole('tab', { name, exact: true }).click();
+  }
+
+  async download(product) {
+    await this.page.locator('[popovertarget=export]').click();
+    const [download] = await Promise.all([
+      this.page.waitForEvent('download'),
+      this.page.locator('#export').getByRole('button', { name: product }).click(),
+    ]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+
+  /** As if they had been dragged from another window. */
+  async drop(files) {
+    await this.#hand('drop', files);
+  }
+
+  async paste(files, text = '') {
+    await this.#hand('paste', files, text);
+  }
+
+  async #hand(way, files, text) {
+    await this.page.evaluate(
+      ({ way, files, text }) => {
+        const transfer = new DataTransfer();
+        for (const { name, type, data } of files) {
+          const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+          transfer.items.add(new File([bytes], name, { type }));
+        }
+        if (text !== '') transfer.setData('text/plain', text);
+        const event =
+          way === 'drop'
+            ? new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true })
+            : new ClipboardEvent('paste', { clipboardData: transfer, bubbles: true, cancelable: true });
+        document.querySelector('sillon-app').dispatchEvent(event);
+      },
+      { way, files, text },
+    );
+  }
+
+  /** Box of the canvas on the page. */
+  canvas() {
+    return this.page.locator('sillon-canvas').boundingBox();
+  }
+
+  /** Drags over the plate; places are shares of the canvas. */
+  async stroke(...places) {
+    const box = await this.canvas();
+    const at = ([x, y]) => [box.x + x * box.width, box.y + y * box.height];
+    const [first, ...rest] = places.map(at);
+    await this.page.mouse.move(...first);
+    await this.page.mouse.down();
+    for (const place of rest) await this.page.mouse.move(...place, { steps: 8 });
+    await this.page.mouse.up();
+  }
+
+  close() {
+    return this.context.close();
+  }
+}

@@ -1,0 +1,131 @@
+// The studio's own server, and the headers that hosts are asked to send.
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { request } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { spawnSync } from 'node:child_process';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { contentSecurityPolicy, isolation } from '../headers.js';
+import { serve } from '../serve.js';
+
+const program = fileURLToPath(new URL('../serve.js', import.meta.url));
+let folder, site;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'sillon-serve-'));
+  writeFileSync(join(folder, 'secret.txt'), 'secret');
+  const dist = join(folder, 'dist');
+  mkdirSync(join(dist, 'assets'), { recursive: true });
+  mkdirSync(join(dist, 'engine'));
+  writeFileSync(join(dist, 'index.html'), '<!doctype html>page');
+  writeFileSync(join(dist, 'assets/a-1.js'), 'export {}');
+  writeFileSync(join(dist, 'engine/e.wasm'), '\0asm');
+  writeFileSync(join(dist, 'Fichier é.svg'), '<svg/>');
+  symlinkSync(join(folder, 'secret.txt'), join(dist, 'link.txt'));
+  site = await serve(dist, 0);
+});
+
+after(() => {
+  site.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** As it is written: fetch would tidy the path first. */
+function raw(path, method = 'GET') {
+  return new Promise((done, failed) => {
+    const { hostname, port } = new URL(site.origin);
+    request({ hostname, port, path, method }, (response) => {
+      let body = '';
+      response.setEncoding('utf8');
+      response.on('data', (text) => (body += text));
+      response.on('end', () => done({ status: response.statusCode, headers: response.headers, body }));
+    })
+      .on('error', failed)
+      .end();
+  });
+}
+
+test('files come with their types', async () => {
+  const types = {
+    '/': 'text/html; charset=utf-8',
+    '/index.html': 'text/html; charset=utf-8',
+    '/?threads=off': 'text/html; charset=utf-8',
+    '/assets/a-1.js': 'text/javascript; charset=utf-8',
+    '/engine/e.wasm': 'application/wasm',
+    '/Fichier%20%C3%A9.svg': 'image/svg+xml',
+  };
+  for (const [path, type] of Object.entries(types)) {
+    const { status, headers } = await raw(path);
+    assert.equal(status, 200, path);
+    assert.equal(headers['content-type'], type, path);
+    assert.equal(headers['x-content-type-options'], 'nosniff');
+  }
+  assert.equal((await raw('/')).body, '<!doctype html>page');
+});
+
+test('every response, an error too, has the headers for threads and the policy', async () => {
+  for (const path of ['/', '/assets/a-1.js', '/engine/e.wasm', '/missing']) {
+    const { headers } = await raw(path);
+    for (const [name, value] of Object.entries(isolation)) assert.equal(headers[name.toLowerCase()], value, path);
+    assert.equal(headers['content-security-policy'], contentSecurityPolicy);
+  }
+  assert.doesNotMatch(contentSecurityPolicy, /'unsafe-(?:inline|eval)'|https?:|\*/);
+});
+
+test('only files with a hash in their names are kept without asking', async () => {
+  assert.match((await raw('/assets/a-1.js')).headers['cache-control'], /immutable/);
+  for (const path of ['/', '/engine/e.wasm']) assert.equal((await raw(path)).headers['cache-control'], 'no-cache');
+});
+
+test('nothing outside of the folder is served', async () => {
+  const paths = [
+    '/../secret.txt',
+    '/..%2fsecret.txt',
+    '/%2e%2e/secret.txt',
+    '/assets/../../secret.txt',
+    '/..%5csecret.txt',
+    '//etc/passwd',
+    '/link.txt',
+    '/%00',
+    '/index.html%00.js',
+    '/%',
+    '/assets',
+    '/assets/',
+    'http://localhost/../secret.txt',
+    '*',
+  ];
+  for (const path of paths) {
+    const { status, body } = await raw(path);
+    assert.equal(status, 404, path);
+    assert.doesNotMatch(body, /secret|root:/, path);
+  }
+});
+
+test('HEAD has no body, other methods are refused', async () => {
+  const head = await raw('/', 'HEAD');
+  assert.deepEqual([head.status, head.body, head.headers['content-length']], [200, '', '19']);
+  for (const method of ['POST', 'PUT', 'DELETE', 'OPTIONS']) assert.equal((await raw('/', method)).status, 405);
+});
+
+test('wrong arguments are named, with what to do', () => {
+  const run = (...list) => spawnSync(process.execPath, [program, ...list], { encoding: 'utf8', timeout: 10_000 });
+  const { port } = new URL(site.origin);
+  const cases = [
+    [['--port', 'x'], /--port is x; it must be 0 to 65535/],
+    [['--port', '65536'], /65536/],
+    [['--port', '-1'], /port/],
+    [['--prot', '1'], /prot/],
+    [['a', 'b'], /only one folder/],
+    [[folder], /holds no index\.html/],
+    [['--port', port, join(folder, 'dist')], new RegExp(`port ${port} is in use; another: --port ${Number(port) + 1}`)],
+  ];
+  for (const [list, message] of cases) {
+    const { status, stderr } = run(...list);
+    assert.equal(status, 1, list.join(' '));
+    assert.match(stderr, message);
+    assert.doesNotMatch(stderr, /at .*\.js:\d/, 'a stack trace is no message');
+  }
+});

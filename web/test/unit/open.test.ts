@@ -1,0 +1,330 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { createEngine, type Engine, type Picture } from 'sillon';
+import { allowedRoles, factsOf, guessRoles } from '../../src/files/guess.js';
+import { kindOf } from '../../src/files/kind.js';
+import { identify, withFile, withFiles } from '../../src/files/open.js';
+import { encodeGreyPng } from '../../src/files/png16.js';
+import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-file.js';
+import { newFileDirections, newPlate, newShape } from '../../src/model/defaults.js';
+import type { Plate } from '../../src/model/plate.js';
+import { StudioError, type ProblemCode } from '../../src/model/problem.js';
+import type { Opened, Role } from '../../src/panels/shown.js';
+import { chances, fileOf, greyPicture } from './support/pictures.js';
+
+let engine: Engine;
+before(async () => {
+  engine = await createEngine({ threads: 'off' });
+});
+after(() => {
+  engine.dispose();
+});
+
+const inputs = resolve('examples/inputs');
+const example = (name: string, as = name): File => new File([readFileSync(join(inputs, name))], as);
+const text = (name: string, content: string): File => new File([content], name);
+const svg = '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm"><rect width="90" height="50"/></svg>';
+const plateWith = (change: Partial<Plate>): Plate => ({ ...newPlate(), ...change });
+
+// --- What a file is ------------------------------------------------------------------------------------------------------
+
+test('the bytes tell what a file is, not its name', () => {
+  const told = (content: string | number[], name = 'a.txt'): string => {
+    const { kind, mime } = kindOf(typeof content === 'string' ? Buffer.from(content) : Uint8Array.from(content), name);
+    return `${kind} ${mime}`.trim();
+  };
+  assert.equal(told([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0], 'a.jpg'), 'picture image/png');
+  assert.equal(told([0xff, 0xd8, 0xff, 0xe0]), 'picture image/jpeg');
+  assert.equal(told([0x42, 0x4d, ...new Array<number>(24).fill(0)]), 'picture image/bmp');
+  assert.equal(told([0x50, 0x4b, 3, 4]), 'zip application/zip');
+  assert.equal(told([0x50, 0x4b, 5, 6]), 'zip application/zip');
+  const tga = [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 4, 0, 24, 0];
+  assert.equal(told(tga, 'A.TGA'), 'picture image/x-tga');
+  assert.equal(told(tga, 'a.bin'), 'unknown');
+  assert.equal(told(tga.slice(0, 12), 'a.tga'), 'unknown');
+  for (const drawing of [
+    '<svg>',
+    '<svg/>',
+    '\ufeff \n<?xml version="1.0"?><svg xmlns="x">',
+    '<?xml version="1.0"?>\n<!-- made by <svg> tools > -->\n<!DOCTYPE svg PUBLIC "-//W3C" "svg11.dtd"><svg >',
+    '<!DOCTYPE svg [ <!ENTITY ns "http://x"> <!ENTITY b "c"> ] ><svg\n>',
+    '<svg:svg xmlns:svg="x">',
+  ]) {
+    assert.equal(told(drawing, 'a.png'), 'svg image/svg+xml', drawing);
+  }
+  for (const other of ['<html><svg></svg></html>', '<svgx>', '<!-- <svg>', '<?xml <svg>', '<!DOCTYPE svg', 'svg', ''])
+    assert.equal(told(other, 'a.svg'), 'unknown', other);
+  const utf16 = [...Buffer.from('\ufeff<?xml version="1.0"?><svg>', 'utf16le')];
+  assert.equal(told(utf16), 'svg image/svg+xml');
+  assert.equal(told(' \n{ "sillon": 1 }', 'a.svg'), 'json application/json');
+  assert.equal(told('[1]'), 'unknown');
+  assert.equal(told('G28\nG1 X1'), 'unknown');
+});
+
+test('hostile beginnings are told apart at once', () => {
+  const begin = performance.now();
+  for (const piece of ['<!--', '<!-- -->', '<?', '<?a?>', '<!doctype', '<!DOCTYPE [>', ' ', '<', '<a:'])
+    kindOf(Buffer.from(piece.repeat(20_000)), 'a.svg');
+  assert.ok(performance.now() - begin < 1000);
+});
+
+test('equal bytes have one id, with and without the browser’s digest', async () => {
+  const bytes = new TextEncoder().encode('abc');
+  assert.equal(await digest(bytes), 'ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad');
+  assert.equal(plainDigest(bytes), plainDigest(new TextEncoder().encode('abc')));
+  const chance = chances(3);
+  const ids = new Set(
+    Array.from({ length: 2000 }, (_, k) => plainDigest(Uint8Array.from({ length: k % 9 }, () => 256 * chance()))),
+  );
+  assert.ok(ids.size > 1700, `${ids.size}`); // the shortest are few
+  assert.notEqual(plainDigest(Uint8Array.of(1, 0)), plainDigest(Uint8Array.of(1)));
+});
+
+test('names lose folders and control characters', () => {
+  assert.equal(cleanName('../a\\b/Leaf ✨.svg'), 'Leaf ✨.svg');
+  assert.equal(cleanName('a\u0000b\nc\ud800'), 'abc');
+  assert.equal(cleanName('a/'), 'file');
+  assert.equal(Array.from(cleanName('✨'.repeat(500))).length, 120);
+  assert.equal(stemOf('leaf.final.svg'), 'leaf.final');
+  assert.equal(stemOf('.svg'), '.svg');
+});
+
+// --- What it may be for ----------------------------------------------------------------------------------------------------
+
+const deepPicture = (width: number, height: number, at: (x: number, y: number) => number): Picture => ({
+  width,
+  height,
+  channels: 1,
+  samples: Uint16Array.from({ length: width * height }, (_, k) => 65535 * at(k % width, Math.floor(k / width))),
+});
+function colourPicture(width: number, height: number, at: (x: number, y: number) => readonly number[]): Picture {
+  const pixels = Array.from({ length: width * height }, (_, k) => at(k % width, Math.floor(k / width)));
+  return { width, height, channels: 3, samples: Uint8Array.from(pixels.flat(), (share) => Math.round(255 * share)) };
+}
+
+const chance = chances(5);
+const pictures = {
+  ramp: greyPicture(64, 48, (x, y) => (x + y) / 110),
+  noise: greyPicture(64, 64, () => chance()),
+  deepRamp: deepPicture(64, 64, (x) => x / 63),
+  flat: greyPicture(32, 32, () => 0.5),
+  logo: greyPicture(64, 64, (x, y) => (Math.hypot(x - 32, y - 32) < 20 ? 1 : 0)),
+  // Two greys, with noise as JPEG leaves it and softened edges.
+  scan: greyPicture(64, 64, (x) => 0.3 + 0.4 * Math.min(1, Math.max(0, (x - 30) / 3)) + 0.02 * chance()),
+  modes: greyPicture(64, 64, (x, y) => ((Math.floor(x / 16) + (y > 31 ? 1 : 0)) % 4) / 3),
+  tangents: colourPicture(64, 64, (x, y) => {
+    const angle = Math.atan2(y - 31.5, x - 31.5);
+    return [0.5 + Math.cos(angle) / 2, 0.5 + Math.sin(angle) / 2, 0.5];
+  }),
+  // Colours of all kinds, and a picture of one colour.
+  photo: colourPicture(64, 64, (x, y) => [x / 63, y / 63, chance()]),
+  sky: colourPicture(64, 64, (x, y) => [0.2 + x / 400, 0.4 + y / 300, 0.9]),
+};
+
+test('a picture’s figures tell what it is probably for', () => {
+  const guess = (picture: Picture, name = 'x.png'): Role | undefined =>
+    guessRoles([{ name, facts: factsOf(picture) }], newPlate())[0];
+  const expected: Record<keyof typeof pictures, Role> = {
+    ramp: 'tone',
+    noise: 'tone',
+    deepRamp: 'angle',
+    flat: 'tone',
+    logo: 'levels',
+    scan: 'levels',
+    modes: 'modes',
+    tangents: 'tangent',
+    photo: 'tone',
+    sky: 'tone',
+  };
+  for (const [name, role] of Object.entries(expected)) {
+    assert.equal(guess(pictures[name as keyof typeof pictures]), role, name);
+  }
+  // As the engine decodes them, bytes come as multiples of 257.
+  const { width, height, samples } = pictures.ramp;
+  const wide = { width, height, channels: 1 as const, samples: Uint16Array.from(samples, (byte) => 257 * byte) };
+  assert.equal(guess(wide), 'tone');
+  // Black ink on nothing, as logos come.
+  const ink = Uint8Array.from(Array.from(pictures.logo.samples).flatMap((tone) => [0, tone]));
+  const transparent = { ...pictures.logo, channels: 2 as const, samples: ink };
+  assert.equal(guess(transparent), 'levels');
+});
+
+test('names help where the pixels allow it', () => {
+  const guess = (name: string, picture: Picture): Role | undefined =>
+    guessRoles([{ name, facts: factsOf(picture) }], newPlate())[0];
+  assert.equal(guess('leaf_angle.png', pictures.ramp), 'angle');
+  assert.equal(guess('leafAngle.png', pictures.ramp), 'angle');
+  assert.equal(guess('line-field.png', pictures.ramp), 'angle');
+  assert.equal(guess('veins ROTATION 2.png', pictures.ramp), 'rotation');
+  assert.equal(guess('veins_tangent.png', pictures.photo), 'tangent');
+  assert.equal(guess('veins_tangent.png', pictures.ramp), 'tone'); // grey tells no tangents
+  assert.equal(guess('angle.jpg', pictures.photo), 'tone');
+  assert.equal(guess('line_mode.png', pictures.logo), 'modes');
+  assert.equal(guess('mask.png', pictures.logo), 'mask');
+  assert.equal(guess('modern house.png', pictures.ramp), 'tone');
+  assert.equal(guess('untitled.png', pictures.ramp), 'tone');
+});
+
+test('files that come together share the work', () => {
+  const facts = (name: keyof typeof pictures): ReturnType<typeof factsOf> => factsOf(pictures[name]);
+  const roles = (...files: (keyof typeof pictures | 'svg')[]): Role[] =>
+    guessRoles(
+      files.map((name) => ({ name: 'x', facts: name === 'svg' ? undefined : facts(name) })),
+      newPlate(),
+    );
+  assert.deepEqual(roles('svg'), ['shape']);
+  assert.deepEqual(roles('svg', 'deepRamp', 'modes'), ['shape', 'angle', 'modes']);
+  assert.deepEqual(roles('logo', 'deepRamp'), ['mask', 'angle']);
+  assert.deepEqual(roles('photo', 'logo'), ['tone', 'mask']);
+  assert.deepEqual(roles('svg', 'logo'), ['shape', 'levels']);
+  assert.deepEqual(roles('svg', 'logo', 'photo'), ['shape', 'levels', 'none']);
+  assert.deepEqual(roles('ramp', 'modes'), ['angle', 'modes']);
+  assert.deepEqual(roles('photo', 'modes'), ['tone', 'modes']);
+  assert.deepEqual(roles('photo', 'ramp'), ['tone', 'none']);
+  assert.deepEqual(roles('svg', 'svg'), ['shape', 'none']);
+  // One after the other: a map of directions waits for an outline.
+  const map = { ...newFileDirections('map', fileOf('a.png')) };
+  const logo = [{ name: 'x', facts: facts('logo') }];
+  assert.deepEqual(guessRoles(logo, plateWith({ directions: map })), ['mask']);
+  const shape = { kind: 'file', file: fileOf('a.svg'), unitless: 'px' } as const;
+  assert.deepEqual(guessRoles(logo, plateWith({ directions: map, shape })), ['levels']);
+});
+
+test('every guess is allowed', () => {
+  for (const picture of Object.values(pictures)) {
+    for (const name of ['x', 'a_angle', 'a_rotation', 'a_tangent', 'a_mode', 'a_mask']) {
+      const [role = 'project'] = guessRoles([{ name, facts: factsOf(picture) }], newPlate());
+      assert.ok(allowedRoles(true).includes(role));
+    }
+  }
+  assert.deepEqual(allowedRoles(false), ['shape', 'none']);
+});
+
+// --- Into a plate ------------------------------------------------------------------------------------------------------------
+
+test('a drawing is as large as it was drawn, where that can be printed', () => {
+  const file = fileOf('a.svg');
+  const sized = (size: [number, number]): [number, number] => {
+    const { width, height } = withFile(newPlate(), file, 'shape', size);
+    return [width, height];
+  };
+  assert.deepEqual(sized([120, 80]), [120, 80]);
+  assert.deepEqual(sized([6, 3]), [70, 35]);
+  assert.deepEqual(sized([2000, 1000]), [70, 35]);
+  assert.deepEqual(sized([100, 400]), [17.5, 70]);
+  const again = withFile(
+    plateWith({ shape: { kind: 'file', file: fileOf('b.svg'), unitless: 'mm' } }),
+    file,
+    'shape',
+    [20, 10],
+  );
+  assert.deepEqual(again.shape, { kind: 'file', file, unitless: 'mm' });
+});
+
+test('built-in shapes take a picture’s proportions; drawn ones keep theirs', () => {
+  const file = fileOf('a.png');
+  const framed = (shape: Plate['shape'], size: [number, number]): unknown => {
+    const made = withFile(plateWith({ shape, width: 60, height: 80 }), file, 'tone', size);
+    return [made.shape.kind, made.width, made.height];
+  };
+  assert.deepEqual(framed(newShape('rectangle'), [640, 480]), ['rectangle', 80, 60]);
+  assert.deepEqual(framed(newShape('rounded'), [480, 640]), ['rounded', 60, 80]);
+  assert.deepEqual(framed(newShape('disc'), [500, 500]), ['disc', 60, 80]);
+  assert.deepEqual(framed(newShape('disc'), [800, 400]), ['rectangle', 80, 40]);
+  assert.deepEqual(framed({ kind: 'file', file, unitless: 'px' }, [640, 480]), ['file', 60, 80]);
+  const masked = withFile(newPlate(), file, 'mask', [200, 100]);
+  assert.deepEqual([masked.shape.kind, masked.width, masked.height], ['file', 70, 35]);
+  const thin = withFile(newPlate(), file, 'mask', [1, 10_000]);
+  assert.ok(thin.width >= 0.1 && thin.height <= 10_000);
+});
+
+test('another picture of the same use keeps what was set for it', () => {
+  const [a, b] = [fileOf('a.png'), fileOf('b.png')];
+  const tone = { ...newFileDirections('tone', a), from: 12, invert: true };
+  const plate = plateWith({ directions: tone });
+  assert.deepEqual(withFile(plate, b, 'tone', [1, 1]).directions, { ...tone, file: b });
+  assert.deepEqual(withFile(plate, b, 'edges', [1, 1]).directions, newFileDirections('edges', b));
+  assert.deepEqual(withFile(plate, b, 'tangent', [1, 1]).directions, { kind: 'map', file: b, encoding: 'tangent' });
+  assert.deepEqual(withFile(plate, b, 'modes', [1, 1]).modes, { base: 'constrained', file: b });
+  assert.equal(withFile(plate, b, 'none', [1, 1]), plate);
+});
+
+// --- With the engine -----------------------------------------------------------------------------------------------------------
+
+const rolesOf = ({ opened }: { opened: Opened[] }): Role[] => opened.map(({ role }) => role);
+
+test('the examples’ own files are recognised, and make the plate', async () => {
+  const found = await identify(
+    [example('logo_mode.png', '1.png'), example('logo_angle.png', '2.png'), example('logo.svg', '3')],
+    newPlate(),
+    engine,
+  );
+  assert.deepEqual(rolesOf(found), ['modes', 'angle', 'shape']);
+  assert.equal(found.project, undefined);
+  assert.deepEqual(
+    found.opened.map(({ source }) => source.bytes.type),
+    ['image/png', 'image/png', 'image/svg+xml'],
+  );
+  const plate = await withFiles(newPlate(), found.opened, engine);
+  assert.equal(plate.name, '1');
+  assert.equal(plate.shape.kind, 'file');
+  assert.equal(plate.directions.kind, 'map');
+  assert.equal(plate.modes.file?.name, '1.png');
+  const shape = await engine.readShape({ file: example('logo.svg'), pageWidth: plate.width });
+  assert.ok(Math.abs(plate.height - shape.page[1]) < 1e-5);
+  // Roles can be changed.
+  const others = found.opened.map((one) =>
+    one.role === 'angle' ? { ...one, role: 'tone' as const } : { ...one, role: 'none' as const },
+  );
+  const toned = await withFiles(newPlate(), others, engine);
+  assert.equal(toned.directions.kind, 'tone');
+  assert.deepEqual([toned.modes.file, toned.name], [undefined, '2']);
+  assert.equal((await withFiles(plateWith({ name: 'kept' }), others, engine)).name, 'kept');
+});
+
+test('shapes come first, in whatever order files are dropped', async () => {
+  const wide = await encodeGreyPng(
+    40,
+    10,
+    new Uint8Array(400).map((_, k) => k % 251),
+  );
+  const found = await identify([new File([wide], 'photo.png'), text('shape.svg', svg)], newPlate(), engine);
+  assert.deepEqual(rolesOf(found), ['tone', 'shape']);
+  const plate = await withFiles(newPlate(), found.opened, engine);
+  assert.deepEqual([plate.width, plate.height, plate.shape.kind], [40, 30, 'file']);
+});
+
+test('a project counts alone, and takes the files that it names', async () => {
+  const json = text('plate.json', '{ "sillon": 1, "shape": { "file": "leaf.svg" }, "directions": { "angle": 12 } }');
+  const found = await identify([text('leaf.svg', svg), json], newPlate(), engine);
+  assert.deepEqual(found.opened, []);
+  assert.ok(found.project !== undefined);
+  assert.deepEqual(found.project.directions, { kind: 'angle', angle: 12 });
+  assert.deepEqual([found.project.width, found.project.height], [40, 30]);
+});
+
+test('what cannot be opened is named', async () => {
+  const refused = async (files: File[], code: ProblemCode, said: RegExp): Promise<void> => {
+    await assert.rejects(identify(files, newPlate(), engine), (error) => {
+      assert.ok(error instanceof StudioError, String(error));
+      assert.equal(error.code, code);
+      assert.match(`${String(error.values['name'])} ${error.detail}`, said);
+      return true;
+    });
+  };
+  const json = '{ "sillon": 1, "directions": { "angle": 1 } }';
+  await refused([text('notes.txt', 'hello')], 'UnknownFile', /^notes\.txt/);
+  await refused([text('leaf.svg', svg), text('empty.png', '')], 'UnknownFile', /^empty\.png/);
+  await refused([text('a.json', json), text('b.json', json)], 'TooManyFiles', /./);
+  await refused([text('a.json', '{ "some": "thing" }')], 'BrokenProject', /^a\.json .*some/);
+  const png = readFileSync(join(inputs, 'photo.png'));
+  await refused([new File([png.subarray(0, 500)], 'cut.png')], 'InvalidFile', /^cut\.png cut\.png: /);
+  await refused([new File([new Uint8Array(65e6)], 'large.png')], 'InvalidFile', /large\.png has 65 MB; at most 64 MB/);
+  const part = new File([new Uint8Array(60e6)], 'a.png');
+  await refused([part, part, part, part, part], 'InvalidFile', /300 MB together; at most 256 MB/);
+  const gone = new File(['x'], 'gone.png');
+  gone.arrayBuffer = () => Promise.reject(new DOMException('it has gone', 'NotFoundError'));
+  await refused([gone], 'InvalidFile', /^gone\.png .*it has gone/);
+});

@@ -1,0 +1,418 @@
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { unzipSync, zipSync, type Zippable } from 'fflate';
+import { createEngine, type Engine } from 'sillon';
+import { rasterise } from '../../src/directions/rasterise.js';
+import type { DirectionRaster } from '../../src/directions/raster.js';
+import { engineInput } from '../../src/engine/input.js';
+import { readProject, writeProject } from '../../src/files/project.js';
+import { sourceFile } from '../../src/files/source-file.js';
+import {
+  fileKinds,
+  generatorKinds,
+  newFileDirections,
+  newGenerator,
+  newPlate,
+  newShape,
+} from '../../src/model/defaults.js';
+import type { Plate, SourceFile } from '../../src/model/plate.js';
+import { printers, withPrinter } from '../../src/model/printers.js';
+import { StudioError, type ProblemCode } from '../../src/model/problem.js';
+import { chances } from './support/pictures.js';
+
+const nativeProgram = resolve('build/release/sillon');
+const examples = resolve('examples');
+const folder = mkdtempSync(join(tmpdir(), 'sillon-studio-'));
+
+let engine: Engine;
+let leaf: SourceFile;
+let photo: SourceFile;
+let modeMap: SourceFile;
+before(async () => {
+  engine = await createEngine({ threads: 'off' });
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="16mm" viewBox="0 0 20 16">
+    <path d="M1 8 Q10 -6 19 8 Q10 22 1 8 Z"/></svg>`;
+  leaf = await sourceFile('leaf.svg', new TextEncoder().encode(svg));
+  photo = await sourceFile('photo.png', new Uint8Array(readFileSync(join(examples, 'inputs/photo.png'))));
+  modeMap = await sourceFile('mode.png', new Uint8Array(readFileSync(join(examples, 'inputs/logo_mode.png'))));
+});
+after(() => {
+  engine.dispose();
+  rmSync(folder, { recursive: true });
+});
+
+const bytesOf = async (blob: Blob): Promise<Uint8Array<ArrayBuffer>> => new Uint8Array(await blob.arrayBuffer());
+const asFile = (name: string, bytes: Uint8Array<ArrayBuffer> | string): Promise<SourceFile> =>
+  sourceFile(name, typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes);
+
+async function drawn(plate: Plate, resolution = 96): Promise<DirectionRaster> {
+  const decoded = async (part: object & { file?: SourceFile }): ReturnType<Engine['decodePicture']> =>
+    engine.decodePicture(part.file?.bytes ?? '');
+  return rasterise(
+    plate.directions,
+    plate.modes,
+    plate.strokes,
+    [plate.width, plate.height || plate.width],
+    resolution,
+    {
+      ...('file' in plate.directions ? { source: await decoded(plate.directions) } : {}),
+      ...(plate.modes.file === undefined ? {} : { modes: await decoded(plate.modes) }),
+    },
+  );
+}
+
+const zipOf = async (plate: Plate, raster?: DirectionRaster): Promise<Uint8Array<ArrayBuffer>> =>
+  bytesOf(await writeProject(plate, raster));
+const read = async (bytes: Uint8Array<ArrayBuffer> | string, others: SourceFile[] = []): Promise<Plate> =>
+  readProject(await asFile(typeof bytes === 'string' ? 'plate.json' : 'plate.zip', bytes), others, engine);
+
+async function contents(plate: Plate): Promise<string[]> {
+  const parts: (object & { file?: SourceFile })[] = [plate.shape, plate.directions, plate.modes];
+  return Promise.all(
+    parts.map(async ({ file }) => (file === undefined ? '' : Buffer.from(await bytesOf(file.bytes)).toString('hex'))),
+  );
+}
+
+const small = (): Plate => ({
+  ...newPlate(),
+  width: 20,
+  height: 20,
+  toolpath: { ...newPlate().toolpath, spacing: 0.8 },
+  printer: { ...newPlate().printer, nozzle: 0.8 },
+});
+
+const stroke = { tool: 'comb', points: [0.1, 0.5, 0.5, 0.6, 0.9, 0.5], radius: 0.1, softness: 0.5 } as const;
+
+// --- Round trip --------------------------------------------------------------------------------------------------------
+
+test('every kind of plate comes back as it went, with the bytes of its files', async () => {
+  const plates: Plate[] = [
+    newPlate(),
+    ...generatorKinds.map((kind) => ({ ...newPlate(), directions: newGenerator(kind) })),
+    ...fileKinds.map((kind) => ({ ...newPlate(), directions: newFileDirections(kind, photo) })),
+    ...(['rectangle', 'rounded', 'disc'] as const).map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
+    ...printers.map(({ key }) => withPrinter(newPlate(), key)),
+    {
+      ...newPlate(),
+      name: 'Épicéa ✨ “quoted”',
+      shape: { kind: 'file', file: leaf, unitless: 'mm' },
+      directions: newFileDirections('tone', photo),
+      modes: { base: 'smoothest', file: modeMap },
+      strokes: [stroke, { ...stroke, tool: 'mode', mode: 'orthogonal' }, { ...stroke, tool: 'erase' }],
+      height: 0,
+      print: { ...newPlate().print, place: [12.5, 3], rotate: 30, mirror: true },
+    },
+  ];
+  for (const plate of plates) {
+    const back = await read(await zipOf(plate));
+    assert.deepEqual(back, plate);
+    assert.deepEqual(await contents(back), await contents(plate));
+  }
+});
+
+test('names that no file system would take stay the plate’s, and stand beside each other', async () => {
+  const shape = { ...leaf, name: 'a:b?/leaf.svg' };
+  const one = { ...photo, name: 'Leaf.png' };
+  const other = { ...modeMap, name: 'leaf.png' };
+  const plate: Plate = {
+    ...newPlate(),
+    shape: { kind: 'file', file: { ...shape, name: 'b:…?*.svg' }, unitless: 'px' },
+    directions: newFileDirections('levels', one),
+    modes: { base: 'parallel', file: other },
+  };
+  const zip = await zipOf(plate);
+  const names = Object.keys(unzipSync(zip));
+  assert.deepEqual(names, ['project.json', 'studio.json', 'inputs/b_.svg', 'inputs/Leaf.png', 'inputs/leaf-2.png']);
+  assert.deepEqual(await read(zip), plate);
+});
+
+test('the same plate gives the same bytes', async () => {
+  const plate: Plate = { ...small(), shape: { kind: 'file', file: leaf, unitless: 'px' } };
+  const raster = await drawn(plate);
+  assert.deepEqual(await zipOf(plate, raster), await zipOf(plate, raster));
+});
+
+test('directions and modes stand in the zip exactly as the raster has them', async () => {
+  const plate: Plate = { ...small(), strokes: [stroke, { ...stroke, tool: 'mode', mode: 'parallel' }] };
+  const raster = await drawn(plate);
+  const files = unzipSync(await zipOf(plate, raster));
+  const angles = await engine.decodePicture(files['directions.png'] ?? '');
+  assert.deepEqual([angles.width, angles.height], [raster.width, raster.height]);
+  assert.deepEqual(Array.from(angles.samples), Array.from(raster.angle));
+  const modes = await engine.decodePicture(files['modes.png'] ?? '');
+  assert.ok(new Set(raster.mode).size > 1);
+  assert.deepEqual(
+    Array.from(modes.samples, (grey) => grey / 257),
+    Array.from(raster.mode, (mode) => 85 * mode),
+  );
+});
+
+// --- The native program --------------------------------------------------------------------------------------------------
+
+const date = new Date(0);
+
+async function studioGcode(plate: Plate, raster: DirectionRaster | undefined): Promise<string> {
+  const { input, params } = engineInput({ plate, raster });
+  const { toolpath } = await engine.generateToolpath(input, params);
+  const { blob } = await engine.writeGcode(toolpath, plate.printer, { ...plate.print, date });
+  return blob.text();
+}
+
+function nativeGcode(zip: Uint8Array, name: string): string {
+  const place = join(folder, name);
+  for (const [path, bytes] of Object.entries(unzipSync(zip))) {
+    mkdirSync(dirname(join(place, path)), { recursive: true });
+    writeFileSync(join(place, path), bytes);
+  }
+  const gcode = join(place, 'plate.gcode');
+  const { status, stderr } = spawnSync(
+    nativeProgram,
+    ['generate', join(place, 'project.json'), '--gcode', gcode, '--quiet'],
+    { env: { ...process.env, SOURCE_DATE_EPOCH: '0' }, encoding: 'utf8' },
+  );
+  assert.equal(status, 0, stderr);
+  return readFileSync(gcode, 'utf8');
+}
+
+const noProgram = existsSync(nativeProgram) ? false : 'no build/release/sillon; run ./dev build';
+
+test('the native program makes the page’s G-code from the unpacked project', { skip: noProgram }, async () => {
+  const drawnPlates: [string, Plate][] = [
+    ['waves', small()],
+    ['strokes', { ...small(), strokes: [stroke, { ...stroke, tool: 'mode', mode: 'smoothest' }] }],
+    [
+      'leaf',
+      {
+        ...small(),
+        shape: { kind: 'file', file: leaf, unitless: 'px' },
+        height: 16,
+        directions: newFileDirections('tone', photo),
+        print: { ...newPlate().print, layers: 2, rotate: 17, mirror: true, place: [50, 60.5] },
+        printer: { ...small().printer, flavor: 'klipper', name: 'Ünï “x”', setPressureAdvance: true },
+      },
+    ],
+    [
+      'rounded',
+      {
+        ...small(),
+        shape: { kind: 'rounded', radius: 5.3 },
+        height: 0,
+        directions: { ...newFileDirections('map', photo), encoding: 'rotation' },
+        modes: { base: 'constrained', file: modeMap },
+        toolpath: { ...small().toolpath, perimeterMode: 'soft', seed: Number.MAX_SAFE_INTEGER, bridge: 0 },
+      },
+    ],
+  ];
+  for (const [name, plate] of drawnPlates) {
+    const raster = await drawn(plate);
+    const expected = await studioGcode(plate, raster);
+    assert.ok(expected.length > 10_000);
+    assert.ok(nativeGcode(await zipOf(plate, raster), name) === expected, `G-code of ${name} differs`);
+  }
+});
+
+test('and without a raster, from one direction and one mode', { skip: noProgram }, async () => {
+  const plate: Plate = {
+    ...small(),
+    directions: { kind: 'angle', angle: 33.3 },
+    modes: { base: 'orthogonal' },
+    shape: newShape('rectangle'),
+  };
+  const zip = await zipOf(plate);
+  assert.ok(!('directions.png' in unzipSync(zip)));
+  assert.ok(nativeGcode(zip, 'plain') === (await studioGcode(plate, undefined)));
+});
+
+// --- Projects of the command line ----------------------------------------------------------------------------------------
+
+test('every example project of the command line opens, as large as the command line makes it', async () => {
+  for (const name of ['islands', 'logo', 'mosaic', 'noise', 'photo', 'qr', 'relief', 'strokes', 'tiles']) {
+    const json = readFileSync(join(examples, `${name}.json`), 'utf8');
+    const project = await engine.readProject(json);
+    const named = [project.shape.file, project.directions.file, project.modes.file].filter((file) => file !== '');
+    const others = await Promise.all(
+      named.map((file) => asFile(file, new Uint8Array(readFileSync(join(examples, file))))),
+    );
+    const plate = await read(json, others);
+    assert.equal(plate.name, 'plate');
+    assert.deepEqual(plate.toolpath, project.toolpath);
+    assert.deepEqual(plate.print, project.print);
+    assert.deepEqual(plate.printer, project.printer);
+    assert.equal(plate.directions.kind, project.directions.file === '' ? 'angle' : 'map');
+    assert.equal(plate.modes.file?.name, others.find(({ name }) => project.modes.file.endsWith(`/${name}`))?.name);
+    const { page } = await engine.readShape(engineInput({ plate, raster: undefined }).input.shape ?? {});
+    assert.deepEqual(
+      [plate.width, plate.height].map((mm) => mm.toFixed(6)),
+      page.map((mm) => mm.toFixed(6)),
+      name,
+    );
+  }
+});
+
+test('a project of a picture alone is as large as the command line makes it', async () => {
+  const json = JSON.stringify({ sillon: 1, directions: { file: 'in/photo.png', encoding: 'rotation' } });
+  const plate = await read(json, [photo]);
+  const { width, height } = await engine.decodePicture(photo.bytes);
+  assert.deepEqual([plate.shape, plate.width], [{ kind: 'rectangle' }, 80]);
+  assert.ok(Math.abs(plate.height - (80 * height) / width) < 1e-6);
+  assert.deepEqual(plate.directions, { kind: 'map', file: photo, encoding: 'rotation' });
+});
+
+test('a zip that was packed by hand opens, also with a folder around it', async () => {
+  const json = JSON.stringify({ sillon: 1, shape: { file: 'in/leaf.svg' }, directions: { angle: 20 } });
+  const svg = await bytesOf(leaf.bytes);
+  for (const around of ['', 'my plate/']) {
+    const zip = zipSync({ [`${around}project.json`]: Buffer.from(json), [`${around}in/leaf.svg`]: svg });
+    const plate = await read(zip);
+    assert.deepEqual([plate.width, plate.height], [20, 16]);
+    assert.deepEqual(plate.shape, { kind: 'file', file: leaf, unitless: 'px' });
+  }
+  const studio = unzipSync(await zipOf(small()));
+  const again = zipSync(Object.fromEntries(Object.entries(studio).map(([path, bytes]) => [`folder/${path}`, bytes])));
+  assert.deepEqual(await read(again), small());
+});
+
+// --- Bad files -------------------------------------------------------------------------------------------------------------
+
+async function refused(
+  bytes: Uint8Array<ArrayBuffer> | string,
+  code: ProblemCode,
+  detail: RegExp,
+  others: SourceFile[] = [],
+): Promise<void> {
+  await assert.rejects(read(bytes, others), (error) => {
+    assert.ok(error instanceof StudioError, String(error));
+    assert.equal(error.code, code, error.message);
+    assert.match(error.detail, detail);
+    assert.ok('name' in error.values);
+    return true;
+  });
+}
+
+const packed = (studio: unknown, more: Zippable = {}): Uint8Array<ArrayBuffer> =>
+  zipSync({ 'studio.json': Buffer.from(typeof studio === 'string' ? studio : JSON.stringify(studio)), ...more });
+
+test('what is wrong with a project is said', async () => {
+  const plate = { ...newPlate() };
+  const withShape = {
+    ...plate,
+    shape: { kind: 'file', unitless: 'px', file: { path: 'inputs/a.svg', name: 'a.svg' } },
+  };
+  await refused('{ "sillon": 2 }', 'BrokenProject', /sillon/);
+  await refused('{ "sillon": 1, "shape": { "file": "a/leaf.svg" } }', 'BrokenProject', /^a\/leaf\.svg is missing/);
+  await refused('{ "sillon": 1, "toolpath": { "spacing": 99 } }', 'BrokenProject', /spacing/);
+  await refused(`{ "sillon": 1, "directions": { "angle": 1 }, "x": ${'['.repeat(1e5)}`, 'BrokenProject', /./);
+  await refused(' '.repeat(2 << 20), 'BrokenProject', /2\.1 MB; at most/);
+  await refused(packed({ studio: 2, plate }), 'BrokenProject', /^studio is 2/);
+  await refused(packed({ studio: 1, plate, more: 1 }), 'BrokenProject', /^more is 1/);
+  await refused(packed({ studio: 1 }), 'BrokenProject', /./);
+  await refused(packed({ studio: 1, plate: { ...plate, width: 1e9 } }), 'BrokenProject', /^width is 1000000000/);
+  await refused(packed({ studio: 1, plate: withShape }), 'BrokenProject', /^inputs\/a\.svg is missing/);
+  await refused(
+    packed({ studio: 1, plate: { ...plate, modes: { base: 'up' } } }),
+    'BrokenProject',
+    /^modes\.base is "up"/,
+  );
+  await refused(packed({ studio: 1, plate: { ...plate, filament: 'toString' } }), 'BrokenProject', /^filament/);
+  await refused(packed('{"studio":1,"plate":{"__proto__":{"width":3}}}'), 'BrokenProject', /__proto__/);
+  await refused(packed(`{"studio":1,"plate":${'['.repeat(1e6)}`), 'BrokenProject', /nested too deep/);
+  await refused(packed('{"studio":1,'), 'BrokenProject', /JSON/);
+  await refused(zipSync({ 'word/document.xml': Buffer.from('<w/>') }), 'UnknownFile', /^$/);
+  await refused(
+    zipSync({ 'project.json': Buffer.from('{"sillon":1,"shape":{"file":"b.svg"}}') }),
+    'BrokenProject',
+    /b\.svg/,
+  );
+});
+
+test('names that lead out of the archive are refused', async () => {
+  for (const path of ['../studio.json', '/etc/passwd', 'a/../../b', 'C:\\a', 'a\\..\\b', 'a\u0000b']) {
+    await refused(
+      packed({ studio: 1, plate: newPlate() }, { [path]: Buffer.from('x') }),
+      'BrokenProject',
+      /not allowed/,
+    );
+  }
+});
+
+/** The zip with a 32-bit number of its first directory entry changed. */
+function patched(zip: Uint8Array<ArrayBuffer>, offset: number, value: number): Uint8Array<ArrayBuffer> {
+  const copy = zip.slice();
+  const at = Buffer.from(copy.buffer).indexOf(Buffer.of(0x50, 0x4b, 1, 2));
+  new DataView(copy.buffer).setUint32(at + offset, value, true);
+  return copy;
+}
+
+test('bombs are refused before they are unpacked', async () => {
+  const begin = performance.now();
+  const bomb = packed(' '.repeat(100e6));
+  const making = performance.now() - begin;
+  assert.ok(bomb.length < 1e6);
+  const asked = performance.now();
+  await refused(bomb, 'BrokenProject', /100 MB; at most 16 MB/);
+  await refused(patched(bomb, 24, 1000), 'BrokenProject', /larger than the archive says/);
+  await refused(patched(bomb, 24, 15e6), 'BrokenProject', /larger than the archive says/);
+  assert.ok(performance.now() - asked < Math.max(2000, making), 'it was unpacked');
+  const good = packed({ studio: 1, plate: newPlate() });
+  await refused(patched(good, 24, 1e6), 'BrokenProject', /is incomplete/);
+  await refused(patched(good, 16, 1), 'BrokenProject', /is damaged/);
+  await refused(patched(good, 42, 1e9), 'BrokenProject', /./);
+  await refused(
+    zipSync(Object.fromEntries(Array.from({ length: 1001 }, (_, k) => [`${k}`, new Uint8Array(0)]))),
+    'BrokenProject',
+    /1001 files/,
+  );
+});
+
+test('random bytes and damage end in a plate or in an error of ours', async () => {
+  const chance = chances(11);
+  const pick = (n: number): number => Math.floor(n * chance());
+  const plate: Plate = {
+    ...newPlate(),
+    shape: { kind: 'file', file: leaf, unitless: 'px' },
+    strokes: [stroke],
+    toolpath: { ...newPlate().toolpath, seed: 7 },
+  };
+  const whole = await zipOf(plate, await drawn(plate, 16));
+  const studio = Buffer.from(unzipSync(whole)['studio.json'] ?? new Uint8Array(0)).toString();
+  const cases: (() => Uint8Array<ArrayBuffer> | string)[] = [
+    () => Uint8Array.from({ length: pick(2000) }, () => pick(256)),
+    () => Uint8Array.from({ length: 100 + pick(2000) }, (_, k) => [0x50, 0x4b, 3, 4][k] ?? pick(256)),
+    () => `{${String.fromCharCode(...Array.from({ length: pick(200) }, () => 32 + pick(95)))}`,
+    () => whole.slice(0, pick(whole.length)),
+    () => {
+      const bytes = whole.slice();
+      for (let n = 1 + pick(8); n > 0; --n) bytes[pick(bytes.length)] = pick(256);
+      return bytes;
+    },
+    () => {
+      // Where archives are told: the directory at the end.
+      const bytes = whole.slice();
+      for (let n = 1 + pick(4); n > 0; --n) bytes[bytes.length - 1 - pick(400)] = pick(256);
+      return bytes;
+    },
+    () => {
+      const letters = Array.from(studio);
+      for (let n = 1 + pick(3); n > 0; --n) letters[pick(letters.length)] = '0{}[]",:-e9'[pick(11)] ?? '';
+      return packed(letters.join(''), { 'inputs/leaf.svg': Buffer.from('<svg/>') });
+    },
+  ];
+  let opened = 0;
+  for (let k = 0; k < 700; ++k) {
+    const make = cases[k % cases.length];
+    const bytes = make?.() ?? '';
+    const begin = performance.now();
+    try {
+      await read(bytes);
+      ++opened;
+    } catch (error) {
+      assert.ok(error instanceof StudioError, `case ${k}: ${String(error)}`);
+    }
+    assert.ok(performance.now() - begin < 2000, `case ${k} took too long`);
+  }
+  assert.ok(opened > 10, `only ${opened} were harmless`);
+});

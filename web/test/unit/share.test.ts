@@ -1,0 +1,216 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+import {
+  fileKinds,
+  generatorKinds,
+  newFileDirections,
+  newGenerator,
+  newPlate,
+  newShape,
+} from '../../src/model/defaults.js';
+import { filaments, withFilament } from '../../src/model/filaments.js';
+import type { Plate, SourceFile } from '../../src/model/plate.js';
+import { printers, withPrinter } from '../../src/model/printers.js';
+import { StudioError, type ProblemCode } from '../../src/model/problem.js';
+import { settings, withValue, type SettingValue } from '../../src/model/settings.js';
+import { readLink, writeLink } from '../../src/model/share.js';
+
+const hashOf = (value: unknown, version = '1'): string =>
+  `#plate=${version}.${deflateRawSync(JSON.stringify(value)).toString('base64url')}`;
+
+const file: SourceFile = { id: 'a', name: 'a.png', bytes: new Blob(['x']) };
+
+async function told(plate: Plate): Promise<Record<string, unknown>> {
+  const { hash } = await writeLink(plate);
+  const { inflateRawSync } = await import('node:zlib');
+  const packed = hash.replace(/^#plate=1\./, '');
+  return JSON.parse(inflateRawSync(Buffer.from(packed, 'base64url')).toString()) as Record<string, unknown>;
+}
+
+async function refused(hash: string, code: ProblemCode): Promise<StudioError> {
+  try {
+    await readLink(hash);
+  } catch (error) {
+    assert.ok(error instanceof StudioError, String(error));
+    assert.equal(error.code, code, `${hash.slice(0, 80)}: ${JSON.stringify(error.values)}`);
+    return error;
+  }
+  return assert.fail(`${hash.slice(0, 80)} was let through`);
+}
+
+test('every generator, shape, printer and filament comes back as it went', async () => {
+  const plates: Plate[] = [
+    newPlate(),
+    ...generatorKinds.map((kind) => ({ ...newPlate(), directions: newGenerator(kind) })),
+    ...(['rectangle', 'rounded', 'disc'] as const).map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
+    ...printers.map(({ key }) => withPrinter(newPlate(), key)),
+    ...filaments.map(({ key }) => withFilament(newPlate(), key)),
+    { ...newPlate(), name: 'Épicéa ✨ “quoted” \\ <b>', modes: { base: 'smoothest' as const }, height: 0 },
+    { ...newPlate(), directions: { ...newGenerator('text'), text: 'two\nlines' } },
+  ];
+  for (const plate of plates) {
+    const { hash, untold } = await writeLink(plate);
+    assert.deepEqual(untold, []);
+    assert.match(hash, /^#plate=1\.[\w-]+$/);
+    assert.deepEqual(await readLink(hash), plate);
+  }
+});
+
+/** Another value than the default that its setting accepts. */
+function another(setting: (typeof settings)[number]): SettingValue {
+  switch (setting.kind) {
+    case 'number':
+    case 'integer':
+      return setting.default === setting.max ? setting.min : setting.max;
+    case 'choice':
+      return setting.choices.find((choice) => choice !== setting.default) ?? '';
+    case 'flag':
+      return !setting.default;
+    case 'text':
+      return 'x'.repeat(setting.maxLength);
+    case 'pair':
+      return [setting.min, setting.max];
+  }
+}
+
+test('every setting travels', async () => {
+  let plate = newPlate();
+  for (const setting of settings) plate = withValue(plate, setting, another(setting));
+  const { hash } = await writeLink(plate);
+  assert.deepEqual(await readLink(hash), plate);
+  assert.ok(hash.length < 2500, `${hash.length} characters`);
+  assert.ok((await writeLink(newPlate())).hash.length < 400);
+});
+
+test('what cannot travel is named and replaced by something plain', async () => {
+  for (const kind of fileKinds) {
+    const plate: Plate = {
+      ...newPlate(),
+      width: 33,
+      shape: { kind: 'file', file, unitless: 'px' },
+      directions: newFileDirections(kind, file),
+      modes: { base: 'parallel', file },
+      strokes: [{ tool: 'comb', points: [0, 0, 1, 1], radius: 0.1, softness: 0 }],
+    };
+    const { hash, untold } = await writeLink(plate);
+    assert.deepEqual(untold, ['shape', 'directions', 'modes', 'strokes']);
+    const read = await readLink(hash);
+    assert.deepEqual(read, {
+      ...plate,
+      shape: { kind: 'rectangle' },
+      directions: newGenerator('angle'),
+      modes: { base: 'parallel' },
+      strokes: [],
+    });
+  }
+});
+
+test('other hashes are no links', async () => {
+  for (const hash of ['', '#', '#help', '#plat', '#PLATE=1.x', '#x&plate=1.x']) {
+    assert.equal(await readLink(hash), undefined);
+  }
+});
+
+test('cut, changed and foreign links are refused with what is wrong', async () => {
+  const { hash } = await writeLink(newPlate());
+  for (const broken of [
+    '#plate=',
+    '#plate=1',
+    '#plate=1.',
+    '#plate=x.abc',
+    '#plate=1.%20',
+    '#plate=1.AAAA',
+    '#plate=1.a',
+  ]) {
+    await refused(broken, 'LinkBroken');
+  }
+  for (const keep of [0.2, 0.5, 0.9])
+    await refused(hash.slice(0, 9 + Math.floor(keep * (hash.length - 9))), 'LinkBroken');
+  await refused(`#plate=1.${deflateRawSync(Buffer.from([0xff, 0xfe, 0x80])).toString('base64url')}`, 'LinkBroken');
+  await refused(`#plate=1.${deflateRawSync('{"name":').toString('base64url')}`, 'LinkBroken');
+  assert.deepEqual((await refused(hash.replace('=1.', '=2.'), 'LinkTooNew')).values, { version: 2 });
+  await refused(hash.replace('=1.', '=0.'), 'LinkTooNew');
+});
+
+test('bombs are refused before they are unpacked', async () => {
+  await refused(`#plate=1.${'A'.repeat(1_000_000)}`, 'LinkTooLong');
+  const bomb = deflateRawSync(Buffer.alloc(8_000_000, ' ')).toString('base64url');
+  assert.ok(bomb.length < 16_000, 'the bomb must be small enough to get that far');
+  await refused(`#plate=1.${bomb}`, 'LinkTooLong');
+  await refused(hashOf({ name: 'x'.repeat(190_000) }), 'LinkValue');
+});
+
+test('every field is checked: kind, range, unknown names', async () => {
+  const good = await told({ ...newPlate(), shape: newShape('rounded') });
+  const directions = good['directions'] as Record<string, unknown>;
+  const wrong: Record<string, unknown>[] = [
+    ...['name', 'width', 'height', 'mode', 'filament', 'settings'].map((name) => ({ ...good, [name]: undefined })),
+    { ...good, name: 7 },
+    { ...good, name: 'x'.repeat(201) },
+    { ...good, name: '\u0000' },
+    { ...good, width: 0 },
+    { ...good, width: '70' },
+    { ...good, width: 1e9 },
+    { ...good, height: -1 },
+    { ...good, mode: 'none' },
+    { ...good, mode: 'toString' },
+    { ...good, filament: 'gold' },
+    { ...good, filament: 'constructor' },
+    { ...good, shape: null },
+    { ...good, shape: 'disc' },
+    { ...good, shape: { kind: 'file' } },
+    { ...good, shape: { kind: 'rounded' } },
+    { ...good, shape: { kind: 'disc', radius: 1, extra: 1 } },
+    { ...good, directions: null },
+    { ...good, directions: [] },
+    { ...good, directions: { kind: 'tone', from: 0 } },
+    { ...good, directions: { kind: '__proto__' } },
+    { ...good, directions: { kind: 'angle', angle: 361 } },
+    { ...good, directions: { ...directions, amplitude: null } },
+    { ...good, directions: { ...directions, length: 0 } },
+    { ...good, directions: { ...directions, more: 0 } },
+    { ...good, directions: { ...newGenerator('radial'), centre: [0] } },
+    { ...good, directions: { ...newGenerator('radial'), centre: [0, 1e9] } },
+    { ...good, directions: { ...newGenerator('text'), bold: 'true' } },
+    { ...good, directions: { ...newGenerator('text'), text: 'x'.repeat(2001) } },
+    { ...good, settings: [] },
+    { ...good, settings: { 'toolpath.spacing': '0.4' } },
+    { ...good, settings: { 'toolpath.spacing': 0 } },
+    { ...good, settings: { 'toolpath.seed': 1.5 } },
+    { ...good, settings: { 'printer.name': 'two\nlines' } },
+    { ...good, settings: { 'printer.bedMax': [1] } },
+    { ...good, settings: { 'toolpath.unknown': 1 } },
+    { ...good, settings: JSON.parse('{"__proto__": {"a": 1}}') },
+    { ...good, strokes: [] },
+    JSON.parse('{"__proto__": {}}') as Record<string, unknown>,
+  ];
+  assert.ok((await readLink(hashOf(good))) !== undefined);
+  for (const value of wrong) {
+    const { values } = await refused(hashOf(value), 'LinkValue');
+    assert.ok(typeof values['where'] === 'string' && String(values['value']).length <= 41, JSON.stringify(values));
+  }
+  for (const value of [null, 1, 'x', [], true]) await refused(hashOf(value), 'LinkValue');
+  assert.equal(({} as Record<string, unknown>)['a'], undefined);
+});
+
+test('random damage ends in a plate that controls could have set, or in an error of ours', async () => {
+  const { hash } = await writeLink(withPrinter({ ...newPlate(), directions: newGenerator('text') }, 'voron24'));
+  const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
+  let seed = 7;
+  const random = (below: number): number => {
+    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+    return Math.floor((seed / 2 ** 32) * below);
+  };
+  for (let k = 0; k < 300; ++k) {
+    const at = 9 + random(hash.length - 9);
+    const damaged = hash.slice(0, at) + (letters[random(64)] ?? 'A') + hash.slice(at + 1);
+    try {
+      const plate = await readLink(damaged);
+      assert.ok(plate !== undefined);
+      assert.deepEqual(await readLink((await writeLink(plate)).hash), plate);
+    } catch (error) {
+      assert.ok(error instanceof StudioError, String(error));
+    }
+  }
+});

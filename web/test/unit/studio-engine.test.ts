@@ -1,0 +1,498 @@
+import assert from 'node:assert/strict';
+import { beforeEach, mock, test } from 'node:test';
+import type {
+  Engine,
+  EngineInfo,
+  GenerateOptions,
+  Plate as MadePlate,
+  PlateInput,
+  Report,
+  Toolpath,
+  ToolpathParams,
+} from 'sillon';
+import type { DirectionRaster } from '../../src/directions/raster.js';
+import { Cost, cellsOf } from '../../src/engine/coarse.js';
+import { engineInput, sameToolpath } from '../../src/engine/input.js';
+import { StudioEngine } from '../../src/engine/studio-engine.js';
+import { TimeLeft } from '../../src/engine/time-left.js';
+import { newGenerator, newPlate } from '../../src/model/defaults.js';
+import type { Plate } from '../../src/model/plate.js';
+import type { Problem } from '../../src/model/problem.js';
+import type { Made, Progress } from '../../src/model/state.js';
+
+const turn = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
+
+interface Call {
+  input: PlateInput;
+  params: Partial<ToolpathParams>;
+  options: GenerateOptions;
+  finish(ms?: number): Promise<void>;
+  fail(error: Error): Promise<void>;
+}
+
+class SillonError extends Error {
+  override name = 'SillonError';
+  constructor(
+    readonly code: string,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+/** An engine whose jobs end when the test says so, and a page that keeps what it hears. */
+class Bench {
+  time = 0;
+  loads = 0;
+  loadError: Error | undefined;
+  disposed = 0;
+  calls: Call[] = [];
+  written: { toolpath: Toolpath; printer: unknown }[] = [];
+  made: Made[] = [];
+  progress: (Progress | undefined)[] = [];
+  problems: (Problem | undefined)[] = [];
+  info: EngineInfo[] = [];
+  running = 0;
+  mostRunning = 0;
+  readonly studio = new StudioEngine(
+    {
+      load: () => {
+        ++this.loads;
+        if (this.loadError !== undefined) return Promise.reject(this.loadError);
+        return Promise.resolve(this.engine as unknown as Engine);
+      },
+      now: () => this.time,
+    },
+    {
+      onMade: (made) => this.made.push(made),
+      onProgress: (progress) => this.progress.push(progress),
+      onProblem: (problem) => this.problems.push(problem),
+      onInfo: (info) => this.info.push(info),
+    },
+  );
+
+  readonly engine = {
+    info: { version: '1', variant: 'st', threads: 1, reason: '' },
+    generateToolpath: (input: PlateInput, params: ToolpathParams, options: GenerateOptions): Promise<MadePlate> =>
+      new Promise((resolve, reject) => {
+        this.mostRunning = Math.max(this.mostRunning, ++this.running);
+        const end = (): void => {
+          --this.running;
+        };
+        options.signal?.addEventListener('abort', () => {
+          end();
+          reject(options.signal?.reason as Error);
+        });
+        this.calls.push({
+          input,
+          params,
+          options,
+          finish: (ms = 10) => {
+            this.time += ms;
+            end();
+            const toolpath = {
+              spacing: params.spacing,
+              cycles: [],
+              shape: { page: [1, 1], paths: [] },
+              notes: options.measure === true ? ['measured'] : [],
+            } as unknown as Toolpath;
+            resolve({ toolpath, report: { toolpaths: 1 } as Report });
+            return turn();
+          },
+          fail: (error) => {
+            end();
+            reject(error);
+            return turn();
+          },
+        });
+      }),
+    writeGcode: (toolpath: Toolpath, printer: unknown, _print: unknown, { signal }: { signal: AbortSignal }) =>
+      new Promise((resolve, reject) => {
+        this.written.push({ toolpath, printer });
+        signal.addEventListener('abort', () => {
+          reject(signal.reason as Error);
+        });
+        setTimeout(() => {
+          resolve({ blob: new Blob(['G28']), summary: {} });
+        }, 50);
+      }),
+    dispose: () => {
+      ++this.disposed;
+    },
+  };
+
+  get call(): Call {
+    const call = this.calls.at(-1);
+    assert.ok(call !== undefined, 'no job was begun');
+    return call;
+  }
+
+  async finishAll(): Promise<void> {
+    await turn();
+    for (let k = 0; this.running > 0; ++k) {
+      assert.ok(k < 20, 'jobs go on for ever');
+      await this.call.finish();
+    }
+  }
+}
+
+const plateOf = (width: number): Plate => ({ ...newPlate(), width, height: width });
+const raster: DirectionRaster = { width: 2, height: 1, angle: new Uint16Array([1, 2]), mode: new Uint8Array([0, 3]) };
+
+let bench: Bench;
+beforeEach(() => {
+  mock.timers.reset();
+  mock.timers.enable({ apis: ['setTimeout'] });
+  bench = new Bench();
+});
+
+test('nothing is loaded before a plate asks for it', async () => {
+  await turn();
+  assert.equal(bench.loads, 0);
+  bench.studio.update(newPlate(), raster);
+  assert.equal(bench.progress.at(-1)?.job, 'loading');
+  await turn();
+  assert.equal(bench.loads, 1);
+  assert.equal(bench.info.length, 1);
+});
+
+test('a resting plate is made whole, shown, then measured; the measured one has the same beads', async () => {
+  const plate = newPlate();
+  bench.studio.update(plate, raster);
+  await turn();
+  assert.equal(bench.call.options.measure, false);
+  assert.equal(bench.call.params.spacing, plate.toolpath.spacing);
+  await bench.call.finish();
+  assert.equal(bench.made.length, 1);
+  assert.deepEqual([bench.made[0]?.coarse, bench.made[0]?.measured], [false, false]);
+  assert.equal(bench.call.options.measure, true);
+  await bench.call.finish();
+  assert.equal(bench.made[1]?.measured, true);
+  assert.equal(bench.made[1].toolpath.cycles, bench.made[0]?.toolpath.cycles);
+  assert.deepEqual(bench.made[1].toolpath.notes, ['measured']);
+  assert.equal(bench.progress.at(-1), undefined);
+  assert.equal(bench.running, 0);
+});
+
+test('while a hand moves there are previews, the whole plate comes when it rests', async () => {
+  bench.studio.update(plateOf(200), raster, { live: true });
+  await turn();
+  assert.ok((bench.call.params.spacing ?? 0) > 0.4, 'the preview is as fine as the plate');
+  assert.equal(bench.call.options.measure, false);
+  await bench.call.finish();
+  assert.equal(bench.made.at(-1)?.coarse, true);
+  assert.equal(bench.running, 0, 'the whole plate was begun under a moving hand');
+  mock.timers.tick(249);
+  await turn();
+  assert.equal(bench.running, 0);
+  mock.timers.tick(1);
+  await turn();
+  assert.equal(bench.call.params.spacing, 0.4);
+  await bench.finishAll();
+  assert.equal(bench.made.at(-1)?.measured, true);
+});
+
+test('of updates under a running preview only the newest is made, and none is starved', async () => {
+  for (let width = 200; width < 210; ++width) {
+    bench.studio.update(plateOf(width), raster, { live: true });
+    await turn();
+  }
+  assert.equal(bench.calls.length, 1);
+  await bench.call.finish();
+  assert.equal(bench.calls.length, 2);
+  assert.deepEqual(
+    bench.made.map(({ plate }) => plate.width),
+    [200],
+  );
+  await bench.call.finish();
+  assert.deepEqual(
+    bench.made.map(({ plate }) => plate.width),
+    [200, 209],
+  );
+  assert.equal(bench.mostRunning, 1);
+});
+
+test('small plates need no preview, and are not restarted by every move', async () => {
+  bench.studio.update(plateOf(20), raster, { live: true });
+  await turn();
+  assert.equal(bench.call.params.spacing, 0.4);
+  bench.studio.update(plateOf(21), raster, { live: true });
+  assert.equal(bench.call.options.signal?.aborted, false);
+  await bench.call.finish();
+  assert.equal(bench.made.at(-1)?.coarse, false);
+  await bench.call.finish();
+  // When the hand rests nothing has to be made again.
+  mock.timers.tick(250);
+  await turn();
+  assert.equal(bench.call.options.measure, true);
+});
+
+test('a change stops the whole plate and its measures at once', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  const first = bench.call;
+  bench.studio.update(plateOf(51), raster);
+  assert.equal(first.options.signal?.aborted, true);
+  await turn();
+  assert.equal(bench.made.length, 0);
+  await bench.call.finish();
+  assert.equal(bench.call.options.measure, true);
+  const measuring = bench.call;
+  bench.studio.update(plateOf(52), raster);
+  assert.equal(measuring.options.signal?.aborted, true);
+  await bench.finishAll();
+  assert.equal(bench.made.at(-1)?.plate.width, 52);
+  assert.equal(bench.mostRunning, 1);
+});
+
+test('changes of printer, print and name make nothing again', async () => {
+  const plate = newPlate();
+  bench.studio.update(plate, raster);
+  await bench.finishAll();
+  const { length } = bench.calls;
+  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, filament: 'bluePla' }, raster);
+  await turn();
+  assert.equal(bench.calls.length, length);
+});
+
+test('cancel stops the job and waits for the next change', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  bench.studio.cancel();
+  assert.equal(bench.call.options.signal?.aborted, true);
+  await turn();
+  assert.equal(bench.progress.at(-1), undefined);
+  assert.deepEqual(bench.problems, []);
+  mock.timers.tick(10_000);
+  await turn();
+  assert.equal(bench.calls.length, 1);
+  bench.studio.retry();
+  await turn();
+  assert.equal(bench.calls.length, 2);
+  await bench.finishAll();
+  assert.equal(bench.made.at(-1)?.measured, true);
+});
+
+test('cancel under a hand that moves does not let the whole plate come', async () => {
+  bench.studio.update(plateOf(200), raster, { live: true });
+  await turn();
+  bench.studio.cancel();
+  mock.timers.tick(10_000);
+  await turn();
+  assert.equal(bench.calls.length, 1);
+});
+
+test('a problem is told once, does not repeat the job, and goes with the next good plate', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  await bench.call.fail(new SillonError('EmptyShape', 'the shape has no area'));
+  assert.deepEqual(bench.problems, [{ code: 'EmptyShape', values: {}, detail: 'the shape has no area' }]);
+  assert.equal(bench.progress.at(-1), undefined);
+  await turn();
+  assert.equal(bench.calls.length, 1);
+  bench.studio.update(plateOf(51), raster);
+  await bench.finishAll();
+  assert.equal(bench.problems.at(-1), undefined);
+  assert.equal(bench.problems.length, 2);
+});
+
+test('an engine that could not be loaded is asked for again', async () => {
+  bench.loadError = new SillonError('LoadFailed', 'http://x could not be fetched');
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  assert.equal(bench.problems.at(-1)?.code, 'LoadFailed');
+  bench.loadError = undefined;
+  bench.studio.retry();
+  await turn();
+  assert.equal(bench.loads, 2);
+  await bench.finishAll();
+  assert.equal(bench.problems.at(-1), undefined);
+});
+
+test('progress has a stage, and in time an estimate', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  const { onProgress } = bench.call.options;
+  bench.time = 100;
+  onProgress?.({ stage: 'lines', fraction: 0.1 });
+  assert.deepEqual(bench.progress.at(-1), { job: 'making', stage: 'lines', fraction: 0.1, secondsLeft: undefined });
+  bench.time = 2000;
+  onProgress?.({ stage: 'stitch', fraction: 0.5 });
+  assert.equal(bench.progress.at(-1)?.secondsLeft, 2);
+});
+
+test('previews tell no progress', async () => {
+  bench.studio.update(plateOf(200), raster, { live: true });
+  await turn();
+  bench.progress = [];
+  bench.call.options.onProgress?.({ stage: 'lines', fraction: 0.1 });
+  assert.deepEqual(bench.progress, []);
+});
+
+test('G-code waits for the whole, measured path and takes the printer of now', async () => {
+  const plate = plateOf(200);
+  bench.studio.update(plate, raster, { live: true });
+  await turn();
+  const printing = { ...plate, printer: { ...plate.printer, speed: 33 } };
+  const done = bench.studio.gcode(printing);
+  await bench.finishAll();
+  assert.equal(bench.written.length, 1);
+  assert.deepEqual(bench.written[0]?.toolpath.notes, ['measured']);
+  assert.equal(bench.written[0].printer, printing.printer);
+  assert.equal(bench.progress.at(-1)?.job, 'writing');
+  mock.timers.tick(50);
+  const { gcode, made } = await done;
+  assert.equal(await gcode.blob.text(), 'G28');
+  assert.equal(made.measured, true);
+  assert.equal(bench.progress.at(-1), undefined);
+});
+
+test('G-code of a plate that cannot be made rejects with its problem', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  const rejected = assert.rejects(bench.studio.gcode(plateOf(50)), { code: 'TooLarge', detail: 'too many cells' });
+  await bench.call.fail(new SillonError('TooLarge', 'too many cells'));
+  await rejected;
+  // And a second time without making it again.
+  await assert.rejects(bench.studio.gcode(plateOf(50)), { code: 'TooLarge' });
+});
+
+test('cancel ends exports, whether they wait or write', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  const waiting = bench.studio.gcode(plateOf(50));
+  bench.studio.cancel();
+  await assert.rejects(waiting, { name: 'AbortError' });
+
+  const writing = bench.studio.gcode(plateOf(50));
+  await bench.finishAll();
+  assert.equal(bench.written.length, 1);
+  bench.studio.cancel();
+  await assert.rejects(writing, { name: 'AbortError' });
+});
+
+test('after dispose nothing is made, and the engine is ended', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  bench.studio.dispose();
+  await turn();
+  assert.equal(bench.disposed, 1);
+  bench.studio.update(plateOf(60), raster);
+  await turn();
+  assert.equal(bench.calls.length, 1);
+  await assert.rejects(bench.studio.engine(), { code: 'Disposed' });
+});
+
+// --- Its parts ------------------------------------------------------------------------------------------------------------
+
+test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {
+  const { input, params } = engineInput({ plate: newPlate(), raster });
+  assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70] });
+  assert.deepEqual(input.directions, {
+    file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
+    encoding: 'angle',
+  });
+  assert.deepEqual(input.modes, { file: { width: 2, height: 1, channels: 1, samples: new Uint8Array([0, 255]) } });
+  assert.deepEqual(params, newPlate().toolpath);
+});
+
+test('without a picture the one direction is told in words', () => {
+  const plate: Plate = {
+    ...newPlate(),
+    directions: { ...newGenerator('angle'), angle: 30 },
+    modes: { base: 'smoothest' },
+  };
+  const { input } = engineInput({ plate, raster: undefined });
+  assert.deepEqual(input.directions, { angle: 30 });
+  assert.deepEqual(input.modes, { mode: 'smoothest' });
+});
+
+test('a preview has wider spacing, a thinner picture, and joins no parts that the plate keeps apart', () => {
+  const size = 512;
+  const large: DirectionRaster = {
+    width: size,
+    height: size,
+    angle: Uint16Array.from({ length: size * size }, (_, k) => k % size),
+    mode: new Uint8Array(size * size).fill(3),
+  };
+  const { input, params } = engineInput({ plate: plateOf(40), raster: large }, 2);
+  assert.equal(params.spacing, 0.8);
+  assert.equal(params.bridge, 0.4);
+  const file = (input.directions as { file: { width: number; height: number; samples: Uint16Array } }).file;
+  // 40 mm hold 50 beads: 100 texels suffice.
+  assert.deepEqual([file.width, file.height], [103, 103]);
+  assert.equal(file.samples.length, 103 * 103);
+  assert.equal(file.samples[1], 5);
+  assert.equal(file.samples[103 + 2], 10);
+  const whole = engineInput({ plate: plateOf(40), raster: large }).input.directions as {
+    file: { samples: Uint16Array };
+  };
+  assert.equal(whole.file.samples, large.angle);
+});
+
+test('a file is handed over with the width of its page', () => {
+  const bytes = new Blob(['<svg/>']);
+  const plate: Plate = {
+    ...newPlate(),
+    shape: { kind: 'file', file: { id: 'a', name: 'a.svg', bytes }, unitless: 'mm' },
+  };
+  assert.deepEqual(engineInput({ plate, raster }).input.shape, { file: bytes, pageWidth: 70, unitless: 'mm' });
+});
+
+test('what makes another toolpath, and what does not', () => {
+  const plate = newPlate();
+  const same = (change: Partial<Plate>, other: DirectionRaster | undefined = raster): boolean =>
+    sameToolpath({ plate, raster }, { plate: { ...plate, ...change }, raster: other });
+  assert.ok(same({}));
+  assert.ok(same({ print: { ...plate.print } }));
+  assert.ok(!same({ width: 71 }));
+  assert.ok(!same({ shape: { kind: 'disc' } }));
+  assert.ok(!same({ toolpath: { ...plate.toolpath } }));
+  assert.ok(!same({}, { ...raster }));
+  assert.ok(
+    !sameToolpath(
+      { plate, raster: undefined },
+      { plate: { ...plate, modes: { base: 'parallel' } }, raster: undefined },
+    ),
+  );
+});
+
+test('previews are as coarse as the last ones cost', () => {
+  const plate = plateOf(200);
+  const cost = new Cost();
+  assert.ok(cost.factorFor(plate) > 1);
+  cost.learn(plate, 1, 100);
+  assert.equal(cost.factorFor(plate), 1);
+  cost.learn(plate, 1, 4 * 110);
+  assert.ok(Math.abs(cost.factorFor(plate) - 2) < 1e-9);
+  // At factor 2 it took twice as long as allowed: half the cells.
+  cost.learn(plate, 2, 220);
+  assert.ok(Math.abs(cost.factorFor(plate) - 2 * Math.SQRT2) < 1e-9);
+});
+
+test('a preview keeps some beads, however slow the machine', () => {
+  const cost = new Cost();
+  cost.learn(plateOf(20), 1, 1e6);
+  assert.ok(Math.abs(0.4 * cost.factorFor(plateOf(20)) - 2) < 1e-9);
+  const wide: Plate = { ...plateOf(200), toolpath: { ...newPlate().toolpath, spacing: 20 } };
+  assert.equal(cost.factorFor(wide), 1);
+});
+
+test('a height of 0 counts as the width', () => {
+  assert.equal(cellsOf({ ...newPlate(), width: 4, height: 0 }), cellsOf({ ...newPlate(), width: 4, height: 4 }));
+});
+
+test('time left: nothing at first, exact for even progress, smooth for uneven, never negative', () => {
+  const even = new TimeLeft(0);
+  assert.equal(even.estimate(0.02, 5000), undefined);
+  assert.equal(even.estimate(0.5, 100), undefined);
+  for (let k = 1; k < 10; ++k) assert.ok(Math.abs((even.estimate(k / 10, 1000 * k) ?? 0) - (10 - k)) < 1e-9);
+  assert.equal(even.estimate(1, 10_000), 0);
+
+  const uneven = new TimeLeft(0);
+  assert.equal(uneven.estimate(0.5, 1000), 1);
+  // Slower from here: the plain estimate would jump from 1 to 9.7.
+  const next = uneven.estimate(0.51, 10_000) ?? 0;
+  assert.ok(next > 1 && next < 5, `${next}`);
+  assert.ok((uneven.estimate(0.99, 10_001) ?? -1) >= 0);
+});

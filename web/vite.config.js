@@ -1,0 +1,119 @@
+// Builds the studio into dist: static files for any web server, in any folder of it.
+import { createHash } from 'node:crypto';
+import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { contentSecurityPolicy, headers, isolation } from './headers.js';
+import { filesOf } from './serve.js';
+
+const at = (path) => fileURLToPath(new URL(path, import.meta.url));
+const engine = at('../wasm/dist/engine');
+const inputs = at('../examples/inputs');
+const dist = at('dist');
+
+/** The engine's files lie as they are in /engine/: no bundler may touch them. */
+const engineFiles = {
+  name: 'studio-engine-files',
+  enforce: 'pre',
+  // The package names them beside itself, too; the studio always says where they are, so they must not be copied twice.
+  transform(code, id) {
+    if (!/wasm[\\/]dist[\\/]platform-browser\.js$/.test(id)) return undefined;
+    return code.replaceAll(
+      /new URL\((['"])(\.\/engine\/[\w.-]+)\1, import\.meta\.url\)/g,
+      'new URL($1$2$1, location.href)',
+    );
+  },
+  configureServer(server) {
+    server.middlewares.use(
+      '/engine',
+      filesOf(engine, (request, response) => {
+        response.writeHead(404).end();
+      }),
+    );
+  },
+  writeBundle() {
+    // node-worker.js is for Node alone.
+    cpSync(engine, join(dist, 'engine'), { recursive: true, filter: (path) => !path.endsWith('node-worker.js') });
+  },
+};
+
+/** Pictures of the gallery's plates, which the command line's examples use as well. */
+const exampleFiles = {
+  name: 'studio-example-files',
+  configureServer(server) {
+    server.middlewares.use(
+      '/examples',
+      filesOf(inputs, (request, response) => {
+        response.writeHead(404).end();
+      }),
+    );
+  },
+  writeBundle() {
+    const used = /^(photo|relief|mosaic|tiles|logo|strokes)(_\w+)?\.(png|svg)$/;
+    for (const name of readdirSync(inputs).filter((name) => used.test(name))) {
+      cpSync(join(inputs, name), join(dist, 'examples', name));
+    }
+  },
+};
+
+/** For hosts that send no headers. Not while developing, where Vite puts styles into the page. */
+const policy = {
+  name: 'studio-policy',
+  apply: 'build',
+  transformIndexHtml: () => [
+    {
+      tag: 'meta',
+      attrs: { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy },
+      injectTo: 'head-prepend',
+    },
+  ],
+};
+
+/** Tells the service worker which files make a version, once all of them are written. */
+const offline = {
+  name: 'studio-offline',
+  apply: 'build',
+  enforce: 'post',
+  closeBundle() {
+    const names = readdirSync(dist, { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile())
+      .map((entry) =>
+        join(entry.parentPath, entry.name)
+          .slice(dist.length + 1)
+          .replaceAll('\\', '/'),
+      )
+      .filter((name) => name !== 'sw.js')
+      .sort();
+    const hash = (bytes) => createHash('sha256').update(bytes).digest('base64');
+    // The page goes by its folder's address: some hosts send index.html there.
+    const files = Object.fromEntries(
+      names.map((name) => [name === 'index.html' ? './' : name, hash(readFileSync(join(dist, name)))]),
+    );
+    const worker = readFileSync(join(dist, 'sw.js'), 'utf8');
+    const version = hash(JSON.stringify(files) + worker).slice(0, 12);
+    writeFileSync(join(dist, 'sw.js'), `const build = ${JSON.stringify({ version, files, isolation })};\n${worker}`);
+  },
+};
+
+export default {
+  root: at('.'),
+  base: './',
+  plugins: [engineFiles, exampleFiles, policy, offline],
+  server: { headers: isolation },
+  preview: { headers },
+  worker: { format: 'es' },
+  build: {
+    outDir: dist,
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsInlineLimit: 0, // data: addresses are not in the policy
+    modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: { main: at('index.html'), sw: at('src/service-worker/sw.ts') },
+      output: {
+        entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
+      },
+    },
+  },
+};
