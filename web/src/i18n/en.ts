@@ -254,8 +254,6 @@ export const en = {
   'view.canvas': 'Picture of the plate. Arrow keys move, plus and minus zoom, 0 shows all.',
   'view.legend': 'Legend: colour and angle',
   'legend.direction': 'Directions of beads',
-  'legend.slow': 'slow',
-  'legend.fast': 'fast',
   'legend.first': 'first',
   'legend.last': 'last',
   'files.opened': '{name}: {role}.',

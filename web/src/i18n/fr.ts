@@ -256,8 +256,6 @@ export const fr: Dictionary = {
   'view.canvas': 'Image de la plaque. Les flèches déplacent, plus et moins zooment, 0 affiche tout.',
   'view.legend': 'Légende : couleur et angle',
   'legend.direction': 'Direction des cordons',
-  'legend.slow': 'lent',
-  'legend.fast': 'rapide',
   'legend.first': 'début',
   'legend.last': 'fin',
   'files.opened': '{name} : {role}.',

@@ -96,6 +96,9 @@ export class App extends StudioElement {
         scrollbar-width: thin;
         scrollbar-color: var(--line) transparent;
       }
+      sillon-stage {
+        grid-column: 3; /* where it is without the panel, too */
+      }
       .grip {
         display: none;
       }
@@ -129,7 +132,7 @@ export class App extends StudioElement {
           grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
         }
         sillon-stage {
-          grid-row: 1;
+          grid-area: 1 / 1;
         }
         .panel {
           grid-row: 2;

@@ -16,6 +16,7 @@ import type { Stage } from './studio.js';
 
 const gap = 0.08; // between plate and zigzag, share of the page's width
 const margin = 40; // around the plate [CSS pixels]
+const toolsWidth = 60;
 const swayPeriod = 9000; // [ms]
 const slowFrame = 120; // [ms]
 const mostSlowFrames = 8;
@@ -207,6 +208,11 @@ export class PlateCanvas extends StudioElement implements Stage {
       directions,
       view,
       colourBy,
+      feed: {
+        speed: plate.printer.speed,
+        maxFlow: plate.printer.maxFlow,
+        layerHeight: plate.print.layerHeight,
+      },
       progress: view === 'toolpath' ? played : 1,
       compare: compare && view === 'appearance',
       light,
@@ -307,8 +313,10 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { page, shown } = this.#page();
     const { width, height } = this.getBoundingClientRect();
     const room = Math.min(margin, width * 0.08);
-    const scale = Math.min((width - 2 * room) / shown, (height - 2 * room - 2 * margin) / page[1]);
-    this.#camera = { x: shown / 2, y: page[1] / 2, scale: Math.max(0.01, scale) * devicePixelRatio };
+    const tools = width > 560 ? toolsWidth : 0; // they lie over the left side
+    const across = Math.max(1, width - tools - 2 * room);
+    const scale = Math.max(0.01, Math.min(across / shown, (height - 2 * room - 2 * margin) / page[1]));
+    this.#camera = { x: shown / 2 - tools / 2 / scale, y: page[1] / 2, scale: scale * devicePixelRatio };
     this.#fitted = true;
     this.#redraw();
   }

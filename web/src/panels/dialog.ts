@@ -34,7 +34,7 @@ export abstract class DialogElement extends StudioElement {
           ${icon('close')}
         </button>
       </div>
-      <div class="body">${this.body()}</div>
+      <div class="body" tabindex="0">${this.body()}</div>
     </dialog>`;
   }
 

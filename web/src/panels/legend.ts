@@ -10,7 +10,7 @@ const kinds: readonly Mark['kind'][] = ['turn', 'narrow', 'wide'];
 
 @customElement('sillon-legend')
 export class Legend extends StudioElement {
-  static override reads = ['view', 'colourBy', 'made', 'marks'] as const;
+  static override reads = ['view', 'colourBy', 'made', 'marks', 'plate'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -66,9 +66,10 @@ export class Legend extends StudioElement {
         <span>${t('legend.direction')}</span>`;
     }
     const spacing = made?.toolpath.spacing ?? this.state.plate.toolpath.spacing;
+    const { speed } = this.state.plate.printer;
     const ends: Record<Exclude<ColourBy, 'direction'>, readonly [string, string]> = {
       width: [`${formatNumber(0.5 * spacing)} mm`, `${formatNumber(1.5 * spacing)} mm`],
-      speed: [t('legend.slow'), t('legend.fast')],
+      speed: [`${formatNumber(speed / 2)} mm/s`, `${formatNumber(speed)} mm/s`],
       order: [t('legend.first'), t('legend.last')],
     };
     const [from, to] = ends[colourBy];

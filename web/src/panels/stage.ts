@@ -124,7 +124,7 @@ export class StageElement extends StudioElement {
       }
       .captions span {
         position: absolute;
-        bottom: 98px;
+        top: 76px;
         padding: 2px 8px;
         border-radius: var(--radius);
         background: var(--surface);
@@ -181,6 +181,16 @@ export class StageElement extends StudioElement {
           left: 26px;
           right: 6px;
           bottom: 6px;
+        }
+      }
+      /* Beside the tools, where the middle is too near to them. */
+      @container (min-width: 420px) and (max-width: 640px) {
+        .views {
+          left: 86px;
+          transform: none;
+        }
+        .views button {
+          padding: 0 9px;
         }
       }
       /* A low bench is for the plate. */

@@ -26,7 +26,12 @@ const segmentsPerRun = 4096;
 
 const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3 };
 
-function compile(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {
+interface Program {
+  program: WebGLProgram;
+  at: (uniform: string) => WebGLUniformLocation | null;
+}
+
+function compile(gl: WebGL2RenderingContext, vertex: string, fragment: string): Program {
   const program = gl.createProgram();
   for (const [type, text] of [
     [gl.VERTEX_SHADER, vertex],
@@ -42,7 +47,15 @@ function compile(gl: WebGL2RenderingContext, vertex: string, fragment: string): 
   if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true && !gl.isContextLost()) {
     throw new Error(`a shader could not be built: ${gl.getProgramInfoLog(program) ?? ''}`);
   }
-  return program;
+  const places = new Map<string, WebGLUniformLocation | null>(); // asking anew for each frame would stall some drivers
+  const at = (uniform: string): WebGLUniformLocation | null => {
+    const known = places.get(uniform);
+    if (known !== undefined) return known;
+    const place = gl.getUniformLocation(program, uniform);
+    places.set(uniform, place);
+    return place;
+  };
+  return { program, at };
 }
 
 function integerTexture(
@@ -109,8 +122,8 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   const context = canvas.getContext('webgl2', { antialias: true, alpha: true, preserveDrawingBuffer: false });
   if (context === null) throw new Error('this browser has no WebGL2');
   const gl = context;
-  let beadProgram: WebGLProgram;
-  let fieldProgram: WebGLProgram;
+  let beadProgram: Program;
+  let fieldProgram: Program;
   let palette: WebGLTexture;
   let array: WebGLVertexArrayObject;
   let fieldTextures: { angle: WebGLTexture; mode: WebGLTexture; of: DirectionRaster } | undefined;
@@ -164,10 +177,10 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   }
 
   function drawBeads(beads: Beads, scene: Scene, camera: Camera, offset: number): void {
-    gl.useProgram(beadProgram);
+    gl.useProgram(beadProgram.program);
+    const { at } = beadProgram;
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, beads.buffer);
-    const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(beadProgram, name);
     const { azimuth, elevation } = scene.light;
     const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
     gl.uniform4f(at('camera'), camera.x - offset, camera.y, camera.scale, 1);
@@ -176,6 +189,7 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.uniform3f(at('body'), ...scene.filament.colour);
     gl.uniform2f(at('slopes'), scene.filament.along, scene.filament.across);
     gl.uniform2f(at('page'), ...scene.page);
+    gl.uniform3f(at('feed'), scene.feed.speed, scene.feed.maxFlow, scene.feed.layerHeight);
     gl.uniform1f(at('progress'), scene.progress);
     gl.uniform1f(at('spacing'), beads.spacing);
     gl.uniform1i(at('view'), scene.view === 'appearance' ? 0 : scene.view === 'quality' ? 2 : 1);
@@ -211,9 +225,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
       const mode = integerTexture(gl, raster, gl.R8UI, gl.UNSIGNED_BYTE, raster.mode);
       fieldTextures = { angle, mode, of: raster };
     }
-    gl.useProgram(fieldProgram);
+    gl.useProgram(fieldProgram.program);
+    const { at } = fieldProgram;
     gl.bindVertexArray(null);
-    const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(fieldProgram, name);
     gl.uniform4f(at('camera'), camera.x, camera.y, camera.scale, 1);
     gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.uniform2f(at('page'), ...scene.page);

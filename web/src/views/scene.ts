@@ -18,6 +18,13 @@ export interface FilamentLook {
   across: number;
 }
 
+/** What limits the speed of a bead [mm/s, mm³/s, mm]; corners are left out. */
+export interface Feed {
+  speed: number;
+  maxFlow: number;
+  layerHeight: number;
+}
+
 /** A place worth a look, found by the quality view [mm]. */
 export interface Mark {
   x: number;
@@ -31,6 +38,7 @@ export interface Scene {
   directions: DirectionRaster | undefined;
   view: ViewName;
   colourBy: ColourBy;
+  feed: Feed;
   /** 0..1: how much of the print is shown. */
   progress: number;
   /** Beside the plate, the same shape under a plain 45° zigzag. */

@@ -57,6 +57,7 @@ uniform vec2 page;
 uniform float spacing;
 uniform int view;
 uniform int colourBy;
+uniform vec3 feed;  // speed, largest flow, layer height
 uniform sampler2D palette;
 out vec4 colour;
 
@@ -119,7 +120,7 @@ void main() {
   }
   else if (colourBy == 0) base = texture(palette, vec2(atan(along.y, along.x) / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
   else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
-  else if (colourBy == 2) base = ramp(1.0 - (2.0 * radius / spacing - 0.8) / 0.8);
+  else if (colourBy == 2) base = ramp(2.0 * min(1.0, feed.y / (2.0 * radius * feed.z * feed.x)) - 1.0);
   else base = ramp(order);
   colour = vec4(base * shade, alpha);
 }

@@ -178,12 +178,12 @@ test('a storage that never answers does not hold the page up', async () => {
   box.silent = true;
   const autosave = start();
   const loading = autosave.load();
-  mock.timers.tick(3000);
+  mock.timers.tick(10_000);
   assert.equal(await loading, undefined);
   autosave.save(named('a'));
   const saving = autosave.flush();
   await Promise.resolve(); // its turn comes
-  mock.timers.tick(3000);
+  mock.timers.tick(10_000);
   await saving;
   assert.equal(problems.length, 1);
 });

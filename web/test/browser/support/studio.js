@@ -36,7 +36,7 @@ export async function start() {
       const context =
         keep ??
         (await browser.newContext({
-          viewport: { width: 1280, height: 800 },
+          viewport: { width: 1000, height: 600 }, // small: the pictures are drawn in software
           reducedMotion: 'reduce',
           locale: 'en-US',
           acceptDownloads: true,

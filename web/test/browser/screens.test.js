@@ -1,0 +1,106 @@
+// Each view, and the page in two sizes, against pictures that were looked at. Text differs between machines by a pixel or
+// two, so blocks of 20 pixels are compared. SILLON_SCREENS=write draws the references anew: look at them.
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { createEngine } from 'sillon';
+
+import { skip, start } from './support/studio.js';
+
+const folder = fileURLToPath(new URL('reference/', import.meta.url));
+const side = 20; // [pixels] of a block
+const most = { block: 40, mean: 4 }; // of 255
+let bench, engine;
+
+before(async () => {
+  if (skip) return;
+  bench = await start();
+  engine = await createEngine({ threads: 'off' });
+});
+after(async () => {
+  engine?.dispose();
+  await bench?.close();
+});
+
+/** Mean colour of each block. */
+async function blocks(bytes) {
+  const { width, height, channels, samples } = await engine.decodePicture(new Uint8Array(bytes));
+  const columns = Math.floor(width / side);
+  const rows = Math.floor(height / side);
+  const means = new Float64Array(3 * columns * rows);
+  for (let y = 0; y < rows * side; ++y) {
+    for (let x = 0; x < columns * side; ++x) {
+      const block = Math.floor(y / side) * columns + Math.floor(x / side);
+      for (let c = 0; c < 3; ++c) means[3 * block + c] += samples[(y * width + x) * channels + c] / side ** 2;
+    }
+  }
+  return { columns, rows, means };
+}
+
+async function compare(name, bytes) {
+  const path = `${folder}${name}.jpg`;
+  if (process.env.SILLON_SCREENS === 'write') {
+    mkdirSync(folder, { recursive: true });
+    writeFileSync(path, bytes);
+  }
+  const [shown, reference] = await Promise.all([blocks(bytes), blocks(readFileSync(path))]);
+  assert.deepEqual([shown.columns, shown.rows], [reference.columns, reference.rows], name);
+  const differences = shown.means.map((mean, k) => Math.abs(mean - reference.means[k]));
+  const mean = differences.reduce((sum, one) => sum + one, 0) / differences.length;
+  const worst = Math.max(...differences);
+  const block = Math.floor(differences.indexOf(worst) / 3);
+  const place = `(${(block % shown.columns) * side}, ${Math.floor(block / shown.columns) * side})`;
+  assert.ok(
+    mean <= most.mean && worst <= most.block,
+    `${name}: mean ${mean.toFixed(2)}, at ${place} ${worst.toFixed(1)}`,
+  );
+}
+
+const picture = { type: 'jpeg', quality: 70 };
+
+test('the views look as they should', { skip, timeout: 200_000 }, async () => {
+  const visit = await bench.open({
+    viewport: { width: 1000, height: 700 },
+    colorScheme: 'light',
+    serviceWorkers: 'block',
+  });
+  await visit.idle();
+  await visit.page.evaluate(() => {
+    const { store } = document.querySelector('sillon-app').studio;
+    store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', panel: '' });
+  });
+  const canvas = visit.page.locator('sillon-canvas');
+  for (const view of ['Directions', 'Toolpath', 'Appearance', 'Quality']) {
+    await visit.view(view);
+    await visit.page.waitForTimeout(800);
+    await compare(view.toLowerCase(), await canvas.screenshot(picture));
+  }
+  await visit.view('Appearance');
+  await visit.button('Plain 45° zigzag').click();
+  await visit.page.waitForTimeout(1500);
+  await compare('compared', await canvas.screenshot(picture));
+  await visit.view('Toolpath');
+  await visit.page.locator('sillon-stage select').selectOption('width');
+  await visit.page.waitForTimeout(800);
+  await compare('widths', await canvas.screenshot(picture));
+  await visit.close();
+});
+
+for (const [name, options] of [
+  ['wide-dark', { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' }],
+  ['narrow-light', { viewport: { width: 360, height: 740 }, colorScheme: 'light', isMobile: true, hasTouch: true }],
+]) {
+  test(`the page looks as it should, ${name}`, { skip }, async () => {
+    const visit = await bench.open({ ...options, serviceWorkers: 'block' });
+    await visit.idle();
+    await visit.page.evaluate(() => {
+      const { store } = document.querySelector('sillon-app').studio;
+      store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', notices: [] });
+    });
+    await visit.page.waitForTimeout(1000);
+    await compare(name, await visit.page.screenshot(picture));
+    await visit.close();
+  });
+}

@@ -1,0 +1,128 @@
+// What the views compute before anything is drawn: places to look at, the zigzag beside the plate, colours.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import type { Toolpath } from 'sillon';
+import { widthHistogram } from '../../src/panels/histogram.js';
+import { findMarks } from '../../src/views/marks.js';
+import { directionPalette, rampColour } from '../../src/views/palette.js';
+import { zigzag } from '../../src/views/zigzag.js';
+
+const spacing = 0.4;
+const square = Float64Array.of(0, 0, 20, 0, 20, 10, 0, 10);
+const shape = { page: [20, 10] as [number, number], paths: [{ fillRule: 'evenodd' as const, rings: [square] }] };
+
+const toolpath = (points: readonly number[], widths: readonly number[]): Toolpath => ({
+  spacing,
+  cycles: [{ points: Float32Array.from(points), widths: Float32Array.from(widths) }],
+  shape,
+  notes: [],
+});
+
+/** A long loop of two lines one spacing apart: hairpins at both ends, and nowhere else. */
+function loop(width: (k: number) => number): Toolpath {
+  const points: number[] = [];
+  for (let x = 0; x <= 20; x += 0.1) points.push(x, 0);
+  for (let x = 20; x >= 0; x -= 0.1) points.push(x, spacing);
+  return toolpath(
+    points,
+    Array.from({ length: points.length / 2 }, (_, k) => width(k)),
+  );
+}
+
+test('a loop of two lines has a hairpin at each end', () => {
+  const marks = findMarks(loop(() => spacing));
+  assert.deepEqual(
+    marks.map(({ kind }) => kind),
+    ['turn', 'turn'],
+  );
+  const ends = marks.map(({ x }) => Math.round(x)).sort((a, b) => a - b);
+  assert.deepEqual(ends, [0, 20]);
+});
+
+test('a wide circle has no marks', () => {
+  const count = 400;
+  const points = Array.from({ length: count }, (_, k) => (2 * Math.PI * k) / count).flatMap((angle) => [
+    10 + 8 * Math.cos(angle),
+    10 + 8 * Math.sin(angle),
+  ]);
+  assert.deepEqual(findMarks(toolpath(points, new Array<number>(count).fill(spacing))), []);
+});
+
+test('narrow and wide beads are marked where they are, once each', () => {
+  const marks = findMarks(loop((k) => (k > 95 && k < 105 ? 0.1 : k > 300 && k < 304 ? 0.9 : spacing)));
+  const of = (kind: string): [number, number][] => marks.filter((mark) => mark.kind === kind).map(({ x, y }) => [x, y]);
+  assert.equal(of('narrow').length, 1);
+  assert.ok(Math.abs((of('narrow')[0]?.[0] ?? NaN) - 10) < 0.6);
+  assert.equal(of('wide').length, 1);
+  assert.ok(Math.abs((of('wide')[0]?.[1] ?? NaN) - spacing) < 1e-6);
+});
+
+test('there are at most 200 marks, and empty or tiny paths have none', () => {
+  const zigzags: number[] = [];
+  for (let row = 0; row < 500; ++row) {
+    const xs = Array.from({ length: 21 }, (_, k) => (row % 2 === 0 ? k : 20 - k));
+    for (const x of xs) zigzags.push(x, row * spacing);
+  }
+  const widths = new Array<number>(zigzags.length / 2).fill(spacing);
+  assert.equal(findMarks(toolpath(zigzags, widths)).length, 200);
+  assert.deepEqual(findMarks(toolpath([], [])), []);
+  assert.deepEqual(findMarks(toolpath([1, 1, 1, 1, 1, 1], [spacing, spacing, spacing])), []);
+});
+
+test('the zigzag fills the shape at 45°, and keeps half a bead from its border', () => {
+  const { cycles } = zigzag(shape, spacing);
+  let length = 0;
+  for (const { points } of cycles) {
+    const [ax = NaN, ay = NaN, bx = NaN, by = NaN] = points;
+    assert.ok(Math.abs(bx - ax - (by - ay)) < 1e-4, 'not at 45°');
+    for (const [x, y] of [
+      [ax, ay],
+      [bx, by],
+    ] as const) {
+      assert.ok(x >= 0.1 && x <= 19.9 && y >= 0.1 && y <= 9.9, `(${x}, ${y}) is too near to the border`);
+    }
+    length += Math.hypot(bx - ax, by - ay) + spacing;
+  }
+  assert.ok(Math.abs(length * spacing - 200) < 4, `${length * spacing} mm² of 200 are filled`);
+});
+
+test('a hole stays empty under the zigzag', () => {
+  const hole = Float64Array.of(8, 3, 12, 3, 12, 7, 8, 7);
+  const { cycles } = zigzag({ page: [20, 10], paths: [{ fillRule: 'evenodd', rings: [square, hole] }] }, spacing);
+  for (const { points } of cycles) {
+    const [ax = 0, ay = 0, bx = 0, by = 0] = points;
+    for (let t = 0; t <= 1; t += 0.02) {
+      const [x, y] = [ax + (bx - ax) * t, ay + (by - ay) * t];
+      assert.ok(!(x > 8.01 && x < 11.99 && y > 3.01 && y < 6.99), `(${x}, ${y}) is in the hole`);
+    }
+  }
+});
+
+test('colours of directions go round: the last is next to the first, and each differs from its opposite', () => {
+  const palette = directionPalette();
+  const distance = (a: number, b: number): number =>
+    Math.hypot(...[0, 1, 2].map((c) => (palette[3 * a + c] ?? 0) - (palette[3 * b + c] ?? 0)));
+  for (let k = 0; k < 256; ++k) {
+    assert.ok(distance(k, (k + 1) % 256) < 8, `a step at ${k}`);
+    assert.ok(distance(k, (k + 128) % 256) > 60, `${k} looks like its opposite`);
+  }
+});
+
+test('the ramp is bounded, and lighter the larger the value', () => {
+  assert.deepEqual(rampColour(-1), rampColour(0));
+  assert.deepEqual(rampColour(2), rampColour(1));
+  const lightness = (value: number): number => {
+    const [r, g, b] = rampColour(value);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  for (let value = 0; value < 1; value += 0.05) assert.ok(lightness(value + 0.05) > lightness(value));
+});
+
+test('the histogram counts length, not points', () => {
+  const { bars, low, high } = widthHistogram(loop((k) => (k < 201 ? 0.3 : 0.5)));
+  const total = bars.reduce((sum, bar) => sum + bar, 0);
+  const at = (width: number): number => bars[Math.floor(((width - low) / (high - low)) * bars.length)] ?? 0;
+  assert.ok(Math.abs(at(0.3) / total - 0.5) < 0.03, `${at(0.3) / total}`);
+  assert.ok(Math.abs(at(0.5) / total - 0.5) < 0.03);
+});
