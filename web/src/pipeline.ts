@@ -9,7 +9,7 @@ import { isAbort, problemOf } from './model/problem.js';
 import type { Made } from './model/state.js';
 import type { Store } from './model/store.js';
 import type { Shown } from './panels/shown.js';
-import { findMarks } from './views/marks.js';
+import type { Mark } from './views/scene.js';
 
 const summaryAfter = 400; // [ms] without a change
 
@@ -36,6 +36,7 @@ const sameFile = (a: Written, plate: Plate, made: Made | undefined): boolean =>
 export class Pipeline {
   #drawn: Drawn | undefined;
   #written: Written | undefined;
+  #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
@@ -92,7 +93,7 @@ export class Pipeline {
   onMade(made: Made): void {
     const sameBeads = made.toolpath.cycles === this.store.state.made?.toolpath.cycles;
     this.store.set({ made, ...(sameBeads ? {} : { marks: [], mark: -1 }) });
-    if (!made.coarse) this.#findMarks(made);
+    if (!made.coarse && !sameBeads) this.#findMarks(made);
     this.#summarise();
   }
 
@@ -132,10 +133,14 @@ export class Pipeline {
   }
 
   #findMarks(made: Made): void {
-    setTimeout(() => {
-      if (this.store.state.made?.toolpath.cycles !== made.toolpath.cycles) return;
-      this.store.set({ marks: findMarks(made.toolpath), mark: -1 });
-    }, 0);
+    this.#marksWorker?.terminate(); // what it looks through is stale
+    const worker = new Worker(new URL('./views/marks.worker.ts', import.meta.url), { type: 'module', name: 'marks' });
+    this.#marksWorker = worker;
+    worker.onmessage = ({ data }: MessageEvent<Mark[]>) => {
+      worker.terminate();
+      this.store.set({ marks: data, mark: -1 });
+    };
+    worker.postMessage(made.toolpath);
   }
 
   /** Time, length and weight need the file to be written; it is kept for a download. */

@@ -544,6 +544,7 @@ export const en = {
   'mark.narrow': 'Narrow bead',
   'mark.wide': 'Wide bead',
   'mark.lost': 'Too narrow for a bead',
+  'mark.look': 'Show a place',
   'mark.next': 'Next place',
   'mark.previous': 'Previous place',
   'mark.count': { one: '{n} place', other: '{n} places' },

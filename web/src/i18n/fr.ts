@@ -553,6 +553,7 @@ export const fr: Dictionary = {
   'mark.narrow': 'Cordon étroit',
   'mark.wide': 'Cordon large',
   'mark.lost': 'Trop étroit pour un cordon',
+  'mark.look': 'Montrer un endroit',
   'mark.next': 'Endroit suivant',
   'mark.previous': 'Endroit précédent',
   'mark.count': { one: '{n} endroit', other: '{n} endroits' },

@@ -6,7 +6,7 @@ import { directionPalette, markColours, rampColour } from '../views/palette.js';
 import type { ColourBy, Mark } from '../views/scene.js';
 import { StudioElement } from './element.js';
 
-const kinds: readonly Mark['kind'][] = ['turn', 'narrow', 'wide'];
+const kinds: readonly Mark['kind'][] = ['lost', 'gap', 'turn', 'narrow', 'wide'];
 
 @customElement('sillon-legend')
 export class Legend extends StudioElement {

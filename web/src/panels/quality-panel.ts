@@ -5,12 +5,21 @@ import { threadsWords, verdictText } from '../i18n/say.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from './histogram.js';
+import type { Mark } from '../views/scene.js';
 import { StudioElement } from './element.js';
 import { icon, type IconName } from './icons.js';
 import { panelStyle } from './panel-style.js';
 
 const icons: Record<Verdict['level'], IconName> = { good: 'check', fair: 'info', poor: 'warn' };
 const mostListed = 60;
+
+/** Which places a measure speaks of. */
+const placesOf: Partial<Record<Verdict['measure'], readonly Mark['kind'][]>> = {
+  coverage: ['gap', 'lost'],
+  uTurns: ['turn'],
+  widths: ['narrow', 'wide'],
+  lost: ['lost'],
+};
 
 @customElement('sillon-quality-panel')
 export class QualityPanel extends StudioElement {
@@ -111,7 +120,7 @@ export class QualityPanel extends StudioElement {
                       ${icon(icons[verdict.level], 18)}
                       <b>${t(`measure.${verdict.measure}`)}</b
                       ><span class="note level">${t(`level.${verdict.level}`)}</span>
-                      <p>${verdictText(verdict)}</p>
+                      <p>${verdictText(verdict)} ${this.#look(verdict)}</p>
                     </li>`,
                 )}
               </ul>`
@@ -128,6 +137,23 @@ export class QualityPanel extends StudioElement {
             </section>`
       }
     `;
+  }
+
+  /** The first place that the verdict speaks of. */
+  #look({ measure, level }: Verdict): TemplateResult | typeof nothing {
+    const kinds = placesOf[measure] ?? [];
+    const at = this.state.marks.findIndex(({ kind }) => kinds.includes(kind));
+    if (at < 0 || (measure === 'lost' && level === 'good')) return nothing;
+    return html`<button
+      type="button"
+      class="link"
+      aria-label="${t(`measure.${measure}`)}: ${t('mark.look')}"
+      @click=${() => {
+        this.studio.lookAtMark(at);
+      }}
+    >
+      ${t('mark.look')}
+    </button>`;
   }
 
   #histogram(): TemplateResult | typeof nothing {

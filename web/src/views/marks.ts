@@ -1,5 +1,6 @@
-// Places worth a look before printing: hairpin turns, and beads whose width is far from the spacing.
+// Places worth a look before printing: what stays empty, hairpin turns, beads whose width is far from the spacing.
 import type { Toolpath } from 'sillon';
+import { findGaps } from './gaps.js';
 import type { Mark } from './scene.js';
 
 const mostMarks = 200;
@@ -14,8 +15,9 @@ interface Found extends Mark {
   weight: number;
 }
 
-/** At most 200, the worst first of each kind, no two of a kind within three spacings. */
-export function findMarks({ cycles, spacing }: Toolpath): Mark[] {
+/** At most 200: what stays empty first, then the worst of the others, no two of a kind within three spacings. */
+export function findMarks(toolpath: Toolpath): Mark[] {
+  const { cycles, spacing } = toolpath;
   const kept = new Sparse(oneEach * spacing);
   const found: Found[] = [];
   for (const { points, widths } of cycles) {
@@ -28,7 +30,7 @@ export function findMarks({ cycles, spacing }: Toolpath): Mark[] {
     }
   }
   found.sort((a, b) => b.weight - a.weight);
-  const marks: Mark[] = [];
+  const marks = findGaps(toolpath, mostMarks / 2).filter(({ kind, x, y }) => kept.add(kind, x, y));
   for (const { x, y, kind } of found) {
     if (marks.length === mostMarks) break;
     if (kept.add(kind, x, y)) marks.push({ x, y, kind });

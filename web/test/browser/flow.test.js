@@ -219,6 +219,25 @@ test('drawings and pictures download', { skip }, async () => {
   assert.ok(height > 2000 && height < 2800, `${width} × ${height}`);
 });
 
+test('a short video of the light going round', { skip }, async () => {
+  visit = await bench.open({ viewport: { width: 760, height: 420 } }); // software must keep up
+  await visit.idle();
+  const before = await visit.state((state) => state.light);
+  const [download] = await Promise.all([
+    visit.page.waitForEvent('download'),
+    visit.page.evaluate(async () => {
+      const stage = document.querySelector('sillon-app').renderRoot.querySelector('sillon-stage');
+      stage.renderRoot.querySelector('[aria-label="Save video"]').click();
+    }),
+  ]);
+  assert.match(download.suggestedFilename(), /^plate\.(webm|mp4)$/);
+  const bytes = readFileSync(await download.path());
+  const isWebm = bytes.readUInt32BE(0) === 0x1a45dfa3;
+  assert.ok(isWebm || bytes.toString('latin1', 4, 8) === 'ftyp', 'this is no video');
+  assert.ok(bytes.length > 20_000, `${bytes.length} bytes`);
+  assert.deepEqual(await visit.state((state) => state.light), before);
+});
+
 test('every example of the gallery makes one whole plate', { skip, timeout: 400_000 }, async () => {
   visit = await bench.open();
   await visit.idle();

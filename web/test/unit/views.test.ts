@@ -4,6 +4,7 @@ import { test } from 'node:test';
 
 import type { Toolpath } from 'sillon';
 import { widthHistogram } from '../../src/panels/histogram.js';
+import { findGaps } from '../../src/views/gaps.js';
 import { findMarks } from '../../src/views/marks.js';
 import { directionPalette, rampColour } from '../../src/views/palette.js';
 import { zigzag } from '../../src/views/zigzag.js';
@@ -30,8 +31,53 @@ function loop(width: (k: number) => number): Toolpath {
   );
 }
 
+/** A narrow shape of its own, so that nothing stays empty. */
+const onPage = (page: [number, number], made: Toolpath): Toolpath => ({
+  ...made,
+  shape: {
+    page,
+    paths: [{ fillRule: 'evenodd', rings: [Float64Array.of(0, 0, page[0], 0, page[0], page[1], 0, page[1])] }],
+  },
+});
+
+test('an empty square is one place, where it is; a filled one is none', () => {
+  const rows: number[] = [];
+  const lines = Math.round(10 / spacing);
+  for (let row = 0; row < lines; ++row) {
+    const y = (row + 0.5) * spacing;
+    rows.push(...(row % 2 === 0 ? [0.2, y, 19.8, y] : [19.8, y, 0.2, y]));
+  }
+  const widths = new Array<number>(rows.length / 2).fill(spacing);
+  // Back to the beginning along the border, which is filled already.
+  assert.deepEqual(findGaps(toolpath(rows, widths), 100), []);
+  const short = rows.map((value, k) =>
+    k % 2 === 0 && (rows[k + 1] ?? 0) > 4 && (rows[k + 1] ?? 0) < 6 ? Math.min(value, 14) : value,
+  );
+  const places = findGaps(toolpath(short, widths), 100);
+  assert.equal(places[0]?.kind, 'lost');
+  assert.ok(Math.abs(places[0].x - 17) < 0.3 && Math.abs(places[0].y - 5) < 0.3, `${places[0].x}, ${places[0].y}`);
+});
+
+test('what is outside of the shape, and in its holes, does not count as empty', () => {
+  const ring = Float64Array.of(5, 2, 15, 2, 15, 8, 5, 8);
+  const all = {
+    ...toolpath([], []),
+    shape: { page: [20, 10] as [number, number], paths: [{ fillRule: 'nonzero' as const, rings: [ring] }] },
+  };
+  const [place, ...others] = findGaps(all, 100);
+  assert.ok(place !== undefined && others.length === 0);
+  assert.ok(Math.abs(place.x - 10) < 0.2 && Math.abs(place.y - 5) < 0.2);
+  const holed = { ...all, shape: { ...all.shape, paths: [{ fillRule: 'evenodd' as const, rings: [ring, ring] }] } };
+  assert.deepEqual(findGaps(holed, 100), []);
+});
+
 test('a loop of two lines has a hairpin at each end', () => {
-  const marks = findMarks(loop(() => spacing));
+  const marks = findMarks(
+    onPage(
+      [20, spacing],
+      loop(() => spacing),
+    ),
+  );
   assert.deepEqual(
     marks.map(({ kind }) => kind),
     ['turn', 'turn'],
@@ -46,11 +92,20 @@ test('a wide circle has no marks', () => {
     10 + 8 * Math.cos(angle),
     10 + 8 * Math.sin(angle),
   ]);
-  assert.deepEqual(findMarks(toolpath(points, new Array<number>(count).fill(spacing))), []);
+  const kinds = findMarks(toolpath(points, new Array<number>(count).fill(spacing))).map(({ kind }) => kind);
+  assert.ok(
+    kinds.every((kind) => kind === 'lost'),
+    kinds.join(),
+  );
 });
 
 test('narrow and wide beads are marked where they are, once each', () => {
-  const marks = findMarks(loop((k) => (k > 95 && k < 105 ? 0.1 : k > 300 && k < 304 ? 0.9 : spacing)));
+  const marks = findMarks(
+    onPage(
+      [20, spacing],
+      loop((k) => (k > 95 && k < 105 ? 0.1 : k > 300 && k < 304 ? 0.9 : spacing)),
+    ),
+  );
   const of = (kind: string): [number, number][] => marks.filter((mark) => mark.kind === kind).map(({ x, y }) => [x, y]);
   assert.equal(of('narrow').length, 1);
   assert.ok(Math.abs((of('narrow')[0]?.[0] ?? NaN) - 10) < 0.6);
@@ -58,16 +113,20 @@ test('narrow and wide beads are marked where they are, once each', () => {
   assert.ok(Math.abs((of('wide')[0]?.[1] ?? NaN) - spacing) < 1e-6);
 });
 
-test('there are at most 200 marks, and empty or tiny paths have none', () => {
+test('there are at most 200 marks, and empty or tiny paths leave their shape empty', () => {
   const zigzags: number[] = [];
   for (let row = 0; row < 500; ++row) {
     const xs = Array.from({ length: 21 }, (_, k) => (row % 2 === 0 ? k : 20 - k));
     for (const x of xs) zigzags.push(x, row * spacing);
   }
   const widths = new Array<number>(zigzags.length / 2).fill(spacing);
-  assert.equal(findMarks(toolpath(zigzags, widths)).length, 200);
-  assert.deepEqual(findMarks(toolpath([], [])), []);
-  assert.deepEqual(findMarks(toolpath([1, 1, 1, 1, 1, 1], [spacing, spacing, spacing])), []);
+  assert.equal(findMarks(onPage([20, 200], toolpath(zigzags, widths))).length, 200);
+  for (const path of [toolpath([], []), toolpath([1, 1, 1, 1, 1, 1], [spacing, spacing, spacing])]) {
+    assert.deepEqual(
+      findMarks(path).map(({ kind }) => kind),
+      ['lost'],
+    );
+  }
 });
 
 test('the zigzag fills the shape at 45°, and keeps half a bead from its border', () => {
