@@ -77,9 +77,12 @@ TEST_CASE("every scene gives one simple closed toolpath per part that covers the
       const Measures m = measuresOf(plate, scene.input, params);
       CHECK(m.crossings == 0);
       CHECK(m.spill <= 0.05);
-      CHECK(m.overlap < 2);
-      CHECK(m.coverage > (scene.name == "sliver" || scene.name == "two beads" ? 60 : 93));
-      CHECK(m.fillRatio > (scene.name == "sliver" || scene.name == "two beads" ? 0.6 : 0.9));
+      CHECK(m.overlap < 0.5);
+      // Slivers hold few beads. White noise is hairpins everywhere, and beads do not overlap to hide it.
+      const bool sliver = scene.name == "sliver" || scene.name == "two beads";
+      const bool noise = scene.name == "noise";
+      CHECK(m.coverage > (sliver ? 60 : noise ? 90 : 93));
+      CHECK(m.fillRatio > (sliver ? 0.6 : noise ? 0.88 : 0.9));
       CHECK(m.fillRatio < 1.05);
       for (const Cycle& cycle : plate.toolpath.cycles) {
         CHECK(cycle.points.size() >= 3);
@@ -146,8 +149,10 @@ TEST_CASE("parameters out of range are named with their value and range, and not
       {"borderPull", [](auto& p) { p.borderPull = -1; }},
       {"stitchAlignment", [](auto& p) { p.stitchAlignment = 11; }},
       {"relaxationRounds", [](auto& p) { p.relaxationRounds = -1; }},
+      {"relaxationStrength", [](auto& p) { p.relaxationStrength = 0.6; }},
       {"relaxationSmoothing", [](auto& p) { p.relaxationSmoothing = 1.5; }},
       {"widthBalance", [](auto& p) { p.widthBalance = -0.1; }},
+      {"beadOverlap", [](auto& p) { p.beadOverlap = -0.1; }},
       {"minWidth", [](auto& p) { p.minWidth = 0; }},
       {"maxWidth", [](auto& p) { p.maxWidth = 9; }},
       {"simplifyTolerance", [=](auto& p) { p.simplifyTolerance = nan; }},

@@ -52,8 +52,10 @@ Project unusualProject() {
   p.toolpath.borderPull = 2.5;
   p.toolpath.stitchAlignment = 0.6;
   p.toolpath.relaxationRounds = 4;
+  p.toolpath.relaxationStrength = 0.2;
   p.toolpath.relaxationSmoothing = 0.3;
   p.toolpath.widthBalance = 0.7;
+  p.toolpath.beadOverlap = 0.01;
   p.toolpath.minWidth = 0.6;
   p.toolpath.maxWidth = 1.9;
   p.toolpath.simplifyTolerance = 0.004;

@@ -115,18 +115,45 @@ TEST_CASE("a path that would be pushed through itself stays simple") {
 }
 
 TEST_CASE("widths of parallel rows: twice the smaller half gap without balance, the mean of both with it") {
+  // Not held apart: that has its own case.
   const ClosedCurves path = resampled(rows({10, 10.4, 10.75, 11.2}, 20), 0.1f, RunContext(1));
   const BorderIndex border = farBorder();
   const NeighbourGaps gaps = neighbourGaps(path, border, 0.4, 0.6f, RunContext(1));
   for (const double balance : {0.0, 1.0}) {
     ToolpathParams params;
     params.widthBalance = balance;
+    params.beadOverlap = 1;
     const auto widths = beadWidths(path, gaps, border, params, RunContext(1));
     for (std::size_t i = 0; i < path.points.size(); ++i) {
       const Vec2f p = path.points[i];
       if (p.x < 15 || p.x > 25 || std::abs(p.y - 10.75f) > 0.01f) continue;
       CHECK(widths.value().width[i] == doctest::Approx(balance == 0.0 ? 0.35 : 0.4).epsilon(0.02));
     }
+  }
+}
+
+TEST_CASE("beads that would overlap give way in proportion, by no more than needed") {
+  const ClosedCurves path = resampled(rows({10, 10.4, 10.75, 11.2}, 20), 0.1f, RunContext(1));
+  const BorderIndex border = farBorder();
+  const NeighbourGaps gaps = neighbourGaps(path, border, 0.4, 0.6f, RunContext(1));
+  ToolpathParams params;
+  params.widthBalance = 1;
+  params.simplifyTolerance = 0;
+  for (const double overlap : {0.0, 0.05}) {
+    params.beadOverlap = overlap;
+    const auto widths = beadWidths(path, gaps, border, params, RunContext(1));
+    REQUIRE(widths.ok());
+    // Rows of 0.375 and 0.4 mm, 0.35 mm apart: what is too much is taken from both alike.
+    const double share = (0.35 + overlap * 0.4) / (0.5 * (0.375 + 0.4));
+    int checked = 0;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const Vec2f p = path.points[i];
+      if (p.x < 15 || p.x > 25) continue;
+      if (std::abs(p.y - 10.4f) < 0.01f) CHECK(widths.value().width[i] == doctest::Approx(0.375 * share).epsilon(0.02));
+      if (std::abs(p.y - 10.75f) < 0.01f) CHECK(widths.value().width[i] == doctest::Approx(0.4 * share).epsilon(0.02));
+      checked += std::abs(p.y - 10.4f) < 0.01f || std::abs(p.y - 10.75f) < 0.01f ? 1 : 0;
+    }
+    CHECK(checked > 150);
   }
 }
 

@@ -133,8 +133,10 @@ export interface ToolpathParams {
   borderPull: number;
   stitchAlignment: number;
   relaxationRounds: number;
+  relaxationStrength: number;
   relaxationSmoothing: number;
   widthBalance: number;
+  beadOverlap: number;
   minWidth: number;
   maxWidth: number;
   simplifyTolerance: number;

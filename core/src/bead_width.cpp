@@ -5,12 +5,69 @@
 
 #include "curves.hpp"
 #include "parallel_for.hpp"
+#include "point_grid.hpp"
+#include "simd.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr float kThread =
     0.02f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
+
+constexpr int kOwnChain = 7;  ///< points tau/4 apart: a hairpin's legs do not count as neighbours of each other
+
+// The share of its width that a bead at p may keep so that no bead beside it is overlapped: both give way alike.
+float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, Vec2f p, float width, float reach,
+                  float allowed, int point, int first, int size) {
+  const F4 px = splat(p.x);
+  const F4 py = splat(p.y);
+  const F4 half = splat(0.5f);
+  const F4 own = splat(0.5f * width - allowed);
+  const I4 id0 = splatInt(point);
+  const I4 begin = splatInt(first);
+  const I4 end = splatInt(first + size);
+  const I4 near = splatInt(kOwnChain);
+  const I4 minusNear = splatInt(-kOwnChain);
+  const I4 wrapped = splatInt(size - kOwnChain);
+  const I4 minusWrapped = splatInt(kOwnChain - size);
+  F4 least = splat(1);
+  grid.around(p, reach, [&](int from, int to) {
+    for (int k = from; k < to; k += 4) {
+      const std::size_t s = static_cast<std::size_t>(k);
+      const F4 dx = load4(&grid.x[s]) - px;
+      const F4 dy = load4(&grid.y[s]) - py;
+      const I4 id = load4(&grid.id[s]);
+      const I4 apart = id - id0;
+      const I4 sameCurve = ((id < begin) == splatInt(0)) & (id < end);
+      const I4 close = ((apart > minusNear) & (apart < near)) | (apart > wrapped) | (apart < minusWrapped);
+      const F4 room = max4(own + half * load4(&sortedWidth[s]), splat(1e-6f));
+      const F4 share2 = (dx * dx + dy * dy) / (room * room);
+      least = min4(least, select4(sameCurve & close, splat(1), share2));
+    }
+  });
+  return std::sqrt(std::min(std::min(least[0], least[1]), std::min(least[2], least[3])));
+}
+
+// Narrows beads where two would overlap by more than `allowed` [mm].
+void narrowOverlaps(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, float spacing, float low,
+                    float allowed, std::vector<float>& width, const RunContext& run) {
+  const PointGrid grid(curves.points, 0.75f * spacing, run);
+  std::vector<float> sorted(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
+  for (std::size_t s = 0; s < static_cast<std::size_t>(grid.count()); ++s) {
+    sorted[s] = width[static_cast<std::size_t>(grid.id[s])];
+  }
+  const float widest = width.empty() ? 0 : *std::max_element(width.begin(), width.end());
+  parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const std::size_t i = static_cast<std::size_t>(k);
+      const int c = curveOf[i];
+      const float reach = std::max(0.5f * (width[i] + widest) - allowed, 0.0f);
+      const float share = shareBeside(grid, sorted, curves.points[i], width[i], reach, allowed, k,
+                                      curves.begin[static_cast<std::size_t>(c)], curves.size(c));
+      width[i] = std::min(width[i], std::max(low, width[i] * share));
+    }
+  });
+}
 
 }  // namespace
 
@@ -43,6 +100,9 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& g
       widths.width[i] = width;
     }
   });
+  // What simplification may still move counts as overlap already.
+  const float allowed = static_cast<float>(params.beadOverlap * params.spacing - params.simplifyTolerance);
+  narrowOverlaps(curves, curveOf, spacing, low, allowed, widths.width, run);
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   return widths;
 }

@@ -73,9 +73,12 @@ std::string invalidParameter(const ToolpathParams& p) {
   if (p.relaxationRounds < 0 || p.relaxationRounds > 100) {
     return outOfRange("relaxationRounds", p.relaxationRounds, "", "0 to 100");
   }
+  if (!within(p.relaxationStrength, 0, 0.5))
+    return outOfRange("relaxationStrength", p.relaxationStrength, "", "0 to 0.5");
   if (!within(p.relaxationSmoothing, 0, 1))
     return outOfRange("relaxationSmoothing", p.relaxationSmoothing, "", "0 to 1");
   if (!within(p.widthBalance, 0, 1)) return outOfRange("widthBalance", p.widthBalance, "", "0 to 1");
+  if (!within(p.beadOverlap, 0, 1)) return outOfRange("beadOverlap", p.beadOverlap, " spacings", "0 to 1 spacings");
   if (!within(p.minWidth, 0.1, 1)) return outOfRange("minWidth", p.minWidth, " spacings", "0.1 to 1 spacings");
   if (!within(p.maxWidth, 1, 4)) return outOfRange("maxWidth", p.maxWidth, " spacings", "1 to 4 spacings");
   if (!within(p.simplifyTolerance, 0, 1))

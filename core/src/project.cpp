@@ -91,8 +91,10 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.number("borderPull", p.toolpath.borderPull);
   v.number("stitchAlignment", p.toolpath.stitchAlignment);
   v.integer("relaxationRounds", p.toolpath.relaxationRounds);
+  v.number("relaxationStrength", p.toolpath.relaxationStrength);
   v.number("relaxationSmoothing", p.toolpath.relaxationSmoothing);
   v.number("widthBalance", p.toolpath.widthBalance);
+  v.number("beadOverlap", p.toolpath.beadOverlap);
   v.number("minWidth", p.toolpath.minWidth);
   v.number("maxWidth", p.toolpath.maxWidth);
   v.number("simplifyTolerance", p.toolpath.simplifyTolerance);

@@ -409,11 +409,17 @@ void addAdvanced(Options& options) {
       "--relaxation-rounds", "N", "rounds of spacing relaxation",
       [](Project & p) -> auto& { return p.toolpath.relaxationRounds; });
   options.number(
+      "--relaxation-strength", "F", "move towards the wider side per round",
+      [](Project & p) -> auto& { return p.toolpath.relaxationStrength; });
+  options.number(
       "--relaxation-smoothing", "F", "pull to the neighbours' middle per round",
       [](Project & p) -> auto& { return p.toolpath.relaxationSmoothing; });
   options.number(
-      "--width-balance", "F", "0: beads never overlap, 1: plastic fills the plate",
+      "--width-balance", "F", "0: the nearer neighbour bounds a bead, 1: the room between both does",
       [](Project & p) -> auto& { return p.toolpath.widthBalance; });
+  options.number(
+      "--bead-overlap", "F", "how far beads may overlap, in spacings",
+      [](Project & p) -> auto& { return p.toolpath.beadOverlap; });
   options.number(
       "--min-width", "F", "narrowest bead in spacings", [](Project & p) -> auto& { return p.toolpath.minWidth; });
   options.number(

@@ -17,9 +17,10 @@ struct BeadWidths {
   std::vector<float> limit;  ///< twice the distance to the border: wider beads spill [mm]; large where it is far
 };
 
-/// Width at every point: between the smaller of the two gaps at its sides (Eq. 16: no overlap, but 1-2 % of the area
-/// stays empty) and their mean (the right volume of plastic, some overlap), by `widthBalance`; held to
-/// [minWidth, maxWidth] spacings and, so that no bead spills, to twice the distance to the border.
+/// Width at every point: between the smaller of the two gaps at its sides (Eq. 16: 1-2 % of the area stays empty) and
+/// their mean (the room that there is), by `widthBalance`; held to [minWidth, maxWidth] spacings and, so that no bead
+/// spills, to twice the distance to the border. Where two beads would then overlap by more than `beadOverlap` spacings,
+/// both give way in proportion.
 /// \param gaps  of these curves.
 Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& gaps, const BorderIndex& border,
                               const ToolpathParams& params, const RunContext& run);

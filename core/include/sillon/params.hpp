@@ -26,15 +26,17 @@ struct ToolpathParams {
   MapFilter mapFilter = MapFilter::Average;
   std::uint64_t seed = 0;    ///< 0: regular sample points; others: moved by up to tau/40, another plate of like quality
   int sweepsPerLevel = 8;    ///< smoothing sweeps on each level of the hierarchy, 1..1000
-  double spacingBend = 0.2;  ///< beads may lie up to e^this closer or wider where that saves U-turns, 0..0.5
-  double borderPull = 3;     ///< soft border: weight of the border's wave against a neighbour's, 0..100
-  double stitchAlignment = 0.7;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
-  int relaxationRounds = 3;      ///< rounds of spacing relaxation, 0..100
-  double relaxationSmoothing = 0.4;  ///< pull towards the neighbours' middle per round, 0..1
-  double widthBalance = 0.3;  ///< 0: beads never overlap (Eq. 16); 1: the plastic laid down fills the plate, 0..1
-  double minWidth = 0.5;      ///< narrowest bead [tau], 0.1..1
-  double maxWidth = 2;        ///< widest bead [tau], 1..4
-  double simplifyTolerance = 0.005;  ///< largest change of position and width by leaving out points [mm], 0..1
+  double spacingBend = 0.3;  ///< beads may lie up to e^this closer or wider where that saves U-turns, 0..0.5
+  double borderPull = 1;     ///< soft border: weight of the border's wave against a neighbour's, 0..100
+  double stitchAlignment = 0.8;     ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
+  int relaxationRounds = 2;         ///< rounds of spacing relaxation, 0..100
+  double relaxationStrength = 0.1;  ///< move towards the wider side per round, of the gaps' difference, 0..0.5
+  double relaxationSmoothing = 1;   ///< pull towards the neighbours' middle per round, 0..1
+  double widthBalance = 1;     ///< 0: the nearer neighbour bounds a bead on both sides (Eq. 16); 1: the room does, 0..1
+  double beadOverlap = 0.003;  ///< how far beads may overlap [tau], 0..1; 1: they are not held apart
+  double minWidth = 0.5;       ///< narrowest bead [tau], 0.1..1
+  double maxWidth = 2;         ///< widest bead [tau], 1..4
+  double simplifyTolerance = 0.002;  ///< largest change of position and width by leaving out points [mm], 0..1
 };
 
 }  // namespace sillon

@@ -15,10 +15,11 @@ struct Relaxed {
   NeighbourGaps gaps;   ///< of the curves as they are now, at most 1.5 tau
 };
 
-/// Each round moves every point a quarter of the difference of its gaps towards the wider side (at most 0.15 tau),
-/// smooths the moves along the path, pulls each point towards the middle of its neighbours and resamples at tau/4.
-/// Where a round would make the path meet itself, its moves are halved there, to nothing in the end: a simple path
-/// stays simple (checked exactly on 1 µm). The published repulsion pushes apart only what is nearer than tau/2.
+/// Each round moves every point by `relaxationStrength` times the difference of its gaps towards the wider side (more
+/// beside the border and where the difference is above a quarter of tau; at most 0.15 tau), smooths the moves along the
+/// path, pulls each point towards the middle of its neighbours and resamples at tau/4. Where a round would make the
+/// path meet itself, its moves are halved there, to nothing in the end: a simple path stays simple (checked exactly on
+/// 1 µm). The published repulsion pushes apart only what is nearer than tau/2.
 Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
                              const RunContext& run);
 

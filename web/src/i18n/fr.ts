@@ -306,6 +306,8 @@ export const fr: Dictionary = {
   'setting.toolpath.relaxationRounds': 'Tours de relaxation',
   'help.toolpath.relaxationRounds':
     'Égalise les écarts entre cordons : moins de cassures, des directions un peu moins exactes.',
+  'setting.toolpath.relaxationStrength': 'Force par tour',
+  'help.toolpath.relaxationStrength': 'Jusqu’où les cordons glissent dans les vides. Plus elle est grande, mieux la plaque est couverte, et moins les directions sont suivies.',
   'setting.toolpath.relaxationSmoothing': 'Lissage par tour',
   'help.toolpath.relaxationSmoothing': 'À quel point chaque tour de relaxation redresse un cordon.',
   'setting.toolpath.stitchAlignment': 'Soin des raccords',
@@ -314,7 +316,9 @@ export const fr: Dictionary = {
   'help.toolpath.borderPull':
     'Avec quelle force les cordons suivent le bord, lorsqu’ils le suivent si les directions le permettent.',
   'setting.toolpath.widthBalance': 'Équilibre des largeurs',
-  'help.toolpath.widthBalance': '0 : les cordons ne se recouvrent jamais. 1 : la matière déposée remplit la plaque.',
+  'help.toolpath.widthBalance': '0 : le voisin le plus proche borne le cordon des deux côtés. 1 : la place des deux côtés le borne.',
+  'setting.toolpath.beadOverlap': 'Recouvrement',
+  'help.toolpath.beadOverlap': 'Jusqu’où deux cordons voisins peuvent se recouvrir avant d’être rétrécis tous les deux.',
   'setting.toolpath.minWidth': 'Cordon le plus étroit',
   'help.toolpath.minWidth': 'Aucun cordon n’est plus étroit, sauf là où le bord laisse moins de place.',
   'setting.toolpath.maxWidth': 'Cordon le plus large',

@@ -5,21 +5,23 @@ import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js
 /** As docs/project.md has them; a test compares. */
 export const toolpathDefaults: Readonly<ToolpathParams> = {
   spacing: 0.4,
-  spacingBend: 0.2,
+  spacingBend: 0.3,
   perimeterMode: 'count',
   perimeters: 1,
   bridge: null,
   mapFilter: 'average',
   seed: 0,
   sweepsPerLevel: 8,
-  borderPull: 3,
-  stitchAlignment: 0.7,
-  relaxationRounds: 3,
-  relaxationSmoothing: 0.4,
-  widthBalance: 0.3,
+  borderPull: 1,
+  stitchAlignment: 0.8,
+  relaxationRounds: 2,
+  relaxationStrength: 0.1,
+  relaxationSmoothing: 1,
+  widthBalance: 1,
+  beadOverlap: 0.003,
   minWidth: 0.5,
   maxWidth: 2,
-  simplifyTolerance: 0.005,
+  simplifyTolerance: 0.002,
 };
 
 export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {

@@ -173,10 +173,12 @@ export const settings: readonly Setting[] = [
   number('toolpath', 'seed', basic, { min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, usual: [0, 99], integer }),
   number('toolpath', 'sweepsPerLevel', advanced, { min: 1, max: 1000, step: 1, usual: [1, 64], integer }),
   number('toolpath', 'relaxationRounds', advanced, { min: 0, max: 100, step: 1, usual: [0, 12], integer }),
+  number('toolpath', 'relaxationStrength', advanced, { min: 0, max: 0.5, step: 0.01 }),
   number('toolpath', 'relaxationSmoothing', advanced, { min: 0, max: 1, step: 0.05 }),
   number('toolpath', 'stitchAlignment', advanced, { min: 0, max: 10, step: 0.1, usual: [0, 3] }),
   number('toolpath', 'borderPull', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
   number('toolpath', 'widthBalance', advanced, { min: 0, max: 1, step: 0.05 }),
+  number('toolpath', 'beadOverlap', advanced, { unit: 'spacing', min: 0, max: 1, step: 0.001, usual: [0, 0.05] }),
   number('toolpath', 'minWidth', advanced, { unit: 'spacing', min: 0.1, max: 1, step: 0.05 }),
   number('toolpath', 'maxWidth', advanced, { unit: 'spacing', min: 1, max: 4, step: 0.05 }),
   number('toolpath', 'bridge', advanced, { unit: 'mm', min: 0, max: 10000, step: 0.05, usual: [0, 5], nullable }),
@@ -288,9 +290,9 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
  * to no kinks for up to twice the time, strict follows the directions best and leaves gaps and kinks as they come. */
 export const qualities = {
   draft: { sweepsPerLevel: 4, relaxationRounds: 1, simplifyTolerance: 0.02 },
-  standard: { sweepsPerLevel: 8, relaxationRounds: 3, simplifyTolerance: 0.005 },
-  fine: { sweepsPerLevel: 32, relaxationRounds: 6, simplifyTolerance: 0.005 },
-  strict: { sweepsPerLevel: 16, relaxationRounds: 0, simplifyTolerance: 0.005 },
+  standard: { sweepsPerLevel: 8, relaxationRounds: 2, simplifyTolerance: 0.002 },
+  fine: { sweepsPerLevel: 32, relaxationRounds: 4, simplifyTolerance: 0.002 },
+  strict: { sweepsPerLevel: 16, relaxationRounds: 0, simplifyTolerance: 0.002 },
 } as const satisfies Record<string, Partial<ToolpathParams>>;
 
 export type Quality = keyof typeof qualities;
