@@ -150,6 +150,36 @@ TEST_CASE("help and version answer on stdout") {
   }
 }
 
+TEST_CASE("printers and filaments are listed, and one of them begins a project") {
+  const Folder folder;
+  const Run list = folder.run("printers");
+  CHECK(list.code == 0);
+  CHECK(has(list.out, "\nprusa-mk4s "));
+  CHECK(has(list.out, "230x230x300 round centred"));
+  CHECK(has(folder.run("filaments").out, "\npetg "));
+  const Run one = folder.run("printers creality-k1");
+  CHECK(one.code == 0);
+  folder.write("k1.json", one.out);
+  const Run made = folder.run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode");
+  CAPTURE(made.err);
+  REQUIRE(made.code == 0);
+  const std::string gcode = readAll(folder.at("a.gcode"));
+  CHECK(has(gcode, "\nSTART_PRINT EXTRUDER_TEMP=240 BED_TEMP=80\n"));
+  CHECK(has(gcode, "\nEND_PRINT\n"));
+  CHECK(has(gcode, "; thumbnail begin 320x320 "));
+  REQUIRE(
+      folder
+          .run("generate --printer creality-k1 --shape disc --size 12 --spacing 0.8 --filament petg --gcode b.gcode",
+               "SOURCE_DATE_EPOCH=0")
+          .code == 0);
+  REQUIRE(folder
+              .run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode",
+                   "SOURCE_DATE_EPOCH=0")
+              .code == 0);
+  CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
+  checkRefused(folder, "printers k2", "printers is \"k2\", which is no printer");
+}
+
 TEST_CASE("a small disc writes every file, and each is what it should be") {
   const Folder folder;
   const Run run = folder.run(kDisc + kOutputs, "SOURCE_DATE_EPOCH=1600000000");
@@ -354,7 +384,9 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--perimeters some", "--perimeters is \"some\"; it must be none, soft or");
   refused("--perimeters 101", "--perimeters is \"101\"");
   refused("--mode diagonal", "parallel, orthogonal, smoothest or constrained");
-  refused("--flavor bambu", "marlin or klipper");
+  refused("--flavor smoothie", "marlin, klipper, reprap, prusa or bambu");
+  refused("--printer mk4", "--printer is \"mk4\", which is no printer");
+  refused("--filament abs", "--filament is \"abs\", which is no filament; known are petg, pla, pla-silk");
   refused("--bed 200", "--bed is \"200\"");
   refused("--bed 10x10", "bed");  // smaller than the plate
   refused("--place 300,300", "bed");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base_layers.hpp"
+#include "gcode_template.hpp"
 #include "motion.hpp"
 #include "support/gcode_check.hpp"
 #include "text.hpp"
@@ -790,6 +791,177 @@ TEST_CASE("thumbnails are in the header, in base64 of the length their first lin
 
   job.params.thumbnails[0].width = 0;
   CHECK(job.write().result.error().message.find("a thumbnail is 0 x 16 pixels in 4 bytes; it must be") == 0);
+  job.params.thumbnails[0] = {16, 16, {1, 2, 3}, ThumbnailFormat::Qoi};
+  CHECK(job.write().text.find("\n; thumbnail_QOI begin 16x16 4\n; AQID\n; thumbnail_QOI end\n") != std::string::npos);
+  job.params.thumbnails = {{300, 300, std::vector<std::uint8_t>(400000)},
+                           {300, 300, std::vector<std::uint8_t>(300001)}};
+  CHECK(job.write().result.error().message.find("700000 bytes") != std::string::npos);  // hosts read one MiB
+}
+
+// ---- dialects, start and end blocks
+
+TEST_CASE("each dialect sets acceleration and pressure advance in its own words, and back") {
+  struct Words {
+    GcodeFlavor flavor;
+    const char* acceleration;
+    const char* back;
+    const char* advance;
+    const char* none;
+    const char* name;
+  };
+  const Words all[] = {
+      {GcodeFlavor::Marlin, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin2"},
+      {GcodeFlavor::Klipper, "M204 S1000\n", "M204 S4000\n", "SET_PRESSURE_ADVANCE ADVANCE=0.0400\n",
+       "SET_PRESSURE_ADVANCE ADVANCE=0\n", "klipper"},
+      {GcodeFlavor::RepRap, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 D0 S0.0400\n", "M572 D0 S0\n",
+       "reprapfirmware"},
+      {GcodeFlavor::PrusaBuddy, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 S0.0400\n", "M572 S0\n", "marlin2"},
+      {GcodeFlavor::Bambu, "M204 S1000\n", "M204 S4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin"}};
+  for (const Words& words : all) {
+    Job job = plate();
+    job.printer.flavor = words.flavor;
+    job.printer.setPressureAdvance = true;
+    job.printer.machineAcceleration = 4000;
+    if (words.flavor == GcodeFlavor::Bambu) job.printer.startGcode = "G28\nM190 S60\nM109 S220";
+    const Written written = job.write();
+    checkFile(job, written);
+    const std::string& text = written.text;
+    CAPTURE(words.name);
+    const std::size_t set = text.find(std::string("\n") + words.advance);
+    const std::size_t unset = text.find(std::string("\n") + words.none);
+    CHECK(set < text.find(";LAYER_CHANGE"));
+    CHECK((unset != std::string::npos && unset > text.rfind(";TYPE:Top solid infill")));
+    CHECK(text.find(std::string("\n") + words.acceleration) < text.find(";LAYER_CHANGE"));
+    CHECK(text.find(std::string("\n") + words.back) != std::string::npos);
+    CHECK(valueOf(text, "; gcode_flavor = ") == words.name);
+    CHECK((text.find("; CHANGE_LAYER\n; Z_HEIGHT: 0.2\n") != std::string::npos) ==
+          (words.flavor == GcodeFlavor::Bambu));
+  }
+  Job job = plate();
+  job.printer.flavor = GcodeFlavor::Bambu;
+  CHECK(job.write().result.error().message.find("startGcode is empty; Bambu printers need") == 0);
+  CHECK(job.write().text.empty());
+}
+
+TEST_CASE("placeholders of four programs stand for their values") {
+  const std::vector<TemplateValue> values{{{"temp", "TEMP"}, {"215"}}, {{"min"}, {"1.5", "2.5"}}};
+  const auto expand = [&](std::string_view text) {
+    const Result<std::string> out = expandTemplate(text, values, "startGcode");
+    return out ? out.value() : "error: " + out.error().message;
+  };
+  CHECK(expand("M109 S{temp}") == "M109 S215\n");
+  CHECK(expand("M109 S{temp[0]}\nM104 S[temp] ; [x] {y} <z>") == "M109 S215\nM104 S215 ; [x] {y} <z>\n");
+  CHECK(expand("M109 S<TEMP>") == "M109 S215\n");
+  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM84 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\nM84 ??\n");
+  CHECK(expand("PRINT_START BED=60 NAME='x'") == "PRINT_START BED=60 NAME='x'\n");
+  CHECK(expand("") == "");
+  CHECK(expand("\n\n") == "");
+  for (const char* bad :
+       {"{other}", "[temp", "{min[2]}", "{min[x]}", "M1 {if temp > 3}M2{endif}", "<>", "{}", "[[[", "{temp+5}"}) {
+    CAPTURE(bad);
+    const std::string out = expand(std::string("G28\n") + bad);
+    CHECK(out.find("error: startGcode has \"") == 0);
+    CHECK(out.find("in line 2, which stands for no value here") != std::string::npos);
+  }
+}
+
+TEST_CASE("the user's blocks replace ours, and modes are restated after them") {
+  Job job = plate();
+  job.printer.startGcode =
+      "G28\nM190 S{first_layer_bed_temperature}\nM109 S[nozzle_temperature_initial_layer]\nG20\nM82";
+  job.printer.endGcode = "M104 S0\nM140 S0 ; bye\nG1 X0 Y200";
+  const std::string text = job.write().text;
+  CHECK(text.find("\n; FEATURE: Custom\nG28\nM190 S60\nM109 S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") !=
+        std::string::npos);
+  CHECK(text.find("\nM104 S0\nM140 S0 ; bye\nG1 X0 Y200\nM73 P100 R0\n") != std::string::npos);
+  CHECK(text.find("M84") == std::string::npos);
+  job.printer.endGcode = "M104 S{oops}";
+  const Written refused = job.write();
+  CHECK(refused.result.error().message.find("endGcode has \"{oops}\" in line 1") == 0);
+  CHECK(refused.text.empty());
+  job.printer.endGcode = "; generated by PrusaSlicer";
+  CHECK(job.write().result.error().message.find("endGcode must not contain \"generated by\"") == 0);
+}
+
+TEST_CASE("absolute E carries the same plastic and starts anew with every layer") {
+  Job job = plate();
+  const ReadFile relative = checkFile(job, job.write());
+  job.printer.absoluteE = true;
+  const std::string text = job.write().text;
+  CHECK(text.find("\nM82\n") != std::string::npos);
+  CHECK(text.find("\nM83\n") == std::string::npos);
+  std::int64_t e = 0;
+  std::int64_t sum = 0;
+  int resets = 0;
+  for (const std::string_view line : split(text, '\n')) {
+    if (line == "G92 E0") e = 0, ++resets;
+    const std::size_t at = line.find(" E");
+    if (!line.starts_with("G1 ") || at == std::string_view::npos) continue;
+    const std::int64_t now = scaledWord(line.substr(at + 1), 1e5);
+    if (line.find(" X") != std::string_view::npos) sum += now - e;
+    e = now;
+  }
+  CHECK(resets == 1 + 3);
+  CHECK(static_cast<double>(sum) / 1e5 == Approx(relative.filament).epsilon(1e-9));
+}
+
+// ---- beds
+
+TEST_CASE("a round bed holds what lies within its circle and nothing else") {
+  Job job = plate(30, 40);
+  job.params.skirt = 0;
+  job.printer.bedMin = {-25, -25};
+  job.printer.bedMax = {25, 25};
+  job.printer.roundBed = true;
+  const Written good = job.write();  // 25 mm from the centre to each corner, less than a tenth of a bead outside
+  const ReadFile file = checkFile(job, good);
+  for (const ReadMove& move : file.travels) CHECK(std::hypot(move.x1, move.y1) <= 25000);
+  CHECK(file.minX < 0);
+  CHECK(split(valueOf(good.text, "; bed_shape = "), ',').size() == 24);
+
+  job.params.place = Vec2{-15.5, -20};
+  const Error error = job.write().result.error();
+  CHECK(error.code == ErrorCode::DoesNotFit);
+  CHECK(error.message == "the plate of 30.0 x 40.0 mm reaches over the edge of the round bed by 0.303 mm");
+
+  job.params.place.reset();
+  job.printer.bedMin = {-40, -40};
+  job.printer.bedMax = {40, 40};
+  job.params.skirt = 1;
+  const Written purged = job.write();  // the corners of the skirt lie 32 mm off, within 40
+  CHECK(checkFile(job, purged).paths[0].moves.size() == 4);
+  job.printer.bedMin = {-31, -31};
+  job.printer.bedMax = {31, 31};
+  const Written line = job.write();
+  CHECK(contains(line.result.value().warnings, "the skirt does not fit"));
+  const ReadFile lined = checkFile(job, line);
+  for (const ReadMove& move : lined.paths[0].moves) {
+    CHECK(std::hypot(move.x0, move.y0) < 31000);
+    CHECK(std::hypot(move.x1, move.y1) < 31000);
+  }
+  CHECK(lined.paths[0].role == "Skirt/Brim");
+
+  job.printer.bedMax = {31, 30};
+  CHECK(job.write().result.error().message.find("the round bed's box is 62 x 61 mm; it must be a square") == 0);
+}
+
+TEST_CASE("nothing touches the excluded part of the bed") {
+  Job job = plate(30, 20);
+  job.printer.excludedMax = {18, 28};
+  const ReadFile file = checkFile(job, job.write());
+  CHECK(file.paths[0].closed());
+  job.params.skirt = 0;
+  const ReadFile purged = checkFile(job, job.write());
+  CHECK(purged.paths[0].moves[0].x0 == 23000);  // the purge line begins right of it
+  job.params.place = Vec2{17.9, 40};
+  CHECK(job.write().result.ok());
+  job.params.place = Vec2{17.9, 27};
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
+  CHECK(job.write().result.error().message.find("touches the excluded part of the bed") != std::string::npos);
+  job.printer.excludedMin = {20, 30};  // an island inside the plate
+  job.printer.excludedMax = {21, 31};
+  job.params.place = Vec2{15, 25};
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
 }
 
 // ---- placement

@@ -116,7 +116,7 @@ val writeGcode(const val& toolpath, const std::string& projectJson, const std::s
     print.notes = emscripten::vecFromJSArray<std::string>(toolpath["notes"]);
     const sillon::Toolpath path = convert::toolpathFrom(toolpath);
     const sillon::Shape shape = convert::shapeFrom(toolpath["shape"]);
-    auto thumbnails = sillon::lookThumbnails(path, shape.page, run);
+    auto thumbnails = sillon::lookThumbnails(path, shape.page, project.value().printer.screenSizes, run);
     if (!thumbnails) return failure(thumbnails.error());
     print.thumbnails = std::move(thumbnails).value();
     const auto summary = sillon::writeGcode(path, shape, project.value().printer, print, [&](std::string_view piece) {

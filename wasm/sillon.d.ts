@@ -142,10 +142,17 @@ export interface ToolpathParams {
 
 /** Section `printer` of docs/project.md. */
 export interface Printer {
+  /** Id of a printer, such as `prusa-mk4s`; the other fields override it. */
+  preset: string;
+  /** Id of a filament, laid over the printer. */
+  filament: string;
   name: string;
-  flavor: 'marlin' | 'klipper';
+  flavor: 'marlin' | 'klipper' | 'reprap' | 'prusa' | 'bambu';
   bedMin: [number, number];
   bedMax: [number, number];
+  roundBed: boolean;
+  excludedMin: [number, number];
+  excludedMax: [number, number];
   maxZ: number;
   nozzle: number;
   filamentDiameter: number;
@@ -167,6 +174,10 @@ export interface Printer {
   retractLength: number;
   retractSpeed: number;
   lift: number;
+  absoluteE: boolean;
+  startGcode: string;
+  endGcode: string;
+  screenSizes: string;
 }
 
 /** Section `print` of docs/project.md, and the date in the file's first line. */

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "bed.hpp"
 #include "chunked_output.hpp"
+#include "dialect.hpp"
 #include "gcode_job.hpp"
 #include "motion.hpp"
 #include "sillon/version.hpp"
@@ -56,6 +58,30 @@ std::string duration(double seconds) {
   return text + std::to_string(rest) + "s";
 }
 
+// The bed's corners; those of a 24-gon for a round one.
+std::string bedShape(const Printer& printer) {
+  const Vec2 lo = printer.bedMin;
+  const Vec2 hi = printer.bedMax;
+  std::vector<Vec2> corners{lo, {hi.x, lo.y}, hi, {lo.x, hi.y}};
+  if (printer.roundBed) {
+    constexpr double kCos = 0.96592582628906829;  // of 15 degrees
+    constexpr double kSin = 0.25881904510252076;
+    const Bed bed(printer);
+    corners.clear();
+    Vec2 spoke{bed.radius(), 0};
+    for (int k = 0; k < 24; ++k) {
+      corners.push_back(bed.centre() + spoke);
+      spoke = {kCos * spoke.x - kSin * spoke.y, kSin * spoke.x + kCos * spoke.y};
+    }
+  }
+  std::string text;
+  for (const Vec2 p : corners) {
+    if (!text.empty()) text += ",";
+    text += decimal(p.x, 3) + "x" + decimal(p.y, 3);
+  }
+  return text;
+}
+
 // One layer of the stack, bottom first.
 struct Layer {
   int index = 0;
@@ -98,6 +124,7 @@ class Writer {
   void bead(const Motion& motion, double flow, double height);
   void approach(PointUm target, double top);
   void leave(const Motion& motion, double speed, double top);
+  void extrude(std::int64_t amount);
   void filamentMove(double length);
   void moveZ(double z);
   void travel(PointUm target, double speed);
@@ -118,6 +145,7 @@ class Writer {
   bool retracted_ = false;
   double filament_ = 0;               // [mm], exact
   std::int64_t filamentWritten_ = 0;  // [0.00001 mm]
+  std::int64_t e_ = 0;                // where the file's E axis stands [0.00001 mm]
   std::int64_t moves_ = 0;
   double orientedMm_ = 0;
   double flowSlowedMm_ = 0;
@@ -144,30 +172,31 @@ void Writer::header(double estimate) {
 // Hosts drop a picture whose length differs from what its first line says.
 void Writer::thumbnail(const Thumbnail& thumbnail) {
   constexpr std::size_t kRow = 78;
-  const std::string text = base64(thumbnail.png);
-  out_ << "; thumbnail begin " << std::to_string(thumbnail.width) << "x" << std::to_string(thumbnail.height) << " "
+  const char* tag = thumbnail.format == ThumbnailFormat::Qoi ? "thumbnail_QOI" : "thumbnail";
+  const std::string text = base64(thumbnail.bytes);
+  out_ << "; " << tag << " begin " << std::to_string(thumbnail.width) << "x" << std::to_string(thumbnail.height) << " "
        << std::to_string(text.size()) << "\n";
   for (std::size_t at = 0; at < text.size(); at += kRow)
     out_ << "; " << std::string_view(text).substr(at, kRow) << "\n";
-  out_ << "; thumbnail end\n\n";
+  out_ << "; " << tag << " end\n\n";
 }
 
 void Writer::startBlock() {
   role(kCustomRole);
-  const std::string bed = whole(printer_.bedTemperature);
-  out_ << "M140 S" << bed << "\nM104 S150\nG28\nM190 S" << bed << "\nM109 S"
-       << whole(printer_.firstLayerNozzleTemperature) << "\n";
-  const std::string acceleration = whole(printer_.acceleration);
-  const std::string advance = fixed(printer_.pressureAdvance, 4);
+  if (job_.startBlock.empty()) {
+    const std::string bed = whole(printer_.bedTemperature);
+    if (printer_.flavor == GcodeFlavor::RepRap) out_ << "T0\n";
+    out_ << "M140 S" << bed << "\nM104 S150\nG28\nM190 S" << bed << "\nM109 S"
+         << whole(printer_.firstLayerNozzleTemperature) << "\n";
+  } else {
+    out_ << job_.startBlock;
+  }
   if (printer_.flavor == GcodeFlavor::Klipper) {
     out_ << "SET_PRINT_STATS_INFO TOTAL_LAYER=" << std::to_string(params_.base + params_.layers) << "\n";
-    if (printer_.machineAcceleration > 0) out_ << "M204 S" << acceleration << "\n";
-    if (printer_.setPressureAdvance) out_ << "SET_PRESSURE_ADVANCE ADVANCE=" << advance << "\n";
-  } else {
-    if (printer_.machineAcceleration > 0) out_ << "M204 P" << acceleration << " T" << acceleration << "\n";
-    if (printer_.setPressureAdvance) out_ << "M900 K" << advance << "\n";
   }
-  out_ << "G21\nG90\nM83\nG92 E0\n";
+  if (printer_.machineAcceleration > 0) out_ << accelerationCommand(printer_.flavor, printer_.acceleration);
+  if (printer_.setPressureAdvance) out_ << pressureAdvanceCommand(printer_.flavor, printer_.pressureAdvance);
+  out_ << "G21\nG90\n" << (printer_.absoluteE ? "M82" : "M83") << "\nG92 E0\n";
 }
 
 void Writer::role(const Role& role) { out_ << ";TYPE:" << role.type << "\n; FEATURE: " << role.feature << "\n"; }
@@ -211,12 +240,18 @@ void Writer::travel(PointUm target, double speed) {
   feedrate(std::llround(speed * 60));
 }
 
+// The number after E. \param amount  [0.00001 mm]
+void Writer::extrude(std::int64_t amount) {
+  e_ += amount;
+  out_.scaled(printer_.absoluteE ? e_ : amount, 5);
+}
+
 void Writer::filamentMove(double length) {
   const std::int64_t amount = std::llround(length * 1e5);
   if (amount == 0) return;
   seconds_ += std::abs(length) / printer_.retractSpeed;
   out_ << "G1 E";
-  out_.scaled(amount, 5);
+  extrude(amount);
   feedrate(std::llround(printer_.retractSpeed * 60));
 }
 
@@ -257,7 +292,7 @@ void Writer::bead(const Motion& motion, double flow, double height) {
     out_ << "G1 X";
     out_.scaled(motion.points[i + 1].x, 3) << " Y";
     out_.scaled(motion.points[i + 1].y, 3) << " E";
-    out_.scaled(due - filamentWritten_, 5);
+    extrude(due - filamentWritten_);
     filamentWritten_ = due;
     feedrate(motion.feedrates[i]);
     seconds_ += motion.seconds[i];
@@ -310,6 +345,13 @@ void Writer::layer(const Layer& layer) {
   if (printer_.flavor == GcodeFlavor::Klipper) {
     out_ << "SET_PRINT_STATS_INFO CURRENT_LAYER=" << std::to_string(layer.index + 1) << "\n";
   }
+  if (printer_.flavor == GcodeFlavor::Bambu) {
+    out_ << "; CHANGE_LAYER\n; Z_HEIGHT: " << top << "\n; LAYER_HEIGHT: " << decimal(layer.height, 3) << "\n";
+  }
+  if (printer_.absoluteE) {  // firmwares count in 32 bit floats
+    e_ = 0;
+    out_ << "G92 E0\n";
+  }
   if (layer.index == 0) out_ << "M106 S0\n";
   if (layer.index == 1) {
     // PLA wants all the air it can get, PETG and its kin lose their bond between layers then.
@@ -327,30 +369,25 @@ void Writer::layer(const Layer& layer) {
 void Writer::endBlock() {
   role(kCustomRole);
   moveZ(std::min(printer_.maxZ, static_cast<double>(z_) / 1000 + kParkLift));
-  travel({std::llround(std::ceil(printer_.bedMin.x * 1000)), std::llround(std::floor(printer_.bedMax.y * 1000))},
-         printer_.travelSpeed);
-  out_ << "M104 S0\nM140 S0\nM107\n";
-  if (printer_.setPressureAdvance) {
-    out_ << (printer_.flavor == GcodeFlavor::Klipper ? "SET_PRESSURE_ADVANCE ADVANCE=0\n" : "M900 K0\n");
+  if (printer_.setPressureAdvance) out_ << pressureAdvanceCommand(printer_.flavor, 0);
+  if (printer_.machineAcceleration > 0) out_ << accelerationCommand(printer_.flavor, printer_.machineAcceleration);
+  if (!job_.endBlock.empty()) {
+    out_ << job_.endBlock << "M73 P100 R0\n";
+    return;
   }
-  if (printer_.machineAcceleration > 0) {
-    const std::string acceleration = whole(printer_.machineAcceleration);
-    if (printer_.flavor == GcodeFlavor::Klipper) {
-      out_ << "M204 S" << acceleration << "\n";
-    } else {
-      out_ << "M204 P" << acceleration << " T" << acceleration << "\n";
-    }
+  Vec2 park{std::ceil(printer_.bedMin.x * 1000), std::floor(printer_.bedMax.y * 1000)};
+  if (printer_.roundBed) {
+    const Bed bed(printer_);
+    park = 1000.0 * (bed.centre() + Vec2{0, 0.95 * bed.radius()});
   }
-  out_ << "M84\nM73 P100 R0\n";
+  travel({std::llround(park.x), std::llround(park.y)}, printer_.travelSpeed);
+  out_ << "M104 S0\nM140 S0\nM107\nM84\nM73 P100 R0\n";
 }
 
 void Writer::footer() {
   const double mm = static_cast<double>(filamentWritten_) / 1e5;
   const double cm3 = mm * filamentArea(printer_.filamentDiameter) / 1000;
   const double grams = cm3 * printer_.filamentDensity;
-  const Vec2 lo = printer_.bedMin;
-  const Vec2 hi = printer_.bedMax;
-  const auto corner = [](double x, double y) { return decimal(x, 3) + "x" + decimal(y, 3); };
   out_ << "; filament used [mm] = " << fixed(mm, 2) << "\n; filament used [cm3] = " << fixed(cm3, 2)
        << "\n; filament used [g] = " << fixed(grams, 2) << "\n; total filament used [g] = " << fixed(grams, 2)
        << "\n; total layers count = " << std::to_string(params_.base + params_.layers)
@@ -366,11 +403,11 @@ void Writer::footer() {
       {"first_layer_temperature", whole(printer_.firstLayerNozzleTemperature)},
       {"bed_temperature", whole(printer_.bedTemperature)},
       {"first_layer_bed_temperature", whole(printer_.bedTemperature)},
-      {"bed_shape",
-       corner(lo.x, lo.y) + "," + corner(hi.x, lo.y) + "," + corner(hi.x, hi.y) + "," + corner(lo.x, hi.y)},
+      {"bed_shape", bedShape(printer_)},
+      {"max_print_height", decimal(printer_.maxZ, 3)},
       {"printer_model", plain(printer_.name)},
       {"filament_colour", "#808080"},
-      {"gcode_flavor", printer_.flavor == GcodeFlavor::Klipper ? "klipper" : "marlin2"},
+      {"gcode_flavor", dialectName(printer_.flavor)},
   };
   for (const auto& [key, value] : settings) out_ << "; " << key << " = " << value << "\n";
 }

@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "base_layers.hpp"
+#include "bed.hpp"
 #include "gcode_checks.hpp"
+#include "gcode_template.hpp"
 #include "text.hpp"
 #include "turned.hpp"
 
@@ -103,13 +105,49 @@ void addBeads(Bounds& box, const BeadPath& path) {
   }
 }
 
-bool fits(const Bounds& box, const Printer& printer) {
-  return box.min.x >= printer.bedMin.x - kSlack && box.min.y >= printer.bedMin.y - kSlack &&
-         box.max.x <= printer.bedMax.x + kSlack && box.max.y <= printer.bedMax.y + kSlack;
+Vec2 mm(PointUm p) { return {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000}; }
+
+// Upon the bed and clear of its excluded box, beads with half their width.
+bool fits(const BeadPath& path, const Bed& bed) {
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const double half = path.widths[i] / 2;
+    const std::size_t next = i + 1 < path.points.size() ? i + 1 : path.closed ? 0 : i;
+    if (bed.overhang(mm(path.points[i]), half) > kSlack) return false;
+    if (bed.crossesZone(mm(path.points[i]), mm(path.points[next]), half)) return false;
+  }
+  return true;
 }
 
-std::optional<Error> checkFit(const Bounds& box, const Printer& printer) {
-  if (fits(box, printer)) return std::nullopt;
+bool fit(const std::vector<BeadPath>& paths, const Bed& bed) {
+  return std::all_of(paths.begin(), paths.end(), [&](const BeadPath& path) { return fits(path, bed); });
+}
+
+std::string sizeText(const Bounds& box) {
+  return "the plate of " + fixed(box.size().x, 1) + " x " + fixed(box.size().y, 1) + " mm";
+}
+
+/// \param outline  the shape on the bed, which the base layers fill up to its border.
+std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shift, const GcodeJob& job,
+                              const Printer& printer) {
+  const Bed bed(printer);
+  if (printer.roundBed) {
+    double overhang = 0;
+    for (const FilledPath& path : outline.paths) {
+      for (const Ring& ring : path.rings) {
+        for (const Vec2 p : ring) overhang = std::max(overhang, bed.overhang(p + shift, 0));
+      }
+    }
+    for (const BeadPath& path : job.cycles) {
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        overhang = std::max(overhang, bed.overhang(mm(path.points[i]), path.widths[i] / 2));
+      }
+    }
+    if (overhang > kSlack) {
+      return Error{ErrorCode::DoesNotFit, sizeText(box) + " reaches over the edge of the round bed by " +
+                                              fixed(std::max(overhang, 0.001), 3) + " mm"};
+    }
+    return std::nullopt;
+  }
   std::string sides;
   const auto add = [&](double overhang, const char* side) {
     if (overhang <= kSlack) return;
@@ -119,8 +157,23 @@ std::optional<Error> checkFit(const Bounds& box, const Printer& printer) {
   add(box.max.x - printer.bedMax.x, "on the right");
   add(printer.bedMin.y - box.min.y, "in front");
   add(box.max.y - printer.bedMax.y, "at the back");
-  return Error{ErrorCode::DoesNotFit, "the plate of " + fixed(box.size().x, 1) + " x " + fixed(box.size().y, 1) +
-                                          " mm reaches over the edge of the bed by " + sides};
+  if (!sides.empty()) {
+    return Error{ErrorCode::DoesNotFit, sizeText(box) + " reaches over the edge of the bed by " + sides};
+  }
+  for (const FilledPath& path : outline.paths) {
+    for (const Ring& ring : path.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (bed.crossesZone(ring[i] + shift, ring[i + 1 < ring.size() ? i + 1 : 0] + shift, 0)) {
+          return Error{ErrorCode::DoesNotFit,
+                       sizeText(box) + " touches the excluded part of the bed; place it elsewhere"};
+        }
+      }
+    }
+  }
+  if (!fit(job.cycles, bed)) {
+    return Error{ErrorCode::DoesNotFit, sizeText(box) + " touches the excluded part of the bed; place it elsewhere"};
+  }
+  return std::nullopt;
 }
 
 // The hot end must melt the widest bead at a speed worth printing.
@@ -182,29 +235,48 @@ std::int64_t countOutside(const Toolpath& toolpath, const Scan& scan) {
   return outside;
 }
 
-// A straight line near the front or the left edge, if the plate leaves room there: nothing else would prime the nozzle.
+// A straight line near an edge of the bed, if the plate leaves room there: nothing else would prime the nozzle.
 void addPurgeLine(GcodeJob& job, const Bounds& box, const Printer& printer) {
+  const Bed bed(printer);
   const double width = printer.nozzle;
   const double gap = width / 2 + 2;
-  const Vec2 corner = printer.bedMin + Vec2{kEdge, kEdge};
-  const Vec2 room = printer.bedMax - printer.bedMin - Vec2{2 * kEdge, 2 * kEdge};
-  if (box.min.y > corner.y + gap && room.x >= 10) {
-    job.skirt.push_back(placed({corner, corner + Vec2{std::min(kPurgeLength, room.x), 0}}, {}, width, false));
-  } else if (box.min.x > corner.x + gap && room.y >= 10) {
-    job.skirt.push_back(placed({corner, corner + Vec2{0, std::min(kPurgeLength, room.y)}}, {}, width, false));
-  } else {
-    job.warnings.emplace_back(
-        "the plate leaves no room for a purge line; the nozzle is not primed before the first bead");
+  Vec2 corner = printer.bedMin + Vec2{kEdge, kEdge};
+  Vec2 room = printer.bedMax - printer.bedMin - Vec2{2 * kEdge, 2 * kEdge};
+  if (printer.roundBed) {  // chords half a radius long, near the edge
+    corner = bed.centre() - Vec2{0.9 * bed.radius(), 0.9 * bed.radius()};
+    room = {0.5 * bed.radius(), 0.5 * bed.radius()};
   }
+  const double alongX = std::min(kPurgeLength, room.x);
+  const double alongY = std::min(kPurgeLength, room.y);
+  const Vec2 front = printer.roundBed ? Vec2{bed.centre().x - alongX / 2, corner.y} : corner;
+  const Vec2 left = printer.roundBed ? Vec2{corner.x, bed.centre().y - alongY / 2} : corner;
+  struct Line {
+    Vec2 begin;
+    Vec2 end;
+    bool clear;
+  };
+  const bool clearFront = box.min.y > corner.y + gap && alongX >= 10;
+  const bool clearLeft = box.min.x > corner.x + gap && alongY >= 10;
+  const Vec2 beyond = printer.excludedMax + Vec2{kEdge, kEdge};
+  const Line lines[] = {{front, front + Vec2{alongX, 0}, clearFront},
+                        {{beyond.x, front.y}, {beyond.x + alongX, front.y}, clearFront && bed.hasZone()},
+                        {left, left + Vec2{0, alongY}, clearLeft},
+                        {{left.x, beyond.y}, {left.x, beyond.y + alongY}, clearLeft && bed.hasZone()}};
+  for (const Line& line : lines) {
+    BeadPath path = placed({line.begin, line.end}, {}, width, false);
+    if (!line.clear || !fits(path, bed)) continue;
+    job.skirt.push_back(std::move(path));
+    return;
+  }
+  job.warnings.emplace_back(
+      "the plate leaves no room for a purge line; the nozzle is not primed before the first bead");
 }
 
 void addSkirt(GcodeJob& job, const Bounds& box, const Printer& printer, int loops) {
   for (const Polyline& loop : skirtLoops(box, printer.nozzle, loops)) {
     job.skirt.push_back(placed(loop, {}, printer.nozzle, true));
   }
-  Bounds outer;
-  for (const BeadPath& loop : job.skirt) addBeads(outer, loop);
-  if (!outer.empty() && !fits(outer, printer)) {
+  if (!fit(job.skirt, Bed(printer))) {
     job.skirt.clear();
     job.warnings.emplace_back("the skirt does not fit the bed and was left out");
   }
@@ -270,6 +342,54 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   }
 }
 
+/// What the user's blocks may ask for, by the names of PrusaSlicer, Orca, Cura and IceSL.
+std::vector<TemplateValue> templateValues(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  Bounds box;
+  for (const BeadPath& path : job.skirt) addBeads(box, path);
+  for (const BeadPath& path : job.cycles) addBeads(box, path);
+  const auto pair = [](Vec2 v) { return std::vector<std::string>{fixed(v.x, 3), fixed(v.y, 3)}; };
+  const auto whole = [](double value) { return std::vector<std::string>{fixed(value, 0)}; };
+  const auto number = [](double value) { return std::vector<std::string>{decimal(value, 3)}; };
+  const int layers = params.base + params.layers;
+  return {
+      {{"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0",
+        "TOOLTEMP"},
+       whole(printer.firstLayerNozzleTemperature)},
+      {{"temperature", "nozzle_temperature", "material_print_temperature"}, whole(printer.nozzleTemperature)},
+      {{"first_layer_bed_temperature", "bed_temperature", "bed_temperature_initial_layer",
+        "bed_temperature_initial_layer_single", "hot_plate_temp_initial_layer", "material_bed_temperature",
+        "material_bed_temperature_layer_0", "HBPTEMP"},
+       whole(printer.bedTemperature)},
+      {{"first_layer_print_min"}, pair(box.min)},
+      {{"first_layer_print_max"}, pair(box.max)},
+      {{"first_layer_print_size"}, pair(box.size())},
+      {{"layer_height"}, number(params.layerHeight)},
+      {{"first_layer_height", "initial_layer_print_height", "layer_height_0"}, number(firstLayerHeight(params))},
+      {{"max_layer_z"}, number(layerTop(params, layers - 1))},
+      {{"total_layer_count"}, whole(layers)},
+      {{"nozzle_diameter", "machine_nozzle_size"}, number(printer.nozzle)},
+      {{"filament_diameter", "material_diameter"}, number(printer.filamentDiameter)},
+      {{"filament_type", "material_type"}, {printer.filamentType}},
+      {{"initial_tool", "initial_extruder", "current_extruder"}, {"0"}},
+  };
+}
+
+std::optional<Error> addBlocks(GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
+    return invalid(
+        "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
+        "which can be imported");
+  }
+  const std::vector<TemplateValue> values = templateValues(job, printer, params);
+  Result<std::string> start = expandTemplate(printer.startGcode, values, "startGcode");
+  if (!start) return start.error();
+  Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");
+  if (!end) return end.error();
+  job.startBlock = std::move(start).value();
+  job.endBlock = std::move(end).value();
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape, const Printer& printer,
@@ -290,7 +410,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   const Vec2 shift{static_cast<double>(offset.x) / 1000, static_cast<double>(offset.y) / 1000};
   Bounds box{shapeBox.min + shift, shapeBox.max + shift};
   for (const BeadPath& path : job.cycles) addBeads(box, path);
-  if (auto error = checkFit(box, printer)) return *error;
+  if (auto error = checkFit(box, shape, shift, job, printer)) return *error;
   if (auto error = checkFlow(job, printer, params)) return *error;
 
   const Scan inside = scan(shape, shapeBox);
@@ -302,6 +422,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   }
   if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params.base)) return *error;
   addSkirt(job, box, printer, params.skirt);
+  if (auto error = addBlocks(job, printer, params)) return *error;
   addWarnings(job, printer, params);
   return job;
 }

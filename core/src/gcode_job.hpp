@@ -19,6 +19,8 @@ struct GcodeJob {
   Vec2 plate;                                    ///< size of the shape [mm]
   double clampedMm = 0;                          ///< length with a width held at a limit, per oriented layer
   double fillRatio = 0;                          ///< bead area over shape area, per oriented layer
+  std::string startBlock;                        ///< the user's, values put in; empty: ours
+  std::string endBlock;
   std::vector<std::string> warnings;
 };
 

@@ -141,7 +141,7 @@ void setFeedrates(Motion& motion, const std::vector<double>& speeds, const Motio
 // Square of the highest speed through the corner between two unit directions.
 double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionLimits& limits) {
   constexpr double kUnlimited = 1e12;
-  if (limits.flavor == GcodeFlavor::Marlin) {
+  if (limits.flavor != GcodeFlavor::Klipper) {
     const double change = std::max(std::abs(after.x - before.x), std::abs(after.y - before.y));
     const double jerk = 2 * limits.cornerSpeed;
     return change * change * kUnlimited <= jerk * jerk ? kUnlimited : jerk * jerk / (change * change);

@@ -9,11 +9,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <type_traits>
 #include <utility>
 
+#include "presets.hpp"
+#include "sillon/presets.hpp"
 #include "sillon/version.hpp"
 
 namespace cli {
@@ -27,6 +30,7 @@ using sillon::ErrorCode;
 using sillon::GcodeFlavor;
 using sillon::MapFilter;
 using sillon::PerimeterMode;
+using sillon::PresetKind;
 using sillon::Project;
 using sillon::Vec2;
 
@@ -344,8 +348,31 @@ void addPrint(Options& options) {
       "--layer-height", "MM", "height of a layer", [](Project & p) -> auto& { return p.print.layerHeight; });
   options.number(
       "--flow", "F", "flow of the oriented layers", [](Project & p) -> auto& { return p.print.flow; });
+  options.word("--printer", "ID", "a printer that sillon printers lists", [](const std::string& text) {
+    return [text](Project& project) {
+      project.printerPreset = text;
+      project.printer = {};
+      if (const std::string wrong = applyPreset(PresetKind::Printer, text, project.printer); !wrong.empty()) {
+        return "--printer " + wrong;
+      }
+      return project.filamentPreset.empty()
+                 ? std::string()
+                 : applyPreset(PresetKind::Filament, project.filamentPreset, project.printer);
+    };
+  });
+  options.word("--filament", "ID", "a filament that sillon filaments lists", [](const std::string& text) {
+    return [text](Project& project) {
+      project.filamentPreset = text;
+      const std::string wrong = applyPreset(PresetKind::Filament, text, project.printer);
+      return wrong.empty() ? wrong : "--filament " + wrong;
+    };
+  });
   options.choice<GcodeFlavor>("--flavor", "dialect of the G-code [marlin]",
-                              {{"marlin", GcodeFlavor::Marlin}, {"klipper", GcodeFlavor::Klipper}},
+                              {{"marlin", GcodeFlavor::Marlin},
+                               {"klipper", GcodeFlavor::Klipper},
+                               {"reprap", GcodeFlavor::RepRap},
+                               {"prusa", GcodeFlavor::PrusaBuddy},
+                               {"bambu", GcodeFlavor::Bambu}},
                               [](Project& project, GcodeFlavor flavor) { project.printer.flavor = flavor; });
   options.number(
       "--nozzle", "MM", "nozzle diameter", [](Project & p) -> auto& { return p.printer.nozzle; });
@@ -423,6 +450,25 @@ void addAdvanced(Options& options) {
       [](Project & p) -> auto& { return p.toolpath.simplifyTolerance; });
 }
 
+/// sillon printers and sillon filaments: a table, or one preset as a project file.
+void addPresetLists(CLI::App& app, Arguments& arguments) {
+  const auto add = [&](const char* name, const char* help, PresetKind kind) {
+    CLI::App* command = app.add_subcommand(name, help);
+    const auto id = std::make_shared<std::string>();
+    command->add_option("id", *id, "write this one as a project file")->option_text("ID");
+    command->callback([&arguments, id, kind, name] {
+      arguments.answer = id->empty() ? presetTable(kind) : presetFile(kind, *id);
+      if (arguments.answer.empty()) {
+        sillon::Printer printer;
+        throw CLI::ValidationError(std::string(name) + " " + applyPreset(kind, *id, printer),
+                                   CLI::ExitCodes::ValidationError);
+      }
+    });
+  };
+  add("printers", "List the printers that come with the program", PresetKind::Printer);
+  add("filaments", "List the filaments", PresetKind::Filament);
+}
+
 /// First line of a message of CLI11, without the full stop that some end in.
 std::string oneSentence(std::string text) {
   text = text.substr(0, text.find('\n'));
@@ -439,6 +485,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("sillon ") + sillon::kVersion);
   app.require_subcommand(1);
   app.footer("See sillon generate --help.");
+  addPresetLists(app, arguments);
 
   CLI::App* generate =
       app.add_subcommand("generate", "Make a toolpath and write it as G-code, drawing, report, picture");

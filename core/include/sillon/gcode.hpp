@@ -15,7 +15,8 @@
 
 namespace sillon {
 
-enum class GcodeFlavor { Marlin, Klipper };
+/// Bambu machines take only what their own slicer's start block begins: they need `startGcode`.
+enum class GcodeFlavor { Marlin, Klipper, RepRap, PrusaBuddy, Bambu };
 
 /// A machine with its filament. Lengths mm, speeds mm/s, accelerations mm/s², temperatures in degrees Celsius.
 struct Printer {
@@ -23,6 +24,9 @@ struct Printer {
   GcodeFlavor flavor = GcodeFlavor::Marlin;
   Vec2 bedMin{0, 0};
   Vec2 bedMax{220, 220};
+  bool roundBed = false;  ///< the disc within bedMin and bedMax, which must be a square
+  Vec2 excludedMin;       ///< box on the bed that nothing may touch; of no size: none
+  Vec2 excludedMax;
   double maxZ = 200;
   double nozzle = 0.4;  ///< (0, 2]
   double filamentDiameter = 1.75;
@@ -44,13 +48,20 @@ struct Printer {
   double retractLength = 0.8;
   double retractSpeed = 35;
   double lift = 0.4;
+  bool absoluteE = false;                      ///< M82 and G92 E0 per layer, for hosts that know nothing else
+  std::string startGcode;                      ///< template, docs/gcode.md; empty: home, heat, wait
+  std::string endGcode;                        ///< template; empty: park, heaters off
+  std::string screenSizes = "32x32, 300x300";  ///< of the pictures for its screen: WxH, WxH/PNG or WxH/QOI
 };
+
+enum class ThumbnailFormat { Png, Qoi };
 
 /// A picture for the printer's screen.
 struct Thumbnail {
   int width = 0;   ///< [pixels], 1..1024
   int height = 0;  ///< [pixels], 1..1024
-  std::vector<std::uint8_t> png;
+  std::vector<std::uint8_t> bytes;
+  ThumbnailFormat format = ThumbnailFormat::Png;
 };
 
 /// How one plate is stacked and placed.
