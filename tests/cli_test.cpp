@@ -180,6 +180,25 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
   checkRefused(folder, "printers k2", "printers is \"k2\", which is no printer");
 }
 
+TEST_CASE("check reads G-code as a printer would") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--gcode a.gcode").code == 0);
+  const Run good = folder.run("check a.gcode");
+  CHECK(good.code == 0);
+  CHECK(has(good.out, "3 layers, for Generic\n"));
+  CHECK(has(good.out, "\nno errors\n"));
+  std::string text = readAll(folder.at("a.gcode"));
+  text.erase(text.find("G28\n"), 4);
+  folder.write("b.gcode", text);
+  const Run bad = folder.run("check b.gcode --printer prusa-mini");
+  CHECK(bad.code == 2);
+  CHECK(has(bad.out, "error      homing: moves before it homes (G28) (line "));
+  CHECK(has(bad.out, "\n2 errors\n"));  // the park position lies beyond the smaller bed, too
+  checkRefused(folder, "check", "file is required");
+  checkRefused(folder, "check none.gcode", "cannot be read");
+  checkRefused(folder, "check a.gcode --printer mk4", "--printer is \"mk4\"");
+}
+
 TEST_CASE("a small disc writes every file, and each is what it should be") {
   const Folder folder;
   const Run run = folder.run(kDisc + kOutputs, "SOURCE_DATE_EPOCH=1600000000");

@@ -13,6 +13,8 @@
 #include "base_layers.hpp"
 #include "gcode_template.hpp"
 #include "motion.hpp"
+#include "sillon/gcode_check.hpp"
+#include "sillon/presets.hpp"
 #include "support/gcode_check.hpp"
 #include "text.hpp"
 
@@ -113,6 +115,11 @@ ReadFile checkFile(const Job& job, const Written& written) {
   REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
   const GcodeSummary& summary = written.result.value();
   CHECK(grammarError(written.text) == "");
+  const GcodeCheck check = checkGcode(written.text, job.printer);
+  for (const GcodeFinding& finding : check.findings) {
+    // Thin plates without room to prime or slow down are warned about, as they should be.
+    if (finding.error) FAIL_CHECK(finding.rule << " " << finding.message << " in line " << finding.line);
+  }
   ReadFile file = readGcode(written.text);
   CHECK_MESSAGE(file.faults.empty(), file.faults.front());
   CHECK(file.minX >= job.printer.bedMin.x);
@@ -124,6 +131,8 @@ ReadFile checkFile(const Job& job, const Written& written) {
   CHECK(file.moves == summary.moves);
   CHECK(static_cast<std::int64_t>(written.text.size()) == summary.bytes);
   CHECK(file.filament == Approx(summary.filamentMm).epsilon(1e-9));
+  CHECK(check.filamentMm == Approx(summary.filamentMm).epsilon(1e-9));
+  CHECK(check.layers == file.layers);
   CHECK(valueOf(written.text, "; filament used [mm] = ") == fixed(file.filament, 2));
   CHECK(valueOf(written.text, "; total layers count = ") == std::to_string(file.layers));
 
@@ -875,6 +884,26 @@ TEST_CASE("the user's blocks replace ours, and modes are restated after them") {
         std::string::npos);
   CHECK(text.find("\nM104 S0\nM140 S0 ; bye\nG1 X0 Y200\nM73 P100 R0\n") != std::string::npos);
   CHECK(text.find("M84") == std::string::npos);
+  const auto refusal = [&](const char* start) {
+    Job bad = job;
+    bad.printer.startGcode = start;
+    const Written written = bad.write();
+    CHECK(written.text.empty());
+    return written.result ? "" : written.result.error().message;
+  };
+  CHECK(refusal("M190 S60\nM109 S220") == "startGcode does not home; it must have G28 or a start macro");
+  CHECK(refusal("G28\nM190 S60\nM104 S220").find("startGcode does not wait for a hot nozzle") == 0);
+  CHECK(refusal("G28\nM109 S220").find("startGcode does not wait for a hot bed") == 0);
+  CHECK(refusal("G28\nM190 S60\nM109 S220\nG1 X300 F3000").find("line 4 of startGcode: a move over the bed's edge") ==
+        0);
+  CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of startGcode: moves before it homes") == 0);
+  Job wipe = job;
+  wipe.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 Z5 F600\nG1 Y-3 F3000";
+  CHECK(contains(wipe.write().result.value().warnings, "line 5 of startGcode: the start or end block goes over"));
+  wipe.printer.startGcode = "PRINT_START BED=60 HOTEND=180";
+  const Written macro = wipe.write();
+  REQUIRE(macro.result.ok());
+  CHECK(contains(macro.result.value().warnings, "startGcode leaves the nozzle at 180 degrees"));
   job.printer.endGcode = "M104 S{oops}";
   const Written refused = job.write();
   CHECK(refused.result.error().message.find("endGcode has \"{oops}\" in line 1") == 0);
@@ -903,6 +932,27 @@ TEST_CASE("absolute E carries the same plastic and starts anew with every layer"
   }
   CHECK(resets == 1 + 3);
   CHECK(static_cast<double>(sum) / 1e5 == Approx(relative.filament).epsilon(1e-9));
+}
+
+TEST_CASE("every printer and filament makes a file without faults") {
+  for (const Preset& preset : presets(PresetKind::Printer)) {
+    for (const Preset& filament : presets(PresetKind::Filament)) {
+      CAPTURE(preset.id + " " + filament.id);
+      Job job = plate(30, 20, 0.5);
+      job.printer = preset.printer;
+      REQUIRE(applyPreset(PresetKind::Filament, filament.id, job.printer).empty());
+      if (job.printer.flavor == GcodeFlavor::Bambu) {
+        CHECK(job.write().result.error().message.find("startGcode is empty") == 0);
+        job.printer.startGcode = "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}";
+      }
+      const Written written = job.write();
+      REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+      const GcodeCheck check = checkGcode(written.text, job.printer);
+      CHECK(check.errors() == 0);
+      CHECK(check.layers == 3);
+      CHECK(checkGcode(written.text).errors() == 0);  // by the settings the file itself tells
+    }
+  }
 }
 
 // ---- beds

@@ -8,6 +8,7 @@
 #include "bed.hpp"
 #include "gcode_checks.hpp"
 #include "gcode_template.hpp"
+#include "sillon/gcode_check.hpp"
 #include "text.hpp"
 #include "turned.hpp"
 
@@ -374,6 +375,32 @@ std::vector<TemplateValue> templateValues(const GcodeJob& job, const Printer& pr
   };
 }
 
+// A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
+std::optional<Error> checkStart(const std::string& block, const Printer& printer, GcodeJob& job) {
+  // Makers of Bambu machines wipe far off the bed, in code that is theirs.
+  const bool trusted = printer.flavor == GcodeFlavor::Bambu;
+  const GcodeCheck check = checkGcode(block, printer);
+  if (!check.homes) return invalid("startGcode does not home; it must have G28 or a start macro");
+  if (!check.heatsNozzle) {
+    return invalid(
+        "startGcode does not wait for a hot nozzle; it must have M109 or a start macro with its temperature");
+  }
+  if (!check.heatsBed && printer.bedTemperature > 0) {
+    return invalid("startGcode does not wait for a hot bed; it must have M190 or a start macro with its temperature");
+  }
+  if (std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > 20) {
+    job.warnings.push_back("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
+                           " degrees; the first layer is meant for " + decimal(printer.firstLayerNozzleTemperature, 0));
+  }
+  for (const GcodeFinding& finding : check.findings) {
+    if (finding.line == 0) continue;  // of whole files
+    const std::string place = "line " + std::to_string(finding.line) + " of startGcode: " + finding.message;
+    if (finding.error && !trusted) return invalid(place);
+    if (finding.rule == "bounds") job.warnings.push_back(place);
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> addBlocks(GcodeJob& job, const Printer& printer, const PrintParams& params) {
   if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
     return invalid(
@@ -385,6 +412,9 @@ std::optional<Error> addBlocks(GcodeJob& job, const Printer& printer, const Prin
   if (!start) return start.error();
   Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");
   if (!end) return end.error();
+  if (!printer.startGcode.empty()) {
+    if (auto error = checkStart(start.value(), printer, job)) return error;
+  }
   job.startBlock = std::move(start).value();
   job.endBlock = std::move(end).value();
   return std::nullopt;

@@ -469,6 +469,20 @@ void addPresetLists(CLI::App& app, Arguments& arguments) {
   add("filaments", "List the filaments", PresetKind::Filament);
 }
 
+void addCheck(CLI::App& app, Arguments& arguments) {
+  CLI::App* check = app.add_subcommand("check", "Read any G-code as a printer would and say what would go wrong");
+  check->add_option("file", arguments.check, "the file")->option_text("FILE.gcode")->required();
+  check
+      ->add_option_function<std::string>(
+          "--printer",
+          [&arguments](const std::string& id) {
+            const std::string wrong = applyPreset(PresetKind::Printer, id, arguments.checkPrinter.emplace());
+            if (!wrong.empty()) throw CLI::ValidationError("--printer " + wrong, CLI::ExitCodes::ValidationError);
+          },
+          "whose bed and limits count [as the file's own settings say]")
+      ->option_text("ID");
+}
+
 /// First line of a message of CLI11, without the full stop that some end in.
 std::string oneSentence(std::string text) {
   text = text.substr(0, text.find('\n'));
@@ -486,6 +500,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer("See sillon generate --help.");
   addPresetLists(app, arguments);
+  addCheck(app, arguments);
 
   CLI::App* generate =
       app.add_subcommand("generate", "Make a toolpath and write it as G-code, drawing, report, picture");

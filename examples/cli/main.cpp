@@ -1,4 +1,4 @@
-// sillon generate: reads, computes, then writes everything at once.
+// sillon generate: reads, computes, then writes everything at once. sillon check: reads G-code and judges it.
 // Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
 #include <atomic>
 #include <csignal>
@@ -10,10 +10,12 @@
 
 #include "arguments.hpp"
 #include "assemble.hpp"
+#include "check.hpp"
 #include "files.hpp"
 #include "memory.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "sillon/gcode_check.hpp"
 
 namespace {
 
@@ -98,6 +100,14 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
   return files;
 }
 
+int check(const cli::Arguments& arguments) {
+  const sillon::Result<std::string> text = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  if (!text) return fail(text.error());
+  const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
+  std::fputs(cli::checkText(result).c_str(), stdout);
+  return result.errors() == 0 ? 0 : 2;
+}
+
 int generate(const cli::Arguments& arguments) {
   sillon::RunContext run(arguments.threads);
   const CancelOnSignal cancelOnSignal(run);
@@ -139,7 +149,7 @@ int main(int argc, char** argv) {
       std::fputs(arguments.value().answer.c_str(), stdout);
       return 0;
     }
-    return generate(arguments.value());
+    return arguments.value().check.empty() ? generate(arguments.value()) : check(arguments.value());
   } catch (const std::exception& error) {  // out of memory, for one
     std::fprintf(stderr, "sillon: stopped by %s; this is a fault of the program\n", error.what());
     return 1;
