@@ -193,10 +193,26 @@ TEST_CASE("check reads G-code as a printer would") {
   const Run bad = folder.run("check b.gcode --printer prusa-mini");
   CHECK(bad.code == 2);
   CHECK(has(bad.out, "error      homing: moves before it homes (G28) (line "));
-  CHECK(has(bad.out, "\n2 errors\n"));  // the park position lies beyond the smaller bed, too
+  CHECK(has(bad.out, "error      bounds: a move over the bed's edge at (0, 220), 40 mm (line "));
   checkRefused(folder, "check", "file is required");
   checkRefused(folder, "check none.gcode", "cannot be read");
   checkRefused(folder, "check a.gcode --printer mk4", "--printer is \"mk4\"");
+}
+
+TEST_CASE("a printer is imported from G-code and prints") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode").code == 0);
+  const Run run = folder.run("import donor.gcode");
+  CHECK(run.code == 0);
+  CHECK(has(run.err, "sillon: not read: heights in the end block were left out"));
+  folder.write("mine.json", run.out);
+  const Run made = folder.run("generate mine.json --shape disc --size 12 --spacing 0.8 --gcode a.gcode");
+  CAPTURE(made.err);
+  CHECK(made.code == 0);
+  CHECK(has(readAll(folder.at("a.gcode")), "\nM862.3 P \"MINI\"\n"));
+  CHECK(folder.run("check a.gcode --printer prusa-mini").code == 0);
+  folder.write("no.ini", "a = b\n");
+  checkRefused(folder, "import no.ini", "no setting of a printer");
 }
 
 TEST_CASE("a small disc writes every file, and each is what it should be") {

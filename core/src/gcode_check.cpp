@@ -474,10 +474,7 @@ void Reader::move(int code, const Words& w) {
           "an arc");
     }
   }
-  if (!check_.homes && (span > 0 || z_ != zFrom)) {
-    found("homing", true, "moves before it homes", " (G28)");
-    check_.homes = true;  // said once
-  }
+  if (!check_.homes && (span > 0 || z_ != zFrom)) found("homing", true, "moves before it homes", " (G28)");
   if (span > 0) {
     if (speed_ <= 0) {
       found("speed", true, "moves before any F", "");

@@ -343,38 +343,6 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   }
 }
 
-/// What the user's blocks may ask for, by the names of PrusaSlicer, Orca, Cura and IceSL.
-std::vector<TemplateValue> templateValues(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
-  Bounds box;
-  for (const BeadPath& path : job.skirt) addBeads(box, path);
-  for (const BeadPath& path : job.cycles) addBeads(box, path);
-  const auto pair = [](Vec2 v) { return std::vector<std::string>{fixed(v.x, 3), fixed(v.y, 3)}; };
-  const auto whole = [](double value) { return std::vector<std::string>{fixed(value, 0)}; };
-  const auto number = [](double value) { return std::vector<std::string>{decimal(value, 3)}; };
-  const int layers = params.base + params.layers;
-  return {
-      {{"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0",
-        "TOOLTEMP"},
-       whole(printer.firstLayerNozzleTemperature)},
-      {{"temperature", "nozzle_temperature", "material_print_temperature"}, whole(printer.nozzleTemperature)},
-      {{"first_layer_bed_temperature", "bed_temperature", "bed_temperature_initial_layer",
-        "bed_temperature_initial_layer_single", "hot_plate_temp_initial_layer", "material_bed_temperature",
-        "material_bed_temperature_layer_0", "HBPTEMP"},
-       whole(printer.bedTemperature)},
-      {{"first_layer_print_min"}, pair(box.min)},
-      {{"first_layer_print_max"}, pair(box.max)},
-      {{"first_layer_print_size"}, pair(box.size())},
-      {{"layer_height"}, number(params.layerHeight)},
-      {{"first_layer_height", "initial_layer_print_height", "layer_height_0"}, number(firstLayerHeight(params))},
-      {{"max_layer_z"}, number(layerTop(params, layers - 1))},
-      {{"total_layer_count"}, whole(layers)},
-      {{"nozzle_diameter", "machine_nozzle_size"}, number(printer.nozzle)},
-      {{"filament_diameter", "material_diameter"}, number(printer.filamentDiameter)},
-      {{"filament_type", "material_type"}, {printer.filamentType}},
-      {{"initial_tool", "initial_extruder", "current_extruder"}, {"0"}},
-  };
-}
-
 // A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
 std::optional<Error> checkStart(const std::string& block, const Printer& printer, GcodeJob& job) {
   // Makers of Bambu machines wipe far off the bed, in code that is theirs.
@@ -407,7 +375,10 @@ std::optional<Error> addBlocks(GcodeJob& job, const Printer& printer, const Prin
         "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
         "which can be imported");
   }
-  const std::vector<TemplateValue> values = templateValues(job, printer, params);
+  Bounds beads;
+  for (const BeadPath& path : job.skirt) addBeads(beads, path);
+  for (const BeadPath& path : job.cycles) addBeads(beads, path);
+  const std::vector<TemplateValue> values = templateValues(printer, params, beads);
   Result<std::string> start = expandTemplate(printer.startGcode, values, "startGcode");
   if (!start) return start.error();
   Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "gcode_job.hpp"
+#include "text.hpp"
+
 namespace sillon {
 namespace {
 
@@ -53,6 +56,34 @@ std::string printable(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<TemplateValue> templateValues(const Printer& printer, const PrintParams& params, const Bounds& beads) {
+  const auto pair = [](Vec2 v) { return std::vector<std::string>{fixed(v.x, 3), fixed(v.y, 3)}; };
+  const auto whole = [](double value) { return std::vector<std::string>{fixed(value, 0)}; };
+  const auto number = [](double value) { return std::vector<std::string>{decimal(value, 3)}; };
+  const int layers = params.base + params.layers;
+  return {
+      {{"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0",
+        "TOOLTEMP"},
+       whole(printer.firstLayerNozzleTemperature)},
+      {{"temperature", "nozzle_temperature", "material_print_temperature"}, whole(printer.nozzleTemperature)},
+      {{"first_layer_bed_temperature", "bed_temperature", "bed_temperature_initial_layer",
+        "bed_temperature_initial_layer_single", "hot_plate_temp_initial_layer", "material_bed_temperature",
+        "material_bed_temperature_layer_0", "HBPTEMP"},
+       whole(printer.bedTemperature)},
+      {{"first_layer_print_min"}, pair(beads.min)},
+      {{"first_layer_print_max"}, pair(beads.max)},
+      {{"first_layer_print_size"}, pair(beads.size())},
+      {{"layer_height"}, number(params.layerHeight)},
+      {{"first_layer_height", "initial_layer_print_height", "layer_height_0"}, number(firstLayerHeight(params))},
+      {{"max_layer_z"}, number(layerTop(params, layers - 1))},
+      {{"total_layer_count"}, whole(layers)},
+      {{"nozzle_diameter", "machine_nozzle_size"}, number(printer.nozzle)},
+      {{"filament_diameter", "material_diameter"}, number(printer.filamentDiameter)},
+      {{"filament_type", "material_type"}, {printer.filamentType}},
+      {{"initial_tool", "initial_extruder", "current_extruder"}, {"0"}},
+  };
+}
 
 Result<std::string> expandTemplate(std::string_view text, const std::vector<TemplateValue>& values,
                                    std::string_view block) {

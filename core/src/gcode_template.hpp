@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sillon/gcode.hpp"
 #include "sillon/result.hpp"
+#include "sillon/types.hpp"
 
 namespace sillon {
 
@@ -15,6 +17,9 @@ struct TemplateValue {
   std::vector<std::string_view> names;
   std::vector<std::string> values;
 };
+
+/// What blocks may ask for, by the names of PrusaSlicer, Orca, Cura and IceSL. \param beads  box around all beads [mm].
+std::vector<TemplateValue> templateValues(const Printer& printer, const PrintParams& params, const Bounds& beads);
 
 /// Puts values in the place of {name}, {name[0]}, [name] and <NAME>, outside comments. Plain substitution: there are no
 /// expressions. Lines become printable ASCII without trailing blanks, each ended by LF.

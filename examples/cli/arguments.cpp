@@ -501,6 +501,10 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   app.footer("See sillon generate --help.");
   addPresetLists(app, arguments);
   addCheck(app, arguments);
+  CLI::App* import =
+      app.add_subcommand("import", "Take a printer from G-code of your own slicer, its settings or a project");
+  import->add_option("file", arguments.import, "G-code, .ini, .json")->option_text("FILE")->required();
+  import->add_option("--name", arguments.importName, "printer of a bundle [the active one]")->option_text("NAME");
 
   CLI::App* generate =
       app.add_subcommand("generate", "Make a toolpath and write it as G-code, drawing, report, picture");

@@ -16,6 +16,8 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "sillon/gcode_check.hpp"
+#include "sillon/presets.hpp"
+#include "sillon/printer_import.hpp"
 
 namespace {
 
@@ -108,6 +110,19 @@ int check(const cli::Arguments& arguments) {
   return result.errors() == 0 ? 0 : 2;
 }
 
+/// The printer as a project on stdout, what needs a look on stderr.
+int importFrom(const cli::Arguments& arguments) {
+  const sillon::Result<std::string> text = cli::readFile(arguments.import, "file", cli::kMaxInputBytes);
+  if (!text) return fail(text.error());
+  const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.importName);
+  if (!imported) return fail(imported.error());
+  const sillon::ImportedPrinter& printer = imported.value();
+  std::fputs(sillon::writePrinter(printer.printer).c_str(), stdout);
+  std::fprintf(stderr, "sillon: read %zu settings as %s\n", printer.read.size(), printer.source.c_str());
+  for (const std::string& note : printer.notRead) std::fprintf(stderr, "sillon: not read: %s\n", note.c_str());
+  return 0;
+}
+
 int generate(const cli::Arguments& arguments) {
   sillon::RunContext run(arguments.threads);
   const CancelOnSignal cancelOnSignal(run);
@@ -149,7 +164,9 @@ int main(int argc, char** argv) {
       std::fputs(arguments.value().answer.c_str(), stdout);
       return 0;
     }
-    return arguments.value().check.empty() ? generate(arguments.value()) : check(arguments.value());
+    if (!arguments.value().check.empty()) return check(arguments.value());
+    if (!arguments.value().import.empty()) return importFrom(arguments.value());
+    return generate(arguments.value());
   } catch (const std::exception& error) {  // out of memory, for one
     std::fprintf(stderr, "sillon: stopped by %s; this is a fault of the program\n", error.what());
     return 1;
