@@ -420,6 +420,11 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--perimeters 101", "--perimeters is \"101\"");
   refused("--mode diagonal", "parallel, orthogonal, smoothest or constrained");
   refused("--flavor smoothie", "marlin, klipper, reprap, prusa or bambu");
+  refused("--base-pattern solid", "hatched, concentric or same");
+  refused("--show below", "up, bed or both");
+  refused("--copies 2", "NxM, two whole numbers");
+  refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");
+  refused("--brim 51", "print.brim is 51");
   refused("--printer mk4", "--printer is \"mk4\", which is no printer");
   refused("--filament abs", "--filament is \"abs\", which is no filament; known are petg, pla, pla-silk");
   refused("--bed 200", "--bed is \"200\"");

@@ -13,6 +13,7 @@
 #include "base_layers.hpp"
 #include "gcode_template.hpp"
 #include "motion.hpp"
+#include "offset_loops.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/presets.hpp"
 #include "support/gcode_check.hpp"
@@ -775,6 +776,269 @@ TEST_CASE("a skirt that does not fit is left out with a warning, and a purge lin
   const Written tight = job.write();
   CHECK(checkFile(job, tight).paths[0].role == "Solid infill");
   CHECK(contains(tight.result.value().warnings, "no room for a purge line"));
+}
+
+// ---- the stack
+
+TEST_CASE("loops lie at their distances from the border, inside and outside") {
+  const auto boxOf = [](const Polyline& loop) {
+    Bounds box;
+    for (const Vec2 p : loop) box.add(p);
+    return box;
+  };
+  const auto lengthOf = [](const Polyline& loop) {
+    double sum = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) sum += length(loop[(i + 1) % loop.size()] - loop[i]);
+    return sum;
+  };
+  const Shape square = rectangle(20, 20);
+  const std::vector<Polyline> inner = offsetLoops(square, -0.2, -0.4, 1000).value();
+  CHECK(inner.size() == 25);
+  for (std::size_t k = 0; k + 1 < inner.size(); ++k) {
+    const double d = 0.2 + 0.4 * double(k);
+    const Bounds box = boxOf(inner[k]);
+    CHECK(box.min.x == Approx(d).epsilon(0.001));
+    CHECK(box.max.y == Approx(20 - d).epsilon(0.001));
+    CHECK(std::abs(lengthOf(inner[k]) - 4 * (20 - 2 * d)) < 0.13);  // corners are cut by a cell
+  }
+  const std::vector<Polyline> outer = offsetLoops(makeDisc(20).value(), 0.2, 0.4, 3).value();
+  REQUIRE(outer.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(lengthOf(outer[k]) == Approx(2 * 3.14159265 * (10.2 + 0.4 * double(k))).epsilon(0.002));
+    for (const Vec2 p : outer[k]) CHECK(length(p - Vec2{10, 10}) == Approx(10.2 + 0.4 * double(k)).epsilon(0.001));
+  }
+  CHECK_FALSE(offsetLoops(Shape{}, 0.2, 0.4, 1).ok());
+}
+
+TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {
+  Job job = plate(30, 20, 1);
+  job.params.elephantFoot = 0;
+  job.params.basePattern = BasePattern::Concentric;
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  double filament = 0;
+  int loops = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Solid infill") continue;
+    CHECK(path.closed());
+    filament += path.filament();
+    ++loops;
+  }
+  CHECK(loops == 2 * 25);
+  CHECK(filament == Approx(2 * extrusion(0.2, 30, 20, 1.75, 1)).epsilon(0.03));
+
+  job.params.basePattern = BasePattern::Same;
+  const ReadFile same = checkFile(job, job.write());
+  const ReadPath& top = lastPath(same);
+  int equal = 0;
+  for (const ReadPath& path : same.paths) {
+    if (path.role != "Solid infill") continue;
+    CHECK(path.closed());
+    CHECK(path.moves.size() == top.moves.size());
+    CHECK(path.filament() == Approx(top.filament() / job.params.flow).epsilon(1e-3));
+    ++equal;
+  }
+  CHECK(equal == 2);
+}
+
+TEST_CASE("the first layer keeps off the border by the elephant's foot") {
+  Job job = plate(30, 20);
+  const auto firstWidth = [&] {
+    const ReadFile file = checkFile(job, job.write());
+    std::int64_t lo[3] = {1 << 30, 1 << 30, 1 << 30};
+    std::int64_t hi[3] = {};
+    for (const ReadPath& path : file.paths) {
+      if (path.role != "Solid infill") continue;
+      for (const ReadMove& move : path.moves) {
+        lo[path.layer] = std::min(lo[path.layer], move.x1);
+        hi[path.layer] = std::max(hi[path.layer], move.x1);
+      }
+    }
+    return std::pair{hi[1] - lo[1], hi[2] - lo[2]};
+  };
+  const auto [first, second] = firstWidth();
+  CHECK(first == Approx(double(second) - 200).epsilon(0.001));
+  job.params.elephantFoot = 0;
+  CHECK(firstWidth().first == second);
+}
+
+TEST_CASE("a brim touches the outside of the plate, on the first layer only") {
+  Job job = plate(30, 20);
+  // A hole, which stays free.
+  job.shape.paths[0].rings.push_back({{12, 8}, {18, 8}, {18, 12}, {12, 12}});
+  job.shape.paths[0].fillRule = FillRule::EvenOdd;
+  job.params.brim = 3;
+  job.params.base = 0;
+  const ReadFile file = checkFile(job, job.write());
+  int loops = 0;
+  double outermost = 0;
+  double skirt = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Skirt/Brim") continue;
+    CHECK(path.layer == 1);
+    double lo = 1e9;
+    for (const ReadMove& move : path.moves) lo = std::min(lo, double(move.x1) / 1000);
+    if (++loops == 1) {
+      skirt = lo;
+      continue;
+    }
+    CHECK(lo == Approx(95 - 0.2 - 0.4 * (4 - loops)).epsilon(1e-4));
+    if (outermost == 0) outermost = lo;
+  }
+  CHECK(loops == 4);
+  CHECK(outermost - skirt == Approx(5 + 0.2).epsilon(0.01));  // the skirt runs around the brim
+
+  job.params.place = Vec2{0.5, 50};
+  const Error error = job.write().result.error();
+  CHECK(error.code == ErrorCode::DoesNotFit);
+  CHECK(error.message.find("by 0.700 mm on the left") != std::string::npos);
+}
+
+TEST_CASE("a plate shown from below has its mirrored path on the bed and its base above") {
+  Job job = plate(30, 20, 1.3);
+  job.params.layers = 2;
+  Job mirrored = job;
+  mirrored.params.mirror = true;
+  const Written warned = mirrored.write();
+  CHECK(contains(warned.result.value().warnings, "the plate is mirrored but shown from above"));
+  const ReadFile flipped = checkFile(mirrored, warned);
+  job.params.showSide = ShowSide::Bed;
+  const Written written = job.write();
+  CHECK_FALSE(contains(written.result.value().warnings, "mirrored"));
+  const ReadFile file = checkFile(job, written);
+  std::vector<std::string> roles;
+  for (const ReadPath& path : file.paths) {
+    if (roles.empty() || roles.back() != path.role) roles.push_back(path.role);
+  }
+  CHECK(roles == std::vector<std::string>{"Skirt/Brim", "Top solid infill", "Solid infill"});
+  const auto oriented = [](const ReadFile& read, int which) {
+    for (const ReadPath& path : read.paths) {
+      if (path.role == "Top solid infill" && which-- == 0) return path;
+    }
+    return ReadPath{};
+  };
+  for (int k = 0; k < 2; ++k) {
+    const ReadPath a = oriented(file, k);
+    const ReadPath b = oriented(flipped, k);
+    REQUIRE(a.moves.size() == b.moves.size());
+    for (std::size_t i = 0; i < a.moves.size(); ++i)
+      CHECK((a.moves[i].x1 == b.moves[i].x1 && a.moves[i].y1 == b.moves[i].y1));
+  }
+}
+
+TEST_CASE("both sides show the plate where its shape is its own mirror image") {
+  Job job = plate(30, 20, 1.3);
+  job.params.showSide = ShowSide::Both;
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  const ReadFile file = readGcode(written.text);
+  CHECK(file.layers == 4);
+  const ReadPath& top = lastPath(file);
+  const auto below = std::find_if(file.paths.begin(), file.paths.end(),
+                                  [](const ReadPath& path) { return path.role == "Top solid infill"; });
+  CHECK(below->layer == 1);
+  CHECK(top.layer == 4);
+  REQUIRE(below->moves.size() == top.moves.size());
+  std::vector<std::pair<std::int64_t, std::int64_t>> a;
+  std::vector<std::pair<std::int64_t, std::int64_t>> b;
+  for (const ReadMove& move : below->moves) a.emplace_back(220000 - move.x1, move.y1);
+  for (const ReadMove& move : top.moves) b.emplace_back(move.x1, move.y1);
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    far += std::abs(a[i].first - b[i].first) > 1 || std::abs(a[i].second - b[i].second) > 1;
+  }
+  CHECK(far == 0);
+
+  job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 20}, {0, 20}};
+  job.toolpath.cycles = {{{{1, 1}, {29, 1}, {29, 19}}, {0.4f, 0.4f, 0.4f}}};  // in a triangle
+  job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 20}};
+  const Error error = job.write().result.error();
+  CHECK(error.message.find("showSide is both, but the shape is not its own mirror image") == 0);
+}
+
+TEST_CASE("copies are printed one after the other, and travels pass above those that are done") {
+  Job job = plate(30, 20, 1.3);
+  job.params.skirt = 2;
+  job.params.copies = {2, 3};
+  job.params.copyGap = 7;
+  const Written written = job.write();
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  const ReadFile file = readGcode(written.text);
+  CHECK_MESSAGE(file.faults.empty(), file.faults.front());
+  CHECK(file.layers == 6 * 3);
+  CHECK(valueOf(written.text, "; total layers count = ") == "18");
+  std::vector<const ReadPath*> tops;
+  int skirts = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role == "Top solid infill") tops.push_back(&path);
+    skirts += path.role == "Skirt/Brim" ? 1 : 0;
+  }
+  CHECK(skirts == 2);
+  REQUIRE(tops.size() == 6);
+  const int columns[] = {0, 1, 1, 0, 0, 1};  // back and forth
+  for (std::size_t k = 1; k < 6; ++k) {
+    for (std::size_t i = 0; i < tops[0]->moves.size(); ++i) {
+      CHECK(tops[k]->moves[i].x1 - tops[0]->moves[i].x1 == 37000 * columns[k]);
+      CHECK(tops[k]->moves[i].y1 - tops[0]->moves[i].y1 == 27000 * static_cast<int>(k / 2));
+    }
+  }
+  // 0.6 mm of plate and 0.4 mm of lift, wherever a travel is longer than a plate's gap.
+  for (const ReadMove& move : file.travels) {
+    if (move.length() > 7 && move.x0 != 0) CHECK(move.z >= 600);
+  }
+  const Bounds box = checkGcode(written.text).box;
+  CHECK(0.5 * (box.min + box.max) == Vec2{110, 110});
+  Job single = plate(30, 20, 1.3);
+  single.params.skirt = 0;
+  CHECK(file.filament > 6 * readGcode(single.write().text).filament * 0.95);
+
+  job.params.copies = {7, 1};
+  CHECK(job.write().result.error().message.find("the plates of 252.0 x 20.0 mm reach over the edge of the bed") == 0);
+  job.params.copies = {2, 1};
+  job.params.base = 20;
+  CHECK(job.write().result.error().message.find("the plates are 4.2 mm high; several on one bed") == 0);
+  job.params.copies = {1.5, 1};
+  CHECK(job.write().result.error().message.find("copies is 1.5 x 1; both must be whole") == 0);
+}
+
+TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre") {
+  Job job = plate(30, 20, 1.3);
+  job.params.base = 0;
+  const ReadPath full = lastPath(checkFile(job, job.write()));
+  job.params.coast = 0.25;
+  const Written written = job.write();
+  const GcodeCheck check = checkGcode(written.text, job.printer);
+  CHECK(check.errors() == 0);
+  CHECK(check.closed == 2);  // skirt and cycle: where the nozzle goes counts
+  const ReadFile file = readGcode(written.text);
+  const ReadPath& path = lastPath(file);
+  double a = 0;
+  double b = 0;
+  for (const ReadMove& move : full.moves) a += move.length();
+  for (const ReadMove& move : path.moves) b += move.length();
+  CHECK(a - b == Approx(0.25).epsilon(0.01));
+  CHECK(full.filament() - path.filament() == Approx(extrusion(0.2, 0.4, 0.25, 1.75, 0.95)).epsilon(0.02));
+}
+
+TEST_CASE("cycles begin near the border, elsewhere on each layer") {
+  Job job = plate(30, 20, 0.5);
+  job.params.layers = 5;
+  const ReadFile file = checkFile(job, job.write());
+  std::vector<std::pair<std::int64_t, std::int64_t>> seams;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Top solid infill") continue;
+    const ReadMove& first = path.moves.front();
+    const double x = double(first.x0) / 1000 - 95;
+    const double y = double(first.y0) / 1000 - 100;
+    CHECK(std::min({x, y, 30 - x, 20 - y}) < 0.51);
+    seams.emplace_back(first.x0, first.y0);
+  }
+  std::sort(seams.begin(), seams.end());
+  CHECK(std::unique(seams.begin(), seams.end()) == seams.end());
 }
 
 TEST_CASE("thumbnails are in the header, in base64 of the length their first line tells") {

@@ -62,6 +62,13 @@ Project unusualProject() {
   p.print.layers = 2;
   p.print.base = 3;
   p.print.skirt = 4;
+  p.print.basePattern = BasePattern::Concentric;
+  p.print.showSide = ShowSide::Bed;
+  p.print.brim = 3;
+  p.print.elephantFoot = 0.15;
+  p.print.coast = 0.2;
+  p.print.copies = {2, 3};
+  p.print.copyGap = 8;
   p.print.layerHeight = 0.15;
   p.print.firstLayerHeight = 0.25;
   p.print.flow = 0.9;
@@ -410,6 +417,11 @@ TEST_CASE("numbers that are none are found before they reach a file") {
   CHECK(has(invalidProject(project), "spacing"));
   CHECK(invalidProject(Project{}) == "");
   CHECK(invalidProject(unusualProject()) == "");
+}
+
+TEST_CASE("half a copy is refused") {
+  CHECK(problem(R"({"sillon": 1, "print": {"copies": [1.5, 1]}})") ==
+        "print.copies is [1.5, 1]; it must be two whole numbers");
 }
 
 TEST_CASE("versions and kinds of file are told apart") {

@@ -184,7 +184,14 @@ export interface Printer {
 export interface PrintParams {
   layers: number;
   base: number;
+  basePattern: 'hatched' | 'concentric' | 'same';
+  showSide: 'up' | 'bed' | 'both';
   skirt: number;
+  brim: number;
+  elephantFoot: number;
+  coast: number;
+  copies: [number, number];
+  copyGap: number;
   layerHeight: number;
   firstLayerHeight: number;
   flow: number;

@@ -12,6 +12,7 @@ namespace sillon {
 namespace {
 
 constexpr double kMaxCoordinate = 1e5;               // [mm], far from any overflow in µm
+constexpr double kTallestCopy = 3;                   // [mm], less than any nozzle stands out of its print head
 constexpr std::size_t kMaxThumbnailBytes = 700'000;  // of all; hosts read the first MiB of a file only
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
@@ -96,6 +97,12 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
       {"layers", static_cast<double>(params.layers), "", 1, 1000},
       {"base", static_cast<double>(params.base), "", 0, 1000},
       {"skirt", static_cast<double>(params.skirt), "", 0, 20},
+      {"brim", static_cast<double>(params.brim), "", 0, 50},
+      {"elephantFoot", params.elephantFoot, " mm", 0, 0.5},
+      {"coast", params.coast, " mm", 0, 1},
+      {"copies.x", params.copies.x, "", 1, 20},
+      {"copies.y", params.copies.y, "", 1, 20},
+      {"copyGap", params.copyGap, " mm", 1, 100},
       {"layerHeight", params.layerHeight, " mm", 0.05, 0.8 * printer.nozzle},
       {"firstLayerHeight", firstLayerHeight(params), " mm", 0.05, 0.8 * printer.nozzle},
       {"flow", params.flow, "", 0, 2, true},
@@ -116,11 +123,20 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
     return invalid("firstLayerHeight is " + decimal(params.firstLayerHeight, 6) +
                    " mm; it must be 0.05 to 0.8 nozzle, or 0 for the height of the others");
   }
-  const double top = layerTop(params, params.base + params.layers - 1) + printer.lift;
+  const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
   if (top > printer.maxZ) {
     return Error{ErrorCode::DoesNotFit, "the job is " + decimal(top, 3) +
                                             " mm high with the lift; the printer's maxZ is " +
                                             decimal(printer.maxZ, 3) + " mm"};
+  }
+  const Vec2 copies = params.copies;
+  if (copies.x != std::floor(copies.x) || copies.y != std::floor(copies.y)) {
+    return invalid("copies is " + decimal(copies.x, 3) + " x " + decimal(copies.y, 3) + "; both must be whole");
+  }
+  if (copies.x * copies.y > 1 && top - printer.lift > kTallestCopy) {
+    return invalid("the plates are " + decimal(top - printer.lift, 3) +
+                   " mm high; several on one bed, printed one after the other, must be at most " +
+                   decimal(kTallestCopy, 0) + ", or the print head would touch them");
   }
   return std::nullopt;
 }

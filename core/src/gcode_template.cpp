@@ -61,7 +61,7 @@ std::vector<TemplateValue> templateValues(const Printer& printer, const PrintPar
   const auto pair = [](Vec2 v) { return std::vector<std::string>{fixed(v.x, 3), fixed(v.y, 3)}; };
   const auto whole = [](double value) { return std::vector<std::string>{fixed(value, 0)}; };
   const auto number = [](double value) { return std::vector<std::string>{decimal(value, 3)}; };
-  const int layers = params.base + params.layers;
+  const int layers = layerCount(params);
   return {
       {{"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0",
         "TOOLTEMP"},

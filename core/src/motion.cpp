@@ -33,6 +33,37 @@ void order(const BeadPath& path, std::size_t start, Motion& motion) {
   }
 }
 
+// Cuts the path where it begins to coast, to the micrometre.
+void cutForCoast(Motion& motion, double coast, bool closed) {
+  motion.beads = motion.lengths.size();
+  if (!closed || coast <= 0) return;
+  double rest = coast;
+  while (motion.beads > 1 && rest > 0) {
+    const std::size_t i = motion.beads - 1;
+    const double piece = motion.lengths[i];
+    if (piece <= rest) {
+      rest -= piece;
+      --motion.beads;
+      continue;
+    }
+    const PointUm from = motion.points[i];
+    const PointUm d = motion.points[i + 1] - from;
+    const double share = 1 - rest / piece;
+    const PointUm cut =
+        from + PointUm{std::llround(share * static_cast<double>(d.x)), std::llround(share * static_cast<double>(d.y))};
+    if (cut != from && cut != motion.points[i + 1]) {
+      const auto at = static_cast<std::ptrdiff_t>(i + 1);
+      motion.points.insert(motion.points.begin() + at, cut);
+      motion.widths.insert(motion.widths.begin() + at,
+                           motion.widths[i] + share * (motion.widths[i + 1] - motion.widths[i]));
+      const auto mm = [](PointUm v) { return length(Vec2{static_cast<double>(v.x), static_cast<double>(v.y)}) / 1000; };
+      motion.lengths[i] = mm(cut - from);
+      motion.lengths.insert(motion.lengths.begin() + at, mm(motion.points[i + 2] - cut));
+    }
+    return;
+  }
+}
+
 // Highest speed per segment such that no window of kSegmentWindow segments passes faster than the limit.
 std::vector<double> segmentSpeeds(Motion& motion, const MotionLimits& limits) {
   const std::vector<double>& lengths = motion.lengths;
@@ -212,6 +243,7 @@ double travelSeconds(double length, double speed, double acceleration) {
 Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& limits) {
   Motion motion;
   order(path, start, motion);
+  cutForCoast(motion, limits.coast, path.closed);
   const std::vector<double> speeds = segmentSpeeds(motion, limits);
   limitSlope(motion, speeds, limits, path.closed);
   setFeedrates(motion, speeds, limits);

@@ -60,6 +60,11 @@ constexpr std::array<Name<GcodeFlavor>, 5> kFlavors{{{"marlin", GcodeFlavor::Mar
                                                      {"prusa", GcodeFlavor::PrusaBuddy},
                                                      {"bambu", GcodeFlavor::Bambu}}};
 
+constexpr std::array<Name<BasePattern>, 3> kBasePatterns{
+    {{"hatched", BasePattern::Hatched}, {"concentric", BasePattern::Concentric}, {"same", BasePattern::Same}}};
+constexpr std::array<Name<ShowSide>, 3> kShowSides{
+    {{"up", ShowSide::Up}, {"bed", ShowSide::Bed}, {"both", ShowSide::Both}}};
+
 /// A table of presets: the JSON built into the library, and what one row of it is called.
 struct PresetTable {
   const char* key;
@@ -154,7 +159,14 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.begin("print");
   v.integer("layers", p.print.layers, 1, 1000);
   v.integer("base", p.print.base, 0, 1000);
+  v.choice("basePattern", p.print.basePattern, kBasePatterns);
+  v.choice("showSide", p.print.showSide, kShowSides);
   v.integer("skirt", p.print.skirt, 0, 20);
+  v.integer("brim", p.print.brim, 0, 50);
+  v.number("elephantFoot", p.print.elephantFoot, 0, 0.5, "mm");
+  v.number("coast", p.print.coast, 0, 1, "mm");
+  v.point("copies", p.print.copies, 1, 20, "");
+  v.number("copyGap", p.print.copyGap, 1, 100, "mm");
   v.number("layerHeight", p.print.layerHeight, 0.05, kMaxLayerHeight, "mm");
   v.number("firstLayerHeight", p.print.firstLayerHeight, 0, kMaxLayerHeight, "mm");
   v.number("flow", p.print.flow, 0.01, 2, "");
@@ -667,6 +679,10 @@ std::string invalidProject(const Project& project) {
     return "printer.bedMax is [" + numberText(printer.bedMax.x) + ", " + numberText(printer.bedMax.y) +
            "] mm; it must be right of and above bedMin [" + numberText(printer.bedMin.x) + ", " +
            numberText(printer.bedMin.y) + "]";
+  }
+  const Vec2 copies = project.print.copies;
+  if (copies.x != std::floor(copies.x) || copies.y != std::floor(copies.y)) {
+    return "print.copies is [" + numberText(copies.x) + ", " + numberText(copies.y) + "]; it must be two whole numbers";
   }
   if (const auto sizes = readThumbnailSizes(printer.screenSizes); !sizes) return "printer." + sizes.error().message;
   return "";

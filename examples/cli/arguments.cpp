@@ -22,6 +22,7 @@
 namespace cli {
 namespace {
 
+using sillon::BasePattern;
 using sillon::BuiltinShape;
 using sillon::DirectionEncoding;
 using sillon::DirectionMode;
@@ -32,6 +33,7 @@ using sillon::MapFilter;
 using sillon::PerimeterMode;
 using sillon::PresetKind;
 using sillon::Project;
+using sillon::ShowSide;
 using sillon::Vec2;
 
 constexpr const char* kExamples =
@@ -341,7 +343,24 @@ void addPrint(Options& options) {
   options.number(
       "--layers", "N", "oriented layers", [](Project & p) -> auto& { return p.print.layers; });
   options.number(
-      "--base", "N", "hatched layers below", [](Project & p) -> auto& { return p.print.base; });
+      "--base", "N", "plain layers below", [](Project & p) -> auto& { return p.print.base; });
+  options.choice<BasePattern>(
+      "--base-pattern", "how the base layers are filled [hatched]",
+      {{"hatched", BasePattern::Hatched}, {"concentric", BasePattern::Concentric}, {"same", BasePattern::Same}},
+      [](Project& project, BasePattern pattern) { project.print.basePattern = pattern; });
+  options.choice<ShowSide>("--show", "which side shows the lines [up]",
+                           {{"up", ShowSide::Up}, {"bed", ShowSide::Bed}, {"both", ShowSide::Both}},
+                           [](Project& project, ShowSide side) { project.print.showSide = side; });
+  options.word("--copies", "NxM", "plates in a row and in a column [1x1]", [](const std::string& text) {
+    const std::optional<Vec2> copies = parsePair(text, 'x');
+    if (!copies) refuse("--copies", text, "NxM, two whole numbers");
+    return [count = *copies](Project& project) {
+      project.print.copies = count;
+      return std::string();
+    };
+  });
+  options.number(
+      "--brim", "N", "loops that touch the plate", [](Project & p) -> auto& { return p.print.brim; });
   options.number(
       "--skirt", "N", "loops around the plate", [](Project & p) -> auto& { return p.print.skirt; });
   options.number(
@@ -387,8 +406,7 @@ void addPrint(Options& options) {
   options.number(
       "--rotate", "DEG", "turns the plate on the bed, counter-clockwise",
       [](Project & p) -> auto& { return p.print.rotate; });
-  options.flag("--mirror", "left to right, before turning: for plates seen from below",
-               [](Project& p) -> bool& { return p.print.mirror; });
+  options.flag("--mirror", "left to right, before turning", [](Project& p) -> bool& { return p.print.mirror; });
   options.word("--place", "X,Y", "lower left corner of the page on the bed [centred]", [](const std::string& text) {
     const std::optional<Vec2> place = parsePair(text, ',');
     if (!place) refuse("--place", text, "X,Y in mm");

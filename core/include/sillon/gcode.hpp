@@ -64,11 +64,30 @@ struct Thumbnail {
   ThumbnailFormat format = ThumbnailFormat::Png;
 };
 
+enum class BasePattern {
+  Hatched,     ///< zigzags at 45 and 135 degrees in turn
+  Concentric,  ///< loops along the border
+  Same,        ///< the oriented cycles themselves
+};
+
+enum class ShowSide {
+  Up,    ///< base layers below, oriented layers on top
+  Bed,   ///< oriented layers on the bed, mirrored left to right, base layers above them
+  Both,  ///< oriented layers mirrored on the bed, base layers, and as many oriented layers on top
+};
+
 /// How one plate is stacked and placed.
 struct PrintParams {
-  int layers = 1;               ///< oriented layers, 1..1000
-  int base = 2;                 ///< hatched layers below, 0..1000
-  int skirt = 1;                ///< loops around the plate, 0..20; without one a purge line primes
+  int layers = 1;  ///< oriented layers, of each side shown, 1..1000
+  int base = 2;    ///< plain layers, 0..1000
+  BasePattern basePattern = BasePattern::Hatched;
+  ShowSide showSide = ShowSide::Up;
+  int skirt = 1;                ///< loops around the plates, 0..20; without one a purge line primes
+  int brim = 0;                 ///< loops that touch the plate, on the first layer, 0..50
+  double elephantFoot = 0.1;    ///< the first layer, if a base layer, stays this far within the border [mm], 0..0.5
+  double coast = 0;             ///< nothing is extruded over this length before a cycle's end [mm], 0..1
+  Vec2 copies{1, 1};            ///< plates in a row and in a column, one printed after the other, 1..20 each
+  double copyGap = 10;          ///< between their boxes, brims included [mm], 1..100
   double layerHeight = 0.2;     ///< 0.05..0.8 nozzle
   double firstLayerHeight = 0;  ///< 0: same as layerHeight
   double flow = 0.95;           ///< of oriented layers, (0, 2]
