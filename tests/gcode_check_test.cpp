@@ -38,8 +38,9 @@ std::string rules(const GcodeCheck& check) {
 }  // namespace
 
 TEST_CASE("the grammar takes plain commands and refuses what kills prints") {
-  for (const char* good : {"G1 X1.000 Y-2.500 E0.00001 F3000", ";note", "M104 S0", "", "G28", "M84 X Y", "T0", "G29.1",
-                           "SET_PRESSURE_ADVANCE ADVANCE=0.0400", "G1 X1 ;aside"}) {
+  for (const char* good :
+       {"G1 X1.000 Y-2.500 E0.00001 F3000", ";note", "M104 S0", "", "G28", "M84 X Y", "T0", "G29.1",
+        "SET_PRESSURE_ADVANCE ADVANCE=0.0400", "EXCLUDE_OBJECT_START NAME=PLATE_1", "G1 X1 ;aside"}) {
     CAPTURE(good);
     CHECK(lineFault(good) == nullptr);
   }
@@ -196,6 +197,7 @@ TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros hom
       "PRINT_START BED=60 EXTRUDER=215\nM83\nG1 Z0.2 F600\n" + kSquare + "G1 E-0.8 F2100\nPRINT_END\n";
   CHECK(rules(checkGcode(macro, printer)) == "");
   CHECK(checkGcode(macro).nozzleTarget == 215);
+  CHECK_FALSE(checkGcode("EXCLUDE_OBJECT_START NAME=PLATE_1\nTIMELAPSE_START\n").homes);
 }
 
 TEST_CASE("any bytes end in findings") {

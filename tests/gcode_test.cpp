@@ -589,6 +589,36 @@ TEST_CASE("speed follows the flow limit in whole mm/s and does not flicker") {
   CHECK(changes <= 25);
 }
 
+TEST_CASE("with constant flow the speed follows the width, as far as 1.5 times its value") {
+  Job job = plate();
+  job.params.skirt = 0;
+  job.params.constantFlow = true;
+  job.printer.speed = 40;
+  job.printer.maxFlow = 30;
+  job.printer.pressureAdvance = 0;
+  Cycle& cycle = job.toolpath.cycles[0];
+  for (std::size_t i = 0; i < cycle.widths.size(); ++i) {
+    cycle.widths[i] = static_cast<float>(0.25 + 0.35 * double(i) / double(cycle.widths.size()));
+  }
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  const ReadFile file = readGcode(written.text);
+  int checked = 0;
+  int even = 0;
+  for (const ReadMove& move : lastPath(file).moves) {
+    const double width = double(move.e) / 1e5 * kArea / 0.2 / 0.95 / move.length();
+    const double speed = double(move.feedrate) / 60;
+    if (width < 0.26) CHECK(speed == 60);
+    if (width > 0.29) {
+      even += std::abs(speed * width / 16 - 1) < 0.09 ? 1 : 0;  // whole mm/s, 2 mm/s of hysteresis
+      ++checked;
+    }
+  }
+  CHECK(checked > 50);
+  CHECK(even >= checked - 1);  // one segment leads from the last width to the first
+}
+
 TEST_CASE("short segments slow down only where they come in numbers") {
   std::vector<Vec2> points;
   for (int k = 0; k < 100; ++k) points.push_back({k * 1.0, 0});
@@ -992,6 +1022,16 @@ TEST_CASE("copies are printed one after the other, and travels pass above those 
   }
   const Bounds box = checkGcode(written.text).box;
   CHECK(0.5 * (box.min + box.max) == Vec2{110, 110});
+  std::size_t objects = 0;
+  for (std::size_t at = 0; (at = written.text.find("\nM486 S", at)) != std::string::npos; ++at) ++objects;
+  CHECK(objects == 12);
+  Job klipper = job;
+  klipper.printer.flavor = GcodeFlavor::Klipper;
+  const std::string named = klipper.write().text;
+  CHECK(checkGcode(named, klipper.printer).errors() == 0);
+  CHECK(grammarError(named) == "");
+  CHECK(named.find("\nEXCLUDE_OBJECT_DEFINE NAME=PLATE_5\n") < named.find("\nEXCLUDE_OBJECT_START NAME=PLATE_0\n"));
+  CHECK(named.find("\nEXCLUDE_OBJECT_END NAME=PLATE_5\n") > named.find("\nEXCLUDE_OBJECT_START NAME=PLATE_5\n"));
   Job single = plate(30, 20, 1.3);
   single.params.skirt = 0;
   CHECK(file.filament > 6 * readGcode(single.write().text).filament * 0.95);

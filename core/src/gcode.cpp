@@ -20,6 +20,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kWipeLength = 3;  // [mm]
 constexpr double kLiftSpeed = 10;  // [mm/s], what Z axes take without complaint
 constexpr double kParkLift = 10;   // [mm]
+constexpr double kFastest = 1.5;   // [speed], of narrow beads with constantFlow
 constexpr double kManyMoves = 2e6;
 constexpr double kManyBytes = 100e6;
 constexpr double kSeamStep = 0.382;  // golden section: seams of neighbouring layers lie far apart
@@ -128,6 +129,8 @@ class Writer {
   /// Layers of all copies, each of which has its mark in the file.
   [[nodiscard]] int marks() const { return layerCount(params_) * static_cast<int>(job_.copies.size()); }
   void role(const Role& role);
+  void beginObject(int copy);
+  void endObject(int copy);
   void paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer);
   void bead(const Motion& motion, double flow, double height);
   void approach(PointUm target, double top);
@@ -203,6 +206,11 @@ void Writer::startBlock() {
   }
   if (printer_.flavor == GcodeFlavor::Klipper) {
     out_ << "SET_PRINT_STATS_INFO TOTAL_LAYER=" << std::to_string(marks()) << "\n";
+  }
+  if (job_.copies.size() > 1 && printer_.flavor == GcodeFlavor::Klipper) {
+    for (std::size_t k = 0; k < job_.copies.size(); ++k) {
+      out_ << "EXCLUDE_OBJECT_DEFINE NAME=PLATE_" << std::to_string(k) << "\n";
+    }
   }
   if (printer_.machineAcceleration > 0) out_ << accelerationCommand(printer_.flavor, printer_.acceleration);
   if (printer_.setPressureAdvance) out_ << pressureAdvanceCommand(printer_.flavor, printer_.pressureAdvance);
@@ -334,6 +342,10 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
   limits.maxFlow = printer_.maxFlow;
   limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
   limits.pressureAdvance = printer_.pressureAdvance;
+  if (params_.constantFlow && layer.oriented && layer.index > 0) {
+    limits.evenFlow = limits.speed * job_.spacing;
+    limits.speed *= kFastest;
+  }
   limits.coast = layer.oriented ? params_.coast : 0;
 
   this->role(role);
@@ -375,6 +387,7 @@ void Writer::layer(const Layer& layer) {
     out_ << "G92 E0\n";
   }
   if (layer.index == 0) {
+    beginObject(layer.copy);
     shift_ = job_.copies[static_cast<std::size_t>(layer.copy)];
     out_ << "M106 S0\n";
     if (layer.copy > 0) {
@@ -402,7 +415,24 @@ void Writer::layer(const Layer& layer) {
   }
 }
 
+// Hosts can leave out one of several plates by its name.
+void Writer::beginObject(int copy) {
+  if (job_.copies.size() < 2) return;
+  const bool klipper = printer_.flavor == GcodeFlavor::Klipper;
+  if (copy > 0) endObject(copy - 1);
+  out_ << (klipper ? "EXCLUDE_OBJECT_START NAME=PLATE_" : "M486 S") << std::to_string(copy) << "\n";
+}
+
+void Writer::endObject(int copy) {
+  if (printer_.flavor == GcodeFlavor::Klipper) {
+    out_ << "EXCLUDE_OBJECT_END NAME=PLATE_" << std::to_string(copy) << "\n";
+  } else {
+    out_ << "M486 S-1\n";
+  }
+}
+
 void Writer::endBlock() {
+  if (job_.copies.size() > 1) endObject(static_cast<int>(job_.copies.size()) - 1);
   role(kCustomRole);
   moveZ(std::min(printer_.maxZ, static_cast<double>(z_) / 1000 + kParkLift));
   if (printer_.setPressureAdvance) out_ << pressureAdvanceCommand(printer_.flavor, 0);

@@ -68,16 +68,11 @@ std::optional<double> numberAfter(std::string_view text, std::string_view key) {
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-// A name followed by something like NAME=220: Klipper's and others' macros heat and home by themselves.
-bool isStartMacro(std::string_view line) {
+// Klipper's and others' macros home and heat by themselves: PRINT_START, START_PRINT and their kin.
+bool isMacro(std::string_view line, std::string_view what) {
   const std::string_view head = line.substr(0, line.find(' '));
-  return contains(head, "START") && head.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == head.npos;
-}
-
-bool isEndMacro(std::string_view line) {
-  const std::string_view head = line.substr(0, line.find(' '));
-  return contains(head, "END") && head.size() > 4 &&
-         head.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == head.npos;
+  return contains(head, what) && contains(head, "PRINT") &&
+         head.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
 }
 
 // What the comments of any slicer say of the machine, where the caller does not.
@@ -300,7 +295,7 @@ bool Reader::words(std::string_view text, Words& words) {
 
 void Reader::command(std::string_view text) {
   if (text.size() > 95) found("grammar", false, "a command of more than 95 characters", ", which Marlin cuts");
-  if (isStartMacro(text)) {
+  if (isMacro(text, "START")) {
     check_.homes = true;
     // The hottest value is the nozzle's, the next one the bed's.
     for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
@@ -316,7 +311,7 @@ void Reader::command(std::string_view text) {
     }
     return;
   }
-  if (isEndMacro(text)) {
+  if (isMacro(text, "END")) {
     endMacro_ = true;
     return;
   }

@@ -61,7 +61,7 @@ bool isPlainCommand(std::string_view text) {
     const std::string_view word = nextWord(text);
     const std::size_t equal = word.find('=');
     if (equal == std::string_view::npos || !isName(word.substr(0, equal))) return false;
-    if (!isPlainNumber(word.substr(equal + 1))) return false;
+    if (!isPlainNumber(word.substr(equal + 1)) && !isName(word.substr(equal + 1))) return false;
   }
   return true;
 }

@@ -159,7 +159,10 @@ void setFeedrates(Motion& motion, const std::vector<double>& speeds, const Motio
     const double area = limits.flow * limits.layerHeight * std::max(motion.widths[i], motion.widths[i + 1]);
     const double byFlow = limits.maxFlow / area;
     if (byFlow < limits.speed) motion.flowSlowedMm += motion.lengths[i];
-    const double allowed = std::min(speeds[i], byFlow);
+    double allowed = std::min(speeds[i], byFlow);
+    if (limits.evenFlow > 0) {
+      allowed = std::min(allowed, limits.evenFlow / std::max(motion.widths[i], motion.widths[i + 1]));
+    }
     const double step = allowed < limits.speed ? std::floor(allowed + kRounding) : limits.speed;
     if (step < current || step >= current + kFeedrateHysteresis) current = step;
     // Below 1 mm/s, which only a swarm of micrometre segments asks for, whole mm/min are the steps.

@@ -32,6 +32,7 @@ struct MotionLimits {
   double maxFlow = 0;       ///< [mm³/s]
   double maxSegmentsPerSecond = 0;
   double pressureAdvance = 0;  ///< [s]
+  double evenFlow = 0;         ///< speed times width [mm²/s]; 0: the same speed for every width
   double coast = 0;            ///< [mm] at the end of a closed path without extrusion
 };
 

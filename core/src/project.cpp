@@ -164,6 +164,7 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.integer("skirt", p.print.skirt, 0, 20);
   v.integer("brim", p.print.brim, 0, 50);
   v.number("elephantFoot", p.print.elephantFoot, 0, 0.5, "mm");
+  v.boolean("constantFlow", p.print.constantFlow);
   v.number("coast", p.print.coast, 0, 1, "mm");
   v.point("copies", p.print.copies, 1, 20, "");
   v.number("copyGap", p.print.copyGap, 1, 100, "mm");

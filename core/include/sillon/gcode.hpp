@@ -85,6 +85,7 @@ struct PrintParams {
   int skirt = 1;                ///< loops around the plates, 0..20; without one a purge line primes
   int brim = 0;                 ///< loops that touch the plate, on the first layer, 0..50
   double elephantFoot = 0.1;    ///< the first layer, if a base layer, stays this far within the border [mm], 0..0.5
+  bool constantFlow = false;    ///< oriented beads at speed × spacing / width, at most 1.5 speed
   double coast = 0;             ///< nothing is extruded over this length before a cycle's end [mm], 0..1
   Vec2 copies{1, 1};            ///< plates in a row and in a column, one printed after the other, 1..20 each
   double copyGap = 10;          ///< between their boxes, brims included [mm], 1..100
