@@ -39,10 +39,11 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
     }
     if (run > 0) byte(0xC0 | (run - 1)), run = 0;
     const int hash = (now.r * 3 + now.g * 5 + now.b * 7 + now.a * 11) % 64;
-    // Differences wrap around, as the format says.
-    const int dr = static_cast<std::int8_t>(now.r - before.r);
-    const int dg = static_cast<std::int8_t>(now.g - before.g);
-    const int db = static_cast<std::int8_t>(now.b - before.b);
+    // Differences wrap around, as the format says: -128 to 127.
+    const auto step = [](int to, int from) { return ((to - from + 128) & 255) - 128; };
+    const int dr = step(now.r, before.r);
+    const int dg = step(now.g, before.g);
+    const int db = step(now.b, before.b);
     const auto small = [](int d) { return d >= -2 && d <= 1; };
     const auto near = [&](int d) { return d - dg >= -8 && d - dg <= 7; };
     if (seen[static_cast<std::size_t>(hash)] == now) {

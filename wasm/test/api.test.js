@@ -132,7 +132,10 @@ describe('results', () => {
 
   test('presets, imported printers and checked G-code are what the command line has', async () => {
     const { printers, filaments } = await st.presets();
-    assert.deepEqual(filaments.map(({ id }) => id), ['petg', 'pla', 'pla-silk']);
+    assert.deepEqual(
+      filaments.map(({ id }) => id),
+      ['petg', 'pla', 'pla-silk'],
+    );
     const mini = printers.find(({ id }) => id === 'prusa-mini').printer;
     assert.deepEqual([mini.bedMax, mini.flavor, mini.retractLength], [[180, 180], 'prusa', 2.5]);
     const { toolpath } = await st.generateToolpath(...small);

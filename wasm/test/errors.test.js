@@ -166,7 +166,7 @@ const cases = {
     [withDirections(goodPng.subarray(0, goodPng.length - 20)), 'InvalidFile', /directions\.file/],
     [withDirections(noise), 'InvalidFile', /directions\.file/],
     [generate({ shape: disc, modes: { file: noise } }), 'InvalidFile', /modes\.file/],
-    [() => engine.importPrinter(noise), 'InvalidFile', /no text/],
+    [() => engine.importPrinter(noise), 'InvalidFile', /no section of a printer/],
     [() => engine.importPrinter(new TextEncoder().encode('[printer:A]\na = b\n'), 'B'), 'InvalidArgument', /"B"/],
     [() => engine.importPrinter('a.ini'), 'InvalidArgument', /^file is "a\.ini"/],
     [() => engine.checkGcode(7), 'InvalidArgument', /^file is 7/],

@@ -34,10 +34,7 @@ interface SillonModule {
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
   readProject(project: string): Outcome<string>;
   presets(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
-  importPrinter(
-    file: Uint8Array,
-    name: string,
-  ): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
+  importPrinter(file: Uint8Array, name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
   checkGcode(file: Uint8Array, project: string): Outcome<api.GcodeCheck>;
 }
 
@@ -250,7 +247,8 @@ function valueOf<T>(outcome: Outcome<T>): T {
   return outcome.value;
 }
 
-const printerOf = (project: string): api.PrinterValues => (JSON.parse(project) as { printer: api.PrinterValues }).printer;
+const printerOf = (project: string): api.PrinterValues =>
+  (JSON.parse(project) as { printer: api.PrinterValues }).printer;
 
 /** A project made of arguments: what is wrong in it is no file's fault. */
 function completed(project: string, module: SillonModule): string {
