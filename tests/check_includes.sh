@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Tools that know no stage. They may include each other only.
-foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check"
+foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check gcode_grammar qoi preset_data"
 
 # file: the stages it may include, besides the foundation and its own header.
 stages="
@@ -34,13 +34,20 @@ turned: shape gcode
 base_layers: shape outline
 motion: gcode
 chunked_output: gcode
+bed: gcode
+dialect: gcode
+offset_loops: shape outline sdf contour base_layers
+gcode_check: gcode bed
 gcode_checks: gcode gcode_job
-gcode_job: gcode gcode_checks turned base_layers motion
-gcode: shape outline motion gcode_job chunked_output
+gcode_template: gcode gcode_job
+gcode_job: gcode gcode_checks turned base_layers offset_loops motion bed gcode_template gcode_check
+gcode: shape outline motion gcode_job chunked_output bed dialect
+presets: gcode
 preview: image_io
 thumbnails: gcode preview image_io
 toolpath_svg: shape
-project: direction_map gcode pipeline
+project: direction_map gcode pipeline presets thumbnails
+printer_import: gcode gcode_template gcode_check project thumbnails
 plate_input: shape svg image_io direction_map pipeline project
 "
 

@@ -150,6 +150,71 @@ TEST_CASE("help and version answer on stdout") {
   }
 }
 
+TEST_CASE("printers and filaments are listed, and one of them begins a project") {
+  const Folder folder;
+  const Run list = folder.run("printers");
+  CHECK(list.code == 0);
+  CHECK(has(list.out, "\nprusa-mk4s "));
+  CHECK(has(list.out, "230x230x300 round centred"));
+  CHECK(has(folder.run("filaments").out, "\npetg "));
+  const Run one = folder.run("printers creality-k1");
+  CHECK(one.code == 0);
+  folder.write("k1.json", one.out);
+  const Run made = folder.run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode");
+  CAPTURE(made.err);
+  REQUIRE(made.code == 0);
+  const std::string gcode = readAll(folder.at("a.gcode"));
+  CHECK(has(gcode, "\nSTART_PRINT EXTRUDER_TEMP=240 BED_TEMP=80\n"));
+  CHECK(has(gcode, "\nEND_PRINT\n"));
+  CHECK(has(gcode, "; thumbnail begin 320x320 "));
+  REQUIRE(
+      folder
+          .run("generate --printer creality-k1 --shape disc --size 12 --spacing 0.8 --filament petg --gcode b.gcode",
+               "SOURCE_DATE_EPOCH=0")
+          .code == 0);
+  REQUIRE(folder
+              .run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode",
+                   "SOURCE_DATE_EPOCH=0")
+              .code == 0);
+  CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
+  checkRefused(folder, "printers k2", "printers is \"k2\", which is no printer");
+}
+
+TEST_CASE("check reads G-code as a printer would") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--gcode a.gcode").code == 0);
+  const Run good = folder.run("check a.gcode");
+  CHECK(good.code == 0);
+  CHECK(has(good.out, "3 layers, for Generic\n"));
+  CHECK(has(good.out, "\nno errors\n"));
+  std::string text = readAll(folder.at("a.gcode"));
+  text.erase(text.find("G28\n"), 4);
+  folder.write("b.gcode", text);
+  const Run bad = folder.run("check b.gcode --printer prusa-mini");
+  CHECK(bad.code == 2);
+  CHECK(has(bad.out, "error      homing: moves before it homes (G28) (line "));
+  CHECK(has(bad.out, "error      bounds: a move over the bed's edge at (0, 220), 40 mm (line "));
+  checkRefused(folder, "check", "file is required");
+  checkRefused(folder, "check none.gcode", "cannot be read");
+  checkRefused(folder, "check a.gcode --printer mk4", "--printer is \"mk4\"");
+}
+
+TEST_CASE("a printer is imported from G-code and prints") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode").code == 0);
+  const Run run = folder.run("import donor.gcode");
+  CHECK(run.code == 0);
+  CHECK(has(run.err, "sillon: not read: heights in the end block were left out"));
+  folder.write("mine.json", run.out);
+  const Run made = folder.run("generate mine.json --shape disc --size 12 --spacing 0.8 --gcode a.gcode");
+  CAPTURE(made.err);
+  CHECK(made.code == 0);
+  CHECK(has(readAll(folder.at("a.gcode")), "\nM862.3 P \"MINI\"\n"));
+  CHECK(folder.run("check a.gcode --printer prusa-mini").code == 0);
+  folder.write("no.ini", "a = b\n");
+  checkRefused(folder, "import no.ini", "no setting of a printer");
+}
+
 TEST_CASE("a small disc writes every file, and each is what it should be") {
   const Folder folder;
   const Run run = folder.run(kDisc + kOutputs, "SOURCE_DATE_EPOCH=1600000000");
@@ -354,7 +419,14 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--perimeters some", "--perimeters is \"some\"; it must be none, soft or");
   refused("--perimeters 101", "--perimeters is \"101\"");
   refused("--mode diagonal", "parallel, orthogonal, smoothest or constrained");
-  refused("--flavor bambu", "marlin or klipper");
+  refused("--flavor smoothie", "marlin, klipper, reprap, prusa or bambu");
+  refused("--base-pattern solid", "hatched, concentric or same");
+  refused("--show below", "up, bed or both");
+  refused("--copies 2", "NxM, two whole numbers");
+  refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");
+  refused("--brim 51", "print.brim is 51");
+  refused("--printer mk4", "--printer is \"mk4\", which is no printer");
+  refused("--filament abs", "--filament is \"abs\", which is no filament; known are petg, pla, pla-silk");
   refused("--bed 200", "--bed is \"200\"");
   refused("--bed 10x10", "bed");  // smaller than the plate
   refused("--place 300,300", "bed");

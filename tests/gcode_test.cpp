@@ -11,7 +11,11 @@
 #include <vector>
 
 #include "base_layers.hpp"
+#include "gcode_template.hpp"
 #include "motion.hpp"
+#include "offset_loops.hpp"
+#include "sillon/gcode_check.hpp"
+#include "sillon/presets.hpp"
 #include "support/gcode_check.hpp"
 #include "text.hpp"
 
@@ -112,6 +116,11 @@ ReadFile checkFile(const Job& job, const Written& written) {
   REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
   const GcodeSummary& summary = written.result.value();
   CHECK(grammarError(written.text) == "");
+  const GcodeCheck check = checkGcode(written.text, job.printer);
+  for (const GcodeFinding& finding : check.findings) {
+    // Thin plates without room to prime or slow down are warned about, as they should be.
+    if (finding.error) FAIL_CHECK(finding.rule << " " << finding.message << " in line " << finding.line);
+  }
   ReadFile file = readGcode(written.text);
   CHECK_MESSAGE(file.faults.empty(), file.faults.front());
   CHECK(file.minX >= job.printer.bedMin.x);
@@ -123,6 +132,8 @@ ReadFile checkFile(const Job& job, const Written& written) {
   CHECK(file.moves == summary.moves);
   CHECK(static_cast<std::int64_t>(written.text.size()) == summary.bytes);
   CHECK(file.filament == Approx(summary.filamentMm).epsilon(1e-9));
+  CHECK(check.filamentMm == Approx(summary.filamentMm).epsilon(1e-9));
+  CHECK(check.layers == file.layers);
   CHECK(valueOf(written.text, "; filament used [mm] = ") == fixed(file.filament, 2));
   CHECK(valueOf(written.text, "; total layers count = ") == std::to_string(file.layers));
 
@@ -578,6 +589,36 @@ TEST_CASE("speed follows the flow limit in whole mm/s and does not flicker") {
   CHECK(changes <= 25);
 }
 
+TEST_CASE("with constant flow the speed follows the width, as far as 1.5 times its value") {
+  Job job = plate();
+  job.params.skirt = 0;
+  job.params.constantFlow = true;
+  job.printer.speed = 40;
+  job.printer.maxFlow = 30;
+  job.printer.pressureAdvance = 0;
+  Cycle& cycle = job.toolpath.cycles[0];
+  for (std::size_t i = 0; i < cycle.widths.size(); ++i) {
+    cycle.widths[i] = static_cast<float>(0.25 + 0.35 * double(i) / double(cycle.widths.size()));
+  }
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  const ReadFile file = readGcode(written.text);
+  int checked = 0;
+  int even = 0;
+  for (const ReadMove& move : lastPath(file).moves) {
+    const double width = double(move.e) / 1e5 * kArea / 0.2 / 0.95 / move.length();
+    const double speed = double(move.feedrate) / 60;
+    if (width < 0.26) CHECK(speed == 60);
+    if (width > 0.29) {
+      even += std::abs(speed * width / 16 - 1) < 0.09 ? 1 : 0;  // whole mm/s, 2 mm/s of hysteresis
+      ++checked;
+    }
+  }
+  CHECK(checked > 50);
+  CHECK(even >= checked - 1);  // one segment leads from the last width to the first
+}
+
 TEST_CASE("short segments slow down only where they come in numbers") {
   std::vector<Vec2> points;
   for (int k = 0; k < 100; ++k) points.push_back({k * 1.0, 0});
@@ -767,6 +808,279 @@ TEST_CASE("a skirt that does not fit is left out with a warning, and a purge lin
   CHECK(contains(tight.result.value().warnings, "no room for a purge line"));
 }
 
+// ---- the stack
+
+TEST_CASE("loops lie at their distances from the border, inside and outside") {
+  const auto boxOf = [](const Polyline& loop) {
+    Bounds box;
+    for (const Vec2 p : loop) box.add(p);
+    return box;
+  };
+  const auto lengthOf = [](const Polyline& loop) {
+    double sum = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) sum += length(loop[(i + 1) % loop.size()] - loop[i]);
+    return sum;
+  };
+  const Shape square = rectangle(20, 20);
+  const std::vector<Polyline> inner = offsetLoops(square, -0.2, -0.4, 1000).value();
+  CHECK(inner.size() == 25);
+  for (std::size_t k = 0; k + 1 < inner.size(); ++k) {
+    const double d = 0.2 + 0.4 * double(k);
+    const Bounds box = boxOf(inner[k]);
+    CHECK(box.min.x == Approx(d).epsilon(0.001));
+    CHECK(box.max.y == Approx(20 - d).epsilon(0.001));
+    CHECK(std::abs(lengthOf(inner[k]) - 4 * (20 - 2 * d)) < 0.13);  // corners are cut by a cell
+  }
+  const std::vector<Polyline> outer = offsetLoops(makeDisc(20).value(), 0.2, 0.4, 3).value();
+  REQUIRE(outer.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(lengthOf(outer[k]) == Approx(2 * 3.14159265 * (10.2 + 0.4 * double(k))).epsilon(0.002));
+    for (const Vec2 p : outer[k]) CHECK(length(p - Vec2{10, 10}) == Approx(10.2 + 0.4 * double(k)).epsilon(0.001));
+  }
+  CHECK_FALSE(offsetLoops(Shape{}, 0.2, 0.4, 1).ok());
+}
+
+TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {
+  Job job = plate(30, 20, 1);
+  job.params.elephantFoot = 0;
+  job.params.basePattern = BasePattern::Concentric;
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  double filament = 0;
+  int loops = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Solid infill") continue;
+    CHECK(path.closed());
+    filament += path.filament();
+    ++loops;
+  }
+  CHECK(loops == 2 * 25);
+  CHECK(filament == Approx(2 * extrusion(0.2, 30, 20, 1.75, 1)).epsilon(0.03));
+
+  job.params.basePattern = BasePattern::Same;
+  const ReadFile same = checkFile(job, job.write());
+  const ReadPath& top = lastPath(same);
+  int equal = 0;
+  for (const ReadPath& path : same.paths) {
+    if (path.role != "Solid infill") continue;
+    CHECK(path.closed());
+    CHECK(path.moves.size() == top.moves.size());
+    CHECK(path.filament() == Approx(top.filament() / job.params.flow).epsilon(1e-3));
+    ++equal;
+  }
+  CHECK(equal == 2);
+}
+
+TEST_CASE("the first layer keeps off the border by the elephant's foot") {
+  Job job = plate(30, 20);
+  const auto firstWidth = [&] {
+    const ReadFile file = checkFile(job, job.write());
+    std::int64_t lo[3] = {1 << 30, 1 << 30, 1 << 30};
+    std::int64_t hi[3] = {};
+    for (const ReadPath& path : file.paths) {
+      if (path.role != "Solid infill") continue;
+      for (const ReadMove& move : path.moves) {
+        lo[path.layer] = std::min(lo[path.layer], move.x1);
+        hi[path.layer] = std::max(hi[path.layer], move.x1);
+      }
+    }
+    return std::pair{hi[1] - lo[1], hi[2] - lo[2]};
+  };
+  const auto [first, second] = firstWidth();
+  CHECK(first == Approx(double(second) - 200).epsilon(0.001));
+  job.params.elephantFoot = 0;
+  CHECK(firstWidth().first == second);
+}
+
+TEST_CASE("a brim touches the outside of the plate, on the first layer only") {
+  Job job = plate(30, 20);
+  // A hole, which stays free.
+  job.shape.paths[0].rings.push_back({{12, 8}, {18, 8}, {18, 12}, {12, 12}});
+  job.shape.paths[0].fillRule = FillRule::EvenOdd;
+  job.params.brim = 3;
+  job.params.base = 0;
+  const ReadFile file = checkFile(job, job.write());
+  int loops = 0;
+  double outermost = 0;
+  double skirt = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Skirt/Brim") continue;
+    CHECK(path.layer == 1);
+    double lo = 1e9;
+    for (const ReadMove& move : path.moves) lo = std::min(lo, double(move.x1) / 1000);
+    if (++loops == 1) {
+      skirt = lo;
+      continue;
+    }
+    CHECK(lo == Approx(95 - 0.2 - 0.4 * (4 - loops)).epsilon(1e-4));
+    if (outermost == 0) outermost = lo;
+  }
+  CHECK(loops == 4);
+  CHECK(outermost - skirt == Approx(5 + 0.2).epsilon(0.01));  // the skirt runs around the brim
+
+  job.params.place = Vec2{0.5, 50};
+  const Error error = job.write().result.error();
+  CHECK(error.code == ErrorCode::DoesNotFit);
+  CHECK(error.message.find("by 0.700 mm on the left") != std::string::npos);
+}
+
+TEST_CASE("a plate shown from below has its mirrored path on the bed and its base above") {
+  Job job = plate(30, 20, 1.3);
+  job.params.layers = 2;
+  Job mirrored = job;
+  mirrored.params.mirror = true;
+  const Written warned = mirrored.write();
+  CHECK(contains(warned.result.value().warnings, "the plate is mirrored but shown from above"));
+  const ReadFile flipped = checkFile(mirrored, warned);
+  job.params.showSide = ShowSide::Bed;
+  const Written written = job.write();
+  CHECK_FALSE(contains(written.result.value().warnings, "mirrored"));
+  const ReadFile file = checkFile(job, written);
+  std::vector<std::string> roles;
+  for (const ReadPath& path : file.paths) {
+    if (roles.empty() || roles.back() != path.role) roles.push_back(path.role);
+  }
+  CHECK(roles == std::vector<std::string>{"Skirt/Brim", "Top solid infill", "Solid infill"});
+  const auto oriented = [](const ReadFile& read, int which) {
+    for (const ReadPath& path : read.paths) {
+      if (path.role == "Top solid infill" && which-- == 0) return path;
+    }
+    return ReadPath{};
+  };
+  for (int k = 0; k < 2; ++k) {
+    const ReadPath a = oriented(file, k);
+    const ReadPath b = oriented(flipped, k);
+    REQUIRE(a.moves.size() == b.moves.size());
+    for (std::size_t i = 0; i < a.moves.size(); ++i)
+      CHECK((a.moves[i].x1 == b.moves[i].x1 && a.moves[i].y1 == b.moves[i].y1));
+  }
+}
+
+TEST_CASE("both sides show the plate where its shape is its own mirror image") {
+  Job job = plate(30, 20, 1.3);
+  job.params.showSide = ShowSide::Both;
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  const ReadFile file = readGcode(written.text);
+  CHECK(file.layers == 4);
+  const ReadPath& top = lastPath(file);
+  const auto below = std::find_if(file.paths.begin(), file.paths.end(),
+                                  [](const ReadPath& path) { return path.role == "Top solid infill"; });
+  CHECK(below->layer == 1);
+  CHECK(top.layer == 4);
+  REQUIRE(below->moves.size() == top.moves.size());
+  std::vector<std::pair<std::int64_t, std::int64_t>> a;
+  std::vector<std::pair<std::int64_t, std::int64_t>> b;
+  for (const ReadMove& move : below->moves) a.emplace_back(220000 - move.x1, move.y1);
+  for (const ReadMove& move : top.moves) b.emplace_back(move.x1, move.y1);
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    far += std::abs(a[i].first - b[i].first) > 1 || std::abs(a[i].second - b[i].second) > 1;
+  }
+  CHECK(far == 0);
+
+  job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 20}, {0, 20}};
+  job.toolpath.cycles = {{{{1, 1}, {29, 1}, {29, 19}}, {0.4f, 0.4f, 0.4f}}};  // in a triangle
+  job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 20}};
+  const Error error = job.write().result.error();
+  CHECK(error.message.find("showSide is both, but the shape is not its own mirror image") == 0);
+}
+
+TEST_CASE("copies are printed one after the other, and travels pass above those that are done") {
+  Job job = plate(30, 20, 1.3);
+  job.params.skirt = 2;
+  job.params.copies = {2, 3};
+  job.params.copyGap = 7;
+  const Written written = job.write();
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  const ReadFile file = readGcode(written.text);
+  CHECK_MESSAGE(file.faults.empty(), file.faults.front());
+  CHECK(file.layers == 6 * 3);
+  CHECK(valueOf(written.text, "; total layers count = ") == "18");
+  std::vector<const ReadPath*> tops;
+  int skirts = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role == "Top solid infill") tops.push_back(&path);
+    skirts += path.role == "Skirt/Brim" ? 1 : 0;
+  }
+  CHECK(skirts == 2);
+  REQUIRE(tops.size() == 6);
+  const int columns[] = {0, 1, 1, 0, 0, 1};  // back and forth
+  for (std::size_t k = 1; k < 6; ++k) {
+    for (std::size_t i = 0; i < tops[0]->moves.size(); ++i) {
+      CHECK(tops[k]->moves[i].x1 - tops[0]->moves[i].x1 == 37000 * columns[k]);
+      CHECK(tops[k]->moves[i].y1 - tops[0]->moves[i].y1 == 27000 * static_cast<int>(k / 2));
+    }
+  }
+  // 0.6 mm of plate and 0.4 mm of lift, wherever a travel is longer than a plate's gap.
+  for (const ReadMove& move : file.travels) {
+    if (move.length() > 7 && move.x0 != 0) CHECK(move.z >= 600);
+  }
+  const Bounds box = checkGcode(written.text).box;
+  CHECK(0.5 * (box.min + box.max) == Vec2{110, 110});
+  std::size_t objects = 0;
+  for (std::size_t at = 0; (at = written.text.find("\nM486 S", at)) != std::string::npos; ++at) ++objects;
+  CHECK(objects == 12);
+  Job klipper = job;
+  klipper.printer.flavor = GcodeFlavor::Klipper;
+  const std::string named = klipper.write().text;
+  CHECK(checkGcode(named, klipper.printer).errors() == 0);
+  CHECK(grammarError(named) == "");
+  CHECK(named.find("\nEXCLUDE_OBJECT_DEFINE NAME=PLATE_5\n") < named.find("\nEXCLUDE_OBJECT_START NAME=PLATE_0\n"));
+  CHECK(named.find("\nEXCLUDE_OBJECT_END NAME=PLATE_5\n") > named.find("\nEXCLUDE_OBJECT_START NAME=PLATE_5\n"));
+  Job single = plate(30, 20, 1.3);
+  single.params.skirt = 0;
+  CHECK(file.filament > 6 * readGcode(single.write().text).filament * 0.95);
+
+  job.params.copies = {7, 1};
+  CHECK(job.write().result.error().message.find("the plates of 252.0 x 20.0 mm reach over the edge of the bed") == 0);
+  job.params.copies = {2, 1};
+  job.params.base = 20;
+  CHECK(job.write().result.error().message.find("the plates are 4.2 mm high; several on one bed") == 0);
+  job.params.copies = {1.5, 1};
+  CHECK(job.write().result.error().message.find("copies is 1.5 x 1; both must be whole") == 0);
+}
+
+TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre") {
+  Job job = plate(30, 20, 1.3);
+  job.params.base = 0;
+  const ReadPath full = lastPath(checkFile(job, job.write()));
+  job.params.coast = 0.25;
+  const Written written = job.write();
+  const GcodeCheck check = checkGcode(written.text, job.printer);
+  CHECK(check.errors() == 0);
+  CHECK(check.closed == 2);  // skirt and cycle: where the nozzle goes counts
+  const ReadFile file = readGcode(written.text);
+  const ReadPath& path = lastPath(file);
+  double a = 0;
+  double b = 0;
+  for (const ReadMove& move : full.moves) a += move.length();
+  for (const ReadMove& move : path.moves) b += move.length();
+  CHECK(a - b == Approx(0.25).epsilon(0.01));
+  CHECK(full.filament() - path.filament() == Approx(extrusion(0.2, 0.4, 0.25, 1.75, 0.95)).epsilon(0.02));
+}
+
+TEST_CASE("cycles begin near the border, elsewhere on each layer") {
+  Job job = plate(30, 20, 0.5);
+  job.params.layers = 5;
+  const ReadFile file = checkFile(job, job.write());
+  std::vector<std::pair<std::int64_t, std::int64_t>> seams;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Top solid infill") continue;
+    const ReadMove& first = path.moves.front();
+    const double x = double(first.x0) / 1000 - 95;
+    const double y = double(first.y0) / 1000 - 100;
+    CHECK(std::min({x, y, 30 - x, 20 - y}) < 0.51);
+    seams.emplace_back(first.x0, first.y0);
+  }
+  std::sort(seams.begin(), seams.end());
+  CHECK(std::unique(seams.begin(), seams.end()) == seams.end());
+}
+
 TEST_CASE("thumbnails are in the header, in base64 of the length their first line tells") {
   Job job = plate();
   std::vector<std::uint8_t> bytes(200);
@@ -790,6 +1104,218 @@ TEST_CASE("thumbnails are in the header, in base64 of the length their first lin
 
   job.params.thumbnails[0].width = 0;
   CHECK(job.write().result.error().message.find("a thumbnail is 0 x 16 pixels in 4 bytes; it must be") == 0);
+  job.params.thumbnails[0] = {16, 16, {1, 2, 3}, ThumbnailFormat::Qoi};
+  CHECK(job.write().text.find("\n; thumbnail_QOI begin 16x16 4\n; AQID\n; thumbnail_QOI end\n") != std::string::npos);
+  job.params.thumbnails = {{300, 300, std::vector<std::uint8_t>(400000)},
+                           {300, 300, std::vector<std::uint8_t>(300001)}};
+  CHECK(job.write().result.error().message.find("700000 bytes") != std::string::npos);  // hosts read one MiB
+}
+
+// ---- dialects, start and end blocks
+
+TEST_CASE("each dialect sets acceleration and pressure advance in its own words, and back") {
+  struct Words {
+    GcodeFlavor flavor;
+    const char* acceleration;
+    const char* back;
+    const char* advance;
+    const char* none;
+    const char* name;
+  };
+  const Words all[] = {
+      {GcodeFlavor::Marlin, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin2"},
+      {GcodeFlavor::Klipper, "M204 S1000\n", "M204 S4000\n", "SET_PRESSURE_ADVANCE ADVANCE=0.0400\n",
+       "SET_PRESSURE_ADVANCE ADVANCE=0\n", "klipper"},
+      {GcodeFlavor::RepRap, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 D0 S0.0400\n", "M572 D0 S0\n",
+       "reprapfirmware"},
+      {GcodeFlavor::PrusaBuddy, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 S0.0400\n", "M572 S0\n", "marlin2"},
+      {GcodeFlavor::Bambu, "M204 S1000\n", "M204 S4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin"}};
+  for (const Words& words : all) {
+    Job job = plate();
+    job.printer.flavor = words.flavor;
+    job.printer.setPressureAdvance = true;
+    job.printer.machineAcceleration = 4000;
+    if (words.flavor == GcodeFlavor::Bambu) job.printer.startGcode = "G28\nM190 S60\nM109 S220";
+    const Written written = job.write();
+    checkFile(job, written);
+    const std::string& text = written.text;
+    CAPTURE(words.name);
+    const std::size_t set = text.find(std::string("\n") + words.advance);
+    const std::size_t unset = text.find(std::string("\n") + words.none);
+    CHECK(set < text.find(";LAYER_CHANGE"));
+    CHECK((unset != std::string::npos && unset > text.rfind(";TYPE:Top solid infill")));
+    CHECK(text.find(std::string("\n") + words.acceleration) < text.find(";LAYER_CHANGE"));
+    CHECK(text.find(std::string("\n") + words.back) != std::string::npos);
+    CHECK(valueOf(text, "; gcode_flavor = ") == words.name);
+    CHECK((text.find("; CHANGE_LAYER\n; Z_HEIGHT: 0.2\n") != std::string::npos) ==
+          (words.flavor == GcodeFlavor::Bambu));
+  }
+  Job job = plate();
+  job.printer.flavor = GcodeFlavor::Bambu;
+  CHECK(job.write().result.error().message.find("startGcode is empty; Bambu printers need") == 0);
+  CHECK(job.write().text.empty());
+}
+
+TEST_CASE("placeholders of four programs stand for their values") {
+  const std::vector<TemplateValue> values{{{"temp", "TEMP"}, {"215"}}, {{"min"}, {"1.5", "2.5"}}};
+  const auto expand = [&](std::string_view text) {
+    const Result<std::string> out = expandTemplate(text, values, "startGcode");
+    return out ? out.value() : "error: " + out.error().message;
+  };
+  CHECK(expand("M109 S{temp}") == "M109 S215\n");
+  CHECK(expand("M109 S{temp[0]}\nM104 S[temp] ; [x] {y} <z>") == "M109 S215\nM104 S215 ; [x] {y} <z>\n");
+  CHECK(expand("M109 S<TEMP>") == "M109 S215\n");
+  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM84 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\nM84 ??\n");
+  CHECK(expand("PRINT_START BED=60 NAME='x'") == "PRINT_START BED=60 NAME='x'\n");
+  CHECK(expand("") == "");
+  CHECK(expand("\n\n") == "");
+  for (const char* bad :
+       {"{other}", "[temp", "{min[2]}", "{min[x]}", "M1 {if temp > 3}M2{endif}", "<>", "{}", "[[[", "{temp+5}"}) {
+    CAPTURE(bad);
+    const std::string out = expand(std::string("G28\n") + bad);
+    CHECK(out.find("error: startGcode has \"") == 0);
+    CHECK(out.find("in line 2, which stands for no value here") != std::string::npos);
+  }
+}
+
+TEST_CASE("the user's blocks replace ours, and modes are restated after them") {
+  Job job = plate();
+  job.printer.startGcode =
+      "G28\nM190 S{first_layer_bed_temperature}\nM109 S[nozzle_temperature_initial_layer]\nG20\nM82";
+  job.printer.endGcode = "M104 S0\nM140 S0 ; bye\nG1 X0 Y200";
+  const std::string text = job.write().text;
+  CHECK(text.find("\n; FEATURE: Custom\nG28\nM190 S60\nM109 S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") !=
+        std::string::npos);
+  CHECK(text.find("\nM104 S0\nM140 S0 ; bye\nG1 X0 Y200\nM73 P100 R0\n") != std::string::npos);
+  CHECK(text.find("M84") == std::string::npos);
+  const auto refusal = [&](const char* start) {
+    Job bad = job;
+    bad.printer.startGcode = start;
+    const Written written = bad.write();
+    CHECK(written.text.empty());
+    return written.result ? "" : written.result.error().message;
+  };
+  CHECK(refusal("M190 S60\nM109 S220") == "startGcode does not home; it must have G28 or a start macro");
+  CHECK(refusal("G28\nM190 S60\nM104 S220").find("startGcode does not wait for a hot nozzle") == 0);
+  CHECK(refusal("G28\nM109 S220").find("startGcode does not wait for a hot bed") == 0);
+  CHECK(refusal("G28\nM190 S60\nM109 S220\nG1 X300 F3000").find("line 4 of startGcode: a move over the bed's edge") ==
+        0);
+  CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of startGcode: moves before it homes") == 0);
+  Job wipe = job;
+  wipe.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 Z5 F600\nG1 Y-3 F3000";
+  CHECK(contains(wipe.write().result.value().warnings, "line 5 of startGcode: the start or end block goes over"));
+  wipe.printer.startGcode = "PRINT_START BED=60 HOTEND=180";
+  const Written macro = wipe.write();
+  REQUIRE(macro.result.ok());
+  CHECK(contains(macro.result.value().warnings, "startGcode leaves the nozzle at 180 degrees"));
+  job.printer.endGcode = "M104 S{oops}";
+  const Written refused = job.write();
+  CHECK(refused.result.error().message.find("endGcode has \"{oops}\" in line 1") == 0);
+  CHECK(refused.text.empty());
+  job.printer.endGcode = "; generated by PrusaSlicer";
+  CHECK(job.write().result.error().message.find("endGcode must not contain \"generated by\"") == 0);
+}
+
+TEST_CASE("absolute E carries the same plastic and starts anew with every layer") {
+  Job job = plate();
+  const ReadFile relative = checkFile(job, job.write());
+  job.printer.absoluteE = true;
+  const std::string text = job.write().text;
+  CHECK(text.find("\nM82\n") != std::string::npos);
+  CHECK(text.find("\nM83\n") == std::string::npos);
+  std::int64_t e = 0;
+  std::int64_t sum = 0;
+  int resets = 0;
+  for (const std::string_view line : split(text, '\n')) {
+    if (line == "G92 E0") e = 0, ++resets;
+    const std::size_t at = line.find(" E");
+    if (!line.starts_with("G1 ") || at == std::string_view::npos) continue;
+    const std::int64_t now = scaledWord(line.substr(at + 1), 1e5);
+    if (line.find(" X") != std::string_view::npos) sum += now - e;
+    e = now;
+  }
+  CHECK(resets == 1 + 3);
+  CHECK(static_cast<double>(sum) / 1e5 == Approx(relative.filament).epsilon(1e-9));
+}
+
+TEST_CASE("every printer and filament makes a file without faults") {
+  for (const Preset& preset : presets(PresetKind::Printer)) {
+    for (const Preset& filament : presets(PresetKind::Filament)) {
+      CAPTURE(preset.id + " " + filament.id);
+      Job job = plate(30, 20, 0.5);
+      job.printer = preset.printer;
+      REQUIRE(applyPreset(PresetKind::Filament, filament.id, job.printer).empty());
+      if (job.printer.flavor == GcodeFlavor::Bambu) {
+        CHECK(job.write().result.error().message.find("startGcode is empty") == 0);
+        job.printer.startGcode = "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}";
+      }
+      const Written written = job.write();
+      REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+      const GcodeCheck check = checkGcode(written.text, job.printer);
+      CHECK(check.errors() == 0);
+      CHECK(check.layers == 3);
+      CHECK(checkGcode(written.text).errors() == 0);  // by the settings the file itself tells
+    }
+  }
+}
+
+// ---- beds
+
+TEST_CASE("a round bed holds what lies within its circle and nothing else") {
+  Job job = plate(30, 40);
+  job.params.skirt = 0;
+  job.printer.bedMin = {-25, -25};
+  job.printer.bedMax = {25, 25};
+  job.printer.roundBed = true;
+  const Written good = job.write();  // 25 mm from the centre to each corner, less than a tenth of a bead outside
+  const ReadFile file = checkFile(job, good);
+  for (const ReadMove& move : file.travels) CHECK(std::hypot(move.x1, move.y1) <= 25000);
+  CHECK(file.minX < 0);
+  CHECK(split(valueOf(good.text, "; bed_shape = "), ',').size() == 24);
+
+  job.params.place = Vec2{-15.5, -20};
+  const Error error = job.write().result.error();
+  CHECK(error.code == ErrorCode::DoesNotFit);
+  CHECK(error.message == "the plate of 30.0 x 40.0 mm reaches over the edge of the round bed by 0.303 mm");
+
+  job.params.place.reset();
+  job.printer.bedMin = {-40, -40};
+  job.printer.bedMax = {40, 40};
+  job.params.skirt = 1;
+  const Written purged = job.write();  // the corners of the skirt lie 32 mm off, within 40
+  CHECK(checkFile(job, purged).paths[0].moves.size() == 4);
+  job.printer.bedMin = {-31, -31};
+  job.printer.bedMax = {31, 31};
+  const Written line = job.write();
+  CHECK(contains(line.result.value().warnings, "the skirt does not fit"));
+  const ReadFile lined = checkFile(job, line);
+  for (const ReadMove& move : lined.paths[0].moves) {
+    CHECK(std::hypot(move.x0, move.y0) < 31000);
+    CHECK(std::hypot(move.x1, move.y1) < 31000);
+  }
+  CHECK(lined.paths[0].role == "Skirt/Brim");
+
+  job.printer.bedMax = {31, 30};
+  CHECK(job.write().result.error().message.find("the round bed's box is 62 x 61 mm; it must be a square") == 0);
+}
+
+TEST_CASE("nothing touches the excluded part of the bed") {
+  Job job = plate(30, 20);
+  job.printer.excludedMax = {18, 28};
+  const ReadFile file = checkFile(job, job.write());
+  CHECK(file.paths[0].closed());
+  job.params.skirt = 0;
+  const ReadFile purged = checkFile(job, job.write());
+  CHECK(purged.paths[0].moves[0].x0 == 23000);  // the purge line begins right of it
+  job.params.place = Vec2{17.9, 40};
+  CHECK(job.write().result.ok());
+  job.params.place = Vec2{17.9, 27};
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
+  CHECK(job.write().result.error().message.find("touches the excluded part of the bed") != std::string::npos);
+  job.printer.excludedMin = {20, 30};  // an island inside the plate
+  job.printer.excludedMax = {21, 31};
+  job.params.place = Vec2{15, 25};
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
 }
 
 // ---- placement

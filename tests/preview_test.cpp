@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "direction_colour.hpp"
+#include "qoi.hpp"
+#include "sillon/thumbnails.hpp"
 #include "sillon/toolpath_svg.hpp"
 
 using namespace sillon;
@@ -340,4 +342,85 @@ TEST_CASE("the look alone has its size, the plate in its middle, and the same pi
   CHECK(image.rgb == renderLook(toolpath, {60, 20}, 120, 90, RunContext(3)).value().rgb);
   CHECK(renderLook(toolpath, {60, 20}, 15, 90, RunContext(1)).error().message.find("15 x 90") != std::string::npos);
   CHECK(!renderLook(toolpath, {60, 0}, 60, 60, RunContext(1)).ok());
+}
+
+// ---- pictures for screens
+
+namespace {
+
+/// Reads QOI by its specification, qoiformat.org. Empty if the bytes are not a whole picture.
+std::vector<std::uint8_t> decodeQoi(const std::vector<std::uint8_t>& bytes, int width, int height) {
+  const auto number = [&](std::size_t at) {
+    return bytes[at] << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3];
+  };
+  if (bytes.size() < 22 || bytes[0] != 'q' || bytes[3] != 'f' || number(4) != width || number(8) != height) return {};
+  std::vector<std::uint8_t> rgb;
+  const auto wanted = static_cast<std::size_t>(width * height * 3);
+  unsigned index[64][4] = {};
+  unsigned px[4] = {0, 0, 0, 255};
+  std::size_t at = 14;
+  while (rgb.size() < wanted && at + 8 < bytes.size()) {
+    const unsigned first = bytes[at++];
+    unsigned run = 1;
+    if (first == 0xFE) {
+      for (int k = 0; k < 3; ++k) px[k] = bytes[at++];
+    } else if (first >> 6 == 0) {
+      for (int k = 0; k < 4; ++k) px[k] = index[first][k];
+    } else if (first >> 6 == 1) {
+      for (unsigned k = 0; k < 3; ++k) px[k] = (px[k] + (first >> (4 - 2 * k) & 3) - 2) & 255;
+    } else if (first >> 6 == 2) {
+      const unsigned second = bytes[at++];
+      const unsigned green = (first & 63) - 32;
+      px[0] = (px[0] + green - 8 + (second >> 4)) & 255;
+      px[1] = (px[1] + green) & 255;
+      px[2] = (px[2] + green - 8 + (second & 15)) & 255;
+    } else {
+      run = (first & 63) + 1;
+    }
+    const unsigned hash = (px[0] * 3 + px[1] * 5 + px[2] * 7 + px[3] * 11) % 64;
+    for (int k = 0; k < 4; ++k) index[hash][k] = px[k];
+    for (; run > 0; --run) {
+      for (int k = 0; k < 3; ++k) rgb.push_back(static_cast<std::uint8_t>(px[k]));
+    }
+  }
+  const std::vector<std::uint8_t> end{0, 0, 0, 0, 0, 0, 0, 1};
+  const bool ended = at + 8 == bytes.size() && std::equal(end.begin(), end.end(), bytes.end() - 8);
+  return ended ? rgb : std::vector<std::uint8_t>();
+}
+
+}  // namespace
+
+TEST_CASE("QOI pictures are read back by their specification: runs, steps, repeats, noise") {
+  const std::vector<std::uint8_t> pixel = encodeQoi(1, 1, std::vector<std::uint8_t>{10, 20, 30});
+  CHECK(pixel == std::vector<std::uint8_t>{'q', 'o',  'i', 'f', 0,  0, 0, 1, 0, 0, 0, 1, 3,
+                                           0,   0xFE, 10,  20,  30, 0, 0, 0, 0, 0, 0, 0, 1});
+  std::vector<std::uint8_t> rgb(3 * 100 * 40);
+  unsigned state = 1;
+  for (std::size_t k = 0; k < rgb.size(); ++k) {
+    state = state * 1664525u + 1013904223u;
+    const std::size_t row = k / 300;
+    const unsigned noise = state >> 24;
+    const std::size_t x = k % 300 / 3;
+    rgb[k] = static_cast<std::uint8_t>(row < 10 ? 0 : row < 20 ? x + k % 3 : row < 30 ? (x / 3 % 4) * 60 : noise);
+  }
+  const std::vector<std::uint8_t> coded = encodeQoi(100, 40, rgb);
+  CHECK(decodeQoi(coded, 100, 40) == rgb);
+  CHECK(coded.size() < rgb.size() / 2);
+}
+
+TEST_CASE("pictures come in the sizes and formats a printer asks for") {
+  const Toolpath toolpath = pairOfBeads(30, 0.4);
+  const auto pictures = lookThumbnails(toolpath, {20, 20}, "16x24/QOI, 40x30/PNG,32x32", RunContext(1));
+  REQUIRE(pictures);
+  REQUIRE(pictures.value().size() == 3);
+  const Thumbnail& qoi = pictures.value()[0];
+  CHECK((qoi.format == ThumbnailFormat::Qoi && qoi.width == 16 && qoi.height == 24));
+  CHECK(decodeQoi(qoi.bytes, 16, 24) == renderLook(toolpath, {20, 20}, 16, 24, RunContext(1)).value().rgb);
+  CHECK((pictures.value()[1].width == 40 && pictures.value()[1].bytes[1] == 'P'));
+  CHECK(pictures.value()[2].format == ThumbnailFormat::Png);
+  CHECK(readThumbnailSizes("").value().empty());
+  for (const char* bad : {"32", "32x", "x32", "8x8", "32x2000", "32x32/JPG", "32x32x32", ",", "32x32,", "-16x16"}) {
+    CAPTURE(bad);
+    CHECK(readThumbnailSizes(bad).ok() == (std::string(bad) == "32x32,"));  // a last comma does no harm
+  }
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "sillon/pipeline.hpp"
+#include "sillon/presets.hpp"
 #include "sillon/project.hpp"
 #include "sillon/report.hpp"
 
@@ -62,6 +64,14 @@ Project unusualProject() {
   p.print.layers = 2;
   p.print.base = 3;
   p.print.skirt = 4;
+  p.print.basePattern = BasePattern::Concentric;
+  p.print.showSide = ShowSide::Bed;
+  p.print.brim = 3;
+  p.print.elephantFoot = 0.15;
+  p.print.constantFlow = true;
+  p.print.coast = 0.2;
+  p.print.copies = {2, 3};
+  p.print.copyGap = 8;
   p.print.layerHeight = 0.15;
   p.print.firstLayerHeight = 0.25;
   p.print.flow = 0.9;
@@ -72,7 +82,7 @@ Project unusualProject() {
   p.printer.name = "Mine";
   p.printer.flavor = GcodeFlavor::Klipper;
   p.printer.bedMin = {-110, -105};
-  p.printer.bedMax = {110, 105.5};
+  p.printer.bedMax = {110, 115};
   p.printer.maxZ = 250;
   p.printer.nozzle = 0.6;
   p.printer.filamentDiameter = 2.85;
@@ -94,6 +104,15 @@ Project unusualProject() {
   p.printer.retractLength = 0.5;
   p.printer.retractSpeed = 30;
   p.printer.lift = 0.2;
+  p.printerPreset = "prusa-mini";
+  p.filamentPreset = "petg";
+  p.printer.roundBed = true;
+  p.printer.excludedMin = {-110, -90};
+  p.printer.excludedMax = {-100, -80};
+  p.printer.absoluteE = true;
+  p.printer.startGcode = "G28\nM109 S{first_layer_temperature}";
+  p.printer.endGcode = "M84";
+  p.printer.screenSizes = "16x16/QOI";
   return p;
 }
 
@@ -179,6 +198,84 @@ TEST_CASE("the documentation has a row with the default of every field") {
       if (value.is_string() || value.is_array() || value.is_null()) shown = "`" + shown + "`";
       CAPTURE(section.key() + "." + field.key());
       CHECK(has(page, "\n| `" + field.key() + "` | " + shown + " |"));
+    }
+  }
+}
+
+TEST_CASE("a preset lies under the filament, and that under the project's own values") {
+  const Result<Project> read =
+      readProject(R"({"sillon": 1, "printer": {"bedTemperature": 75, "filament": "petg", "preset": "prusa-mk4s"}})");
+  REQUIRE(read);
+  const Printer& p = read.value().printer;
+  CHECK(p.flavor == GcodeFlavor::PrusaBuddy);
+  CHECK(p.bedMax == Vec2{250, 210});
+  CHECK(p.filamentDensity == 1.27);
+  CHECK(p.nozzleTemperature == 235);
+  CHECK(p.bedTemperature == 75);
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"preset": "prusa-mk4"}})"),
+            "printer.preset is \"prusa-mk4\", which is no printer; did you mean \"prusa-mk4s\""));
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"filament": "abs"}})"), "printer.filament is \"abs\""));
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"screenSizes": "8x8"}})"), "printer.screenSizes must be"));
+  const std::string block(65537, 'x');
+  CHECK(
+      has(problem(R"({"sillon": 1, "printer": {"endGcode": ")" + block + "\"}}"), "printer.endGcode has 65537 bytes"));
+}
+
+TEST_CASE("the presets are the makers' facts and readable projects") {
+  struct Fact {
+    const char* id;
+    Vec2 bed;
+    double z;
+    GcodeFlavor flavor;
+    double retract;
+  };
+  const Fact facts[] = {{"prusa-mk4s", {250, 210}, 220, GcodeFlavor::PrusaBuddy, 0.7},
+                        {"prusa-core-one", {250, 220}, 270, GcodeFlavor::PrusaBuddy, 0.7},
+                        {"prusa-mini", {180, 180}, 180, GcodeFlavor::PrusaBuddy, 2.5},
+                        {"prusa-mk3s", {250, 210}, 210, GcodeFlavor::Marlin, 0.8},
+                        {"creality-ender-3", {210, 210}, 250, GcodeFlavor::Marlin, 5},
+                        {"creality-ender-3-v3-se", {220, 220}, 250, GcodeFlavor::Marlin, 1.2},
+                        {"creality-k1", {220, 220}, 250, GcodeFlavor::Klipper, 0.6},
+                        {"creality-cr-10s-pro", {300, 300}, 400, GcodeFlavor::Klipper, 5},
+                        {"sovol-sv06", {220, 220}, 250, GcodeFlavor::Marlin, 0.5},
+                        {"elegoo-neptune-4-pro", {225, 225}, 265, GcodeFlavor::Klipper, 0.8},
+                        {"voron-2-4-300", {300, 300}, 260, GcodeFlavor::Klipper, 0.5},
+                        {"qidi-q1-pro", {245, 245}, 240, GcodeFlavor::Klipper, 0.8},
+                        {"anycubic-kossel-linear-plus", {230, 230}, 300, GcodeFlavor::Marlin, 5},
+                        {"bambu-p1s", {256, 256}, 250, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-x1c", {256, 256}, 250, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-a1", {256, 256}, 256, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-a1-mini", {180, 180}, 180, GcodeFlavor::Bambu, 0.8},
+                        {"generic", {220, 220}, 200, GcodeFlavor::Marlin, 0.8},
+                        {"generic-centre", {220, 220}, 200, GcodeFlavor::Marlin, 0.8}};
+  const std::vector<Preset> printers = presets(PresetKind::Printer);
+  CHECK(printers.size() == std::size(facts));
+  for (const Fact& fact : facts) {
+    CAPTURE(fact.id);
+    Printer p;
+    REQUIRE(applyPreset(PresetKind::Printer, fact.id, p).empty());
+    CHECK(p.bedMax - p.bedMin == fact.bed);
+    CHECK(p.maxZ == fact.z);
+    CHECK(p.flavor == fact.flavor);
+    CHECK(p.retractLength == fact.retract);
+    CHECK(p.acceleration <= p.machineAcceleration + 1e9 * (p.machineAcceleration == 0));
+    const Result<Project> read = readProject(writePrinter(p));
+    REQUIRE(read);
+    CHECK(writePrinter(read.value().printer) == writePrinter(p));
+  }
+  for (const Preset& preset : presets(PresetKind::Filament)) {
+    CAPTURE(preset.id);
+    CHECK(problem(writePrinter(preset.printer)) == "");
+    CHECK(preset.printer.bedMax == Vec2{220, 220});  // a filament says nothing of the machine
+  }
+  // The files hold only keys that are read.
+  for (const char* name : {"printers", "filaments"}) {
+    std::ifstream file(std::string(SILLON_SOURCE_DIR) + "/core/data/" + name + ".json");
+    const Json all = Json::parse(file);
+    CHECK(all["version"] == 1);
+    for (const auto& item : all[name].items()) {
+      CAPTURE(item.key());
+      CHECK(problem(Json{{"sillon", 1}, {"printer", item.value()}}.dump()) == "");
     }
   }
 }
@@ -325,6 +422,11 @@ TEST_CASE("numbers that are none are found before they reach a file") {
   CHECK(invalidProject(unusualProject()) == "");
 }
 
+TEST_CASE("half a copy is refused") {
+  CHECK(problem(R"({"sillon": 1, "print": {"copies": [1.5, 1]}})") ==
+        "print.copies is [1.5, 1]; it must be two whole numbers");
+}
+
 TEST_CASE("versions and kinds of file are told apart") {
   CHECK(problem(R"({"sillon": 2})") == "sillon is 2; this program reads version 1");
   CHECK(has(problem(R"({"toolpath": {}})"), "\"sillon\": 1"));
@@ -365,7 +467,8 @@ TEST_CASE("hostile files end quickly in an error") {
 
 TEST_CASE("no cut and no changed byte of a project does harm") {
   const std::string text = writeProject(unusualProject());
-  for (std::size_t length = 0; length < text.size(); length += 7) CHECK_FALSE(problem(text.substr(0, length)).empty());
+  for (std::size_t length = 0; length + 2 < text.size(); length += 7)
+    CHECK_FALSE(problem(text.substr(0, length)).empty());
   std::uint32_t state = 1;
   int read = 0;
   for (int k = 0; k < 2000; ++k) {

@@ -12,10 +12,13 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "sillon/gcode_check.hpp"
 #include "sillon/measure.hpp"
 #include "sillon/pipeline.hpp"
 #include "sillon/plate_input.hpp"
+#include "sillon/presets.hpp"
 #include "sillon/preview.hpp"
+#include "sillon/printer_import.hpp"
 #include "sillon/project.hpp"
 #include "sillon/report.hpp"
 #include "sillon/thumbnails.hpp"
@@ -116,7 +119,7 @@ val writeGcode(const val& toolpath, const std::string& projectJson, const std::s
     print.notes = emscripten::vecFromJSArray<std::string>(toolpath["notes"]);
     const sillon::Toolpath path = convert::toolpathFrom(toolpath);
     const sillon::Shape shape = convert::shapeFrom(toolpath["shape"]);
-    auto thumbnails = sillon::lookThumbnails(path, shape.page, run);
+    auto thumbnails = sillon::lookThumbnails(path, shape.page, project.value().printer.screenSizes, run);
     if (!thumbnails) return failure(thumbnails.error());
     print.thumbnails = std::move(thumbnails).value();
     const auto summary = sillon::writeGcode(path, shape, project.value().printer, print, [&](std::string_view piece) {
@@ -179,6 +182,58 @@ val readProject(const std::string& json) {
   });
 }
 
+val listOf(const std::vector<std::string>& texts) {
+  val list = val::array();
+  for (const std::string& text : texts) list.call<void>("push", val(text));
+  return list;
+}
+
+/// Printers as the text of project files.
+val presets() {
+  return guarded([&](sillon::RunContext&) {
+    const auto all = [](sillon::PresetKind kind) {
+      val list = val::array();
+      for (const sillon::Preset& preset : sillon::presets(kind)) {
+        val entry = val::object();
+        entry.set("id", val(preset.id));
+        entry.set("project", val(sillon::writePrinter(preset.printer)));
+        list.call<void>("push", entry);
+      }
+      return list;
+    };
+    val out = val::object();
+    out.set("printers", all(sillon::PresetKind::Printer));
+    out.set("filaments", all(sillon::PresetKind::Filament));
+    return success(out);
+  });
+}
+
+val importPrinter(const val& file, const std::string& name) {
+  return guarded([&](sillon::RunContext&) {
+    const auto imported = sillon::importPrinter(convert::bytes(file), name);
+    if (!imported) return failure(imported.error());
+    val out = val::object();
+    out.set("project", val(sillon::writePrinter(imported.value().printer)));
+    out.set("source", val(imported.value().source));
+    out.set("read", listOf(imported.value().read));
+    out.set("notRead", listOf(imported.value().notRead));
+    return success(out);
+  });
+}
+
+/// \param projectJson  whose printer counts; empty: what the file's own settings say.
+val checkGcode(const val& file, const std::string& projectJson) {
+  return guarded([&](sillon::RunContext&) {
+    std::optional<sillon::Printer> printer;
+    if (!projectJson.empty()) {
+      const auto project = sillon::readProject(projectJson);
+      if (!project) return failure(project.error());
+      printer = project.value().printer;
+    }
+    return success(convert::toJs(sillon::checkGcode(convert::bytes(file), printer)));
+  });
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(sillon) {
@@ -190,4 +245,7 @@ EMSCRIPTEN_BINDINGS(sillon) {
   emscripten::function("readShape", &readShape);
   emscripten::function("decodePicture", &decodePicture);
   emscripten::function("readProject", &readProject);
+  emscripten::function("presets", &presets);
+  emscripten::function("importPrinter", &importPrinter);
+  emscripten::function("checkGcode", &checkGcode);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sillon/gcode.hpp"
+#include "sillon/gcode_check.hpp"
 #include "sillon/image_io.hpp"
 #include "sillon/plate_input.hpp"
 #include "sillon/result.hpp"
@@ -196,6 +197,34 @@ inline val toJs(const sillon::GcodeSummary& summary) {
   out.set("bytes", static_cast<double>(summary.bytes));
   out.set("clampedLengthMm", summary.clampedLengthMm);
   out.set("warnings", warnings);
+  return out;
+}
+
+inline val toJs(const sillon::GcodeCheck& check) {
+  val findings = val::array();
+  for (const sillon::GcodeFinding& finding : check.findings) {
+    val out = val::object();
+    out.set("rule", val(finding.rule));
+    out.set("error", finding.error);
+    out.set("line", static_cast<double>(finding.line));
+    out.set("count", static_cast<double>(finding.count));
+    out.set("message", val(finding.message));
+    findings.call<void>("push", out);
+  }
+  val out = val::object();
+  out.set("findings", findings);
+  out.set("errors", static_cast<double>(check.errors()));
+  out.set("lines", static_cast<double>(check.lines));
+  out.set("moves", static_cast<double>(check.moves));
+  out.set("layers", check.layers);
+  out.set("filamentMm", check.filamentMm);
+  out.set("pathMm", check.pathMm);
+  out.set("travelMm", check.travelMm);
+  out.set("retractions", static_cast<double>(check.retractions));
+  out.set("fastest", check.fastest);
+  out.set("mostFlow", check.mostFlow);
+  out.set("mostMoves", check.mostMoves);
+  out.set("printer", val(check.printer));
   return out;
 }
 

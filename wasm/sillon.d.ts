@@ -57,6 +57,16 @@ export interface Engine {
   /** Checks a project and returns it as the text of a file that readProject and the command line read. */
   writeProject(project: DeepPartial<Project>, options?: RunOptions): Promise<string>;
 
+  /** The printers and filaments that come with the engine; fields `preset` and `filament` of a Printer name them. */
+  presets(options?: RunOptions): Promise<Presets>;
+  /** Takes a printer from G-code of the user's own slicer (its start and end blocks, proven there), PrusaSlicer or
+   * SuperSlicer settings (.ini), an Orca preset (.json) or a project of ours.
+   * @param name printer of a bundle; left out: the active one. @throws `InvalidFile`, `InvalidArgument`, `TooLarge`. */
+  importPrinter(file: Bytes, name?: string, options?: RunOptions): Promise<ImportedPrinter>;
+  /** Reads any G-code as a printer would and says what would go wrong.
+   * @param printer whose bed and limits count; left out: what the file's own settings say. */
+  checkGcode(file: Bytes, printer?: Partial<Printer>, options?: RunOptions): Promise<GcodeCheck>;
+
   /** Ends the worker; running and waiting calls reject with code `Disposed`. */
   dispose(): void;
 }
@@ -111,6 +121,9 @@ export type DirectionMode = 'parallel' | 'orthogonal' | 'smoothest' | 'constrain
 /** A file's bytes, SVG text, or pixels. Nothing is detached or changed. */
 export type InputFile = string | ArrayBuffer | ArrayBufferView | Blob | Picture;
 
+/** A file's bytes. */
+export type Bytes = ArrayBuffer | ArrayBufferView | Blob;
+
 /** Row 0 on top, channels interleaved: grey, grey + alpha, RGB or RGBA. 8-bit samples count as value * 257. */
 export interface Picture {
   width: number;
@@ -143,11 +156,21 @@ export interface ToolpathParams {
 }
 
 /** Section `printer` of docs/project.md. */
-export interface Printer {
+export interface Printer extends PrinterValues {
+  /** Id of a printer, such as `prusa-mk4s`; the other fields override it. */
+  preset: string;
+  /** Id of a filament, laid over the printer. */
+  filament: string;
+}
+
+export interface PrinterValues {
   name: string;
-  flavor: 'marlin' | 'klipper';
+  flavor: 'marlin' | 'klipper' | 'reprap' | 'prusa' | 'bambu';
   bedMin: [number, number];
   bedMax: [number, number];
+  roundBed: boolean;
+  excludedMin: [number, number];
+  excludedMax: [number, number];
   maxZ: number;
   nozzle: number;
   filamentDiameter: number;
@@ -169,13 +192,25 @@ export interface Printer {
   retractLength: number;
   retractSpeed: number;
   lift: number;
+  absoluteE: boolean;
+  startGcode: string;
+  endGcode: string;
+  screenSizes: string;
 }
 
 /** Section `print` of docs/project.md, and the date in the file's first line. */
 export interface PrintParams {
   layers: number;
   base: number;
+  basePattern: 'hatched' | 'concentric' | 'same';
+  showSide: 'up' | 'bed' | 'both';
   skirt: number;
+  brim: number;
+  elephantFoot: number;
+  constantFlow: boolean;
+  coast: number;
+  copies: [number, number];
+  copyGap: number;
   layerHeight: number;
   firstLayerHeight: number;
   flow: number;
@@ -302,6 +337,58 @@ export interface GcodeSummary {
   bytes: number;
   clampedLengthMm: number;
   warnings: string[];
+}
+
+export interface Presets {
+  printers: Preset[];
+  filaments: Preset[];
+}
+
+export interface Preset {
+  id: string;
+  /** The default printer with the preset's values; without `preset` and `filament`. */
+  printer: PrinterValues;
+}
+
+export interface ImportedPrinter {
+  /** Values that the file does not tell are the defaults. */
+  printer: PrinterValues;
+  source: 'donor G-code' | 'PrusaSlicer settings' | 'Orca settings' | 'project';
+  /** Names of the settings taken. */
+  read: string[];
+  /** What could not be taken over or needs a look, one sentence each. */
+  notRead: string[];
+}
+
+export interface GcodeCheck {
+  findings: GcodeFinding[];
+  /** Lines that put the print at risk. */
+  errors: number;
+  lines: number;
+  moves: number;
+  layers: number;
+  filamentMm: number;
+  pathMm: number;
+  travelMm: number;
+  retractions: number;
+  /** Of beads. */
+  fastest: number;
+  /** mm³/s. */
+  mostFlow: number;
+  /** Moves per second over any 8. */
+  mostMoves: number;
+  printer: string;
+}
+
+/** One rule that was broken, however often. */
+export interface GcodeFinding {
+  rule: string;
+  /** The print is at risk; else worth knowing. */
+  error: boolean;
+  /** The first, from 1; 0: the file as a whole. */
+  line: number;
+  count: number;
+  message: string;
 }
 
 export type ErrorCode =

@@ -53,8 +53,9 @@ Row intersection(const Row& a, const Row& b, double inset) {
 
 // Where a line's middle may run: the shape eroded by a regular octagon around the bead, tested at the octagon's
 // corners. Exact for borders along, across and at 45 degrees to the lines, at most 8 % too deep between.
-std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int rows, double lineWidth) {
-  const double radius = 0.49 * lineWidth;  // a hair less than half, so that a line along the border does not graze it
+std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int rows, double lineWidth, double inset) {
+  const double radius =
+      inset + 0.49 * lineWidth;  // a hair less than half, so that a line along the border does not graze it
   const double corner = (std::sqrt(2.0) - 1) * radius;
   std::vector<Row> result = insideIntervals(shape, firstY, step, rows);
   const auto erode = [&](double shift, double inset) {
@@ -122,7 +123,7 @@ std::vector<Polyline> skirtLoops(const Bounds& box, double lineWidth, int loops)
   return result;
 }
 
-std::vector<Polyline> hatchLines(const Shape& shape, double lineWidth, bool falling) {
+std::vector<Polyline> hatchLines(const Shape& shape, double lineWidth, bool falling, double inset) {
   const double diagonal = std::sqrt(0.5);
   const Frame frame{falling ? -diagonal : diagonal, diagonal};
   const Shape level = turned(shape, frame);
@@ -136,7 +137,7 @@ std::vector<Polyline> hatchLines(const Shape& shape, double lineWidth, bool fall
 
   const int rows = std::max(1, static_cast<int>(box.size().y / lineWidth));
   const double firstY = box.min.y + (box.size().y - (rows - 1) * lineWidth) / 2;
-  const std::vector<Row> inside = erodedRows(level, firstY, lineWidth, rows, lineWidth);
+  const std::vector<Row> inside = erodedRows(level, firstY, lineWidth, rows, lineWidth, inset);
   std::vector<Polyline> lines = zigzags(inside, firstY, lineWidth, lineWidth);
   for (Polyline& line : lines) {
     for (Vec2& p : line) p = frame.from(p);

@@ -5,7 +5,11 @@
 #include <optional>
 
 #include "base_layers.hpp"
+#include "bed.hpp"
 #include "gcode_checks.hpp"
+#include "gcode_template.hpp"
+#include "offset_loops.hpp"
+#include "sillon/gcode_check.hpp"
 #include "text.hpp"
 #include "turned.hpp"
 
@@ -20,16 +24,38 @@ constexpr double kEdge = 5;                // [mm] from the bed's edge to the pu
 constexpr double kPurgeLength = 60;        // [mm]
 constexpr double kSlack = 1e-6;            // [mm], widths and points are floats
 constexpr double kMinHatch = 0.9;          // [area of the shape]
+constexpr int kMaxLoops = 1000;            // of a concentric layer
 constexpr double kMinArea = 1e-6;          // [mm²], less is rounding
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
 PointUm rounded(Vec2 p) { return {std::llround(p.x * 1000), std::llround(p.y * 1000)}; }
 
-// Where the page's origin lies on the bed, on the grid of the file, so that the path keeps its own rounding.
+// From one copy to the next [mm].
+Vec2 copyStep(const Bounds& box, const Printer& printer, const PrintParams& params) {
+  const double around = 2 * params.brim * printer.nozzle + params.copyGap;
+  return box.size() + Vec2{around, around};
+}
+
+// Where the first page's origin lies on the bed, on the grid of the file, so that the path keeps its own rounding.
 PointUm placement(const Bounds& box, const Printer& printer, const PrintParams& params) {
   if (params.place) return rounded(*params.place);
-  return rounded(0.5 * (printer.bedMin + printer.bedMax) - 0.5 * (box.min + box.max));
+  const Vec2 step = copyStep(box, printer, params);
+  const Vec2 others{(params.copies.x - 1) * step.x, (params.copies.y - 1) * step.y};
+  return rounded(0.5 * (printer.bedMin + printer.bedMax) - 0.5 * (box.min + box.max) - 0.5 * others);
+}
+
+// Row by row, every second one backwards: short ways over plates that are done.
+void placeCopies(GcodeJob& job, const Bounds& box, const Printer& printer, const PrintParams& params) {
+  const Vec2 step = copyStep(box, printer, params);
+  const int columns = static_cast<int>(params.copies.x);
+  job.copies.clear();
+  for (int row = 0; row < static_cast<int>(params.copies.y); ++row) {
+    for (int k = 0; k < columns; ++k) {
+      const int column = row % 2 == 0 ? k : columns - 1 - k;
+      job.copies.push_back(rounded({column * step.x, row * step.y}));
+    }
+  }
 }
 
 BeadPath placed(const Polyline& line, PointUm offset, double width, bool closed) {
@@ -45,13 +71,17 @@ BeadPath placed(const Polyline& line, PointUm offset, double width, bool closed)
 
 double lengthMm(PointUm d) { return length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000; }
 
+struct PlacedCycles {
+  std::vector<BeadPath> paths;
+  double lengthMm = 0;
+  double heldMm = 0;    // with a width held at a limit
+  double beadArea = 0;  // [mm²]
+};
+
 // The cycles on the bed: equal vertices merged, widths held between the limits. Counts what was held.
-std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, double nozzle, GcodeJob& job,
-                                 double& beadArea) {
+std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, double nozzle, PlacedCycles& out) {
   const double low = kMinWidth * nozzle;
   const double high = kMaxWidth * nozzle;
-  double total = 0;
-  beadArea = 0;
   for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
     const Cycle& cycle = toolpath.cycles[c];
     BeadPath path;
@@ -80,15 +110,11 @@ std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, doubl
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t next = i + 1 < count ? i + 1 : 0;
       const double piece = lengthMm(path.points[next] - path.points[i]);
-      total += piece;
-      beadArea += piece * (path.widths[i] + path.widths[next]) / 2;
-      job.clampedMm += piece / 2 * (static_cast<int>(held[i]) + static_cast<int>(held[next]));
+      out.lengthMm += piece;
+      out.beadArea += piece * (path.widths[i] + path.widths[next]) / 2;
+      out.heldMm += piece / 2 * (static_cast<int>(held[i]) + static_cast<int>(held[next]));
     }
-    job.cycles.push_back(std::move(path));
-  }
-  if (job.clampedMm > 0.01 * total) {
-    job.warnings.push_back(fixed(100 * job.clampedMm / total, 1) + " % of the path is printed with a width held at " +
-                           decimal(low, 3) + " or " + decimal(high, 3) + " mm (0.6 and 1.6 nozzle)");
+    out.paths.push_back(std::move(path));
   }
   return std::nullopt;
 }
@@ -103,24 +129,90 @@ void addBeads(Bounds& box, const BeadPath& path) {
   }
 }
 
-bool fits(const Bounds& box, const Printer& printer) {
-  return box.min.x >= printer.bedMin.x - kSlack && box.min.y >= printer.bedMin.y - kSlack &&
-         box.max.x <= printer.bedMax.x + kSlack && box.max.y <= printer.bedMax.y + kSlack;
+Vec2 mm(PointUm p) { return {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000}; }
+
+// Upon the bed and clear of its excluded box, beads with half their width.
+bool fits(const BeadPath& path, const Bed& bed, PointUm shift = {}) {
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const double half = path.widths[i] / 2;
+    const std::size_t next = i + 1 < path.points.size() ? i + 1 : path.closed ? 0 : i;
+    const Vec2 from = mm(path.points[i] + shift);
+    if (bed.overhang(from, half) > kSlack || bed.crossesZone(from, mm(path.points[next] + shift), half)) return false;
+  }
+  return true;
 }
 
-std::optional<Error> checkFit(const Bounds& box, const Printer& printer) {
-  if (fits(box, printer)) return std::nullopt;
+bool fit(const std::vector<BeadPath>& paths, const Bed& bed) {
+  return std::all_of(paths.begin(), paths.end(), [&](const BeadPath& path) { return fits(path, bed); });
+}
+
+// Of one copy: how far its border and its beads stick out [mm].
+double overhangOf(const Shape& outline, Vec2 place, const GcodeJob& job, PointUm copy, const Bed& bed) {
+  double overhang = 0;
+  for (const FilledPath& path : outline.paths) {
+    for (const Ring& ring : path.rings) {
+      for (const Vec2 p : ring) overhang = std::max(overhang, bed.overhang(p + place, 0));
+    }
+  }
+  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
+    for (const BeadPath& path : *paths) {
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        overhang = std::max(overhang, bed.overhang(mm(path.points[i] + copy), path.widths[i] / 2));
+      }
+    }
+  }
+  return overhang;
+}
+
+bool touchesZone(const Shape& outline, Vec2 place, const GcodeJob& job, PointUm copy, const Bed& bed) {
+  for (const FilledPath& path : outline.paths) {
+    for (const Ring& ring : path.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (bed.crossesZone(ring[i] + place, ring[i + 1 < ring.size() ? i + 1 : 0] + place, 0)) return true;
+      }
+    }
+  }
+  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
+    for (const BeadPath& path : *paths) {
+      if (!fits(path, bed, copy)) return true;
+    }
+  }
+  return false;
+}
+
+/// \param box  around all copies. \param outline  the shape, which the base layers fill up to its border.
+std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shift, const GcodeJob& job,
+                              const Printer& printer) {
+  const Bed bed(printer);
+  const std::string plate = (job.copies.size() == 1 ? "the plate of " : "the plates of ") + fixed(box.size().x, 1) +
+                            " x " + fixed(box.size().y, 1) + " mm";
+  const char* reach = job.copies.size() == 1 ? " reaches" : " reach";
   std::string sides;
   const auto add = [&](double overhang, const char* side) {
     if (overhang <= kSlack) return;
     sides += (sides.empty() ? "" : ", ") + fixed(std::max(overhang, 0.001), 3) + " mm " + side;
   };
-  add(printer.bedMin.x - box.min.x, "on the left");
-  add(box.max.x - printer.bedMax.x, "on the right");
-  add(printer.bedMin.y - box.min.y, "in front");
-  add(box.max.y - printer.bedMax.y, "at the back");
-  return Error{ErrorCode::DoesNotFit, "the plate of " + fixed(box.size().x, 1) + " x " + fixed(box.size().y, 1) +
-                                          " mm reaches over the edge of the bed by " + sides};
+  if (!printer.roundBed) {
+    add(printer.bedMin.x - box.min.x, "on the left");
+    add(box.max.x - printer.bedMax.x, "on the right");
+    add(printer.bedMin.y - box.min.y, "in front");
+    add(box.max.y - printer.bedMax.y, "at the back");
+  }
+  if (!sides.empty()) {
+    return Error{ErrorCode::DoesNotFit, plate + reach + " over the edge of the bed by " + sides};
+  }
+  double overhang = 0;
+  for (const PointUm copy : job.copies) {
+    if (printer.roundBed) overhang = std::max(overhang, overhangOf(outline, shift + mm(copy), job, copy, bed));
+    if (bed.hasZone() && overhang <= kSlack && touchesZone(outline, shift + mm(copy), job, copy, bed)) {
+      return Error{ErrorCode::DoesNotFit, plate + " touches the excluded part of the bed; place it elsewhere"};
+    }
+  }
+  if (overhang > kSlack) {
+    return Error{ErrorCode::DoesNotFit,
+                 plate + reach + " over the edge of the round bed by " + fixed(std::max(overhang, 0.001), 3) + " mm"};
+  }
+  return std::nullopt;
 }
 
 // The hot end must melt the widest bead at a speed worth printing.
@@ -182,59 +274,170 @@ std::int64_t countOutside(const Toolpath& toolpath, const Scan& scan) {
   return outside;
 }
 
-// A straight line near the front or the left edge, if the plate leaves room there: nothing else would prime the nozzle.
+// Where a cycle may begin unseen: within a bead of the border, seen along x or y.
+void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Scan& scan, double spacing) {
+  const auto last = static_cast<double>(scan.rows.size()) - 1;
+  const auto holds = [&](Vec2 p) {
+    const double row = std::floor((p.y - scan.firstY) / scan.step + 0.5);
+    return row >= 0 && row <= last && rowHolds(scan.rows[static_cast<std::size_t>(row)], p.x);
+  };
+  const double reach = spacing + kOutsideTolerance;
+  for (BeadPath& path : cycles) {
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const Vec2 p = mm(path.points[i] - offset);
+      if (holds(p + Vec2{reach, 0}) && holds(p - Vec2{reach, 0}) && holds(p + Vec2{0, reach}) &&
+          holds(p - Vec2{0, reach})) {
+        continue;
+      }
+      path.seams.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+}
+
+// A straight line near an edge of the bed, if the plate leaves room there: nothing else would prime the nozzle.
 void addPurgeLine(GcodeJob& job, const Bounds& box, const Printer& printer) {
+  const Bed bed(printer);
   const double width = printer.nozzle;
   const double gap = width / 2 + 2;
-  const Vec2 corner = printer.bedMin + Vec2{kEdge, kEdge};
-  const Vec2 room = printer.bedMax - printer.bedMin - Vec2{2 * kEdge, 2 * kEdge};
-  if (box.min.y > corner.y + gap && room.x >= 10) {
-    job.skirt.push_back(placed({corner, corner + Vec2{std::min(kPurgeLength, room.x), 0}}, {}, width, false));
-  } else if (box.min.x > corner.x + gap && room.y >= 10) {
-    job.skirt.push_back(placed({corner, corner + Vec2{0, std::min(kPurgeLength, room.y)}}, {}, width, false));
-  } else {
-    job.warnings.emplace_back(
-        "the plate leaves no room for a purge line; the nozzle is not primed before the first bead");
+  Vec2 corner = printer.bedMin + Vec2{kEdge, kEdge};
+  Vec2 room = printer.bedMax - printer.bedMin - Vec2{2 * kEdge, 2 * kEdge};
+  if (printer.roundBed) {  // chords half a radius long, near the edge
+    corner = bed.centre() - Vec2{0.9 * bed.radius(), 0.9 * bed.radius()};
+    room = {0.5 * bed.radius(), 0.5 * bed.radius()};
   }
+  const double alongX = std::min(kPurgeLength, room.x);
+  const double alongY = std::min(kPurgeLength, room.y);
+  const Vec2 front = printer.roundBed ? Vec2{bed.centre().x - alongX / 2, corner.y} : corner;
+  const Vec2 left = printer.roundBed ? Vec2{corner.x, bed.centre().y - alongY / 2} : corner;
+  struct Line {
+    Vec2 begin;
+    Vec2 end;
+    bool clear;
+  };
+  const bool clearFront = box.min.y > corner.y + gap && alongX >= 10;
+  const bool clearLeft = box.min.x > corner.x + gap && alongY >= 10;
+  const Vec2 beyond = printer.excludedMax + Vec2{kEdge, kEdge};
+  const Line lines[] = {{front, front + Vec2{alongX, 0}, clearFront},
+                        {{beyond.x, front.y}, {beyond.x + alongX, front.y}, clearFront && bed.hasZone()},
+                        {left, left + Vec2{0, alongY}, clearLeft},
+                        {{left.x, beyond.y}, {left.x, beyond.y + alongY}, clearLeft && bed.hasZone()}};
+  for (const Line& line : lines) {
+    BeadPath path = placed({line.begin, line.end}, {}, width, false);
+    if (!line.clear || !fits(path, bed)) continue;
+    job.skirt.push_back(std::move(path));
+    return;
+  }
+  job.warnings.emplace_back(
+      "the plate leaves no room for a purge line; the nozzle is not primed before the first bead");
 }
 
 void addSkirt(GcodeJob& job, const Bounds& box, const Printer& printer, int loops) {
   for (const Polyline& loop : skirtLoops(box, printer.nozzle, loops)) {
     job.skirt.push_back(placed(loop, {}, printer.nozzle, true));
   }
-  Bounds outer;
-  for (const BeadPath& loop : job.skirt) addBeads(outer, loop);
-  if (!outer.empty() && !fits(outer, printer)) {
+  if (!fit(job.skirt, Bed(printer))) {
     job.skirt.clear();
     job.warnings.emplace_back("the skirt does not fit the bed and was left out");
   }
   if (job.skirt.empty()) addPurgeLine(job, box, printer);
 }
 
+struct BasePaths {
+  std::vector<BeadPath> paths;
+  double areaMm2 = 0;
+};
+
+Result<BasePaths> basePaths(const Shape& shape, PointUm offset, const Printer& printer, BasePattern pattern, int turn,
+                            double inset) {
+  const double width = printer.nozzle;
+  const bool closed = pattern == BasePattern::Concentric;
+  std::vector<Polyline> lines;
+  if (closed) {
+    Result<std::vector<Polyline>> loops = offsetLoops(shape, -inset - width / 2, -width, kMaxLoops);
+    if (!loops) return loops.error();
+    lines = std::move(loops).value();
+  } else {
+    lines = hatchLines(shape, width, turn % 2 == 1, inset);
+  }
+  BasePaths result;
+  for (const Polyline& line : lines) {
+    BeadPath path = placed(line, offset, width, closed);
+    if (path.points.size() < (closed ? 3U : 2U)) continue;
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < path.points.size(); ++i) {
+      const std::size_t next = i + 1 < path.points.size() ? i + 1 : 0;
+      result.areaMm2 += width * lengthMm(path.points[next] - path.points[i]);
+    }
+    result.paths.push_back(std::move(path));
+  }
+  return result;
+}
+
 // A base layer that is missing somewhere leaves the layers above it hanging in the air there.
 std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double area, PointUm offset,
-                                   const Printer& printer, int base) {
+                                   const Printer& printer, const PrintParams& params) {
+  if (params.base == 0 || params.basePattern == BasePattern::Same) return std::nullopt;
   double least = 1;
-  for (std::size_t k = 0; k < job.hatches.size() && static_cast<int>(k) < base; ++k) {
-    double covered = 0;
-    for (const Polyline& line : hatchLines(shape, printer.nozzle, k % 2 == 1)) {
-      BeadPath path = placed(line, offset, printer.nozzle, false);
-      if (path.points.size() < 2) continue;
-      for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-        covered += printer.nozzle * lengthMm(path.points[i + 1] - path.points[i]);
-      }
-      job.hatches[k].push_back(std::move(path));
+  const auto turns = std::min<std::size_t>(job.bases.size(), static_cast<std::size_t>(params.base));
+  for (std::size_t k = 0; k < turns; ++k) {
+    if (k == 1 && params.basePattern == BasePattern::Concentric) {
+      job.bases[1] = job.bases[0];
+      break;
     }
-    least = std::min(least, covered / area);
+    Result<BasePaths> base = basePaths(shape, offset, printer, params.basePattern, static_cast<int>(k), 0);
+    if (!base) return base.error();
+    least = std::min(least, base.value().areaMm2 / area);
+    job.bases[k] = std::move(base).value().paths;
   }
-  if (base > 0 && least <= 0) {
-    return invalid("base is " + std::to_string(base) + ", but the shape is too thin for lines of " +
+  if (least <= 0) {
+    return invalid("base is " + std::to_string(params.base) + ", but the shape is too thin for lines of " +
                    decimal(printer.nozzle, 3) + " mm; it must be 0 here");
   }
   if (least < kMinHatch) {
     job.warnings.push_back("the base layers cover only " + fixed(100 * least, 0) +
                            " % of the shape; what is thinner than their lines has nothing below it");
   }
+  if (params.elephantFoot > 0 && params.showSide == ShowSide::Up) {
+    Result<BasePaths> first = basePaths(shape, offset, printer, params.basePattern, 0, params.elephantFoot);
+    if (!first) return first.error();
+    job.firstBase = std::move(first).value().paths;
+  }
+  return std::nullopt;
+}
+
+// Loops around the outside of the plate, the outermost first; holes stay free.
+std::optional<Error> addBrim(GcodeJob& job, const Shape& shape, PointUm offset, const Printer& printer,
+                             const PrintParams& params) {
+  if (params.brim == 0) return std::nullopt;
+  const double inset = params.base > 0 && params.showSide == ShowSide::Up ? params.elephantFoot : 0;
+  const Result<std::vector<Polyline>> loops =
+      offsetLoops(shape, printer.nozzle / 2 - inset, printer.nozzle, params.brim);
+  if (!loops) return loops.error();
+  for (const Polyline& loop : loops.value()) {
+    double area = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) area += cross(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
+    if (area < 0) job.brim.push_back(placed(loop, offset, printer.nozzle, true));
+  }
+  std::reverse(job.brim.begin(), job.brim.end());
+  return std::nullopt;
+}
+
+// Seen from below, a plate is its mirror image; only shapes that are their own can show the same on both sides.
+std::optional<Error> addBedCycles(GcodeJob& job, const Toolpath& given, const Shape& givenShape, const Turn& turn,
+                                  const Scan& inside, PointUm offset, const Printer& printer) {
+  const Bounds box = bounds(givenShape);
+  const double sum = box.min.x + box.max.x;
+  Toolpath flipped = given;
+  for (Cycle& cycle : flipped.cycles) {
+    for (Vec2f& p : cycle.points) p.x = static_cast<float>(sum - static_cast<double>(p.x));
+  }
+  const Toolpath toolpath = turn.none() ? flipped : turn.apply(flipped);
+  if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
+    return invalid("showSide is both, but the shape is not its own mirror image: " + std::to_string(outside) +
+                   " points of the path would lie outside; it must be up or bed here");
+  }
+  PlacedCycles placedCycles;
+  if (auto error = placeCycles(toolpath, offset, printer.nozzle, placedCycles)) return error;
+  job.bedCycles = std::move(placedCycles.paths);
   return std::nullopt;
 }
 
@@ -264,10 +467,60 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
     job.warnings.push_back("the beads cover " + fixed(100 * job.fillRatio, 1) +
                            " % of the shape's area; 97 to 105 print well");
   }
+  if (params.mirror && params.showSide == ShowSide::Up) {
+    job.warnings.emplace_back("the plate is mirrored but shown from above; writing on it reads backwards");
+  }
   if (printer.setPressureAdvance) {
     job.warnings.emplace_back(
         "pressure advance is 0 after the print, until the printer restarts or another file sets it");
   }
+}
+
+// A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
+std::optional<Error> checkStart(const std::string& block, const Printer& printer, GcodeJob& job) {
+  // Makers of Bambu machines wipe far off the bed, in code that is theirs.
+  const bool trusted = printer.flavor == GcodeFlavor::Bambu;
+  const GcodeCheck check = checkGcode(block, printer);
+  if (!check.homes) return invalid("startGcode does not home; it must have G28 or a start macro");
+  if (!check.heatsNozzle) {
+    return invalid(
+        "startGcode does not wait for a hot nozzle; it must have M109 or a start macro with its temperature");
+  }
+  if (!check.heatsBed && printer.bedTemperature > 0) {
+    return invalid("startGcode does not wait for a hot bed; it must have M190 or a start macro with its temperature");
+  }
+  if (std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > 20) {
+    job.warnings.push_back("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
+                           " degrees; the first layer is meant for " + decimal(printer.firstLayerNozzleTemperature, 0));
+  }
+  for (const GcodeFinding& finding : check.findings) {
+    if (finding.line == 0) continue;  // of whole files
+    const std::string place = "line " + std::to_string(finding.line) + " of startGcode: " + finding.message;
+    if (finding.error && !trusted) return invalid(place);
+    if (finding.rule == "bounds") job.warnings.push_back(place);
+  }
+  return std::nullopt;
+}
+
+/// \param beads  box around all plates; the skirt is added here.
+std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& printer, const PrintParams& params) {
+  if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
+    return invalid(
+        "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
+        "which can be imported");
+  }
+  for (const BeadPath& path : job.skirt) addBeads(beads, path);
+  const std::vector<TemplateValue> values = templateValues(printer, params, beads);
+  Result<std::string> start = expandTemplate(printer.startGcode, values, "startGcode");
+  if (!start) return start.error();
+  Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");
+  if (!end) return end.error();
+  if (!printer.startGcode.empty()) {
+    if (auto error = checkStart(start.value(), printer, job)) return error;
+  }
+  job.startBlock = std::move(start).value();
+  job.endBlock = std::move(end).value();
+  return std::nullopt;
 }
 
 }  // namespace
@@ -275,7 +528,9 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
 Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape, const Printer& printer,
                                  const PrintParams& params) {
   if (auto error = checkGcodeInput(given, givenShape, printer, params)) return *error;
-  const Turn turn(params, givenShape.page);
+  PrintParams turning = params;
+  if (params.showSide == ShowSide::Bed) turning.mirror = !params.mirror;
+  const Turn turn(turning, givenShape.page);
   const Toolpath& toolpath = turn.none() ? given : turn.apply(given);
   const Shape& shape = turn.none() ? givenShape : turn.apply(givenShape);
   const Bounds shapeBox = bounds(shape);
@@ -285,23 +540,45 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   job.spacing = toolpath.spacing;
   job.plate = shapeBox.size();
   const PointUm offset = placement(shapeBox, printer, params);
-  double beadArea = 0;
-  if (auto error = placeCycles(toolpath, offset, printer.nozzle, job, beadArea)) return *error;
-  const Vec2 shift{static_cast<double>(offset.x) / 1000, static_cast<double>(offset.y) / 1000};
-  Bounds box{shapeBox.min + shift, shapeBox.max + shift};
-  for (const BeadPath& path : job.cycles) addBeads(box, path);
-  if (auto error = checkFit(box, printer)) return *error;
+  placeCopies(job, shapeBox, printer, params);
+  PlacedCycles cycles;
+  if (auto error = placeCycles(toolpath, offset, printer.nozzle, cycles)) return *error;
+  job.cycles = std::move(cycles.paths);
+  job.clampedMm = cycles.heldMm;
+  if (cycles.heldMm > 0.01 * cycles.lengthMm) {
+    job.warnings.push_back(fixed(100 * cycles.heldMm / cycles.lengthMm, 1) +
+                           " % of the path is printed with a width held at " + decimal(kMinWidth * printer.nozzle, 3) +
+                           " or " + decimal(kMaxWidth * printer.nozzle, 3) + " mm (0.6 and 1.6 nozzle)");
+  }
   if (auto error = checkFlow(job, printer, params)) return *error;
-
   const Scan inside = scan(shape, shapeBox);
   if (!(inside.area > kMinArea))
     return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
-  job.fillRatio = beadArea / inside.area;
+  if (params.showSide == ShowSide::Both) {
+    if (auto error = addBedCycles(job, given, givenShape, turn, inside, offset, printer)) return *error;
+  }
+  if (auto error = addBrim(job, shape, offset, printer, params)) return *error;
+
+  Bounds box{shapeBox.min + mm(offset), shapeBox.max + mm(offset)};
+  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
+    for (const BeadPath& path : *paths) addBeads(box, path);
+  }
+  const Bounds first = box;
+  for (const PointUm copy : job.copies) {
+    box.add(first.min + mm(copy));
+    box.add(first.max + mm(copy));
+  }
+  if (auto error = checkFit(box, shape, mm(offset), job, printer)) return *error;
+
+  job.fillRatio = cycles.beadArea / inside.area;
   if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
     job.warnings.push_back(std::to_string(outside) + " points of the path lie more than 0.1 mm outside the shape");
   }
-  if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params.base)) return *error;
+  markSeams(job.cycles, offset, inside, job.spacing);
+  markSeams(job.bedCycles, offset, inside, job.spacing);
+  if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
   addSkirt(job, box, printer, params.skirt);
+  if (auto error = addBlocks(job, box, printer, params)) return *error;
   addWarnings(job, printer, params);
   return job;
 }

@@ -12,13 +12,19 @@ namespace sillon {
 
 /// A job that is known to be printable, on the bed [µm].
 struct GcodeJob {
-  std::vector<BeadPath> skirt;                   ///< first layer only; a purge line where no skirt fits
-  std::array<std::vector<BeadPath>, 2> hatches;  ///< of base layers, taking turns
-  std::vector<BeadPath> cycles;                  ///< of oriented layers, widths within 0.6..1.6 nozzle
-  double spacing = 0;                            ///< of the toolpath [mm]
-  Vec2 plate;                                    ///< size of the shape [mm]
-  double clampedMm = 0;                          ///< length with a width held at a limit, per oriented layer
-  double fillRatio = 0;                          ///< bead area over shape area, per oriented layer
+  std::vector<BeadPath> skirt;                 ///< first layer only; a purge line where no skirt fits
+  std::vector<BeadPath> brim;                  ///< first layer of each copy
+  std::vector<BeadPath> firstBase;             ///< the first layer, where it is a base layer
+  std::array<std::vector<BeadPath>, 2> bases;  ///< of the other base layers, taking turns
+  std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
+  std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
+  std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
+  double spacing = 0;                          ///< of the toolpath [mm]
+  Vec2 plate;                                  ///< size of the shape [mm]
+  double clampedMm = 0;                        ///< length with a width held at a limit, per oriented layer
+  double fillRatio = 0;                        ///< bead area over shape area, per oriented layer
+  std::string startBlock;                      ///< the user's, values put in; empty: ours
+  std::string endBlock;
   std::vector<std::string> warnings;
 };
 
@@ -29,6 +35,18 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Shape& shape, c
 /// Height of the first layer, which has a default [mm].
 inline double firstLayerHeight(const PrintParams& params) {
   return params.firstLayerHeight > 0 ? params.firstLayerHeight : params.layerHeight;
+}
+
+/// Of one plate.
+inline int layerCount(const PrintParams& params) {
+  return params.base + params.layers * (params.showSide == ShowSide::Both ? 2 : 1);
+}
+
+/// Whether a layer, counted from 0, is an oriented one.
+inline bool isOriented(const PrintParams& params, int layer) {
+  const bool onBed = params.showSide != ShowSide::Up && layer < params.layers;
+  const int below = params.showSide == ShowSide::Up ? params.base : params.layers + params.base;
+  return onBed || layer >= below;
 }
 
 /// Top of a layer, counted from 0 [mm].

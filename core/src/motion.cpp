@@ -33,6 +33,37 @@ void order(const BeadPath& path, std::size_t start, Motion& motion) {
   }
 }
 
+// Cuts the path where it begins to coast, to the micrometre.
+void cutForCoast(Motion& motion, double coast, bool closed) {
+  motion.beads = motion.lengths.size();
+  if (!closed || coast <= 0) return;
+  double rest = coast;
+  while (motion.beads > 1 && rest > 0) {
+    const std::size_t i = motion.beads - 1;
+    const double piece = motion.lengths[i];
+    if (piece <= rest) {
+      rest -= piece;
+      --motion.beads;
+      continue;
+    }
+    const PointUm from = motion.points[i];
+    const PointUm d = motion.points[i + 1] - from;
+    const double share = 1 - rest / piece;
+    const PointUm cut =
+        from + PointUm{std::llround(share * static_cast<double>(d.x)), std::llround(share * static_cast<double>(d.y))};
+    if (cut != from && cut != motion.points[i + 1]) {
+      const auto at = static_cast<std::ptrdiff_t>(i + 1);
+      motion.points.insert(motion.points.begin() + at, cut);
+      motion.widths.insert(motion.widths.begin() + at,
+                           motion.widths[i] + share * (motion.widths[i + 1] - motion.widths[i]));
+      const auto mm = [](PointUm v) { return length(Vec2{static_cast<double>(v.x), static_cast<double>(v.y)}) / 1000; };
+      motion.lengths[i] = mm(cut - from);
+      motion.lengths.insert(motion.lengths.begin() + at, mm(motion.points[i + 2] - cut));
+    }
+    return;
+  }
+}
+
 // Highest speed per segment such that no window of kSegmentWindow segments passes faster than the limit.
 std::vector<double> segmentSpeeds(Motion& motion, const MotionLimits& limits) {
   const std::vector<double>& lengths = motion.lengths;
@@ -128,7 +159,10 @@ void setFeedrates(Motion& motion, const std::vector<double>& speeds, const Motio
     const double area = limits.flow * limits.layerHeight * std::max(motion.widths[i], motion.widths[i + 1]);
     const double byFlow = limits.maxFlow / area;
     if (byFlow < limits.speed) motion.flowSlowedMm += motion.lengths[i];
-    const double allowed = std::min(speeds[i], byFlow);
+    double allowed = std::min(speeds[i], byFlow);
+    if (limits.evenFlow > 0) {
+      allowed = std::min(allowed, limits.evenFlow / std::max(motion.widths[i], motion.widths[i + 1]));
+    }
     const double step = allowed < limits.speed ? std::floor(allowed + kRounding) : limits.speed;
     if (step < current || step >= current + kFeedrateHysteresis) current = step;
     // Below 1 mm/s, which only a swarm of micrometre segments asks for, whole mm/min are the steps.
@@ -141,7 +175,7 @@ void setFeedrates(Motion& motion, const std::vector<double>& speeds, const Motio
 // Square of the highest speed through the corner between two unit directions.
 double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionLimits& limits) {
   constexpr double kUnlimited = 1e12;
-  if (limits.flavor == GcodeFlavor::Marlin) {
+  if (limits.flavor != GcodeFlavor::Klipper) {
     const double change = std::max(std::abs(after.x - before.x), std::abs(after.y - before.y));
     const double jerk = 2 * limits.cornerSpeed;
     return change * change * kUnlimited <= jerk * jerk ? kUnlimited : jerk * jerk / (change * change);
@@ -212,6 +246,7 @@ double travelSeconds(double length, double speed, double acceleration) {
 Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& limits) {
   Motion motion;
   order(path, start, motion);
+  cutForCoast(motion, limits.coast, path.closed);
   const std::vector<double> speeds = segmentSpeeds(motion, limits);
   limitSlope(motion, speeds, limits, path.closed);
   setFeedrates(motion, speeds, limits);

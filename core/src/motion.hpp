@@ -15,8 +15,9 @@ using PointUm = Vec2T<std::int64_t>;  ///< on the bed [µm], exactly as it is wr
 /// One path before its motion is planned. No two neighbouring points are equal.
 struct BeadPath {
   std::vector<PointUm> points;
-  std::vector<double> widths;  ///< one per point [mm], > 0
-  bool closed = false;         ///< a segment leads from the last point back to the first
+  std::vector<double> widths;        ///< one per point [mm], > 0
+  bool closed = false;               ///< a segment leads from the last point back to the first
+  std::vector<std::uint32_t> seams;  ///< points where a closed path may begin unseen, ascending; empty: any
 };
 
 /// What the layer and the printer allow.
@@ -31,6 +32,8 @@ struct MotionLimits {
   double maxFlow = 0;       ///< [mm³/s]
   double maxSegmentsPerSecond = 0;
   double pressureAdvance = 0;  ///< [s]
+  double evenFlow = 0;         ///< speed times width [mm²/s]; 0: the same speed for every width
+  double coast = 0;            ///< [mm] at the end of a closed path without extrusion
 };
 
 /// One path in printing order. Segment i leads from point i to point i + 1.
@@ -40,6 +43,7 @@ struct Motion {
   std::vector<double> lengths;          ///< per segment [mm]
   std::vector<std::int32_t> feedrates;  ///< per segment [mm/min]
   std::vector<double> seconds;          ///< per segment
+  std::size_t beads = 0;                ///< segments that extrude: the rest, at the end, coasts
   double totalSeconds = 0;
   double flowSlowedMm = 0;     ///< length slowed by maxFlow
   double segmentSlowedMm = 0;  ///< length slowed by maxSegmentsPerSecond

@@ -13,7 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "preset_data.hpp"
 #include "sillon/pipeline.hpp"
+#include "sillon/presets.hpp"
+#include "sillon/thumbnails.hpp"
 
 namespace sillon {
 namespace {
@@ -24,6 +27,7 @@ using OrderedJson = nlohmann::ordered_json;  // for writing: keys stay in the or
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxTextBytes = 1024;
+constexpr std::size_t kMaxBlockBytes = 65'536;
 constexpr double kMaxSide = 10'000;  // [mm], pages
 constexpr double kMaxBed = 5'000;    // [mm], as gcode_job.cpp; beds may have their origin anywhere
 constexpr double kMaxNozzle = 2;     // [mm], as gcode_job.cpp
@@ -50,10 +54,64 @@ constexpr std::array<Name<PerimeterMode>, 3> kPerimeterModes{
     {{"none", PerimeterMode::None}, {"soft", PerimeterMode::Soft}, {"count", PerimeterMode::Count}}};
 constexpr std::array<Name<MapFilter>, 2> kMapFilters{
     {{"average", MapFilter::Average}, {"nearest", MapFilter::Nearest}}};
-constexpr std::array<Name<GcodeFlavor>, 2> kFlavors{
-    {{"marlin", GcodeFlavor::Marlin}, {"klipper", GcodeFlavor::Klipper}}};
+constexpr std::array<Name<GcodeFlavor>, 5> kFlavors{{{"marlin", GcodeFlavor::Marlin},
+                                                     {"klipper", GcodeFlavor::Klipper},
+                                                     {"reprap", GcodeFlavor::RepRap},
+                                                     {"prusa", GcodeFlavor::PrusaBuddy},
+                                                     {"bambu", GcodeFlavor::Bambu}}};
+
+constexpr std::array<Name<BasePattern>, 3> kBasePatterns{
+    {{"hatched", BasePattern::Hatched}, {"concentric", BasePattern::Concentric}, {"same", BasePattern::Same}}};
+constexpr std::array<Name<ShowSide>, 3> kShowSides{
+    {{"up", ShowSide::Up}, {"bed", ShowSide::Bed}, {"both", ShowSide::Both}}};
+
+/// A table of presets: the JSON built into the library, and what one row of it is called.
+struct PresetTable {
+  const char* key;
+  const char* noun;
+  std::string_view json;
+};
+constexpr PresetTable kPrinters{"printers", "printer", kPrintersJson};
+constexpr PresetTable kFilaments{"filaments", "filament", kFilamentsJson};
 
 constexpr std::array kSections{"shape", "directions", "modes", "toolpath", "print", "printer"};
+
+/// The fields of a printer with its filament; printers.json and filaments.json have the same keys.
+template <class Visitor, class AnyPrinter>
+void visitPrinter(Visitor& v, AnyPrinter& p) {
+  v.text("name", p.name);
+  v.choice("flavor", p.flavor, kFlavors);
+  v.point("bedMin", p.bedMin, -kMaxBed, kMaxBed, "mm");
+  v.point("bedMax", p.bedMax, -kMaxBed, kMaxBed, "mm");
+  v.boolean("roundBed", p.roundBed);
+  v.point("excludedMin", p.excludedMin, -kMaxBed, kMaxBed, "mm");
+  v.point("excludedMax", p.excludedMax, -kMaxBed, kMaxBed, "mm");
+  v.number("maxZ", p.maxZ, 0.05, kMaxBed, "mm");
+  v.number("nozzle", p.nozzle, 0.05, kMaxNozzle, "mm");
+  v.number("filamentDiameter", p.filamentDiameter, 0.5, 5, "mm");
+  v.number("filamentDensity", p.filamentDensity, 0.1, 25, "g/cm3");
+  v.text("filamentType", p.filamentType);
+  v.number("nozzleTemperature", p.nozzleTemperature, 170, 300, "degrees Celsius");
+  v.number("firstLayerNozzleTemperature", p.firstLayerNozzleTemperature, 170, 300, "degrees Celsius");
+  v.number("bedTemperature", p.bedTemperature, 0, 120, "degrees Celsius");
+  v.number("speed", p.speed, 5, 1000, "mm/s");
+  v.number("firstLayerSpeed", p.firstLayerSpeed, 5, 1000, "mm/s");
+  v.number("travelSpeed", p.travelSpeed, 5, 1000, "mm/s");
+  v.number("acceleration", p.acceleration, 1, 100'000, "mm/s2");
+  v.number("machineAcceleration", p.machineAcceleration, 0, 100'000, "mm/s2");
+  v.number("cornerSpeed", p.cornerSpeed, 0.1, 100, "mm/s");
+  v.number("maxFlow", p.maxFlow, 0.1, 1000, "mm3/s");
+  v.number("maxSegmentsPerSecond", p.maxSegmentsPerSecond, 1, 100'000, "1/s");
+  v.number("pressureAdvance", p.pressureAdvance, 0, 2, "s");
+  v.boolean("setPressureAdvance", p.setPressureAdvance);
+  v.number("retractLength", p.retractLength, 0, 20, "mm");
+  v.number("retractSpeed", p.retractSpeed, 1, 200, "mm/s");
+  v.number("lift", p.lift, 0, 20, "mm");
+  v.boolean("absoluteE", p.absoluteE);
+  v.block("startGcode", p.startGcode);
+  v.block("endGcode", p.endGcode);
+  v.text("screenSizes", p.screenSizes);
+}
 
 /// Every field of a project: key, place, range, unit. Rows of the toolpath have no range here: invalidParameter knows
 /// it.
@@ -103,7 +161,15 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.begin("print");
   v.integer("layers", p.print.layers, 1, 1000);
   v.integer("base", p.print.base, 0, 1000);
+  v.choice("basePattern", p.print.basePattern, kBasePatterns);
+  v.choice("showSide", p.print.showSide, kShowSides);
   v.integer("skirt", p.print.skirt, 0, 20);
+  v.integer("brim", p.print.brim, 0, 50);
+  v.number("elephantFoot", p.print.elephantFoot, 0, 0.5, "mm");
+  v.boolean("constantFlow", p.print.constantFlow);
+  v.number("coast", p.print.coast, 0, 1, "mm");
+  v.point("copies", p.print.copies, 1, 20, "");
+  v.number("copyGap", p.print.copyGap, 1, 100, "mm");
   v.number("layerHeight", p.print.layerHeight, 0.05, kMaxLayerHeight, "mm");
   v.number("firstLayerHeight", p.print.firstLayerHeight, 0, kMaxLayerHeight, "mm");
   v.number("flow", p.print.flow, 0.01, 2, "");
@@ -114,31 +180,9 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.end();
 
   v.begin("printer");
-  v.text("name", p.printer.name);
-  v.choice("flavor", p.printer.flavor, kFlavors);
-  v.point("bedMin", p.printer.bedMin, -kMaxBed, kMaxBed, "mm");
-  v.point("bedMax", p.printer.bedMax, -kMaxBed, kMaxBed, "mm");
-  v.number("maxZ", p.printer.maxZ, 0.05, kMaxBed, "mm");
-  v.number("nozzle", p.printer.nozzle, 0.05, kMaxNozzle, "mm");
-  v.number("filamentDiameter", p.printer.filamentDiameter, 0.5, 5, "mm");
-  v.number("filamentDensity", p.printer.filamentDensity, 0.1, 25, "g/cm3");
-  v.text("filamentType", p.printer.filamentType);
-  v.number("nozzleTemperature", p.printer.nozzleTemperature, 170, 300, "degrees Celsius");
-  v.number("firstLayerNozzleTemperature", p.printer.firstLayerNozzleTemperature, 170, 300, "degrees Celsius");
-  v.number("bedTemperature", p.printer.bedTemperature, 0, 120, "degrees Celsius");
-  v.number("speed", p.printer.speed, 5, 1000, "mm/s");
-  v.number("firstLayerSpeed", p.printer.firstLayerSpeed, 5, 1000, "mm/s");
-  v.number("travelSpeed", p.printer.travelSpeed, 5, 1000, "mm/s");
-  v.number("acceleration", p.printer.acceleration, 1, 100'000, "mm/s2");
-  v.number("machineAcceleration", p.printer.machineAcceleration, 0, 100'000, "mm/s2");
-  v.number("cornerSpeed", p.printer.cornerSpeed, 0.1, 100, "mm/s");
-  v.number("maxFlow", p.printer.maxFlow, 0.1, 1000, "mm3/s");
-  v.number("maxSegmentsPerSecond", p.printer.maxSegmentsPerSecond, 1, 100'000, "1/s");
-  v.number("pressureAdvance", p.printer.pressureAdvance, 0, 2, "s");
-  v.boolean("setPressureAdvance", p.printer.setPressureAdvance);
-  v.number("retractLength", p.printer.retractLength, 0, 20, "mm");
-  v.number("retractSpeed", p.printer.retractSpeed, 1, 200, "mm/s");
-  v.number("lift", p.printer.lift, 0, 20, "mm");
+  v.preset("preset", p.printerPreset, p.printer, kPrinters);
+  v.preset("filament", p.filamentPreset, p.printer, kFilaments);
+  visitPrinter(v, p.printer);
   v.end();
 }
 
@@ -310,6 +354,29 @@ class Reader {
     out = value->get_ref<const std::string&>();
   }
 
+  void block(const char* key, std::string& out) { text(key, out); }
+
+  /// Lays a preset's values under those that follow.
+  void preset(const char* key, std::string& out, Printer& printer, const PresetTable& table) {
+    text(key, out);
+    if (out.empty() || !problem.empty()) return;
+    if (const std::string wrong = apply(table, out, printer); !wrong.empty()) problem = prefix_ + key + " " + wrong;
+  }
+
+  /// \return what is wrong with the id, beginning with "is".
+  static std::string apply(const PresetTable& table, const std::string& id, Printer& printer) {
+    const Json all = Json::parse(table.json)[table.key];
+    if (all.contains(id)) {
+      readPreset(all, id, printer);
+      return "";
+    }
+    std::vector<std::string> known;
+    for (const auto& item : all.items()) known.push_back(item.key());
+    return "is " + inQuotes(id) + ", which is no " + table.noun + "; " + suggestion(id, known);
+  }
+
+  static void readPreset(const Json& all, const std::string& id, Printer& printer);
+
   void boolean(const char* key, bool& out) {
     const Json* value = find(key);
     if (value == nullptr) return;
@@ -414,6 +481,12 @@ class Reader {
   std::vector<std::string> known_;
 };
 
+void Reader::readPreset(const Json& all, const std::string& id, Printer& printer) {
+  Reader reader(all);
+  reader.begin(id.c_str());
+  visitPrinter(reader, printer);
+}
+
 /// The version and the keys of published scenes, which a project may use too.
 void readTopLevel(Reader& reader, const Json& root, Project& project) {
   int version = kProjectVersion;
@@ -498,6 +571,15 @@ class Checker {
          std::to_string(kMaxTextBytes) + " bytes");
   }
 
+  void block(const char* key, const std::string& value) {
+    if (value.size() <= kMaxBlockBytes && value.find('\0') == std::string::npos) return;
+    fail(prefix_ + key + " has " + std::to_string(value.size()) + " bytes; it must be text of at most " +
+         std::to_string(kMaxBlockBytes));
+  }
+
+  void preset(const char* key, const std::string& value, const Printer& /*printer*/, const PresetTable& /*table*/) {
+    text(key, value);
+  }
   void boolean(const char* /*key*/, bool /*value*/) {}
   template <class T, std::size_t n>
   void choice(const char* /*key*/, T /*value*/, const std::array<Name<T>, n>& /*names*/) {}
@@ -538,6 +620,10 @@ class Writer {
   void begin(const char* section) { section_ = section; }
   void end() {}
   void text(const char* key, const std::string& value) { at(key) = value; }
+  void block(const char* key, const std::string& value) { at(key) = value; }
+  void preset(const char* key, const std::string& value, const Printer& /*printer*/, const PresetTable& /*table*/) {
+    at(key) = value;
+  }
   void boolean(const char* key, bool value) { at(key) = value; }
   void number(const char* key, double value, double = 0, double = 0, const char* = "") { put(at(key), value); }
   void number(const char* key, const std::optional<double>& value) {
@@ -597,6 +683,11 @@ std::string invalidProject(const Project& project) {
            "] mm; it must be right of and above bedMin [" + numberText(printer.bedMin.x) + ", " +
            numberText(printer.bedMin.y) + "]";
   }
+  const Vec2 copies = project.print.copies;
+  if (copies.x != std::floor(copies.x) || copies.y != std::floor(copies.y)) {
+    return "print.copies is [" + numberText(copies.x) + ", " + numberText(copies.y) + "]; it must be two whole numbers";
+  }
+  if (const auto sizes = readThumbnailSizes(printer.screenSizes); !sizes) return "printer." + sizes.error().message;
   return "";
 }
 
@@ -629,6 +720,30 @@ std::string writeProject(const Project& project) {
   visitProject(writer, project);
   // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
   return writer.root.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+std::string writePrinter(const Printer& printer) {
+  Writer writer;
+  writer.root["sillon"] = kProjectVersion;
+  writer.begin("printer");
+  visitPrinter(writer, printer);
+  return writer.root.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+std::vector<Preset> presets(PresetKind kind) {
+  const PresetTable& table = kind == PresetKind::Printer ? kPrinters : kFilaments;
+  const Json all = Json::parse(table.json)[table.key];
+  std::vector<Preset> result;
+  for (const auto& item : all.items()) {
+    Preset preset{item.key(), {}};
+    Reader::readPreset(all, item.key(), preset.printer);
+    result.push_back(std::move(preset));
+  }
+  return result;
+}
+
+std::string applyPreset(PresetKind kind, const std::string& id, Printer& printer) {
+  return Reader::apply(kind == PresetKind::Printer ? kPrinters : kFilaments, id, printer);
 }
 
 }  // namespace sillon

@@ -1,19 +1,70 @@
 #include "sillon/thumbnails.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <string>
 #include <utility>
 
+#include "qoi.hpp"
 #include "sillon/image_io.hpp"
 #include "sillon/preview.hpp"
 
 namespace sillon {
+namespace {
 
-Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page, const RunContext& run) {
+constexpr std::size_t kMostPictures = 8;
+
+// "WxH", "WxH/PNG" or "WxH/QOI"; width 0 if it is none of them.
+ThumbnailSize sizeFrom(std::string_view word) {
+  ThumbnailSize size;
+  const char* end = word.data() + word.size();
+  const auto width = std::from_chars(word.data(), end, size.width);
+  if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return {};
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc{}) return {};
+  const std::string_view format(height.ptr, static_cast<std::size_t>(end - height.ptr));
+  if (format == "/QOI") {
+    size.format = ThumbnailFormat::Qoi;
+  } else if (!format.empty() && format != "/PNG") {
+    return {};
+  }
+  const auto shown = [](int side) { return side >= 16 && side <= 1024; };
+  return shown(size.width) && shown(size.height) ? size : ThumbnailSize{};
+}
+
+}  // namespace
+
+Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text) {
+  std::vector<ThumbnailSize> sizes;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    std::string_view word = text.substr(0, comma);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
+    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
+    const ThumbnailSize size = sizeFrom(word);
+    if (size.width == 0 || sizes.size() == kMostPictures) {
+      return Error{ErrorCode::InvalidArgument,
+                   "screenSizes must be at most 8 sizes of 16 to 1024 pixels, such as \"16x16/QOI, 300x300/PNG\""};
+    }
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
+Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page, std::string_view screenSizes,
+                                              const RunContext& run) {
+  const auto sizes = readThumbnailSizes(screenSizes);
+  if (!sizes) return sizes.error();
   std::vector<Thumbnail> thumbnails;
-  for (const int side : {32, 300}) {
-    const Result<RgbImage> look = renderLook(toolpath, page, side, side, run);
+  for (const ThumbnailSize& size : sizes.value()) {
+    const Result<RgbImage> look = renderLook(toolpath, page, size.width, size.height, run);
     if (!look) return look.error();
-    Thumbnail thumbnail{side, side, encodePng(side, side, look.value().rgb)};
-    if (thumbnail.png.empty()) return Error{ErrorCode::TooLarge, "a thumbnail needs more memory than there is"};
+    const std::vector<std::uint8_t>& rgb = look.value().rgb;
+    Thumbnail thumbnail{size.width, size.height, {}, size.format};
+    thumbnail.bytes = size.format == ThumbnailFormat::Qoi ? encodeQoi(size.width, size.height, rgb)
+                                                          : encodePng(size.width, size.height, rgb);
+    if (thumbnail.bytes.empty()) return Error{ErrorCode::TooLarge, "a thumbnail needs more memory than there is"};
     thumbnails.push_back(std::move(thumbnail));
   }
   return thumbnails;

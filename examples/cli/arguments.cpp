@@ -9,16 +9,20 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <type_traits>
 #include <utility>
 
+#include "presets.hpp"
+#include "sillon/presets.hpp"
 #include "sillon/version.hpp"
 
 namespace cli {
 namespace {
 
+using sillon::BasePattern;
 using sillon::BuiltinShape;
 using sillon::DirectionEncoding;
 using sillon::DirectionMode;
@@ -27,7 +31,9 @@ using sillon::ErrorCode;
 using sillon::GcodeFlavor;
 using sillon::MapFilter;
 using sillon::PerimeterMode;
+using sillon::PresetKind;
 using sillon::Project;
+using sillon::ShowSide;
 using sillon::Vec2;
 
 constexpr const char* kExamples =
@@ -337,15 +343,55 @@ void addPrint(Options& options) {
   options.number(
       "--layers", "N", "oriented layers", [](Project & p) -> auto& { return p.print.layers; });
   options.number(
-      "--base", "N", "hatched layers below", [](Project & p) -> auto& { return p.print.base; });
+      "--base", "N", "plain layers below", [](Project & p) -> auto& { return p.print.base; });
+  options.choice<BasePattern>(
+      "--base-pattern", "how the base layers are filled [hatched]",
+      {{"hatched", BasePattern::Hatched}, {"concentric", BasePattern::Concentric}, {"same", BasePattern::Same}},
+      [](Project& project, BasePattern pattern) { project.print.basePattern = pattern; });
+  options.choice<ShowSide>("--show", "which side shows the lines [up]",
+                           {{"up", ShowSide::Up}, {"bed", ShowSide::Bed}, {"both", ShowSide::Both}},
+                           [](Project& project, ShowSide side) { project.print.showSide = side; });
+  options.word("--copies", "NxM", "plates in a row and in a column [1x1]", [](const std::string& text) {
+    const std::optional<Vec2> copies = parsePair(text, 'x');
+    if (!copies) refuse("--copies", text, "NxM, two whole numbers");
+    return [count = *copies](Project& project) {
+      project.print.copies = count;
+      return std::string();
+    };
+  });
+  options.number(
+      "--brim", "N", "loops that touch the plate", [](Project & p) -> auto& { return p.print.brim; });
   options.number(
       "--skirt", "N", "loops around the plate", [](Project & p) -> auto& { return p.print.skirt; });
   options.number(
       "--layer-height", "MM", "height of a layer", [](Project & p) -> auto& { return p.print.layerHeight; });
   options.number(
       "--flow", "F", "flow of the oriented layers", [](Project & p) -> auto& { return p.print.flow; });
+  options.word("--printer", "ID", "a printer that sillon printers lists", [](const std::string& text) {
+    return [text](Project& project) {
+      project.printerPreset = text;
+      project.printer = {};
+      if (const std::string wrong = applyPreset(PresetKind::Printer, text, project.printer); !wrong.empty()) {
+        return "--printer " + wrong;
+      }
+      return project.filamentPreset.empty()
+                 ? std::string()
+                 : applyPreset(PresetKind::Filament, project.filamentPreset, project.printer);
+    };
+  });
+  options.word("--filament", "ID", "a filament that sillon filaments lists", [](const std::string& text) {
+    return [text](Project& project) {
+      project.filamentPreset = text;
+      const std::string wrong = applyPreset(PresetKind::Filament, text, project.printer);
+      return wrong.empty() ? wrong : "--filament " + wrong;
+    };
+  });
   options.choice<GcodeFlavor>("--flavor", "dialect of the G-code [marlin]",
-                              {{"marlin", GcodeFlavor::Marlin}, {"klipper", GcodeFlavor::Klipper}},
+                              {{"marlin", GcodeFlavor::Marlin},
+                               {"klipper", GcodeFlavor::Klipper},
+                               {"reprap", GcodeFlavor::RepRap},
+                               {"prusa", GcodeFlavor::PrusaBuddy},
+                               {"bambu", GcodeFlavor::Bambu}},
                               [](Project& project, GcodeFlavor flavor) { project.printer.flavor = flavor; });
   options.number(
       "--nozzle", "MM", "nozzle diameter", [](Project & p) -> auto& { return p.printer.nozzle; });
@@ -360,8 +406,7 @@ void addPrint(Options& options) {
   options.number(
       "--rotate", "DEG", "turns the plate on the bed, counter-clockwise",
       [](Project & p) -> auto& { return p.print.rotate; });
-  options.flag("--mirror", "left to right, before turning: for plates seen from below",
-               [](Project& p) -> bool& { return p.print.mirror; });
+  options.flag("--mirror", "left to right, before turning", [](Project& p) -> bool& { return p.print.mirror; });
   options.word("--place", "X,Y", "lower left corner of the page on the bed [centred]", [](const std::string& text) {
     const std::optional<Vec2> place = parsePair(text, ',');
     if (!place) refuse("--place", text, "X,Y in mm");
@@ -429,6 +474,39 @@ void addAdvanced(Options& options) {
       [](Project & p) -> auto& { return p.toolpath.simplifyTolerance; });
 }
 
+/// sillon printers and sillon filaments: a table, or one preset as a project file.
+void addPresetLists(CLI::App& app, Arguments& arguments) {
+  const auto add = [&](const char* name, const char* help, PresetKind kind) {
+    CLI::App* command = app.add_subcommand(name, help);
+    const auto id = std::make_shared<std::string>();
+    command->add_option("id", *id, "write this one as a project file")->option_text("ID");
+    command->callback([&arguments, id, kind, name] {
+      arguments.answer = id->empty() ? presetTable(kind) : presetFile(kind, *id);
+      if (arguments.answer.empty()) {
+        sillon::Printer printer;
+        throw CLI::ValidationError(std::string(name) + " " + applyPreset(kind, *id, printer),
+                                   CLI::ExitCodes::ValidationError);
+      }
+    });
+  };
+  add("printers", "List the printers that come with the program", PresetKind::Printer);
+  add("filaments", "List the filaments", PresetKind::Filament);
+}
+
+void addCheck(CLI::App& app, Arguments& arguments) {
+  CLI::App* check = app.add_subcommand("check", "Read any G-code as a printer would and say what would go wrong");
+  check->add_option("file", arguments.check, "the file")->option_text("FILE.gcode")->required();
+  check
+      ->add_option_function<std::string>(
+          "--printer",
+          [&arguments](const std::string& id) {
+            const std::string wrong = applyPreset(PresetKind::Printer, id, arguments.checkPrinter.emplace());
+            if (!wrong.empty()) throw CLI::ValidationError("--printer " + wrong, CLI::ExitCodes::ValidationError);
+          },
+          "whose bed and limits count [as the file's own settings say]")
+      ->option_text("ID");
+}
+
 /// First line of a message of CLI11, without the full stop that some end in.
 std::string oneSentence(std::string text) {
   text = text.substr(0, text.find('\n'));
@@ -445,6 +523,12 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("sillon ") + sillon::kVersion);
   app.require_subcommand(1);
   app.footer("See sillon generate --help.");
+  addPresetLists(app, arguments);
+  addCheck(app, arguments);
+  CLI::App* import =
+      app.add_subcommand("import", "Take a printer from G-code of your own slicer, its settings or a project");
+  import->add_option("file", arguments.import, "G-code, .ini, .json")->option_text("FILE")->required();
+  import->add_option("--name", arguments.importName, "printer of a bundle [the active one]")->option_text("NAME");
 
   CLI::App* generate =
       app.add_subcommand("generate", "Make a toolpath and write it as G-code, drawing, report, picture");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,12 @@ struct OutputPaths {
 };
 
 struct Arguments {
-  std::string answer;  ///< help or version: print it, done
-  std::string scene;   ///< JSON file; empty: options only
+  std::string answer;      ///< help, version or a list: print it, done
+  std::string check;       ///< G-code file to check
+  std::string import;      ///< file to take a printer from; this and `check` empty: generate
+  std::string importName;  ///< printer of a bundle; empty: the active one
+  std::optional<sillon::Printer> checkPrinter;
+  std::string scene;  ///< JSON file; empty: options only
   /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
   std::vector<std::function<std::string(sillon::Project&)>> changes;
   OutputPaths outputs;

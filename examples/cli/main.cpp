@@ -1,4 +1,4 @@
-// sillon generate: reads, computes, then writes everything at once.
+// sillon generate: reads, computes, then writes everything at once. sillon check: reads G-code and judges it.
 // Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
 #include <atomic>
 #include <csignal>
@@ -10,10 +10,14 @@
 
 #include "arguments.hpp"
 #include "assemble.hpp"
+#include "check.hpp"
 #include "files.hpp"
 #include "memory.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "sillon/gcode_check.hpp"
+#include "sillon/presets.hpp"
+#include "sillon/printer_import.hpp"
 
 namespace {
 
@@ -98,6 +102,27 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
   return files;
 }
 
+int check(const cli::Arguments& arguments) {
+  const sillon::Result<std::string> text = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  if (!text) return fail(text.error());
+  const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
+  std::fputs(cli::checkText(result).c_str(), stdout);
+  return result.errors() == 0 ? 0 : 2;
+}
+
+/// The printer as a project on stdout, what needs a look on stderr.
+int importFrom(const cli::Arguments& arguments) {
+  const sillon::Result<std::string> text = cli::readFile(arguments.import, "file", cli::kMaxInputBytes);
+  if (!text) return fail(text.error());
+  const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.importName);
+  if (!imported) return fail(imported.error());
+  const sillon::ImportedPrinter& printer = imported.value();
+  std::fputs(sillon::writePrinter(printer.printer).c_str(), stdout);
+  std::fprintf(stderr, "sillon: read %zu settings as %s\n", printer.read.size(), printer.source.c_str());
+  for (const std::string& note : printer.notRead) std::fprintf(stderr, "sillon: not read: %s\n", note.c_str());
+  return 0;
+}
+
 int generate(const cli::Arguments& arguments) {
   sillon::RunContext run(arguments.threads);
   const CancelOnSignal cancelOnSignal(run);
@@ -139,6 +164,8 @@ int main(int argc, char** argv) {
       std::fputs(arguments.value().answer.c_str(), stdout);
       return 0;
     }
+    if (!arguments.value().check.empty()) return check(arguments.value());
+    if (!arguments.value().import.empty()) return importFrom(arguments.value());
     return generate(arguments.value());
   } catch (const std::exception& error) {  // out of memory, for one
     std::fprintf(stderr, "sillon: stopped by %s; this is a fault of the program\n", error.what());

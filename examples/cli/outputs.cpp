@@ -60,7 +60,8 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   sillon::PrintParams print = job.project.print;
   print.date = job.date;
   print.notes = sillon::plateNotes(job.project.toolpath, job.measures);
-  auto thumbnails = sillon::lookThumbnails(job.plate.toolpath, job.input.shape.page, run);
+  auto thumbnails =
+      sillon::lookThumbnails(job.plate.toolpath, job.input.shape.page, job.project.printer.screenSizes, run);
   if (!thumbnails) return thumbnails.error();
   print.thumbnails = std::move(thumbnails).value();
   std::string text;

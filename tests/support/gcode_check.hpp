@@ -1,4 +1,4 @@
-// Reads G-code the way a suspicious printer would: a strict grammar, then moves re-derived from the text alone.
+// Reads our own G-code path by path, for tests that look at single moves; core/src/gcode_check.cpp judges any file.
 #pragma once
 
 #include <cmath>
@@ -8,27 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gcode_grammar.hpp"
+
 namespace sillon::test {
-
-inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
-inline bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
-
-/// number = ["-"] ("0" | nonzero { digit }) ["." digit { digit }], but no "-0", "-0.000".
-inline bool isNumber(std::string_view text) {
-  std::size_t i = 0;
-  const bool negative = !text.empty() && text[0] == '-';
-  if (negative) ++i;
-  if (i >= text.size() || !isDigit(text[i])) return false;
-  if (text[i] == '0' && i + 1 < text.size() && isDigit(text[i + 1])) return false;
-  while (i < text.size() && isDigit(text[i])) ++i;
-  if (i < text.size()) {
-    if (text[i] != '.' || i + 1 == text.size()) return false;
-    for (++i; i < text.size(); ++i) {
-      if (!isDigit(text[i])) return false;
-    }
-  }
-  return !negative || text.find_first_of("123456789") != std::string_view::npos;
-}
 
 inline std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -40,50 +22,12 @@ inline std::vector<std::string_view> split(std::string_view text, char separator
   }
 }
 
-/// ("G"|"M"|"T") int { " " LETTER [number] }, no letter twice; or NAME { " " NAME "=" value }.
-inline bool isCommand(std::string_view line) {
-  const std::vector<std::string_view> words = split(line, ' ');
-  const std::string_view head = words[0];
-  const auto isName = [](std::string_view name) {
-    if (name.size() < 2 || !isUpper(name[0])) return false;
-    for (const char c : name) {
-      if (!isUpper(c) && !isDigit(c) && c != '_') return false;
-    }
-    return true;
-  };
-  if (head.size() >= 2 && (head[0] == 'G' || head[0] == 'M' || head[0] == 'T') && isDigit(head[1])) {
-    if (!isNumber(head.substr(1))) return false;
-    std::string seen;
-    for (std::size_t k = 1; k < words.size(); ++k) {
-      const std::string_view word = words[k];
-      if (word.empty() || !isUpper(word[0]) || seen.find(word[0]) != std::string::npos) return false;
-      seen += word[0];
-      if (word.size() > 1 && !isNumber(word.substr(1))) return false;
-    }
-    return true;
-  }
-  if (!isName(head)) return false;
-  for (std::size_t k = 1; k < words.size(); ++k) {
-    const std::size_t equal = words[k].find('=');
-    if (equal == std::string_view::npos || !isName(words[k].substr(0, equal))) return false;
-    if (!isNumber(words[k].substr(equal + 1))) return false;
-  }
-  return true;
-}
-
 /// The first line that breaks the grammar, or an empty string.
 inline std::string grammarError(std::string_view text) {
   if (text.empty() || text.back() != '\n') return "no final newline";
   text.remove_suffix(1);
   for (const std::string_view line : split(text, '\n')) {
-    for (const char c : line) {
-      if (c < ' ' || c > '~') return "not printable: " + std::string(line);
-    }
-    if (line.empty() || line[0] == ';') continue;
-    std::string_view command = line;
-    if (const std::size_t comment = line.find(" ;"); comment != std::string_view::npos)
-      command = line.substr(0, comment);
-    if (line.size() >= 96 || !isCommand(command)) return "not a command: " + std::string(line);
+    if (const char* fault = lineFault(line); fault != nullptr) return std::string(line) + " " + fault;
   }
   return {};
 }

@@ -75,7 +75,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
     async decodePicture(file, options) {
       const checked = input.callOptions(options);
-      return (await run({ name: 'decodePicture', file: input.pictureFile(file) }, checked)) as api.Picture;
+      return (await run({ name: 'decodePicture', file: input.bytesFile(file) }, checked)) as api.Picture;
     },
 
     async readProject(json, options) {
@@ -93,6 +93,22 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       const checked = input.callOptions(options);
       const call: Call = { name: 'writeProject', project: input.projectText(input.project(project)) };
       return (await run(call, checked)) as string;
+    },
+
+    async presets(options) {
+      return (await run({ name: 'presets' }, input.callOptions(options))) as api.Presets;
+    },
+
+    async importPrinter(file, name, options) {
+      const checked = input.callOptions(options);
+      const call: Call = { name: 'importPrinter', file: input.bytesFile(file), printer: input.printerName(name) };
+      return (await run(call, checked)) as api.ImportedPrinter;
+    },
+
+    async checkGcode(file, printer, options) {
+      const checked = input.callOptions(options);
+      const project = printer === undefined ? '' : input.projectText({ printer: input.section(printer, 'printer') });
+      return (await run({ name: 'checkGcode', file: input.bytesFile(file), project }, checked)) as api.GcodeCheck;
     },
 
     dispose() {

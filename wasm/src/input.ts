@@ -209,6 +209,8 @@ export function project(value: unknown): Fields {
   return fieldsOf(value, 'project');
 }
 
+export const printerName = (value: unknown): string => (value === undefined ? '' : text(value, 'name'));
+
 export const projectJson = (value: unknown): string => text(value, 'json');
 
 /** Sections that name the files as their fields are called. */
@@ -228,7 +230,8 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
   return { sections, files };
 }
 
-export function pictureFile(value: unknown): Uint8Array | Blob {
+/** Bytes in any form. */
+export function bytesFile(value: unknown): Uint8Array | Blob {
   const content = bytes(value, 'file');
   if (content === undefined)
     throw mustBe('file', value, fileKinds.replace('SVG text, ', '').replace(' or a Picture', ''));

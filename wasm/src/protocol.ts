@@ -26,7 +26,11 @@ export type Call =
   | { name: 'readShape'; project: string; files: Files }
   | { name: 'decodePicture'; file: Uint8Array | Blob }
   | { name: 'readProject'; project: string }
-  | { name: 'writeProject'; project: string };
+  | { name: 'writeProject'; project: string }
+  | { name: 'presets' }
+  | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
+  /** `project`: whose printer counts; empty: what the file's own settings say. */
+  | { name: 'checkGcode'; file: Uint8Array | Blob; project: string };
 
 export interface StartMessage {
   type: 'start';

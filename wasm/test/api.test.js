@@ -130,6 +130,30 @@ describe('results', () => {
     assert.ok(/^SET_PRESSURE_ADVANCE /m.test(text));
   });
 
+  test('presets, imported printers and checked G-code are what the command line has', async () => {
+    const { printers, filaments } = await st.presets();
+    assert.deepEqual(
+      filaments.map(({ id }) => id),
+      ['petg', 'pla', 'pla-silk'],
+    );
+    const mini = printers.find(({ id }) => id === 'prusa-mini').printer;
+    assert.deepEqual([mini.bedMax, mini.flavor, mini.retractLength], [[180, 180], 'prusa', 2.5]);
+    const { toolpath } = await st.generateToolpath(...small);
+    const { blob } = await st.writeGcode(toolpath, { preset: 'prusa-mini', filament: 'petg' }, { copies: [2, 1] });
+    assert.match(await blob.text(), /^M862\.3 P "MINI"$/m);
+    const check = await st.checkGcode(blob, { preset: 'prusa-mini' });
+    assert.deepEqual([check.errors, check.printer], [0, 'MINI']);
+    assert.ok(check.layers > 0 && check.layers % 2 === 0 && check.filamentMm > 0);
+    const bad = await st.checkGcode(Buffer.from('G1 X1e3\n'));
+    assert.ok(bad.errors > 0 && bad.findings[0].error && bad.findings[0].line === 1);
+    const imported = await st.importPrinter(blob);
+    assert.equal(imported.source, 'donor G-code');
+    assert.ok(imported.printer.startGcode.includes('M862.3 P "MINI"'));
+    assert.ok(imported.read.length > 5 && imported.notRead.length > 0);
+    const ini = Buffer.from('[printer:A]\nnozzle_diameter = 0.6\n[printer:B]\nnozzle_diameter = 0.8\n');
+    assert.equal((await st.importPrinter(ini, 'A')).printer.nozzle, 0.6);
+  });
+
   test('drawing and preview are files of their kinds', async () => {
     const { toolpath } = await st.generateToolpath(...small);
     const drawing = await st.writeSvg(toolpath);

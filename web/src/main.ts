@@ -81,6 +81,13 @@ studio.services = {
   open: (files) => opener.open(files),
   setRole: (index, role) => opener.setRole(index, role),
   openExample: (example) => opener.openExample(example),
+  importPrinter: async (file) => {
+    const { printer, read, notRead } = await (await engine.engine()).importPrinter(file);
+    store.settle();
+    store.change((plate) => ({ ...plate, printer }));
+    studio.notify(t('printer.imported', { name: file.name, n: read.length }));
+    if (notRead.length > 0) studio.notify(t('printer.notRead', { list: notRead.join(' ') }));
+  },
   newPlate: () => {
     show(newPlate());
   },

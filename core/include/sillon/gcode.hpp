@@ -15,7 +15,8 @@
 
 namespace sillon {
 
-enum class GcodeFlavor { Marlin, Klipper };
+/// Bambu machines take only what their own slicer's start block begins: they need `startGcode`.
+enum class GcodeFlavor { Marlin, Klipper, RepRap, PrusaBuddy, Bambu };
 
 /// A machine with its filament. Lengths mm, speeds mm/s, accelerations mm/s², temperatures in degrees Celsius.
 struct Printer {
@@ -23,6 +24,9 @@ struct Printer {
   GcodeFlavor flavor = GcodeFlavor::Marlin;
   Vec2 bedMin{0, 0};
   Vec2 bedMax{220, 220};
+  bool roundBed = false;  ///< the disc within bedMin and bedMax, which must be a square
+  Vec2 excludedMin;       ///< box on the bed that nothing may touch; of no size: none
+  Vec2 excludedMax;
   double maxZ = 200;
   double nozzle = 0.4;  ///< (0, 2]
   double filamentDiameter = 1.75;
@@ -44,20 +48,47 @@ struct Printer {
   double retractLength = 0.8;
   double retractSpeed = 35;
   double lift = 0.4;
+  bool absoluteE = false;                      ///< M82 and G92 E0 per layer, for hosts that know nothing else
+  std::string startGcode;                      ///< template, docs/gcode.md; empty: home, heat, wait
+  std::string endGcode;                        ///< template; empty: park, heaters off
+  std::string screenSizes = "32x32, 300x300";  ///< of the pictures for its screen: WxH, WxH/PNG or WxH/QOI
 };
+
+enum class ThumbnailFormat { Png, Qoi };
 
 /// A picture for the printer's screen.
 struct Thumbnail {
   int width = 0;   ///< [pixels], 1..1024
   int height = 0;  ///< [pixels], 1..1024
-  std::vector<std::uint8_t> png;
+  std::vector<std::uint8_t> bytes;
+  ThumbnailFormat format = ThumbnailFormat::Png;
+};
+
+enum class BasePattern {
+  Hatched,     ///< zigzags at 45 and 135 degrees in turn
+  Concentric,  ///< loops along the border
+  Same,        ///< the oriented cycles themselves
+};
+
+enum class ShowSide {
+  Up,    ///< base layers below, oriented layers on top
+  Bed,   ///< oriented layers on the bed, mirrored left to right, base layers above them
+  Both,  ///< oriented layers mirrored on the bed, base layers, and as many oriented layers on top
 };
 
 /// How one plate is stacked and placed.
 struct PrintParams {
-  int layers = 1;               ///< oriented layers, 1..1000
-  int base = 2;                 ///< hatched layers below, 0..1000
-  int skirt = 1;                ///< loops around the plate, 0..20; without one a purge line primes
+  int layers = 1;  ///< oriented layers, of each side shown, 1..1000
+  int base = 2;    ///< plain layers, 0..1000
+  BasePattern basePattern = BasePattern::Hatched;
+  ShowSide showSide = ShowSide::Up;
+  int skirt = 1;                ///< loops around the plates, 0..20; without one a purge line primes
+  int brim = 0;                 ///< loops that touch the plate, on the first layer, 0..50
+  double elephantFoot = 0.1;    ///< the first layer, if a base layer, stays this far within the border [mm], 0..0.5
+  bool constantFlow = false;    ///< oriented beads at speed × spacing / width, at most 1.5 speed
+  double coast = 0;             ///< nothing is extruded over this length before a cycle's end [mm], 0..1
+  Vec2 copies{1, 1};            ///< plates in a row and in a column, one printed after the other, 1..20 each
+  double copyGap = 10;          ///< between their boxes, brims included [mm], 1..100
   double layerHeight = 0.2;     ///< 0.05..0.8 nozzle
   double firstLayerHeight = 0;  ///< 0: same as layerHeight
   double flow = 0.95;           ///< of oriented layers, (0, 2]

@@ -32,6 +32,8 @@ struct Project {
   DirectionMode mode = DirectionMode::Constrained;
   ToolpathParams toolpath;
   PrintParams print;
+  std::string printerPreset;   ///< whose values `printer` began with; empty: none
+  std::string filamentPreset;  ///< laid over them; empty: none
   Printer printer;
 };
 

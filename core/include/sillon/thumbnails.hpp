@@ -1,6 +1,7 @@
 // The look of a plate for the printer's screen.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "sillon/gcode.hpp"
@@ -10,8 +11,19 @@
 
 namespace sillon {
 
-/// Pictures for PrintParams::thumbnails, in the sizes that most hosts show: 32 x 32 and 300 x 300 pixels.
-/// \param page  [mm]. \return as renderLook.
-Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page, const RunContext& run);
+struct ThumbnailSize {
+  int width = 0;   ///< [pixels], 16..1024
+  int height = 0;  ///< [pixels], 16..1024
+  ThumbnailFormat format = ThumbnailFormat::Png;
+};
+
+/// Reads Printer::screenSizes, the way slicers write it: "16x16/QOI, 313x173/QOI, 380x285/PNG".
+/// \return at most 8; InvalidArgument.
+Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text);
+
+/// Pictures for PrintParams::thumbnails. \param screenSizes  as readThumbnailSizes. \param page  [mm].
+/// \return as readThumbnailSizes and renderLook.
+Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page, std::string_view screenSizes,
+                                              const RunContext& run);
 
 }  // namespace sillon

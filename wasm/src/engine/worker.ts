@@ -33,6 +33,15 @@ interface SillonModule {
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
   readProject(project: string): Outcome<string>;
+  presets(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
+  importPrinter(file: Uint8Array, name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
+  checkGcode(file: Uint8Array, project: string): Outcome<api.GcodeCheck>;
+}
+
+/** A printer as the text of a project file. */
+interface PrinterText {
+  id: string;
+  project: string;
 }
 
 /** The part of the glue code's interface that is used. */
@@ -238,6 +247,9 @@ function valueOf<T>(outcome: Outcome<T>): T {
   return outcome.value;
 }
 
+const printerOf = (project: string): api.PrinterValues =>
+  (JSON.parse(project) as { printer: api.PrinterValues }).printer;
+
 /** A project made of arguments: what is wrong in it is no file's fault. */
 function completed(project: string, module: SillonModule): string {
   const outcome = module.readProject(project);
@@ -295,6 +307,21 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return valueOf(module.readProject(call.project));
     case 'writeProject':
       return completed(call.project, module);
+    case 'presets': {
+      const { printers, filaments } = valueOf(module.presets());
+      const read = ({ id, project }: PrinterText): api.Preset => ({ id, printer: printerOf(project) });
+      return { printers: printers.map(read), filaments: filaments.map(read) } satisfies api.Presets;
+    }
+    case 'importPrinter': {
+      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      const { project, ...others } = valueOf(module.importPrinter(file, call.printer));
+      return { printer: printerOf(project), ...others } satisfies api.ImportedPrinter;
+    }
+    case 'checkGcode': {
+      if (call.project !== '') completed(call.project, module);
+      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      return valueOf(module.checkGcode(file, call.project));
+    }
   }
 }
 

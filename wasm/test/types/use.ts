@@ -92,7 +92,7 @@ const gcode: Gcode = await engine.writeGcode(
 const text: string = await gcode.blob.text();
 const warnings: string[] = gcode.summary.warnings;
 // @ts-expect-error no such dialect
-await engine.writeGcode(toolpath, { flavor: 'reprap' });
+await engine.writeGcode(toolpath, { flavor: 'smoothie' });
 // @ts-expect-error a Date
 await engine.writeGcode(toolpath, {}, { date: '2026-11-21' });
 // @ts-expect-error a toolpath, not a plate

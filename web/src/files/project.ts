@@ -1,7 +1,7 @@
 // The project file: a zip with project.json, which the command line reads as it is once it is unpacked, and studio.json, from
 // which the page gets back what no toolpath needs: where directions came from, strokes, the filament's look.
 import { strFromU8, strToU8, zipSync, type Zippable } from 'fflate';
-import type { DirectionInput, Engine, Project, ShapeInput } from 'sillon';
+import type { DirectionInput, Engine, PrinterValues, Project, ShapeInput } from 'sillon';
 import type { DirectionRaster } from '../directions/raster.js';
 import { engineInput } from '../engine/input.js';
 import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type Fields } from '../model/check-plate.js';
@@ -142,6 +142,18 @@ async function studioPlate(text: string, entryAt: (path: string) => Entry | unde
   });
 }
 
+/** What its names of printer and filament stand for is in the other fields already. */
+function valuesOf(printer: Project['printer']): PrinterValues {
+  const values: Partial<Project['printer']> = { ...printer };
+  delete values.preset;
+  delete values.filament;
+  return {
+    ...(values as PrinterValues),
+    name: printer.name.slice(0, 64),
+    filamentType: printer.filamentType.slice(0, 64),
+  };
+}
+
 /** Of the command line's project, as far as a plate can tell it: what follows from pictures and shapes is filled in.
  * @param fileNamed  by a path as it stands there */
 async function commandLinePlate(
@@ -177,7 +189,7 @@ async function commandLinePlate(
     strokes: [],
     toolpath,
     print,
-    printer: { ...printer, name: printer.name.slice(0, 64), filamentType: printer.filamentType.slice(0, 64) },
+    printer: valuesOf(printer),
     filament: newPlate().filament,
   };
   return plateFrom(data, (file) => file as SourceFile);

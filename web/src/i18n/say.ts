@@ -107,6 +107,15 @@ export function threadsWords({ threads, reason }: EngineInfo, asked: 'auto' | 'o
 
 // The engine's warnings, with the numbers in them.
 const warnings: readonly [RegExp, (found: string[]) => string][] = [
+  [/^the plate is mirrored but shown from above/, () => t('warning.backwards')],
+  [
+    /^startGcode leaves the nozzle at (\d+) degrees; the first layer is meant for (\d+)/,
+    ([hot = '', meant = '']) => t('warning.startTemperature', { hot: Number(hot), meant: Number(meant) }),
+  ],
+  [
+    /^line (\d+) of startGcode: (.*)$/,
+    ([line = '', what = '']) => t('warning.startLine', { line: Number(line), what }),
+  ],
   [/^the plate leaves no room for a purge line/, () => t('warning.purge')],
   [/^the skirt does not fit the bed/, () => t('warning.skirt')],
   [/^the base layers cover only (\S+) %/, ([percent]) => t('warning.base', { percent: Number(percent) })],

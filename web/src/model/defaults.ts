@@ -1,5 +1,5 @@
 // What a plate is before anybody changes it.
-import type { PrintParams, Printer, ToolpathParams } from 'sillon';
+import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
 
 /** As docs/project.md has them; a test compares. */
@@ -27,7 +27,15 @@ export const toolpathDefaults: Readonly<ToolpathParams> = {
 export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
   layers: 1,
   base: 2,
+  basePattern: 'hatched',
+  showSide: 'up',
   skirt: 1,
+  brim: 0,
+  elephantFoot: 0.1,
+  constantFlow: false,
+  coast: 0,
+  copies: [1, 1],
+  copyGap: 10,
   layerHeight: 0.2,
   firstLayerHeight: 0,
   flow: 0.95,
@@ -37,11 +45,14 @@ export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
   place: null,
 };
 
-export const printerDefaults: Readonly<Printer> = {
+export const printerDefaults: Readonly<PrinterValues> = {
   name: 'Generic',
   flavor: 'marlin',
   bedMin: [0, 0],
   bedMax: [220, 220],
+  roundBed: false,
+  excludedMin: [0, 0],
+  excludedMax: [0, 0],
   maxZ: 200,
   nozzle: 0.4,
   filamentDiameter: 1.75,
@@ -63,6 +74,10 @@ export const printerDefaults: Readonly<Printer> = {
   retractLength: 0.8,
   retractSpeed: 35,
   lift: 0.4,
+  absoluteE: false,
+  startGcode: '',
+  endGcode: '',
+  screenSizes: '32x32, 300x300',
 };
 
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
@@ -108,7 +123,7 @@ export const newPlate = (): Plate => ({
   modes: { base: 'constrained' },
   strokes: [],
   toolpath: { ...toolpathDefaults },
-  print: { ...printDefaults },
+  print: structuredClone(printDefaults),
   printer: structuredClone(printerDefaults),
   filament: 'goldPla',
 });

@@ -1,6 +1,6 @@
 // Everything that makes a plate. Plain data, never changed in place: one undo step is one Plate, and two Plates share what
 // did not change.
-import type { DirectionEncoding, DirectionMode, PrintParams, Printer, ToolpathParams } from 'sillon';
+import type { DirectionEncoding, DirectionMode, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 
 /** A file as it came: kept for the project file. Equal `id`: equal bytes. */
 export interface SourceFile {
@@ -66,7 +66,7 @@ export interface Plate {
   strokes: readonly Stroke[];
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
-  printer: Printer;
+  printer: PrinterValues;
   /** Key of the filament whose colour and gloss the appearance shows. */
   filament: string;
 }

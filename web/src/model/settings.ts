@@ -1,6 +1,6 @@
 // The engine's settings as rows of data, from which the panels are drawn and links are checked. Defaults and ranges are
 // those of docs/project.md; a test compares.
-import type { PrintParams, Printer, ToolpathParams } from 'sillon';
+import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import { printDefaults, printerDefaults, toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 
@@ -9,12 +9,12 @@ type PrintSettings = Omit<PrintParams, 'date'>;
 export interface Sections {
   toolpath: ToolpathParams;
   print: PrintSettings;
-  printer: Printer;
+  printer: PrinterValues;
 }
 export type SectionName = keyof Sections;
 
 export type SettingId =
-  `toolpath.${keyof ToolpathParams}` | `print.${keyof PrintSettings}` | `printer.${keyof Printer}`;
+  `toolpath.${keyof ToolpathParams}` | `print.${keyof PrintSettings}` | `printer.${keyof PrinterValues}`;
 
 /** 'spacing': multiples of the spacing. */
 export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | 'spacing';
@@ -55,11 +55,14 @@ export interface FlagSetting extends Row {
 export interface TextSetting extends Row {
   kind: 'text';
   maxLength: number;
+  /** Several lines. */
+  long: boolean;
   default: string;
 }
 
 export interface PairSetting extends Row {
   kind: 'pair';
+  integer: boolean;
   unit: Unit;
   min: number;
   max: number;
@@ -142,11 +145,12 @@ function pair<Section extends SectionName>(
   section: Section,
   key: KeyOf<Section, [number, number] | null>,
   isAdvanced: boolean,
-  { unit = '', min, max, step, nullable = false }: Span,
+  { unit = '', min, max, step, integer = false, nullable = false }: Span,
 ): PairSetting {
   return {
     ...row(section, key, isAdvanced),
     kind: 'pair',
+    integer,
     unit,
     min,
     max,
@@ -156,10 +160,11 @@ function pair<Section extends SectionName>(
   };
 }
 
-const text = (key: KeyOf<'printer', string>, isAdvanced: boolean): TextSetting => ({
+const text = (key: KeyOf<'printer', string>, isAdvanced: boolean, maxLength = 64): TextSetting => ({
   ...row('printer', key, isAdvanced),
   kind: 'text',
-  maxLength: 64,
+  maxLength,
+  long: maxLength > 1024,
   default: fallback('printer', key) as string,
 });
 
@@ -189,12 +194,20 @@ export const settings: readonly Setting[] = [
   number('print', 'layers', basic, { min: 1, max: 1000, step: 1, usual: [1, 10], integer }),
   number('print', 'base', basic, { min: 0, max: 1000, step: 1, usual: [0, 10], integer }),
   number('print', 'layerHeight', basic, { unit: 'mm', min: 0.05, max: 1.6, step: 0.01, usual: [0.05, 0.6] }),
+  choice('print', 'basePattern', advanced, ['hatched', 'concentric', 'same']),
+  choice('print', 'showSide', basic, ['up', 'bed', 'both']),
+  number('print', 'brim', basic, { min: 0, max: 50, step: 1, usual: [0, 15], integer }),
+  pair('print', 'copies', basic, { min: 1, max: 20, step: 1, integer }),
   flag('print', 'mirror', basic),
   number('print', 'rotate', basic, { unit: '°', min: -360, max: 360, step: 1, usual: [-180, 180] }),
   pair('print', 'place', basic, { unit: 'mm', min: -10000, max: 10000, step: 1, nullable }),
   number('print', 'firstLayerHeight', advanced, { unit: 'mm', min: 0, max: 1.6, step: 0.01, usual: [0, 0.6] }),
   number('print', 'flow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
   number('print', 'baseFlow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
+  number('print', 'elephantFoot', advanced, { unit: 'mm', min: 0, max: 0.5, step: 0.01 }),
+  flag('print', 'constantFlow', advanced),
+  number('print', 'coast', advanced, { unit: 'mm', min: 0, max: 1, step: 0.05 }),
+  number('print', 'copyGap', advanced, { unit: 'mm', min: 1, max: 100, step: 1, usual: [1, 30] }),
   number('print', 'skirt', advanced, { min: 0, max: 20, step: 1, usual: [0, 5], integer }),
 
   number('printer', 'nozzle', basic, { unit: 'mm', min: 0.05, max: 2, step: 0.05, usual: [0.2, 1.2] }),
@@ -202,9 +215,12 @@ export const settings: readonly Setting[] = [
   number('printer', 'bedTemperature', basic, { unit: '°C', min: 0, max: 120, step: 1, usual: [0, 100] }),
   number('printer', 'speed', basic, { unit: 'mm/s', min: 5, max: 1000, step: 1, usual: [10, 150] }),
   text('name', advanced),
-  choice('printer', 'flavor', advanced, ['marlin', 'klipper']),
+  choice('printer', 'flavor', advanced, ['marlin', 'klipper', 'reprap', 'prusa', 'bambu']),
   pair('printer', 'bedMin', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
   pair('printer', 'bedMax', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
+  flag('printer', 'roundBed', advanced),
+  pair('printer', 'excludedMin', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
+  pair('printer', 'excludedMax', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
   number('printer', 'maxZ', advanced, { unit: 'mm', min: 0.05, max: 5000, step: 1, usual: [50, 500] }),
   text('filamentType', advanced),
   number('printer', 'filamentDiameter', advanced, { unit: 'mm', min: 0.5, max: 5, step: 0.01, usual: [1.5, 3] }),
@@ -240,6 +256,10 @@ export const settings: readonly Setting[] = [
   number('printer', 'retractLength', advanced, { unit: 'mm', min: 0, max: 20, step: 0.1, usual: [0, 8] }),
   number('printer', 'retractSpeed', advanced, { unit: 'mm/s', min: 1, max: 200, step: 1, usual: [10, 80] }),
   number('printer', 'lift', advanced, { unit: 'mm', min: 0, max: 20, step: 0.1, usual: [0, 2] }),
+  flag('printer', 'absoluteE', advanced),
+  text('startGcode', advanced, 65536),
+  text('endGcode', advanced, 65536),
+  text('screenSizes', advanced, 200),
 ];
 
 const byId = new Map(settings.map((setting) => [setting.id, setting]));
@@ -279,10 +299,18 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
     case 'flag':
       return typeof value === 'boolean';
     case 'text':
-      return typeof value === 'string' && value.length <= setting.maxLength && !controlCharacter.test(value);
+      return (
+        typeof value === 'string' &&
+        value.length <= setting.maxLength &&
+        !controlCharacter.test(setting.long ? value.replace(/[\t\n]/g, '') : value)
+      );
     case 'pair':
       if (value === null) return setting.nullable;
-      return Array.isArray(value) && value.length === 2 && value.every((one) => within(one, setting));
+      return (
+        Array.isArray(value) &&
+        value.length === 2 &&
+        value.every((one) => within(one, setting) && (!setting.integer || Number.isInteger(one)))
+      );
   }
 }
 

@@ -113,7 +113,8 @@ export class PrintPanel extends StudioElement {
         ${this.#printer()}
         <sillon-bed .studio=${this.studio}></sillon-bed>
         ${settingField(this.studio, 'print.place')} ${settingField(this.studio, 'print.rotate')}
-        ${settingField(this.studio, 'print.mirror')}
+        ${settingField(this.studio, 'print.mirror')} ${settingField(this.studio, 'print.showSide')}
+        ${settingField(this.studio, 'print.brim')} ${settingField(this.studio, 'print.copies')}
       </section>
       <section aria-label=${t('section.filament')}>
         ${this.#filament()} ${settingField(this.studio, 'printer.nozzleTemperature')}
@@ -182,12 +183,12 @@ export class PrintPanel extends StudioElement {
 
   #printer(): TemplateResult {
     const current = printerOf(this.state.plate);
-    const options: { value: PrinterKey | ''; label: string }[] = printers.map((printer) => ({
+    const options: { value: PrinterKey; label: string }[] = printers.map((printer) => ({
       value: printer.key,
       label: printerLabel(printer),
     }));
     if (current === undefined) options.unshift({ value: '', label: this.state.plate.printer.name || t('printer.own') });
-    return html`${select<PrinterKey | ''>({
+    return html`${select<PrinterKey>({
         id: 'printer',
         label: t('section.printer'),
         value: current?.key ?? '',
@@ -196,7 +197,16 @@ export class PrintPanel extends StudioElement {
           if (key !== '') this.studio.change((plate) => withPrinter(plate, key));
         },
       })}
-      <p class="note">${t('printer.start')}</p>`;
+      <button
+        type="button"
+        @click=${async () => {
+          const [file] = await this.studio.pick('.gcode,.ini,.json,.3mf');
+          if (file !== undefined) await this.studio.attempt(() => this.studio.services.importPrinter(file));
+        }}
+      >
+        ${t('printer.import')}
+      </button>
+      ${this.state.plate.printer.startGcode === '' ? html`<p class="note">${t('printer.start')}</p>` : nothing}`;
   }
 
   #filament(): TemplateResult {

@@ -28,6 +28,7 @@ function pairField(studio: Studio, setting: PairSetting, id: string, label: stri
         min: setting.min,
         max: setting.max,
         step: setting.step,
+        integer: setting.integer,
         unit: setting.unit,
         onInput: (number) => {
           set(k === 0 ? [number, pair[1]] : [pair[0], number]);
@@ -125,6 +126,7 @@ export function settingField(studio: Studio, id: SettingId): TemplateResult {
         label,
         value: value as string,
         maxLength: setting.maxLength,
+        long: setting.long,
         help,
         onInput: change,
         onSettle: settle,

@@ -26,6 +26,8 @@ export interface Services {
   /** Uses one of the files that were opened last as something else. */
   setRole(index: number, role: Role): Promise<void>;
   openExample(example: Example): Promise<void>;
+  /** Takes the printer from G-code or settings of another program. */
+  importPrinter(file: File): Promise<void>;
   newPlate(): void;
   forget(): Promise<void>;
 }

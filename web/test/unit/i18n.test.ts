@@ -197,6 +197,9 @@ test('every warning of the engine has words, with its numbers', async () => {
     ['pressure advance is 0 after the print, until the printer restarts or another file sets it', ''],
     ['2 points of the path lie more than 0.1 mm outside the shape', '2'],
     ['7.5 % of the path is printed with a width held at 0.24 or 0.64 mm (0.6 and 1.6 nozzle)', '0,64'],
+    ['the plate is mirrored but shown from above; writing on it reads backwards', ''],
+    ['startGcode leaves the nozzle at 240 degrees; the first layer is meant for 215', '240'],
+    ['line 7 of startGcode: 300 is beyond the bed', '7'],
     ['maxFlow slows 20 % of the path', '20'],
     ['maxSegmentsPerSecond slows 31 % of the path', '31'],
     ['the file has 2345678 moves; hosts get slow above 2 million', '2\u202f345\u202f678'],
@@ -207,7 +210,7 @@ test('every warning of the engine has words, with its numbers', async () => {
   const written = [...sources.matchAll(/warnings\.(?:push_back|emplace_back)\(/g)].length;
   assert.equal(
     written,
-    14,
+    17,
     'the engine writes other warnings than before: add words for them in say.ts, and lines here',
   );
   await setLanguage('fr');

@@ -241,7 +241,7 @@ test('every example project of the command line opens, as large as the command l
     assert.equal(plate.name, 'plate');
     assert.deepEqual(plate.toolpath, project.toolpath);
     assert.deepEqual(plate.print, project.print);
-    assert.deepEqual(plate.printer, project.printer);
+    assert.deepEqual({ ...plate.printer, preset: '', filament: '' }, project.printer);
     assert.equal(plate.directions.kind, project.directions.file === '' ? 'angle' : 'map');
     assert.equal(plate.modes.file?.name, others.find(({ name }) => project.modes.file.endsWith(`/${name}`))?.name);
     const { page } = await engine.readShape(engineInput({ plate, raster: undefined }).input.shape ?? {});

@@ -195,7 +195,7 @@ test('every field is checked: kind, range, unknown names', async () => {
 });
 
 test('random damage ends in a plate that controls could have set, or in an error of ours', async () => {
-  const { hash } = await writeLink(withPrinter({ ...newPlate(), directions: newGenerator('text') }, 'voron24'));
+  const { hash } = await writeLink(withPrinter({ ...newPlate(), directions: newGenerator('text') }, 'voron-2-4-300'));
   const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
   let seed = 7;
   const random = (below: number): number => {

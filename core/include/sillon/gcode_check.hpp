@@ -1,0 +1,60 @@
+// Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer but the grammar.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/gcode.hpp"
+#include "sillon/types.hpp"
+
+namespace sillon {
+
+/// One rule that was broken, however often.
+struct GcodeFinding {
+  std::string rule;    ///< grammar, homing, heating, modes, bounds, height, extrusion, flow, speed, rate, retraction,
+                       ///< cycle, settings, totals, end
+  bool error = false;  ///< the print is at risk; else worth knowing
+  std::int64_t line = 0;   ///< the first, from 1; 0: the file as a whole
+  std::int64_t count = 0;  ///< lines that break it in this way
+  std::string message;     ///< about the first
+};
+
+/// What the file does. Lengths mm, speeds mm/s.
+struct GcodeCheck {
+  std::vector<GcodeFinding> findings;  ///< errors first, each sort by line
+  std::int64_t lines = 0;
+  std::int64_t moves = 0;
+  int layers = 0;           ///< by its layer comments
+  double filamentMm = 0;    ///< of moves that extrude while they move
+  double pathMm = 0;        ///< length of those
+  double travelMm = 0;      ///< of all others in the plane
+  std::int64_t closed = 0;  ///< paths whose end is their beginning
+  std::int64_t open = 0;
+  std::int64_t retractions = 0;
+  Bounds box;             ///< of those beads' middles; start and end blocks left out where they are marked
+  double top = 0;         ///< highest bead
+  double fastest = 0;     ///< of beads
+  double mostFlow = 0;    ///< [mm³/s]
+  double mostMoves = 0;   ///< [1/s], over any 8 moves
+  std::string printer;    ///< printer_model
+  bool homes = false;     ///< before the first bead, or at all where there is none
+  bool heatsBed = false;  ///< and waits
+  bool heatsNozzle = false;
+  double nozzleTarget = 0;  ///< at the end [degrees Celsius]
+  double bedTarget = 0;
+
+  [[nodiscard]] std::int64_t errors() const {
+    std::int64_t sum = 0;
+    for (const GcodeFinding& finding : findings) sum += finding.error ? finding.count : 0;
+    return sum;
+  }
+};
+
+/// \param printer  whose bed, height, nozzle, filament and limits count; unset: what the file's own settings say, and
+/// no limits. Lines that are marked as a start or end block may reach 10 mm over the bed's edge, as makers' own do.
+GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& printer = {});
+
+}  // namespace sillon

@@ -1,0 +1,51 @@
+// What the firmwares call the same things. Facts and sources: docs/gcode.md.
+#pragma once
+
+#include <string>
+
+#include "sillon/gcode.hpp"
+#include "text.hpp"
+
+namespace sillon {
+
+/// The word of slicers and viewers for a dialect.
+inline const char* dialectName(GcodeFlavor flavor) {
+  switch (flavor) {
+    case GcodeFlavor::Klipper:
+      return "klipper";
+    case GcodeFlavor::RepRap:
+      return "reprapfirmware";
+    case GcodeFlavor::Bambu:
+      return "marlin";
+    case GcodeFlavor::Marlin:
+    case GcodeFlavor::PrusaBuddy:
+      break;
+  }
+  return "marlin2";
+}
+
+/// Sets the acceleration of prints and travels [mm/s²]. Klipper and Bambu heed S only.
+inline std::string accelerationCommand(GcodeFlavor flavor, double acceleration) {
+  const std::string value = fixed(acceleration, 0);
+  if (flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu) return "M204 S" + value + "\n";
+  return "M204 P" + value + " T" + value + "\n";
+}
+
+/// Sets pressure (or linear) advance [s].
+inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
+  const std::string value = seconds > 0 ? fixed(seconds, 4) : "0";
+  switch (flavor) {
+    case GcodeFlavor::Klipper:
+      return "SET_PRESSURE_ADVANCE ADVANCE=" + value + "\n";
+    case GcodeFlavor::RepRap:
+      return "M572 D0 S" + value + "\n";
+    case GcodeFlavor::PrusaBuddy:
+      return "M572 S" + value + "\n";
+    case GcodeFlavor::Marlin:
+    case GcodeFlavor::Bambu:
+      break;
+  }
+  return "M900 K" + value + "\n";
+}
+
+}  // namespace sillon

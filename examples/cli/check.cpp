@@ -1,0 +1,41 @@
+#include "check.hpp"
+
+#include <cstdio>
+
+namespace cli {
+namespace {
+
+std::string plural(std::int64_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string checkText(const sillon::GcodeCheck& check) {
+  char line[512];
+  std::string out = plural(check.lines, "line") + ", " + plural(check.moves, "move") + ", " +
+                    plural(check.layers, "layer") + (check.printer.empty() ? "" : ", for " + check.printer) + "\n";
+  if (!check.box.empty()) {
+    std::snprintf(line, sizeof line, "beads      x %.3f to %.3f, y %.3f to %.3f, up to z %.3f mm\n", check.box.min.x,
+                  check.box.max.x, check.box.min.y, check.box.max.y, check.top);
+    out += line;
+  }
+  std::snprintf(line, sizeof line,
+                "filament   %.2f mm on %.2f m of beads, %.2f m of travel, %lld retractions\n"
+                "paths      %lld closed, %lld open\n"
+                "most       %.1f mm/s, %.2f mm3/s, %.0f moves/s over any 8\n",
+                check.filamentMm, check.pathMm / 1000, check.travelMm / 1000, static_cast<long long>(check.retractions),
+                static_cast<long long>(check.closed), static_cast<long long>(check.open), check.fastest, check.mostFlow,
+                check.mostMoves);
+  out += line;
+  for (const sillon::GcodeFinding& finding : check.findings) {
+    out += (finding.error ? "error      " : "warning    ") + finding.rule + ": " + finding.message;
+    if (finding.line > 0) out += " (line " + std::to_string(finding.line);
+    if (finding.line > 0 && finding.count > 1) out += " and " + std::to_string(finding.count - 1) + " more";
+    out += finding.line > 0 ? ")\n" : "\n";
+  }
+  const std::int64_t errors = check.errors();
+  return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
+}
+
+}  // namespace cli

@@ -1,0 +1,224 @@
+#include "sillon/gcode_check.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "gcode_grammar.hpp"
+
+using namespace sillon;
+using doctest::Approx;
+
+namespace {
+
+constexpr double kArea = 2.4052818754046854;  // of filament of 1.75 mm [mm²]
+
+const std::string kStart = "M140 S60\nG28\nM190 S60\nM109 S215\nG21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n";
+const std::string kSquare =
+    ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X50 Y50 F6000\nG1 X60 E0.33260 F1800\nG1 Y60 E0.33260\nG1 X50 E0.33260\n"
+    "G1 Y50 E0.33260\n";
+const std::string kEnd = ";TYPE:Custom\nG1 E-0.8 F2100\nG1 Z10 F600\nM104 S0\nM140 S0\n";
+
+/// The finding of a rule; one without a rule if there is none.
+GcodeFinding finding(const GcodeCheck& check, const std::string& rule) {
+  for (const GcodeFinding& found : check.findings) {
+    if (found.rule == rule) return found;
+  }
+  return {};
+}
+
+std::string rules(const GcodeCheck& check) {
+  std::string all;
+  for (const GcodeFinding& found : check.findings) all += (found.error ? "!" : "") + found.rule + " ";
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the grammar takes plain commands and refuses what kills prints") {
+  for (const char* good :
+       {"G1 X1.000 Y-2.500 E0.00001 F3000", ";note", "M104 S0", "", "G28", "M84 X Y", "T0", "G29.1",
+        "SET_PRESSURE_ADVANCE ADVANCE=0.0400", "EXCLUDE_OBJECT_START NAME=PLATE_1", "G1 X1 ;aside"}) {
+    CAPTURE(good);
+    CHECK(lineFault(good) == nullptr);
+  }
+  for (const char* bad :
+       {"G1 E1.2e-05", "G1X50Y50",  "g1 X5",   "G1 Xnan", "G1 X-0.000", "G1 X1 X2",   "G1 X+1",  "G1 X1,5",
+        "G1  X1",      "G1 X1 ",    "G1 X.5",  "G1 X5.",  "G1 X05",     "M117 hello", "G1 X1\r", "set_x A=1",
+        " G1",         "SET_X A=b", "SET_X A", "G",       "\xc3\xa9",   "; \t"}) {
+    CAPTURE(bad);
+    CHECK(lineFault(bad) != nullptr);
+  }
+  CHECK(lineFault("M117 " + std::string(91, '1')) != nullptr);
+}
+
+TEST_CASE("a clean file has no findings, and its facts are right") {
+  const GcodeCheck check = checkGcode(kStart + kSquare + kEnd);
+  CHECK(rules(check) == "");
+  CHECK(check.lines == 21);
+  CHECK(check.moves == 8);
+  CHECK(check.layers == 1);
+  CHECK(check.filamentMm == Approx(1.3304));
+  CHECK(check.pathMm == Approx(40));
+  CHECK(check.closed == 1);
+  CHECK(check.open == 0);
+  CHECK(check.retractions == 1);
+  CHECK((check.box.min == Vec2{50, 50} && check.box.max == Vec2{60, 60}));
+  CHECK(check.top == 0.2);
+  CHECK(check.fastest == Approx(30));
+  CHECK(check.mostFlow == Approx(0.2 * 0.4 * 30).epsilon(1e-3));
+  CHECK((check.homes && check.heatsBed && check.heatsNozzle));
+}
+
+TEST_CASE("relative moves, absolute E, inches, arcs and set origins are followed") {
+  // The same square by small steps of another kind.
+  std::string relative = kStart +
+                         ";LAYER_CHANGE\nG1 X50 Y50 F6000\nG91\nM83\nG1 X10 E0.3326 F1800\nG1 Y10 E0.3326\nG1 X-10 "
+                         "E0.3326\nG1 Y-10 E0.3326\nG90\nM83\n" +
+                         kEnd;
+  CHECK(checkGcode(relative).filamentMm == Approx(1.3304));
+  CHECK(checkGcode(relative).closed == 1);
+  const std::string absolute =
+      kStart + "M82\nG92 E5\n;LAYER_CHANGE\nG1 X50 Y50 F6000\nG1 X60 E5.3326 F1800\nG1 Y60 E5.6652\n" + "M83\n" + kEnd;
+  CHECK(checkGcode(absolute).filamentMm == Approx(0.6652));
+  // A full circle of radius 10.
+  const std::string circle = kStart + ";LAYER_CHANGE\nG1 X50 Y50 F6000\nG2 X50 Y50 I10 J0 E2.0897 F1800\n" + kEnd;
+  CHECK(checkGcode(circle).pathMm == Approx(62.83185).epsilon(1e-6));
+  Printer printer;
+  printer.bedMax = {65, 100};  // the circle reaches x 70
+  CHECK(finding(checkGcode(circle, printer), "bounds").message.find("an arc over the bed's edge") == 0);
+  const GcodeCheck inches = checkGcode(kStart + ";LAYER_CHANGE\nG20\nG1 X1 Y1 F100\nG1 X2 E0.01\nG21\n" + kEnd);
+  CHECK(inches.pathMm == Approx(25.4));
+  CHECK(inches.filamentMm == Approx(0.254));
+  CHECK(finding(inches, "modes").error);
+}
+
+TEST_CASE("each fault is found by its rule, in its line") {
+  struct Fault {
+    const char* rule;
+    bool error;
+    std::string text;
+    const char* message;
+  };
+  const std::string cold = "G28\nG21\nG90\nM83\nG1 Z0.2 F600\n";
+  const std::string unhomed = "M190 S60\nM109 S215\nG90\nM83\nG1 Z0.2 F600\n";
+  const auto with = [](const std::string& line) { return kStart + kSquare + line + "\n" + kEnd; };
+  const Fault faults[] = {
+      {"homing", true, unhomed + kSquare + kEnd, "moves before it homes"},
+      {"heating", true, cold + kSquare + kEnd, "extrudes before it has waited for a hot nozzle"},
+      {"heating", true, with("M104 S0\nG1 X51 E0.03326"), "extrudes with the nozzle at 0 degrees"},
+      {"heating", true, with("M104 S310"), "hotter than 300 degrees: 310"},
+      {"grammar", true, with("G1 X51 E1.2e-05"), "no plain number: \"E1.2e-05\""},
+      {"grammar", true, with("G1 X51 E1.2E-05"), "no plain number: \"E1.2E-05\""},
+      {"grammar", true, with("G1 X51,5 E0.01"), "no plain number: \"X51,5\""},
+      {"grammar", true, with("G1 Xnan"), "no number after a letter"},
+      {"grammar", true, with("G1 X51 X52 E0.03"), "a letter given twice"},
+      {"grammar", true, with("G1 (51)"), "not a word: \"(51)\""},
+      {"grammar", false, with("G1X51Y50E0.03326"), "words without spaces"},
+      {"grammar", false, with("g1 x51 E0.03326"), "lower case letters"},
+      {"grammar", false, with("N5 G1 X51 E0.03326*57"), "line numbers"},
+      {"grammar", false, with("M117 " + std::string(95, 'x')), "a command of more than 95 characters"},
+      {"grammar", false, with("M105\r"), "lines end with CR LF"},
+      {"modes", true, with("M200 D1.75"), "volumetric extrusion"},
+      {"modes", true, with("G92 X0"), "G92 moves the origin"},
+      {"bounds", true, with("G1 E-0.8 F2100\nG1 X230 F6000"), "a move over the bed's edge at (230, 50), 10 mm"},
+      {"bounds", true, with("G1 X-0.1 Y50 E1 F600"), "a bead over the bed's edge"},
+      {"height", true, with("G1 E-0.8 F2100\nG1 Z201 F600"), "above the printer's height: 201 mm"},
+      {"height", true, with("G1 Z0\nG1 X51 E0.03326 F600"), "a bead at or below the bed"},
+      {"extrusion", true, with("G1 X50.1 E1 F600"), "more plastic per mm than 4 nozzle diameters squared"},
+      {"extrusion", true, with("G1 E51"), "more than 50 mm of filament in one move"},
+      {"flow", true, with("G1 X60 E0.33260 F12000"), "more flow than maxFlow: 16 mm3/s"},
+      {"speed", true, with("G1 X51 F0"), "F is not above 0"},
+      {"rate", false,
+       with("G1 X50.01 E0.0003\nG1 X50.02 E0.0003\nG1 X50.03 E0.0003\nG1 X50.04 E0.0003\n"
+            "G1 X50.05 E0.0003\nG1 X50.06 E0.0003\nG1 X50.07 E0.0003\nG1 X50.08 E0.0003"),
+       "more moves per second than the printer takes: 3000"},
+      {"retraction", false, with("G1 X90 F6000"), "travels without retraction over 40 mm"},
+      {"retraction", true, with("G1 E-0.8 F2100\nG1 X51 E0.03326 F1800"), "extrudes while retracted by 0.8 mm"},
+      {"settings", false, with("M500"), "M500 outlives the print"},
+      {"end", false, kStart + kSquare, "the nozzle stays hot at the end"},
+      {"totals", false, with("; filament used [mm] = 5.00"), "it says it takes 5 mm of filament; its moves take 1.33"},
+      {"totals", false, with("; total layers count = 3"), "it says it has 3 layers; 1 are marked"},
+      {"extrusion", true, "G28\n", "there is no move in it"},
+  };
+  Printer printer;
+  printer.flavor = GcodeFlavor::Klipper;
+  for (const Fault& fault : faults) {
+    CAPTURE(fault.message);
+    const GcodeCheck check = checkGcode(fault.text, printer);
+    CAPTURE(rules(check));
+    const auto match = std::find_if(check.findings.begin(), check.findings.end(), [&](const GcodeFinding& found) {
+      return found.rule == fault.rule && found.error == fault.error && found.message.find(fault.message) == 0;
+    });
+    CHECK(match != check.findings.end());
+  }
+  CHECK(finding(checkGcode(with("G1 X51 E1.2e-05")), "grammar").line == 17);
+  CHECK(finding(checkGcode(with("M500\nM500\nM500")), "settings").count == 3);
+}
+
+TEST_CASE("files of our own are held to more: closed cycles, plain lines, totals") {
+  const std::string ours = "; generated by Sillon 0\n";
+  CHECK(rules(checkGcode(ours + kStart + kSquare + kEnd)) == "");
+  std::string open = kSquare;
+  open.replace(open.find("G1 Y50 E0.33260"), 6, "G1 Y51");
+  CHECK(finding(checkGcode(ours + kStart + open + kEnd), "cycle").message ==
+        "a cycle that does not close: it ends 1 mm off");
+  CHECK(rules(checkGcode(kStart + open + kEnd)) == "");
+  CHECK(finding(checkGcode(ours + kStart + kSquare + "M117 hello\n" + kEnd), "grammar").error);
+  CHECK(rules(checkGcode(ours + "M117 hello\n" + kStart + kSquare + kEnd)) == "");  // start blocks are the user's
+  CHECK(finding(checkGcode(ours + kStart + kSquare + kEnd + "; filament used [mm] = 1.40\n"), "totals").error);
+  CHECK(rules(checkGcode(ours + kStart + kSquare + kEnd + "; filament used [mm] = 1.33\n")) == "");
+  CHECK(finding(checkGcode(ours + kStart + kSquare + "G1 X90 F6000\n" + kEnd), "retraction").error);
+}
+
+TEST_CASE("bed, height, nozzle and filament are read from the file's own settings") {
+  const std::string settings =
+      "; bed_shape = 0x0,55x0,55x100,0x100\n; nozzle_diameter = 0.2\n; max_print_height = 5\n; filament_diameter = "
+      "2.85\n; printer_model = MINI\n";
+  const GcodeCheck check = checkGcode(kStart + kSquare + kEnd + settings);
+  CHECK(check.printer == "MINI");
+  CHECK(finding(check, "bounds").message.find("a bead over the bed's edge at (60, 50), 5 mm") == 0);
+  CHECK(finding(check, "height").message == "above the printer's height: 10 mm");
+  CHECK(finding(check, "extrusion").message.find("more plastic per mm") == 0);
+  CHECK(check.mostFlow == Approx(0.033260 * 30 * kArea * 2.85 * 2.85 / 1.75 / 1.75).epsilon(1e-3));
+}
+
+TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros home and heat") {
+  Printer printer;
+  const std::string wipe = kStart + "G1 Y-4 F6000\nG1 X60 E9 F1000\n";
+  const GcodeCheck near = checkGcode(wipe + kSquare + kEnd, printer);
+  CHECK(near.errors() == 0);
+  CHECK(finding(near, "bounds").message.find("the start or end block goes over the bed's edge") == 0);
+  CHECK(near.box.min.y == 50);
+  CHECK(checkGcode(kStart + "G1 Y-14 F6000\n" + kSquare + kEnd, printer).errors() == 1);
+  const std::string macro =
+      "PRINT_START BED=60 EXTRUDER=215\nM83\nG1 Z0.2 F600\n" + kSquare + "G1 E-0.8 F2100\nPRINT_END\n";
+  CHECK(rules(checkGcode(macro, printer)) == "");
+  CHECK(checkGcode(macro).nozzleTarget == 215);
+  CHECK_FALSE(checkGcode("EXCLUDE_OBJECT_START NAME=PLATE_1\nTIMELAPSE_START\n").homes);
+}
+
+TEST_CASE("any bytes end in findings") {
+  const std::string whole = "; generated by Sillon 0\n" + kStart + kSquare + kEnd;
+  unsigned state = 7;
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = whole;
+    for (int k = 0; k < 3; ++k) {
+      state = state * 1664525u + 1013904223u;
+      const std::size_t at = (state >> 8) % text.size();
+      state = state * 1664525u + 1013904223u;
+      if (state >> 31 != 0) {
+        text[at] = static_cast<char>(state >> 16);
+      } else {
+        text.erase(at, (state >> 20) % 8);
+      }
+    }
+    CHECK(checkGcode(text).lines > 0);
+  }
+  CHECK(checkGcode("").lines == 0);
+  CHECK(checkGcode(std::string(100000, '\n')).lines == 100000);
+  CHECK(checkGcode("G1 X" + std::string(100000, '9')).errors() > 0);
+  CHECK(checkGcode(std::string(100000, 'G')).errors() > 0);
+}
