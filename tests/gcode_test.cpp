@@ -1444,7 +1444,7 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"firstLayerHeight is 0.4 mm", [](Job& j) { j.params.firstLayerHeight = 0.4; }},
       {"firstLayerHeight is -1 mm", [](Job& j) { j.params.firstLayerHeight = -1; }},
       {"firstLayerHeight is not a number", [](Job& j) { j.params.firstLayerHeight = kNan; }},
-      {"flow is 0; it must be above 0 and at most 2", [](Job& j) { j.params.flow = 0; }},
+      {"flow is 0; it must be 0.01 to 2", [](Job& j) { j.params.flow = 0; }},
       {"flow is 2.5", [](Job& j) { j.params.flow = 2.5; }},
       {"baseFlow is -1", [](Job& j) { j.params.baseFlow = -1; }},
       {"layers is 0; it must be 1 to 1000", [](Job& j) { j.params.layers = 0; }},
