@@ -381,6 +381,19 @@ TEST_CASE("nothing outlives the print") {
   CHECK(text.find("M204 S4000\n") != std::string::npos);
 }
 
+TEST_CASE("acceleration is held at the machine's, with a warning") {
+  Job job = plate();
+  job.printer.acceleration = 9000;
+  job.printer.machineAcceleration = 4000;
+  const Written written = job.write();
+  checkFile(job, written);
+  CHECK(
+      contains(written.result.value().warnings, "acceleration is 9000 mm/s2; it is held at machineAcceleration, 4000"));
+  CHECK(written.text.find("M204 P9000") == std::string::npos);
+  job.printer.acceleration = 4000;
+  CHECK(job.write().text == written.text);
+}
+
 TEST_CASE("text of the user stays inside its comment") {
   Job job = plate();
   job.params.notes = {"first\nM112\r\nG28 \xc3\xa9", std::string(200000, 'x')};
@@ -1444,7 +1457,7 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"firstLayerHeight is 0.4 mm", [](Job& j) { j.params.firstLayerHeight = 0.4; }},
       {"firstLayerHeight is -1 mm", [](Job& j) { j.params.firstLayerHeight = -1; }},
       {"firstLayerHeight is not a number", [](Job& j) { j.params.firstLayerHeight = kNan; }},
-      {"flow is 0; it must be above 0 and at most 2", [](Job& j) { j.params.flow = 0; }},
+      {"flow is 0; it must be 0.01 to 2", [](Job& j) { j.params.flow = 0; }},
       {"flow is 2.5", [](Job& j) { j.params.flow = 2.5; }},
       {"baseFlow is -1", [](Job& j) { j.params.baseFlow = -1; }},
       {"layers is 0; it must be 1 to 1000", [](Job& j) { j.params.layers = 0; }},

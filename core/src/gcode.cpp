@@ -534,9 +534,12 @@ double extrusion(double layerHeight, double width, double length, double filamen
   return flow * layerHeight * width * length / filamentArea(filamentDiameter);
 }
 
-Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& given,
                                 const PrintParams& params, const GcodeSink& sink) {
   if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};
+  Printer printer = given;
+  const bool tooFast = given.machineAcceleration > 0 && given.acceleration > given.machineAcceleration;
+  if (tooFast) printer.acceleration = given.machineAcceleration;
   Result<GcodeJob> prepared = prepareGcodeJob(toolpath, shape, printer, params);
   if (!prepared) return prepared.error();
   const GcodeJob& job = prepared.value();
@@ -550,6 +553,10 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
   writer.endBlock();
   writer.footer();
   GcodeSummary summary = writer.finish();
+  if (tooFast) {
+    summary.warnings.push_back("acceleration is " + whole(given.acceleration) +
+                               " mm/s2; it is held at machineAcceleration, " + whole(given.machineAcceleration));
+  }
   if (writer.failed()) return Error{ErrorCode::Cancelled, "writing was stopped before the file was complete"};
   return summary;
 }

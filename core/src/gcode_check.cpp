@@ -539,12 +539,12 @@ void Reader::travel(double length) {
   const bool tight = retracted_ > 0 || firmwareRetracted_;
   if (inPath_ && !tight && coasted_ + length <= kCoast) {
     coasted_ += length;
-    pathEnd_ = at_;
+    if (pathEnd_ != pathStart_) pathEnd_ = at_;  // else this is a wipe without retraction
     return;
   }
   endPath();
   if (moved_ && !tight && !block() && length > kLongTravel) {
-    const bool retracts = !machine_.printer || machine_.printer->retractLength > 0;
+    const bool retracts = !machine_.printer || machine_.printer->retractLength >= 1e-5;  // else none is written
     if (retracts) found("retraction", ours_, "travels without retraction", " over " + decimal(length, 1) + " mm");
   }
 }

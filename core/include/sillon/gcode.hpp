@@ -91,7 +91,7 @@ struct PrintParams {
   double copyGap = 10;          ///< between their boxes, brims included [mm], 1..100
   double layerHeight = 0.2;     ///< 0.05..0.8 nozzle
   double firstLayerHeight = 0;  ///< 0: same as layerHeight
-  double flow = 0.95;           ///< of oriented layers, (0, 2]
+  double flow = 0.95;           ///< of oriented layers, 0.01..2
   double baseFlow = 1;
   double rotate = 0;          ///< of the plate on the bed, counter-clockwise [degrees], -360..360
   bool mirror = false;        ///< left to right, before turning: for plates seen from below
