@@ -47,11 +47,19 @@ export class Bed extends StudioElement {
 
   override render(): TemplateResult {
     const { printer, print, width, height, shape } = this.state.plate;
+    const { roundBed } = printer;
     const [x0, y0] = printer.bedMin;
     const [x1, y1] = printer.bedMax;
     const box = this.studio.boxOnBed();
     const [px, py] = print.place ?? this.studio.centredPlace();
-    const outside = px < x0 || py < y0 || px + box[0] > x1 || py + box[1] > y1;
+    const corners = [px, px + box[0]].flatMap((x) => [py, py + box[1]].map((y) => [x, y] as const));
+    const round = shape.kind === 'disc' ? [] : corners; // a disc's corners are empty
+    const outside =
+      px < x0 ||
+      py < y0 ||
+      px + box[0] > x1 ||
+      py + box[1] > y1 ||
+      (roundBed && round.some(([x, y]) => Math.hypot(x - (x0 + x1) / 2, y - (y0 + y1) / 2) > (x1 - x0) / 2));
     const margin = Math.max(x1 - x0, y1 - y0) * 0.04;
     const lines = (from: number, to: number): number[] =>
       Array.from(
@@ -67,7 +75,7 @@ export class Bed extends StudioElement {
       viewBox="${x0 - margin} ${-y1 - margin} ${x1 - x0 + 2 * margin} ${y1 - y0 + 2 * margin}"
     >
       <g transform="scale(1 -1)">
-        <rect class="bed" x=${x0} y=${y0} width=${x1 - x0} height=${y1 - y0} rx="2" />
+        <rect class="bed" x=${x0} y=${y0} width=${x1 - x0} height=${y1 - y0} rx=${roundBed ? (x1 - x0) / 2 : 2} />
         ${lines(x0, x1).map((x) => svg`<line class="grid" x1=${x} x2=${x} y1=${y0} y2=${y1} />`)}
         ${lines(y0, y1).map((y) => svg`<line class="grid" x1=${x0} x2=${x1} y1=${y} y2=${y} />`)}
         <g
