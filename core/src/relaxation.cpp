@@ -117,13 +117,15 @@ Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& bord
   const float step = 0.25f * spacing;
   const float smoothing = static_cast<float>(params.relaxationSmoothing);
   const float strength = static_cast<float>(params.relaxationStrength);
-  ClosedCurves path = resampled(curves, step, run);
+  ClosedCurves path = resampledSimply(curves, step, run);
   NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);
     std::vector<float> share(path.points.size(), 1.0f);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
-      ClosedCurves next = resampled(moved(path, moves, share, border, spacing, smoothing, run), step, run);
+      const ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
+      // Equal steps may cut corners where strands lie near to each other, however little was moved.
+      ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);
       NeighbourGaps nextGaps = neighbourGaps(next, border, params.spacing, kCap * spacing, run);
       const auto crossings = findCrossings(next, run, nextGaps.tight);
       if (crossings.empty()) {

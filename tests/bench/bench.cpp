@@ -2,7 +2,8 @@
 //
 //   sillon_bench quality [none|soft|N] [SCENE.json ...]   figures of the delivered toolpath
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
-//   sillon_bench growth                                   0.25 to 16 million cells: time exponent and bytes per cell
+//   sillon_bench random [N [SEED]]                        promises on random shapes, fields and parameters (2000 from
+//   1) sillon_bench growth                                   0.25 to 16 million cells: time exponent and bytes per cell
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -11,7 +12,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,7 +22,9 @@
 #include "assemble.hpp"
 #include "memory.hpp"
 #include "sillon/measure.hpp"
+#include "sillon/outline.hpp"
 #include "sillon/pipeline.hpp"
+#include "support/random_plates.hpp"
 
 namespace {
 
@@ -236,6 +241,62 @@ void growth() {
   std::printf("fitted exponent of time over cells: %.3f\n", (n * sxy - sx * sy) / (n * sxx - sx * sx));
 }
 
+/// One random plate after another; prints those that break a promise, and what all of them come to.
+void randomPlates(std::uint64_t count, std::uint64_t seed) {
+  const RunContext run(2);
+  std::uint64_t made = 0, empty = 0, crossing = 0, parted = 0, spilling = 0, kinked = 0;
+  std::vector<double> coverage, overlap;
+  for (std::uint64_t k = seed; k < seed + count; ++k) {
+    const scenes::RandomPlate plate = scenes::randomPlate(k);
+    const auto result = generateToolpath(plate.input, plate.params, run);
+    if (!result) {
+      ++empty;
+      if (result.error().code != sillon::ErrorCode::EmptyShape) {
+        std::printf("%llu: %s\n", static_cast<unsigned long long>(k), result.error().message.c_str());
+      }
+      continue;
+    }
+    const auto measured = measureToolpath(result.value().toolpath, plate.input.shape, plate.input.directions,
+                                          plate.input.modes, plate.params, run);
+    if (!measured) continue;
+    ++made;
+    const auto& m = measured.value();
+    // A joint across a gap is a thread outside of the shape: two strands, a raster pixel or two wide.
+    const double area = sillon::resolveOutline(plate.input.shape).value().area;
+    const double gap = 2 * plate.params.bridge.value_or(plate.params.spacing) + plate.params.spacing;
+    const double threads = result.value().gapJoints * 2 * gap * 0.1 * plate.params.spacing;
+    const bool crosses = m.crossings > 0;
+    const bool parts = static_cast<int>(result.value().toolpath.cycles.size()) != result.value().parts;
+    const bool spills = m.spill > 0.05 + 100 * threads / area;
+    crossing += crosses ? 1 : 0;
+    parted += parts ? 1 : 0;
+    spilling += spills ? 1 : 0;
+    kinked += static_cast<double>(m.kinks) > 0.05 * static_cast<double>(m.uTurns) + 1 ? 1 : 0;
+    coverage.push_back(m.coverage);
+    overlap.push_back(m.overlap);
+    if (crosses || parts || spills) {
+      std::printf("%llu: %s: crossings %d, paths %d of %d parts, spill %.3f %%\n", static_cast<unsigned long long>(k),
+                  plate.name.c_str(), static_cast<int>(m.crossings),
+                  static_cast<int>(result.value().toolpath.cycles.size()), static_cast<int>(result.value().parts),
+                  m.spill);
+    }
+  }
+  const auto quantile = [](std::vector<double>& values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  std::printf("seeds %llu to %llu: %llu plates, %llu without room for a bead\n", static_cast<unsigned long long>(seed),
+              static_cast<unsigned long long>(seed + count - 1), static_cast<unsigned long long>(made),
+              static_cast<unsigned long long>(empty));
+  std::printf(
+      "with crossings %llu, not one path per part %llu, spill above 0.05 %% %llu, kinks above 5 %% of U-turns %llu\n",
+      static_cast<unsigned long long>(crossing), static_cast<unsigned long long>(parted),
+      static_cast<unsigned long long>(spilling), static_cast<unsigned long long>(kinked));
+  std::printf("coverage: median %.2f, worst tenth below %.2f; overlap: median %.2f, worst tenth above %.2f\n",
+              quantile(coverage, 0.5), quantile(coverage, 0.1), quantile(overlap, 0.5), quantile(overlap, 0.9));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -243,6 +304,13 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string what = arguments.empty() ? "" : arguments[0];
   std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
+  if (what == "random") {
+    const auto number = [&](std::size_t k, std::uint64_t fallback) {
+      return rest.size() > k ? std::strtoull(rest[k].c_str(), nullptr, 10) : fallback;
+    };
+    randomPlates(number(0, 2000), number(1, 1));
+    return 0;
+  }
   std::string perimeters;
   if (what == "quality" && !rest.empty() && rest[0].find(".json") == std::string::npos) {
     perimeters = rest[0];
@@ -267,7 +335,8 @@ int main(int argc, char** argv) {
   } else if (what == "growth") {
     growth();
   } else {
-    std::printf("sillon_bench quality [none|soft|N] [SCENE.json ...] | time [SCENE.json ...] | growth\n");
+    std::printf(
+        "sillon_bench quality [none|soft|N] [SCENE.json ...] | time [SCENE.json ...] | growth | random [N [SEED]]\n");
     return 2;
   }
   return 0;
