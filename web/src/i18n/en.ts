@@ -634,6 +634,7 @@ export const en = {
   'warning.backwards': 'The plate is mirrored but shown from above: writing on it reads backwards.',
   'warning.startTemperature': 'The start G-code leaves the nozzle at {hot} °C; the first layer is meant for {meant}.',
   'warning.startLine': 'Line {line} of the start G-code: {what}',
+  'warning.acceleration': 'Acceleration is {asked} mm/s²; it is held at the machine’s {held}.',
   'warning.purge': 'The plate leaves no room for a purge line, so the nozzle is not primed before the first bead.',
   'warning.skirt': 'The skirt does not fit the bed and was left out.',
   'warning.base': 'The base layers cover only {percent}% of the shape; thinner parts have nothing below them.',

@@ -648,6 +648,7 @@ export const fr: Dictionary = {
   'warning.startTemperature':
     'Le G-code de début laisse la buse à {hot} °C ; la première couche est prévue pour {meant}.',
   'warning.startLine': 'Ligne {line} du G-code de début : {what}',
+  'warning.acceleration': 'L’accélération est de {asked} mm/s² ; elle est ramenée à celle de la machine, {held}.',
   'warning.purge':
     'La plaque ne laisse pas de place pour une ligne de purge : la buse n’est pas amorcée avant le premier cordon.',
   'warning.skirt': 'La jupe ne tient pas sur le plateau et a été omise.',

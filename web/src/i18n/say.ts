@@ -107,6 +107,10 @@ export function threadsWords({ threads, reason }: EngineInfo, asked: 'auto' | 'o
 
 // The engine's warnings, with the numbers in them.
 const warnings: readonly [RegExp, (found: string[]) => string][] = [
+  [
+    /^acceleration is (\d+) mm\/s2; it is held at machineAcceleration, (\d+)/,
+    ([asked = '', held = '']) => t('warning.acceleration', { asked: Number(asked), held: Number(held) }),
+  ],
   [/^the plate is mirrored but shown from above/, () => t('warning.backwards')],
   [
     /^startGcode leaves the nozzle at (\d+) degrees; the first layer is meant for (\d+)/,

@@ -200,6 +200,7 @@ test('every warning of the engine has words, with its numbers', async () => {
     ['the plate is mirrored but shown from above; writing on it reads backwards', ''],
     ['startGcode leaves the nozzle at 240 degrees; the first layer is meant for 215', '240'],
     ['line 7 of startGcode: 300 is beyond the bed', '7'],
+    ['acceleration is 2000 mm/s2; it is held at machineAcceleration, 1250', '250'],
     ['maxFlow slows 20 % of the path', '20'],
     ['maxSegmentsPerSecond slows 31 % of the path', '31'],
     ['the file has 2345678 moves; hosts get slow above 2 million', '2\u202f345\u202f678'],
@@ -210,7 +211,7 @@ test('every warning of the engine has words, with its numbers', async () => {
   const written = [...sources.matchAll(/warnings\.(?:push_back|emplace_back)\(/g)].length;
   assert.equal(
     written,
-    17,
+    18,
     'the engine writes other warnings than before: add words for them in say.ts, and lines here',
   );
   await setLanguage('fr');
