@@ -6,7 +6,7 @@ import { StudioEngine } from './engine/studio-engine.js';
 import { createAutosave } from './files/autosave.js';
 import { newPlate } from './model/defaults.js';
 import type { Plate } from './model/plate.js';
-import { problemOf } from './model/problem.js';
+import { problemOf, StudioError } from './model/problem.js';
 import type { Theme } from './model/state.js';
 import { Store } from './model/store.js';
 import { createOpener } from './opening.js';
@@ -82,11 +82,15 @@ studio.services = {
   setRole: (index, role) => opener.setRole(index, role),
   openExample: (example) => opener.openExample(example),
   importPrinter: async (file) => {
-    const { printer, read, notRead } = await (await engine.engine()).importPrinter(file);
+    const running = await engine.engine();
+    const { printer, read, notRead } = await running.importPrinter(file).catch((error: unknown) => {
+      const { code, detail } = problemOf(error);
+      throw code === 'InvalidFile' ? new StudioError('PrinterFile', { name: file.name }, detail) : error;
+    });
     store.settle();
     store.change((plate) => ({ ...plate, printer }));
     studio.notify(t('printer.imported', { name: file.name, n: read.length }));
-    if (notRead.length > 0) studio.notify(t('printer.notRead', { list: notRead.join(' ') }));
+    if (notRead.length > 0) studio.notify(t('printer.notRead', { list: notRead.join('; ') }));
   },
   newPlate: () => {
     show(newPlate());

@@ -686,6 +686,9 @@ export const en = {
   'hint.BrokenProject': 'It may be incomplete. Download or copy it again, or take another copy.',
   'problem.TooManyFiles': 'More than one project was opened at once.',
   'hint.TooManyFiles': 'Open one project at a time.',
+  'problem.PrinterFile': '{name} tells no printer.',
+  'hint.PrinterFile':
+    'Take G-code that your slicer made for this printer, PrusaSlicer settings (.ini) or an Orca preset (.json).',
   'problem.LinkBroken': 'The link is incomplete.',
   'hint.LinkBroken': 'Copy all of it; mails and chats often cut long links.',
   'problem.LinkTooLong': 'The link is too long to be one of ours.',

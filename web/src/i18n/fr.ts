@@ -707,6 +707,9 @@ export const fr: Dictionary = {
     'Il est peut-être incomplet. Téléchargez-le ou copiez-le de nouveau, ou prenez une autre copie.',
   'problem.TooManyFiles': 'Plusieurs projets ont été ouverts à la fois.',
   'hint.TooManyFiles': 'Ouvrez un projet à la fois.',
+  'problem.PrinterFile': '{name} ne décrit aucune imprimante.',
+  'hint.PrinterFile':
+    'Prenez un G-code que votre trancheur a fait pour cette imprimante, des réglages de PrusaSlicer (.ini) ou un préréglage d’Orca (.json).',
   'problem.LinkBroken': 'Le lien est incomplet.',
   'hint.LinkBroken': 'Copiez-le en entier ; les messageries coupent souvent les longs liens.',
   'problem.LinkTooLong': 'Le lien est trop long pour être l’un des nôtres.',

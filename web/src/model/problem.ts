@@ -9,6 +9,8 @@ export type ProblemCode =
   | 'BrokenProject'
   /** More than one project among files that were dropped together. */
   | 'TooManyFiles'
+  /** A file that tells no printer. */
+  | 'PrinterFile'
   | 'LinkBroken'
   | 'LinkTooLong'
   | 'LinkTooNew'

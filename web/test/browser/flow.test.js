@@ -219,6 +219,30 @@ test('drawings and pictures download', { skip }, async () => {
   assert.ok(height > 2000 && height < 2800, `${width} × ${height}`);
 });
 
+test('the printer comes from the owner’s own G-code, and a file that tells none is refused', { skip }, async () => {
+  visit = await bench.open();
+  await visit.idle();
+  await visit.section('Print');
+  const take = async (name, buffer) => {
+    const [chooser] = await Promise.all([
+      visit.page.waitForEvent('filechooser'),
+      visit.button('From your slicer’s file…').click(),
+    ]);
+    await chooser.setFiles({ name, mimeType: '', buffer });
+  };
+  const donor = fileURLToPath(new URL('../../../tests/fuzz/seeds/import/donor.gcode', import.meta.url));
+  await take('donor.gcode', readFileSync(donor));
+  await visit.until((state) => state.plate.printer.name === 'MK4S' && state.plate.printer.startGcode.includes('M862'));
+  await visit.until((state) => state.summary !== undefined && state.progress === undefined);
+  const { bytes } = await visit.download('G-code');
+  assert.match(bytes.toString('utf8'), /^M862\.3 P "MK4S"$/m);
+  await take('song.mp3', Buffer.from([1, 2, 3, 4]));
+  const alert = visit.page.locator('sillon-notices .problem').first();
+  await alert.waitFor();
+  assert.match(await alert.innerText(), /song\.mp3 tells no printer/);
+  assert.equal(await visit.state((state) => state.plate.printer.name), 'MK4S');
+});
+
 test('a short video of the light going round', { skip }, async () => {
   visit = await bench.open({ viewport: { width: 760, height: 420 } }); // software must keep up
   await visit.idle();
