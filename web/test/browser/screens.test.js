@@ -11,7 +11,8 @@ import { skip, start } from './support/studio.js';
 
 const folder = fileURLToPath(new URL('reference/', import.meta.url));
 const side = 20; // [pixels] of a block
-const most = { block: 40, mean: 4 }; // of 255
+/** Of 255; `share`: of the blocks that may differ by more than `block`, as labels do in another font. */
+const most = { block: 40, mean: 4, share: 0.02 };
 let bench, engine;
 
 before(async () => {
@@ -27,13 +28,14 @@ after(async () => {
 /** Mean colour of each block. */
 async function blocks(bytes) {
   const { width, height, channels, samples } = await engine.decodePicture(new Uint8Array(bytes));
+  const scale = (samples instanceof Uint16Array ? 1 / 257 : 1) / side ** 2;
   const columns = Math.floor(width / side);
   const rows = Math.floor(height / side);
   const means = new Float64Array(3 * columns * rows);
   for (let y = 0; y < rows * side; ++y) {
     for (let x = 0; x < columns * side; ++x) {
       const block = Math.floor(y / side) * columns + Math.floor(x / side);
-      for (let c = 0; c < 3; ++c) means[3 * block + c] += samples[(y * width + x) * channels + c] / side ** 2;
+      for (let c = 0; c < 3; ++c) means[3 * block + c] += samples[(y * width + x) * channels + c] * scale;
     }
   }
   return { columns, rows, means };
@@ -50,11 +52,12 @@ async function compare(name, bytes) {
   const differences = shown.means.map((mean, k) => Math.abs(mean - reference.means[k]));
   const mean = differences.reduce((sum, one) => sum + one, 0) / differences.length;
   const worst = Math.max(...differences);
+  const far = differences.filter((difference) => difference > most.block).length / differences.length;
   const block = Math.floor(differences.indexOf(worst) / 3);
   const place = `(${(block % shown.columns) * side}, ${Math.floor(block / shown.columns) * side})`;
   assert.ok(
-    mean <= most.mean && worst <= most.block,
-    `${name}: mean ${mean.toFixed(2)}, at ${place} ${worst.toFixed(1)}`,
+    mean <= most.mean && far <= most.share,
+    `${name}: mean ${mean.toFixed(2)}, ${(100 * far).toFixed(1)} % of the blocks differ, most at ${place}: ${worst.toFixed(1)}`,
   );
 }
 
