@@ -23,26 +23,16 @@ float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, 
   const F4 py = splat(p.y);
   const F4 half = splat(0.5f);
   const F4 own = splat(0.5f * width - allowed);
-  const I4 id0 = splatInt(point);
-  const I4 begin = splatInt(first);
-  const I4 end = splatInt(first + size);
-  const I4 near = splatInt(kOwnChain);
-  const I4 minusNear = splatInt(-kOwnChain);
-  const I4 wrapped = splatInt(size - kOwnChain);
-  const I4 minusWrapped = splatInt(kOwnChain - size);
+  const OwnChain chain(point, first, size, kOwnChain);
   F4 least = splat(1);
   grid.around(p, reach, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
       const F4 dx = load4(&grid.x[s]) - px;
       const F4 dy = load4(&grid.y[s]) - py;
-      const I4 id = load4(&grid.id[s]);
-      const I4 apart = id - id0;
-      const I4 sameCurve = ((id < begin) == splatInt(0)) & (id < end);
-      const I4 close = ((apart > minusNear) & (apart < near)) | (apart > wrapped) | (apart < minusWrapped);
       const F4 room = max4(own + half * load4(&sortedWidth[s]), splat(1e-6f));
       const F4 share2 = (dx * dx + dy * dy) / (room * room);
-      least = min4(least, select4(sameCurve & close, splat(1), share2));
+      least = min4(least, select4(chain.holds(load4(&grid.id[s])), splat(1), share2));
     }
   });
   return std::sqrt(std::min(std::min(least[0], least[1]), std::min(least[2], least[3])));

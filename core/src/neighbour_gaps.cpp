@@ -33,24 +33,15 @@ Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int p
   const F4 py = splat(p.y);
   const F4 nx = splat(normal.x);
   const F4 ny = splat(normal.y);
-  const I4 own = splatInt(point);
-  const I4 begin = splatInt(first);
-  const I4 end = splatInt(first + size);
-  const I4 near = splatInt(kOwnChain);
-  const I4 minusNear = splatInt(-kOwnChain);
-  const I4 wrapped = splatInt(size - kOwnChain);
-  const I4 minusWrapped = splatInt(kOwnChain - size);
+  const OwnChain own(point, first, size, kOwnChain);
   grid.around(p, cap, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
       const F4 dx = load4(&grid.x[s]) - px;
       const F4 dy = load4(&grid.y[s]) - py;
       const I4 id = load4(&grid.id[s]);
-      const I4 apart = id - own;
-      const I4 sameCurve = ((id < begin) == splatInt(0)) & (id < end);
-      const I4 close = ((apart > minusNear) & (apart < near)) | (apart > wrapped) | (apart < minusWrapped);
       const F4 distance2 = max4(dx * dx + dy * dy, splat(1e-12f));
-      const I4 ownChain = sameCurve & close;
+      const I4 ownChain = own.holds(id);
       const F4 curvature = select4(ownChain, splat(0), (nx * dx + ny * dy) / distance2);
       closest = min4(closest, select4(ownChain, splat(1e9f), distance2));
       left = max4(left, curvature);

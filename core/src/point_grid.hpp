@@ -8,6 +8,7 @@
 
 #include "parallel_for.hpp"
 #include "sillon/types.hpp"
+#include "simd.hpp"
 
 namespace sillon {
 
@@ -100,6 +101,30 @@ class PointGrid {
   int nx_ = 1;
   int ny_ = 1;
   std::vector<std::int32_t> begin_;
+};
+
+/// Which points are the same stretch of path as one of them: of its curve, and fewer than `reach` points away round it.
+class OwnChain {
+ public:
+  OwnChain(int point, int first, int size, int reach)
+      : point_(splatInt(point)),
+        begin_(splatInt(first)),
+        end_(splatInt(first + size)),
+        near_(splatInt(reach)),
+        minusNear_(splatInt(-reach)),
+        wrapped_(splatInt(size - reach)),
+        minusWrapped_(splatInt(reach - size)) {}
+
+  /// \return all bits set where `id` is one of them.
+  [[nodiscard]] I4 holds(I4 id) const {
+    const I4 apart = id - point_;
+    const I4 sameCurve = ((id < begin_) == splatInt(0)) & (id < end_);
+    const I4 close = ((apart > minusNear_) & (apart < near_)) | (apart > wrapped_) | (apart < minusWrapped_);
+    return sameCurve & close;
+  }
+
+ private:
+  I4 point_, begin_, end_, near_, minusNear_, wrapped_, minusWrapped_;
 };
 
 }  // namespace sillon

@@ -261,13 +261,9 @@ void randomPlates(std::uint64_t count, std::uint64_t seed) {
     if (!measured) continue;
     ++made;
     const auto& m = measured.value();
-    // A joint across a gap is a thread outside of the shape: two strands, a raster pixel or two wide.
-    const double area = sillon::resolveOutline(plate.input.shape).value().area;
-    const double gap = 2 * plate.params.bridge.value_or(plate.params.spacing) + plate.params.spacing;
-    const double threads = result.value().gapJoints * 2 * gap * 0.1 * plate.params.spacing;
     const bool crosses = m.crossings > 0;
     const bool parts = static_cast<int>(result.value().toolpath.cycles.size()) != result.value().parts;
-    const bool spills = m.spill > 0.05 + 100 * threads / area;
+    const bool spills = m.spill > scenes::spillAllowed(plate, result.value());
     crossing += crosses ? 1 : 0;
     parted += parts ? 1 : 0;
     spilling += spills ? 1 : 0;

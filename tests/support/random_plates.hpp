@@ -1,6 +1,8 @@
 // Random shapes x fields x parameters: islands, slivers, holes, tiny, huge aspect, self-crossing outlines.
 #pragma once
 
+#include "sillon/outline.hpp"
+#include "sillon/pipeline.hpp"
 #include "support/scenes.hpp"
 
 namespace scenes {
@@ -128,6 +130,15 @@ inline RandomPlate randomPlate(std::uint64_t seed) {
   plate.params.perimeters = perimeters == 5 ? 3 : 1;
   if (random.index(4) == 0) plate.params.bridge = random.in(0, 2);
   return plate;
+}
+
+/// What a plate may spill [%]: a joint across a gap is a thread outside of the shape, two strands a raster pixel or two
+/// wide.
+inline double spillAllowed(const RandomPlate& plate, const sillon::Plate& made) {
+  const double area = sillon::resolveOutline(plate.input.shape).value().area;
+  const double gap = 2 * plate.params.bridge.value_or(plate.params.spacing) + plate.params.spacing;
+  const double threads = made.gapJoints * 2 * gap * 0.1 * plate.params.spacing;
+  return 0.05 + 100 * threads / area;
 }
 
 }  // namespace scenes
