@@ -1,6 +1,6 @@
 // Benches of the core: quality per scene, time per stage, threads, growth. Prints tables; asserts nothing.
 //
-//   sillon_bench quality [none|soft|N] [SCENE.json ...]   figures of the delivered toolpath
+//   sillon_bench quality [none|soft|N] [SCENE.json ...]   figures of the delivered toolpath, and of the G-code
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
 //   sillon_bench random [N [SEED]]                        promises on random shapes, fields and parameters (2000 from
 //   1) sillon_bench growth                                   0.25 to 16 million cells: time exponent and bytes per cell
@@ -25,6 +25,7 @@
 #include "sillon/outline.hpp"
 #include "sillon/pipeline.hpp"
 #include "support/random_plates.hpp"
+#include "written.hpp"
 
 namespace {
 
@@ -89,9 +90,15 @@ double totalOf(const Plate& plate) {
   return sum;
 }
 
+void qualityRow(const std::string& name, const sillon::Measures& m) {
+  std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %7.3f %6d %6d %5d", name.c_str(), m.alignment,
+              m.alignmentInterior, m.alignmentConstrained, m.coverage, m.overlap, m.spill, m.fillRatio,
+              static_cast<int>(m.uTurns), static_cast<int>(m.kinks), static_cast<int>(m.crossings));
+}
+
 void quality(const std::vector<std::string>& scenes, const std::string& perimeters) {
-  std::printf("%-27s %8s %8s %8s %7s %7s %7s %6s %6s %5s %6s %5s %6s %7s\n", "scene", "align", "inner", "constr.",
-              "cover%", "over%", "spill%", "U-turn", "kinks", "cross", "cycles", "parts", "paths", "fill");
+  std::printf("%-27s %8s %8s %8s %7s %7s %7s %7s %6s %6s %5s %6s %5s %6s\n", "scene", "align", "inner", "constr.",
+              "cover%", "over%", "spill%", "fill", "U-turn", "kinks", "cross", "cycles", "parts", "paths");
   const RunContext run(2);
   for (const std::string& path : scenes) {
     Loaded scene;
@@ -108,15 +115,28 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
       std::printf("%-27s %s\n", scene.name.c_str(), plate.error().message.c_str());
       continue;
     }
-    const auto m = measureToolpath(plate.value().toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
-                                   params, run);
+    const auto measured = [&](const sillon::Toolpath& toolpath) {
+      return measureToolpath(toolpath, scene.input.shape, scene.input.directions, scene.input.modes, params, run);
+    };
+    const auto m = measured(plate.value().toolpath);
     if (!m) continue;
-    const auto& v = m.value();
-    std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %6d %6d %5d %6d %5d %6d %7.3f\n", scene.name.c_str(),
-                v.alignment, v.alignmentInterior, v.alignmentConstrained, v.coverage, v.overlap, v.spill,
-                static_cast<int>(v.uTurns), static_cast<int>(v.kinks), static_cast<int>(v.crossings),
-                static_cast<int>(plate.value().contourCycles), static_cast<int>(plate.value().parts),
-                static_cast<int>(plate.value().toolpath.cycles.size()), v.fillRatio);
+    qualityRow(scene.name, m.value());
+    std::printf(" %6d %5d %6d\n", static_cast<int>(plate.value().contourCycles), static_cast<int>(plate.value().parts),
+                static_cast<int>(plate.value().toolpath.cycles.size()));
+    const bench::Written written = bench::writtenToolpath(plate.value().toolpath, scene.input.shape);
+    if (!written.error.empty()) {
+      std::printf("  not written: %s\n", written.error.c_str());
+      continue;
+    }
+    auto read = measured(written.beads);
+    const auto turns = measured(written.path);
+    if (!read || !turns) continue;
+    sillon::Measures& v = read.value();
+    v.uTurns = turns.value().uTurns;
+    v.kinks = turns.value().kinks;
+    v.crossings = turns.value().crossings;
+    qualityRow("  as written", v);
+    std::printf("\n");
     std::fflush(stdout);
   }
 }
