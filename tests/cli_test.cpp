@@ -426,6 +426,7 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");
   refused("--brim 51", "print.brim is 51");
   refused("--printer mk4", "--printer is \"mk4\", which is no printer");
+  refused("--preset paper", "--preset is \"paper\", which is no recipe");
   refused("--filament abs", "--filament is \"abs\", which is no filament; known are petg, pla, pla-silk");
   refused("--bed 200", "--bed is \"200\"");
   refused("--bed 10x10", "bed");  // smaller than the plate

@@ -42,7 +42,7 @@ Fields fieldsOf(const PlateInput& input, const ToolpathParams& params = {}, cons
   f.frequency = spacingField(f.lines, f.cells, params, run).value();
   f.waves = alignPhases(f.lines, f.frequency, f.sdf, f.cells, params, run).value();
   f.nodeDistance = bandDistance(input.shape, index, nodeLattice(grid), static_cast<float>(params.spacing), run).value();
-  f.values = evaluateSineField(f.waves, f.nodeDistance, run).value();
+  f.values = evaluateSineField(f.waves, f.nodeDistance, params, run).value();
   return f;
 }
 
@@ -245,23 +245,56 @@ TEST_CASE("(d, phi) and (-d, pi - phi) are the same wave, for alignment too") {
 }
 
 TEST_CASE("a uniform field becomes one plane wave at any angle, without a single dislocation") {
-  for (const double angle : {0.0, 0.4, 1.1, 2.5}) {
-    ToolpathParams params;
-    params.perimeterMode = PerimeterMode::None;
-    const Fields f = fieldsOf(square(12, uniform(angle)), params);
-    const Grid& grid = f.waves.grid;
-    for (int y = 1; y < grid.ny; ++y) {
-      for (int x = 1; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        const std::size_t j = grid.index(x - 1, y);
-        if (f.cells.zone[i] == Zone::Masked || f.cells.zone[j] == Zone::Masked) continue;
-        const Vec2f q = f.waves.phase[i];
-        const float expected = alignedPhase({0.2f, 0}, f.waves.wave[i], f.waves.wave[j],
-                                            std::atan2(f.waves.phase[j].y, f.waves.phase[j].x), kFrequency);
-        REQUIRE(q.x * std::cos(expected) + q.y * std::sin(expected) > 0.999f);
+  for (const PhaseTransport transport : {PhaseTransport::Midpoint, PhaseTransport::Neighbour}) {
+    for (const double angle : {0.0, 0.4, 1.1, 2.5}) {
+      ToolpathParams params;
+      params.perimeterMode = PerimeterMode::None;
+      params.phaseTransport = transport;
+      const Fields f = fieldsOf(square(12, uniform(angle)), params);
+      const Grid& grid = f.waves.grid;
+      for (int y = 1; y < grid.ny; ++y) {
+        for (int x = 1; x < grid.nx; ++x) {
+          const std::size_t i = grid.index(x, y);
+          const std::size_t j = grid.index(x - 1, y);
+          if (f.cells.zone[i] == Zone::Masked || f.cells.zone[j] == Zone::Masked) continue;
+          const Vec2f q = f.waves.phase[i];
+          const float expected = alignedPhase({0.2f, 0}, f.waves.wave[i], f.waves.wave[j],
+                                              std::atan2(f.waves.phase[j].y, f.waves.phase[j].x), kFrequency);
+          REQUIRE(q.x * std::cos(expected) + q.y * std::sin(expected) > 0.999f);
+        }
       }
     }
   }
+}
+
+TEST_CASE("rings come out as rings: transport at the midpoint is second order, by the neighbour's line first order") {
+  // Beads round a point outside of the shape, 20 spacings away: the wave is sin(pi r / tau + c), known everywhere.
+  const Vec2 middle{-2, 6};
+  const DirectionMap rings =
+      mapOf(256, [&](double x, double y) { return std::atan2(12 * y - middle.y, 12 * x - middle.x) + kPi / 2; });
+  const auto spread = [&](PhaseTransport transport) {
+    ToolpathParams params;
+    params.perimeterMode = PerimeterMode::None;
+    params.spacingBend = 0;
+    params.phaseTransport = transport;
+    const Fields f = fieldsOf(square(12, rings), params);
+    const Grid& grid = f.waves.grid;
+    double re = 0, im = 0, count = 0;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      if (f.cells.zone[i] == Zone::Masked) continue;
+      const Vec2 to = grid.centre(static_cast<int>(i) % grid.nx, static_cast<int>(i) / grid.nx) - middle;
+      const bool outward = dot(to, Vec2{f.waves.wave[i].x, f.waves.wave[i].y}) > 0;
+      const double phase = std::atan2(f.waves.phase[i].y, outward ? f.waves.phase[i].x : -f.waves.phase[i].x);
+      const double rest = phase - static_cast<double>(kFrequency) * length(to);
+      re += std::cos(rest);
+      im += std::sin(rest);
+      ++count;
+    }
+    return 1 - std::hypot(re, im) / count;  // 0: one constant c all over the plate
+  };
+  const double midpoint = spread(PhaseTransport::Midpoint);
+  CHECK(midpoint < 0.006);
+  CHECK(spread(PhaseTransport::Neighbour) > 5 * midpoint);
 }
 
 TEST_CASE("the ring's wave vanishes half a bead inside the border") {

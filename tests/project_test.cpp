@@ -49,8 +49,11 @@ Project unusualProject() {
   p.toolpath.bridge = 0.07;
   p.toolpath.mapFilter = MapFilter::Nearest;
   p.toolpath.seed = std::numeric_limits<std::uint64_t>::max();
+  p.toolpath.jitter = 0.07;
+  p.toolpath.phaseTransport = PhaseTransport::Neighbour;
   p.toolpath.sweepsPerLevel = 9;
   p.toolpath.spacingBend = 0.1;
+  p.toolpath.waveReach = 0.8;
   p.toolpath.borderPull = 2.5;
   p.toolpath.stitchAlignment = 0.6;
   p.toolpath.relaxationRounds = 4;
@@ -219,6 +222,25 @@ TEST_CASE("a preset lies under the filament, and that under the project's own va
   const std::string block(65537, 'x');
   CHECK(
       has(problem(R"({"sillon": 1, "printer": {"endGcode": ")" + block + "\"}}"), "printer.endGcode has 65537 bytes"));
+}
+
+TEST_CASE("a recipe lies under the section's own values, and all recipes can be used") {
+  const Result<Project> read = readProject(R"({"sillon": 1, "toolpath": {"waveReach": 0.7, "preset": "paper-2023"}})");
+  REQUIRE(read);
+  CHECK(read.value().toolpath.phaseTransport == PhaseTransport::Neighbour);
+  CHECK(read.value().toolpath.spacingBend == 0);
+  CHECK(read.value().toolpath.relaxationRounds == 0);
+  CHECK(read.value().toolpath.waveReach == 0.7);
+  CHECK(read.value().toolpath.spacing == 0.4);
+  CHECK(has(problem(R"({"sillon": 1, "toolpath": {"preset": "paper"}})"),
+            "toolpath.preset is \"paper\", which is no recipe"));
+  CHECK(recipes().size() == 6);
+  for (const std::string& id : recipes()) {
+    Project project;
+    CHECK(applyRecipe(id, project.toolpath).empty());
+    CHECK(invalidProject(project).empty());
+    CHECK((writeProject(project) == writeProject({})) == (id == "standard"));
+  }
 }
 
 TEST_CASE("the presets are the makers' facts and readable projects") {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -10,6 +11,7 @@
 #include "assemble.hpp"
 #include "sillon/measure.hpp"
 #include "sillon/pipeline.hpp"
+#include "sillon/presets.hpp"
 
 using namespace sillon;
 namespace fs = std::filesystem;
@@ -22,10 +24,33 @@ struct Figures {
   double overlap;    ///< at most
 };
 
+fs::path scenesFolder() { return fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes"; }
+
+struct Made {
+  Plate plate;
+  Measures measures;
+};
+
+Made makeScene(const fs::path& path, const std::string& recipe = "standard") {
+  auto project = cli::loadProject(path.string());
+  REQUIRE_MESSAGE(project.ok(), (project.ok() ? "" : project.error().message));
+  const auto input = cli::assemblePlate(project.value());
+  REQUIRE_MESSAGE(input.ok(), (input.ok() ? "" : input.error().message));
+  ToolpathParams& params = project.value().toolpath;
+  REQUIRE(applyRecipe(recipe, params).empty());
+  const RunContext run(2);
+  auto plate = generateToolpath(input.value(), params, run);
+  REQUIRE(plate.ok());
+  auto measures = measureToolpath(plate.value().toolpath, input.value().shape, input.value().directions,
+                                  input.value().modes, params, run);
+  REQUIRE(measures.ok());
+  return {std::move(plate).value(), std::move(measures).value()};
+}
+
 }  // namespace
 
 TEST_CASE("published scenes become one simple toolpath per part, without spill and with the figures of the README") {
-  const fs::path folder = fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes";
+  const fs::path folder = scenesFolder();
   if (!fs::is_directory(folder)) {
     MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
     return;
@@ -40,24 +65,13 @@ TEST_CASE("published scenes become one simple toolpath per part, without spill a
   }
   std::sort(scenes.begin(), scenes.end());
   CHECK(scenes.size() >= 4);
-  const RunContext run(2);
   for (const fs::path& path : scenes) {
     const std::string name = path.stem().string();
     CAPTURE(name);
-    const auto project = cli::loadProject(path.string());
-    REQUIRE_MESSAGE(project.ok(), (project.ok() ? "" : project.error().message));
-    const auto input = cli::assemblePlate(project.value());
-    REQUIRE_MESSAGE(input.ok(), (input.ok() ? "" : input.error().message));
-    const PlateInput& plateInput = input.value();
-    const ToolpathParams& params = project.value().toolpath;
-    const auto plate = generateToolpath(plateInput, params, run);
-    REQUIRE(plate.ok());
-    const auto measures =
-        measureToolpath(plate.value().toolpath, plateInput.shape, plateInput.directions, plateInput.modes, params, run);
-    REQUIRE(measures.ok());
-    const Measures& m = measures.value();
-    CHECK(plate.value().parts == 1);
-    CHECK(plate.value().toolpath.cycles.size() == 1);
+    const Made made = makeScene(path);
+    const Measures& m = made.measures;
+    CHECK(made.plate.parts == 1);
+    CHECK(made.plate.toolpath.cycles.size() == 1);
     CHECK(m.crossings == 0);
     CHECK(m.spill <= 0.05);
     const auto wanted = figures.find(name);
@@ -66,4 +80,13 @@ TEST_CASE("published scenes become one simple toolpath per part, without spill a
     CHECK(m.coverage >= wanted->second.coverage);
     CHECK(m.overlap <= wanted->second.overlap);
   }
+}
+
+TEST_CASE("the recipe of 2023 comes within 0.006 of the alignment that was published") {
+  if (!fs::is_directory(scenesFolder())) {
+    MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
+    return;
+  }
+  CHECK(std::abs(makeScene(scenesFolder() / "brain.json", "paper-2023").measures.alignment + 0.930) <= 0.006);
+  CHECK(std::abs(makeScene(scenesFolder() / "wave.json", "paper-2023").measures.alignment + 0.958) <= 0.006);
 }

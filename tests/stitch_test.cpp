@@ -30,7 +30,7 @@ Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {}
   const Grid nodes = nodeLattice(grid);
   const float spacing = static_cast<float>(params.spacing);
   const std::vector<float> distance = bandDistance(input.shape, border, nodes, spacing, run).value();
-  std::vector<float> values = evaluateSineField(waves, distance, run).value();
+  std::vector<float> values = evaluateSineField(waves, distance, params, run).value();
   const Parts parts = labelParts(sdf, border, params.spacing, params.bridge.value_or(params.spacing));
   keepThinParts(parts, sdf, params.spacing, values);
   const ClosedCurves contour = contourCycles(nodes, values, distance, params.spacing, run).value();

@@ -33,7 +33,7 @@ export interface Engine {
   readonly info: EngineInfo;
   /** @throws `InvalidArgument` (which field, its value, its range), `InvalidFile`, `EmptyShape`, `TooLarge`,
    * `OutOfMemory`. */
-  generateToolpath(input: PlateInput, params?: Partial<ToolpathParams>, options?: GenerateOptions): Promise<Plate>;
+  generateToolpath(input: PlateInput, params?: ToolpathOptions, options?: GenerateOptions): Promise<Plate>;
   /** @throws `InvalidArgument`, `DoesNotFit`, `EmptyShape`. */
   writeGcode(
     toolpath: Toolpath,
@@ -132,6 +132,14 @@ export interface Picture {
   samples: Uint8Array | Uint8ClampedArray | Uint16Array;
 }
 
+/** A recipe to begin with, and values that override its own. */
+export interface ToolpathOptions extends Partial<ToolpathParams> {
+  preset?: Recipe;
+}
+
+/** Ways to make a toolpath; docs/project.md says what they change. */
+export type Recipe = 'draft' | 'fewest-turns' | 'fine' | 'paper-2023' | 'standard' | 'strict';
+
 /** Section `toolpath` of docs/project.md: defaults, units and ranges. */
 export interface ToolpathParams {
   spacing: number;
@@ -141,8 +149,11 @@ export interface ToolpathParams {
   mapFilter: 'average' | 'nearest';
   /** 0..2^53 - 1. */
   seed: number;
+  jitter: number;
+  phaseTransport: 'midpoint' | 'neighbour';
   sweepsPerLevel: number;
   spacingBend: number;
+  waveReach: number;
   borderPull: number;
   stitchAlignment: number;
   relaxationRounds: number;

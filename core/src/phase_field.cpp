@@ -12,24 +12,27 @@
 namespace sillon {
 namespace {
 
-constexpr float kNoPhase = 1e-9f;     ///< a sum shorter than this keeps the old phase
-constexpr float kJitter = 1.0f / 40;  ///< largest move of a sample point [tau] when the seed is not 0
-constexpr std::size_t kEdges = 4;     ///< edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1)
+constexpr float kNoPhase = 1e-9f;  ///< a sum shorter than this keeps the old phase
+constexpr std::size_t kEdges = 4;  ///< edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1)
 constexpr int kEdgeX[kEdges] = {1, 0, 1, -1};
 constexpr int kEdgeY[kEdges] = {0, 1, 1, 1};
 
 // How the phase of one cell follows from a neighbour's: with a = w |d_i.d_j| e^{i theta0} and s = sign(d_i.d_j),
-// q_i += (s Re(a q_j), Im(a q_j)) (Eq. 8 and 10). The other way round is the transposed 2 x 2 matrix.
+// q_i += (s Re(a q_j), Im(a q_j)) (Eq. 8 and 10). The other way round is the transposed 2 x 2 matrix; as published,
+// where theta0 depends on the line of j only, the way back has numbers of its own, written as if they were transposed.
 struct Transport {
   Planes re;
   Planes im;
   Planes sign;
+  Planes backRe;  ///< empty for the midpoint
+  Planes backIm;
 };
 
 struct PhaseLevel {
   LevelShape shape;
   float step = 0;  ///< frequency times the level's cell side [rad]
   int depth = 0;
+  PhaseTransport transport = PhaseTransport::Midpoint;
   Planes dx, dy;  ///< lines; 0 where masked
   Planes f;       ///< frequency, about 1
   Planes qr, qi;  ///< phases
@@ -38,29 +41,31 @@ struct PhaseLevel {
   std::array<Transport, kEdges> edges;
 };
 
-// Displacement of a sample point, in cell sides of its level; zero for seed 0.
+// Displacement of a sample point, in cell sides of its level (tau/2 on the finest); zero for seed 0.
 class Jitter {
  public:
-  explicit Jitter(std::uint64_t seed) : seed_(seed) {}
+  Jitter(std::uint64_t seed, float most) : seed_(seed), most_(2 * most) {}
   [[nodiscard]] Vec2f at(int depth, int x, int y) const {
     if (seed_ == 0) return {};
     const std::uint64_t cell =
         (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
     const std::uint64_t bits = hash64(hash64(seed_ + static_cast<std::uint64_t>(depth)) ^ cell);
     const auto unit = [](std::uint64_t v) { return static_cast<float>(v & 0xffffff) * (1.0f / 0x800000) - 1; };
-    return {2 * kJitter * unit(bits), 2 * kJitter * unit(bits >> 32)};
+    return {most_ * unit(bits), most_ * unit(bits >> 32)};
   }
 
  private:
   std::uint64_t seed_;
+  float most_;
 };
 
 Vec2f multiply(Vec2f a, Vec2f b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
 // The wave of j seen from i, without weight: the phase flips to pi - phase where the lines oppose each other.
-Vec2f transported(Vec2f offsetSteps, Vec2f ki, Vec2f kj, Vec2f qj) {
+Vec2f transported(PhaseTransport transport, Vec2f offsetSteps, Vec2f ki, Vec2f kj, Vec2f qj) {
   const float s = dot(ki, kj) > 0 ? 1.0f : -1.0f;
-  const SinCos turn = sinCos(0.5f * dot(offsetSteps, kj + ki * s));
+  const Vec2f k = transport == PhaseTransport::Midpoint ? (kj + ki * s) * 0.5f : kj;
+  const SinCos turn = sinCos(dot(offsetSteps, k));
   const Vec2f q = multiply({turn.cos, turn.sin}, qj);
   return {s * q.x, q.y};
 }
@@ -77,8 +82,9 @@ bool isMasked(const PhaseLevel& level, std::size_t colour, std::size_t i) {
   return level.dx[colour][i] == 0 && level.dy[colour][i] == 0;
 }
 
-PhaseLevel makeLevel(LevelShape shape, float step, int depth, bool anchors) {
+PhaseLevel makeLevel(LevelShape shape, float step, int depth, PhaseTransport transport, bool anchors) {
   PhaseLevel level;
+  level.transport = transport;
   level.shape = shape;
   level.step = step;
   level.depth = depth;
@@ -95,7 +101,9 @@ PhaseLevel makeLevel(LevelShape shape, float step, int depth, bool anchors) {
 void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run) {
   const LevelShape& shape = level.shape;
   for (std::size_t e = 0; e < kEdges; ++e) {
-    level.edges[e] = {makePlanes(shape), makePlanes(shape), makePlanes(shape)};
+    level.edges[e] = {makePlanes(shape), makePlanes(shape), makePlanes(shape), {}, {}};
+    const bool midpoint = level.transport == PhaseTransport::Midpoint;
+    if (!midpoint) level.edges[e].backRe = level.edges[e].backIm = makePlanes(shape);
     const bool corner = kEdgeX[e] != 0 && kEdgeY[e] != 0;
     for (std::size_t colour = 0; colour < kColours; ++colour) {
       const NeighbourPlane n = neighbourPlane(shape, colour, kEdgeX[e], kEdgeY[e]);
@@ -123,12 +131,18 @@ void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run
             const F4 sign = select4(along > splat(0), splat(1), splat(-1));
             const F4 fi = sign * load4(&level.f[colour][i]);
             const F4 fj = load4(&level.f[n.colour][j]);
-            const F4 angle = splat(0.5f * level.step) * (ox * (fj * djx + fi * dix) + oy * (fj * djy + fi * diy));
-            const SinCos4 turn = sinCos(angle);
             const F4 weight = splat(corner ? kCornerWeight : kSideWeight) * (sign * along);
+            const F4 step = splat(midpoint ? 0.5f * level.step : level.step);
+            const F4 kx = midpoint ? fj * djx + fi * dix : fj * djx;
+            const F4 ky = midpoint ? fj * djy + fi * diy : fj * djy;
+            const SinCos4 turn = sinCos(step * (ox * kx + oy * ky));
             store4(&edge.re[colour][i], weight * turn.cos);
             store4(&edge.im[colour][i], weight * turn.sin);
             store4(&edge.sign[colour][i], sign);
+            if (midpoint) continue;
+            const SinCos4 back = sinCos(step * (ox * fi * dix + oy * fi * diy));
+            store4(&edge.backRe[colour][i], weight * back.cos);
+            store4(&edge.backIm[colour][i], weight * back.sin);
           }
         }
       });
@@ -170,7 +184,10 @@ ColourSweep colourSweep(PhaseLevel& level, std::size_t colour) {
     const Transport& edge = level.edges[e];
     sweep.ahead[e] = {edge.re[colour].data(), edge.im[colour].data(), edge.sign[colour].data(),
                       level.qr[a.colour].data() + a.offset, level.qi[a.colour].data() + a.offset};
-    sweep.behind[e] = {edge.re[b.colour].data() + b.offset, edge.im[b.colour].data() + b.offset,
+    const bool midpoint = level.transport == PhaseTransport::Midpoint;
+    const Planes& re = midpoint ? edge.re : edge.backRe;
+    const Planes& im = midpoint ? edge.im : edge.backIm;
+    sweep.behind[e] = {re[b.colour].data() + b.offset, im[b.colour].data() + b.offset,
                        edge.sign[b.colour].data() + b.offset, level.qr[b.colour].data() + b.offset,
                        level.qi[b.colour].data() + b.offset};
   }
@@ -247,7 +264,7 @@ Vec2f parentOffset(const PhaseLevel& fine, std::size_t colour, int px, int py, c
 // prolongation. The border's wave of soft borders adds up. A parent with a fixed child is fixed.
 PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
   const bool anchors = !fine.ar[0].empty();
-  PhaseLevel coarse = makeLevel(fine.shape.coarser(), 2 * fine.step, fine.depth + 1, anchors);
+  PhaseLevel coarse = makeLevel(fine.shape.coarser(), 2 * fine.step, fine.depth + 1, fine.transport, anchors);
   parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < fine.shape.px; ++x) {
@@ -284,10 +301,12 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
           const float along = std::abs(dot(d, lineAt(fine, c, child)));
           if (fine.free[c][child] == 0) {
             fixed = true;
-            fixedSum = fixedSum + transported(offset, k, kj, {fine.qr[c][child], fine.qi[c][child]}) * along;
+            fixedSum =
+                fixedSum + transported(fine.transport, offset, k, kj, {fine.qr[c][child], fine.qi[c][child]}) * along;
           }
           if (anchors)
-            anchorSum = anchorSum + transported(offset, k, kj, {fine.ar[c][child], fine.ai[c][child]}) * along;
+            anchorSum =
+                anchorSum + transported(fine.transport, offset, k, kj, {fine.ar[c][child], fine.ai[c][child]}) * along;
         }
         const float sum = length(fixedSum);
         const Vec2f q = sum > kNoPhase ? fixedSum * (1 / sum) : Vec2f{1, 0};
@@ -316,7 +335,7 @@ void prolong(const PhaseLevel& coarse, PhaseLevel& fine, const Jitter& jitter, c
         for (std::size_t c = 0; c < kColours; ++c) {
           if (fine.free[c][child] == 0) continue;
           const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
-          const Vec2f q = transported(offset, waveAt(fine, c, child), kp, qp);
+          const Vec2f q = transported(fine.transport, offset, waveAt(fine, c, child), kp, qp);
           fine.qr[c][child] = q.x;
           fine.qi[c][child] = q.y;
         }
@@ -337,7 +356,7 @@ PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequen
   const float spacing = static_cast<float>(params.spacing);
   const bool soft = params.perimeterMode == PerimeterMode::Soft;
   const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
-  PhaseLevel level = makeLevel(LevelShape(grid.nx, grid.ny), 0.5f * kPi, 0, soft);
+  PhaseLevel level = makeLevel(LevelShape(grid.nx, grid.ny), 0.5f * kPi, 0, params.phaseTransport, soft);
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
@@ -382,7 +401,7 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
 Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
                               const SignedDistanceField& sdf, const CellConstraints& cells,
                               const ToolpathParams& params, const RunContext& run) {
-  const Jitter jitter(params.seed);
+  const Jitter jitter(params.seed, static_cast<float>(params.jitter));
   std::vector<PhaseLevel> levels;
   levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter));
   while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));

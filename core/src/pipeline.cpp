@@ -65,8 +65,10 @@ std::string invalidParameter(const ToolpathParams& p) {
   if (!within(p.spacing, 0.05, 20)) return outOfRange("spacing", p.spacing, " mm", "0.05 to 20 mm");
   if (p.perimeters < 0 || p.perimeters > 100) return outOfRange("perimeters", p.perimeters, "", "0 to 100");
   if (p.bridge && !within(*p.bridge, 0, 100)) return outOfRange("bridge", *p.bridge, " mm", "0 to 100 mm");
+  if (!within(p.jitter, 0, 0.25)) return outOfRange("jitter", p.jitter, " spacings", "0 to 0.25 spacings");
   if (p.sweepsPerLevel < 1 || p.sweepsPerLevel > 1000)
     return outOfRange("sweepsPerLevel", p.sweepsPerLevel, "", "1 to 1000");
+  if (!within(p.waveReach, 0.45, 1.5)) return outOfRange("waveReach", p.waveReach, " spacings", "0.45 to 1.5 spacings");
   if (!within(p.spacingBend, 0, 0.5)) return outOfRange("spacingBend", p.spacingBend, "", "0 to 0.5");
   if (!within(p.borderPull, 0, 100)) return outOfRange("borderPull", p.borderPull, "", "0 to 100");
   if (!within(p.stitchAlignment, 0, 10)) return outOfRange("stitchAlignment", p.stitchAlignment, "", "0 to 10");
@@ -147,7 +149,7 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   const Result<std::vector<float>> distance =
       bandDistance(input.shape, border.value(), nodes, static_cast<float>(params.spacing), run);
   if (!distance) return distance.error();
-  Result<std::vector<float>> values = evaluateSineField(waves.value(), distance.value(), run);
+  Result<std::vector<float>> values = evaluateSineField(waves.value(), distance.value(), params, run);
   if (!values) return values.error();
   keepThinParts(parts, sdf.value(), params.spacing, values.value());
   const Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);

@@ -54,6 +54,8 @@ constexpr std::array<Name<PerimeterMode>, 3> kPerimeterModes{
     {{"none", PerimeterMode::None}, {"soft", PerimeterMode::Soft}, {"count", PerimeterMode::Count}}};
 constexpr std::array<Name<MapFilter>, 2> kMapFilters{
     {{"average", MapFilter::Average}, {"nearest", MapFilter::Nearest}}};
+constexpr std::array<Name<PhaseTransport>, 2> kPhaseTransports{
+    {{"midpoint", PhaseTransport::Midpoint}, {"neighbour", PhaseTransport::Neighbour}}};
 constexpr std::array<Name<GcodeFlavor>, 5> kFlavors{{{"marlin", GcodeFlavor::Marlin},
                                                      {"klipper", GcodeFlavor::Klipper},
                                                      {"reprap", GcodeFlavor::RepRap},
@@ -73,6 +75,7 @@ struct PresetTable {
 };
 constexpr PresetTable kPrinters{"printers", "printer", kPrintersJson};
 constexpr PresetTable kFilaments{"filaments", "filament", kFilamentsJson};
+constexpr PresetTable kRecipes{"recipes", "recipe", kRecipesJson};
 
 constexpr std::array kSections{"shape", "directions", "modes", "toolpath", "print", "printer"};
 
@@ -113,6 +116,32 @@ void visitPrinter(Visitor& v, AnyPrinter& p) {
   v.text("screenSizes", p.screenSizes);
 }
 
+/// The fields of the toolpath; recipes.json has some of the same keys.
+template <class Visitor, class AnyParams>
+void visitToolpath(Visitor& v, AnyParams& p) {
+  v.number("spacing", p.spacing);
+  v.choice("perimeterMode", p.perimeterMode, kPerimeterModes);
+  v.integer("perimeters", p.perimeters);
+  v.number("bridge", p.bridge);
+  v.choice("mapFilter", p.mapFilter, kMapFilters);
+  v.integer("seed", p.seed);
+  v.number("jitter", p.jitter);
+  v.choice("phaseTransport", p.phaseTransport, kPhaseTransports);
+  v.integer("sweepsPerLevel", p.sweepsPerLevel);
+  v.number("spacingBend", p.spacingBend);
+  v.number("waveReach", p.waveReach);
+  v.number("borderPull", p.borderPull);
+  v.number("stitchAlignment", p.stitchAlignment);
+  v.integer("relaxationRounds", p.relaxationRounds);
+  v.number("relaxationStrength", p.relaxationStrength);
+  v.number("relaxationSmoothing", p.relaxationSmoothing);
+  v.number("widthBalance", p.widthBalance);
+  v.number("beadOverlap", p.beadOverlap);
+  v.number("minWidth", p.minWidth);
+  v.number("maxWidth", p.maxWidth);
+  v.number("simplifyTolerance", p.simplifyTolerance);
+}
+
 /// Every field of a project: key, place, range, unit. Rows of the toolpath have no range here: invalidParameter knows
 /// it.
 template <class Visitor, class AnyProject>
@@ -138,24 +167,8 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.end();
 
   v.begin("toolpath");
-  v.number("spacing", p.toolpath.spacing);
-  v.choice("perimeterMode", p.toolpath.perimeterMode, kPerimeterModes);
-  v.integer("perimeters", p.toolpath.perimeters);
-  v.number("bridge", p.toolpath.bridge);
-  v.choice("mapFilter", p.toolpath.mapFilter, kMapFilters);
-  v.integer("seed", p.toolpath.seed);
-  v.integer("sweepsPerLevel", p.toolpath.sweepsPerLevel);
-  v.number("spacingBend", p.toolpath.spacingBend);
-  v.number("borderPull", p.toolpath.borderPull);
-  v.number("stitchAlignment", p.toolpath.stitchAlignment);
-  v.integer("relaxationRounds", p.toolpath.relaxationRounds);
-  v.number("relaxationStrength", p.toolpath.relaxationStrength);
-  v.number("relaxationSmoothing", p.toolpath.relaxationSmoothing);
-  v.number("widthBalance", p.toolpath.widthBalance);
-  v.number("beadOverlap", p.toolpath.beadOverlap);
-  v.number("minWidth", p.toolpath.minWidth);
-  v.number("maxWidth", p.toolpath.maxWidth);
-  v.number("simplifyTolerance", p.toolpath.simplifyTolerance);
+  v.recipe("preset", p.toolpath);
+  visitToolpath(v, p.toolpath);
   v.end();
 
   v.begin("print");
@@ -364,10 +377,11 @@ class Reader {
   }
 
   /// \return what is wrong with the id, beginning with "is".
-  static std::string apply(const PresetTable& table, const std::string& id, Printer& printer) {
+  template <class Values>
+  static std::string apply(const PresetTable& table, const std::string& id, Values& values) {
     const Json all = Json::parse(table.json)[table.key];
     if (all.contains(id)) {
-      readPreset(all, id, printer);
+      readPreset(all, id, values);
       return "";
     }
     std::vector<std::string> known;
@@ -376,6 +390,15 @@ class Reader {
   }
 
   static void readPreset(const Json& all, const std::string& id, Printer& printer);
+  static void readPreset(const Json& all, const std::string& id, ToolpathParams& params);
+
+  /// Likewise; the name itself is not kept, as all values are in the other fields then.
+  void recipe(const char* key, ToolpathParams& params) {
+    std::string id;
+    text(key, id);
+    if (id.empty() || !problem.empty()) return;
+    if (const std::string wrong = apply(kRecipes, id, params); !wrong.empty()) problem = prefix_ + key + " " + wrong;
+  }
 
   void boolean(const char* key, bool& out) {
     const Json* value = find(key);
@@ -487,6 +510,12 @@ void Reader::readPreset(const Json& all, const std::string& id, Printer& printer
   visitPrinter(reader, printer);
 }
 
+void Reader::readPreset(const Json& all, const std::string& id, ToolpathParams& params) {
+  Reader reader(all);
+  reader.begin(id.c_str());
+  visitToolpath(reader, params);
+}
+
 /// The version and the keys of published scenes, which a project may use too.
 void readTopLevel(Reader& reader, const Json& root, Project& project) {
   int version = kProjectVersion;
@@ -580,6 +609,7 @@ class Checker {
   void preset(const char* key, const std::string& value, const Printer& /*printer*/, const PresetTable& /*table*/) {
     text(key, value);
   }
+  void recipe(const char* /*key*/, const ToolpathParams& /*params*/) {}
   void boolean(const char* /*key*/, bool /*value*/) {}
   template <class T, std::size_t n>
   void choice(const char* /*key*/, T /*value*/, const std::array<Name<T>, n>& /*names*/) {}
@@ -624,6 +654,7 @@ class Writer {
   void preset(const char* key, const std::string& value, const Printer& /*printer*/, const PresetTable& /*table*/) {
     at(key) = value;
   }
+  void recipe(const char* /*key*/, const ToolpathParams& /*params*/) {}
   void boolean(const char* key, bool value) { at(key) = value; }
   void number(const char* key, double value, double = 0, double = 0, const char* = "") { put(at(key), value); }
   void number(const char* key, const std::optional<double>& value) {
@@ -741,6 +772,15 @@ std::vector<Preset> presets(PresetKind kind) {
   }
   return result;
 }
+
+std::vector<std::string> recipes() {
+  const Json all = Json::parse(kRecipes.json)[kRecipes.key];
+  std::vector<std::string> ids;
+  for (const auto& item : all.items()) ids.push_back(item.key());
+  return ids;
+}
+
+std::string applyRecipe(const std::string& id, ToolpathParams& params) { return Reader::apply(kRecipes, id, params); }
 
 std::string applyPreset(PresetKind kind, const std::string& id, Printer& printer) {
   return Reader::apply(kind == PresetKind::Printer ? kPrinters : kFilaments, id, printer);

@@ -12,10 +12,30 @@ namespace {
 
 constexpr int kReach = 4;  ///< nodes reached by a cell in each direction, in half cells
 
-// exp(-(k tau/4)² / 2 sigma²) with sigma = tau/3, divided by the sum over the nodes of the same parity, so that the
-// whole stencil sums to one. Cells outside the shape are left out of the sum without renormalising: that scales the
-// field along the border but moves no zero.
-constexpr std::array<float, kReach + 1> kWeight = {0.59825683f, 0.45232527f, 0.19422555f, 0.04767473f, 0.00664603f};
+using Weights = std::array<float, kReach + 1>;
+
+// exp(-(k tau/4)² / 2 sigma²), divided by the sum over the nodes of the same parity, so that the whole stencil sums to
+// one. Cells outside the shape are left out of the sum without renormalising: that scales the field along the border
+// but moves no zero.
+Weights weights(double sigma) {
+  const double exponent = 1 / (32 * sigma * sigma);
+  double inverse = 0;  // e^exponent by its series, alike on all machines
+  double term = 1;
+  for (int n = 1; n <= 40; ++n) {
+    inverse += term;
+    term *= exponent / n;
+  }
+  std::array<double, kReach + 1> bell{};
+  for (std::size_t k = 0; k <= kReach; ++k) {
+    bell[k] = 1;
+    for (std::size_t n = 0; n < k * k; ++n) bell[k] /= inverse;
+  }
+  const double even = bell[0] + 2 * (bell[2] + bell[4]);
+  const double odd = 2 * (bell[1] + bell[3]);
+  Weights weights{};
+  for (std::size_t k = 0; k <= kReach; ++k) weights[k] = static_cast<float>(bell[k] / (k % 2 == 0 ? even : odd));
+  return weights;
+}
 
 // For one row of cells: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y}, k = 0..4, by which a wave advances k
 // nodes.
@@ -62,7 +82,8 @@ struct NodeRow {
 };
 
 // Adds the waves of a cell row to a node row `b` half cells above it.
-void addRow(const CellRow& cells, int b, std::vector<float>& vr, std::vector<float>& vi, NodeRow& out) {
+void addRow(const CellRow& cells, const Weights& weight, int b, std::vector<float>& vr, std::vector<float>& vi,
+            NodeRow& out) {
   const std::size_t nx = cells.qr.size();
   const std::size_t k = static_cast<std::size_t>(std::abs(b));
   const float sign = b < 0 ? -1.0f : 1.0f;
@@ -70,21 +91,21 @@ void addRow(const CellRow& cells, int b, std::vector<float>& vr, std::vector<flo
   const float* s = cells.sy[k].data();
   for (std::size_t x = 0; x < nx; ++x) {
     const float si = sign * s[x];
-    vr[x] = kWeight[k] * (cells.qr[x] * c[x] - cells.qi[x] * si);
-    vi[x] = kWeight[k] * (cells.qr[x] * si + cells.qi[x] * c[x]);
+    vr[x] = weight[k] * (cells.qr[x] * c[x] - cells.qi[x] * si);
+    vi[x] = weight[k] * (cells.qr[x] * si + cells.qi[x] * c[x]);
   }
   const float* r = vr.data();
   const float* i = vi.data();
   float* centre = out.odd.data() + 2;
-  for (std::size_t x = 0; x < nx; ++x) centre[x] += kWeight[0] * i[x];
+  for (std::size_t x = 0; x < nx; ++x) centre[x] += weight[0] * i[x];
   for (std::size_t a = 1; a <= kReach; ++a) {
     const float* ca = cells.cx[a].data();
     const float* sa = cells.sx[a].data();
     // Column 2x + 1 + a: odd row entry x + a/2, or even row entry x + (a + 1)/2; likewise to the left.
     float* right = a % 2 == 0 ? out.odd.data() + 2 + a / 2 : out.even.data() + 2 + (a + 1) / 2;
     float* left = a % 2 == 0 ? out.odd.data() + 2 - a / 2 : out.even.data() + 2 - (a - 1) / 2;
-    for (std::size_t x = 0; x < nx; ++x) right[x] += kWeight[a] * (i[x] * ca[x] + r[x] * sa[x]);
-    for (std::size_t x = 0; x < nx; ++x) left[x] += kWeight[a] * (i[x] * ca[x] - r[x] * sa[x]);
+    for (std::size_t x = 0; x < nx; ++x) right[x] += weight[a] * (i[x] * ca[x] + r[x] * sa[x]);
+    for (std::size_t x = 0; x < nx; ++x) left[x] += weight[a] * (i[x] * ca[x] - r[x] * sa[x]);
   }
 }
 
@@ -96,13 +117,14 @@ float borderRamp(float value, float distance, float spacing) {
 }  // namespace
 
 Result<std::vector<float>> evaluateSineField(const SineField& field, const std::vector<float>& nodeDistance,
-                                             const RunContext& run) {
+                                             const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = field.grid;
   const std::size_t nx = static_cast<std::size_t>(grid.nx);
   const std::size_t columns = 2 * nx + 1;
   const int nodeRows = 2 * grid.ny + 1;
   std::vector<float> values(columns * static_cast<std::size_t>(nodeRows));
   const float spacing = static_cast<float>(field.spacing);
+  const Weights weight = weights(params.waveReach / 3);
   // A band of cell rows owns the node rows 2y and 2y + 1 of its rows; sums run in order of the cell rows, so bands of
   // any height give the same result.
   const int grain = std::max(8, grid.ny / (4 * run.threads()));
@@ -133,7 +155,8 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
       cells.fill(field, y);
       for (int b = -kReach; b <= kReach; ++b) {
         const int j = 2 * y + 1 + b;
-        if (j >= firstNode && j <= lastNode) addRow(cells, b, vr, vi, rows[static_cast<std::size_t>(j % kOpen)]);
+        if (j >= firstNode && j <= lastNode)
+          addRow(cells, weight, b, vr, vi, rows[static_cast<std::size_t>(j % kOpen)]);
       }
     }
     for (; flushed <= lastNode; ++flushed) flush(flushed);

@@ -31,6 +31,7 @@ using sillon::ErrorCode;
 using sillon::GcodeFlavor;
 using sillon::MapFilter;
 using sillon::PerimeterMode;
+using sillon::PhaseTransport;
 using sillon::PresetKind;
 using sillon::Project;
 using sillon::ShowSide;
@@ -307,6 +308,14 @@ void addShape(Options& options) {
 
 void addToolpath(Options& options) {
   options.group("Toolpath");
+  std::string names;
+  for (const std::string& id : sillon::recipes()) names += (names.empty() ? "" : "|") + id;
+  options.word("--preset", "NAME", "way to make it: " + names + " [standard]", [](const std::string& text) {
+    return [text](Project& project) {
+      const std::string wrong = sillon::applyRecipe(text, project.toolpath);
+      return wrong.empty() ? wrong : "--preset " + wrong;
+    };
+  });
   options.number(
       "--spacing", "MM", "distance between neighbouring beads",
       [](Project & p) -> auto& { return p.toolpath.spacing; });
@@ -438,12 +447,22 @@ void addAdvanced(Options& options) {
   options.choice<MapFilter>("--map-filter", "how texels of the direction picture are read [average]",
                             {{"average", MapFilter::Average}, {"nearest", MapFilter::Nearest}},
                             [](Project& project, MapFilter filter) { project.toolpath.mapFilter = filter; });
+  options.choice<PhaseTransport>(
+      "--phase-transport", "how a neighbour's wave is carried over [midpoint]",
+      {{"midpoint", PhaseTransport::Midpoint}, {"neighbour", PhaseTransport::Neighbour}},
+      [](Project& project, PhaseTransport transport) { project.toolpath.phaseTransport = transport; });
+  options.number(
+      "--jitter", "TAU", "how far a seed moves the sample points",
+      [](Project & p) -> auto& { return p.toolpath.jitter; });
   options.number(
       "--sweeps", "N", "smoothing sweeps on each level",
       [](Project & p) -> auto& { return p.toolpath.sweepsPerLevel; });
   options.number(
       "--spacing-bend", "F", "how far beads may lie closer or wider where that saves U-turns",
       [](Project & p) -> auto& { return p.toolpath.spacingBend; });
+  options.number(
+      "--wave-reach", "TAU", "over which the waves of cells are averaged",
+      [](Project & p) -> auto& { return p.toolpath.waveReach; });
   options.number(
       "--border-pull", "F", "weight of the border's wave, --perimeters soft",
       [](Project & p) -> auto& { return p.toolpath.borderPull; });

@@ -1,6 +1,6 @@
 // Benches of the core: quality per scene, time per stage, threads, growth. Prints tables; asserts nothing.
 //
-//   sillon_bench quality [none|soft|N] [SCENE.json ...]   figures of the delivered toolpath, and of the G-code
+//   sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...]   figures of the delivered toolpath, and of the G-code
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
 //   sillon_bench random [N [SEED]]                        promises on random shapes, fields and parameters (2000 from
 //   1) sillon_bench growth                                   0.25 to 16 million cells: time exponent and bytes per cell
@@ -24,6 +24,7 @@
 #include "sillon/measure.hpp"
 #include "sillon/outline.hpp"
 #include "sillon/pipeline.hpp"
+#include "sillon/presets.hpp"
 #include "support/random_plates.hpp"
 #include "written.hpp"
 
@@ -106,6 +107,9 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
     sillon::ToolpathParams params = scene.project.toolpath;
     if (perimeters == "none") params.perimeterMode = sillon::PerimeterMode::None;
     if (perimeters == "soft") params.perimeterMode = sillon::PerimeterMode::Soft;
+    if (const auto known = sillon::recipes(); std::find(known.begin(), known.end(), perimeters) != known.end()) {
+      sillon::applyRecipe(perimeters, params);
+    }
     if (!perimeters.empty() && std::isdigit(perimeters[0])) {
       params.perimeterMode = sillon::PerimeterMode::Count;
       params.perimeters = std::stoi(perimeters);

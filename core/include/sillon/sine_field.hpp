@@ -9,11 +9,11 @@
 
 namespace sillon {
 
-/// Values of the field on the node lattice of its grid (nodeLattice), row-major: the Gaussian mean (sigma = tau/3,
-/// cells within two and a half) of the waves, in [-1, 1]. Within tau/2 of the border the ramp 2 sd/tau + 1, outside 1,
+/// Values of the field on the node lattice of its grid (nodeLattice), row-major: the Gaussian mean of the waves
+/// (sigma is a third of `waveReach`), in [-1, 1]. Within tau/2 of the border the ramp 2 sd/tau + 1, outside 1,
 /// so that all contours close inside the shape. \param nodeDistance  signed distance on the same lattice [mm], exact
 /// where >= -tau/2.
 Result<std::vector<float>> evaluateSineField(const SineField& field, const std::vector<float>& nodeDistance,
-                                             const RunContext& run);
+                                             const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -300,6 +300,13 @@ export const fr: Dictionary = {
   'help.toolpath.perimeters': 'Combien de cordons suivent le bord.',
   'setting.toolpath.seed': 'Graine',
   'help.toolpath.seed': '0 est régulier. Tout autre nombre donne une autre plaque, d’égale qualité.',
+  'setting.toolpath.jitter': 'Force de la graine',
+  'help.toolpath.jitter': 'De combien une graine déplace les points où les directions sont lues.',
+  'setting.toolpath.phaseTransport': 'Accord des ondes',
+  'help.toolpath.phaseTransport':
+    'Les ondes voisines s’accordent à mi-chemin, ou selon la seule ligne du voisin, comme publié en 2023.',
+  'choice.toolpath.phaseTransport.midpoint': 'À mi-chemin',
+  'choice.toolpath.phaseTransport.neighbour': 'Selon le voisin',
   'setting.toolpath.sweepsPerLevel': 'Passes de lissage',
   'help.toolpath.sweepsPerLevel':
     'Plus de passes égalisent les ondes dont naissent les cordons, et prennent plus de temps.',
@@ -313,6 +320,8 @@ export const fr: Dictionary = {
   'help.toolpath.relaxationSmoothing': 'À quel point chaque tour de relaxation redresse un cordon.',
   'setting.toolpath.stitchAlignment': 'Soin des raccords',
   'help.toolpath.stitchAlignment': 'À quel point un raccord entre deux courbes doit suivre les directions.',
+  'setting.toolpath.waveReach': 'Fondu des ondes',
+  'help.toolpath.waveReach': 'Sur combien d’espacements les ondes voisines sont moyennées.',
   'setting.toolpath.borderPull': 'Attrait du bord',
   'help.toolpath.borderPull':
     'Avec quelle force les cordons suivent le bord, lorsqu’ils le suivent si les directions le permettent.',
@@ -473,11 +482,15 @@ export const fr: Dictionary = {
   'preset.standard': 'Standard',
   'preset.fine': 'Fine',
   'preset.strict': 'Stricte',
+  'preset.fewest-turns': 'Moins de demi-tours',
+  'preset.paper-2023': 'Article 2023',
   'preset.custom': 'Réglages personnels',
   'preset.draft.help': 'Rapide, avec un fichier deux fois plus petit.',
   'preset.standard.help': 'Convient à la plupart des plaques.',
   'preset.fine.help': 'Le moins de demi-tours et de cassures ; plus long.',
   'preset.strict.help': 'Suit les directions avant tout ; écarts et cassures restent tels quels.',
+  'preset.fewest-turns.help': 'Les cordons se serrent, s’écartent et quittent le bord là où cela évite des demi-tours.',
+  'preset.paper-2023.help': 'La méthode telle que publiée en 2023, pour comparer.',
 
   'printer.generic': 'Générique',
   'printer.generic-centre': 'Générique, origine au centre',

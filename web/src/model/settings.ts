@@ -1,6 +1,7 @@
 // The engine's settings as rows of data, from which the panels are drawn and links are checked. Defaults and ranges are
 // those of docs/project.md; a test compares.
 import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
+import table from '../../../core/data/recipes.json' with { type: 'json' };
 import { printDefaults, printerDefaults, toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 
@@ -176,11 +177,14 @@ export const settings: readonly Setting[] = [
   choice('toolpath', 'perimeterMode', basic, ['none', 'soft', 'count']),
   number('toolpath', 'perimeters', basic, { min: 0, max: 100, step: 1, usual: [0, 10], integer }),
   number('toolpath', 'seed', basic, { min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, usual: [0, 99], integer }),
+  number('toolpath', 'jitter', advanced, { unit: 'spacing', min: 0, max: 0.25, step: 0.005 }),
+  choice('toolpath', 'phaseTransport', advanced, ['midpoint', 'neighbour']),
   number('toolpath', 'sweepsPerLevel', advanced, { min: 1, max: 1000, step: 1, usual: [1, 64], integer }),
   number('toolpath', 'relaxationRounds', advanced, { min: 0, max: 100, step: 1, usual: [0, 12], integer }),
   number('toolpath', 'relaxationStrength', advanced, { min: 0, max: 0.5, step: 0.01 }),
   number('toolpath', 'relaxationSmoothing', advanced, { min: 0, max: 1, step: 0.05 }),
   number('toolpath', 'stitchAlignment', advanced, { min: 0, max: 10, step: 0.1, usual: [0, 3] }),
+  number('toolpath', 'waveReach', advanced, { unit: 'spacing', min: 0.45, max: 1.5, step: 0.05 }),
   number('toolpath', 'borderPull', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
   number('toolpath', 'widthBalance', advanced, { min: 0, max: 1, step: 0.05 }),
   number('toolpath', 'beadOverlap', advanced, { unit: 'spacing', min: 0, max: 1, step: 0.001, usual: [0, 0.05] }),
@@ -314,14 +318,24 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
   }
 }
 
-/** How carefully a plate is made. Measured on the examples: draft halves the points, fine leaves fewer hairpins and next
- * to no kinks for up to twice the time, strict follows the directions best and leaves gaps and kinks as they come. */
-export const qualities = {
-  draft: { sweepsPerLevel: 4, relaxationRounds: 1, simplifyTolerance: 0.02 },
-  standard: { sweepsPerLevel: 8, relaxationRounds: 2, simplifyTolerance: 0.002 },
-  fine: { sweepsPerLevel: 32, relaxationRounds: 4, simplifyTolerance: 0.002 },
-  strict: { sweepsPerLevel: 16, relaxationRounds: 0, simplifyTolerance: 0.002 },
-} as const satisfies Record<string, Partial<ToolpathParams>>;
+type Recipe = Partial<ToolpathParams>;
+const recipes = table.recipes as Record<keyof typeof table.recipes, Recipe>;
+
+/** What any recipe changes, as it is without one. The border and the seed are the person's own choice, which only
+ * recipes that name them change. */
+const neutral: Recipe = Object.fromEntries(
+  Object.values(recipes)
+    .flatMap((recipe) => Object.keys(recipe) as KeyOf<'toolpath', unknown>[])
+    .filter((key) => !['perimeterMode', 'perimeters', 'seed'].includes(key))
+    .map((key) => [key, toolpathDefaults[key]]),
+);
+
+/** Ways to make a plate, from the engine's own table. Measured on the examples: draft halves the points, fine leaves
+ * fewer hairpins and next to no kinks for up to twice the time, strict follows the directions best and leaves gaps and
+ * kinks as they come. */
+export const qualities = Object.fromEntries(
+  Object.entries(recipes).map(([name, recipe]) => [name, { ...neutral, ...recipe }]),
+) as Record<keyof typeof recipes, Recipe>;
 
 export type Quality = keyof typeof qualities;
 
