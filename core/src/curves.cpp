@@ -9,30 +9,32 @@
 namespace sillon {
 namespace {
 
-struct Point64 {
-  std::int64_t x;
-  std::int64_t y;
-  friend bool operator==(const Point64&, const Point64&) = default;
+// [µm]; pages are at most 100 m wide.
+struct PointUm32 {
+  std::int32_t x;
+  std::int32_t y;
+  friend bool operator==(const PointUm32&, const PointUm32&) = default;
 };
 
 // As llround, which costs a call: the product is exact in double.
-std::int64_t toMicrometres(float v) {
+std::int32_t toMicrometres(float v) {
   const double scaled = static_cast<double>(v) * 1000;
-  return static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+  return static_cast<std::int32_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
 }
 
-Point64 rounded(Vec2f p) { return {toMicrometres(p.x), toMicrometres(p.y)}; }
+PointUm32 rounded(Vec2f p) { return {toMicrometres(p.x), toMicrometres(p.y)}; }
 
-int side(Point64 a, Point64 b, Point64 c) {
-  const std::int64_t v = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+int side(PointUm32 a, PointUm32 b, PointUm32 c) {
+  const auto apart = [](std::int32_t from, std::int32_t to) { return static_cast<std::int64_t>(to) - from; };
+  const std::int64_t v = apart(a.x, b.x) * apart(a.y, c.y) - apart(a.y, b.y) * apart(a.x, c.x);
   return v > 0 ? 1 : (v < 0 ? -1 : 0);
 }
 
-bool between(std::int64_t a, std::int64_t b, std::int64_t v) { return v >= std::min(a, b) && v <= std::max(a, b); }
+bool between(std::int32_t a, std::int32_t b, std::int32_t v) { return v >= std::min(a, b) && v <= std::max(a, b); }
 
-bool onSegment(Point64 a, Point64 b, Point64 p) { return between(a.x, b.x, p.x) && between(a.y, b.y, p.y); }
+bool onSegment(PointUm32 a, PointUm32 b, PointUm32 p) { return between(a.x, b.x, p.x) && between(a.y, b.y, p.y); }
 
-bool sharePoint(Point64 a, Point64 b, Point64 c, Point64 d) {
+bool sharePoint(PointUm32 a, PointUm32 b, PointUm32 c, PointUm32 d) {
   const int abc = side(a, b, c);
   const int abd = side(a, b, d);
   const int cda = side(c, d, a);
@@ -43,8 +45,8 @@ bool sharePoint(Point64 a, Point64 b, Point64 c, Point64 d) {
 }
 
 struct Segment {
-  Point64 a;
-  Point64 b;
+  PointUm32 a;
+  PointUm32 b;
   int id;        ///< of its first point
   int previous;  ///< id of the segment before it on its curve, among those that do not vanish
 };
@@ -61,8 +63,8 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
       const int c = curveOf[static_cast<std::size_t>(k)];
       const int next = nextOf(curves, c, k);
       if (!among.empty() && !among[static_cast<std::size_t>(k)] && !among[static_cast<std::size_t>(next)]) continue;
-      const Point64 a = at(k);
-      const Point64 b = at(next);
+      const PointUm32 a = at(k);
+      const PointUm32 b = at(next);
       if (a == b) continue;
       int previous = k;
       do {
@@ -71,8 +73,14 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
       out.push_back({a, b, k, previous});
     }
   });
+  std::size_t total = 0;
+  for (const std::vector<Segment>& part : found) total += part.size();
   std::vector<Segment> segments;
-  for (const std::vector<Segment>& part : found) segments.insert(segments.end(), part.begin(), part.end());
+  segments.reserve(total);
+  for (std::vector<Segment>& part : found) {
+    segments.insert(segments.end(), part.begin(), part.end());
+    part = {};
+  }
   return segments;
 }
 
@@ -197,8 +205,8 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
                                                const std::vector<char>& among) {
   const std::vector<Segment> segments = segmentsOf(curves, among, run);
   if (segments.empty()) return {};
-  Point64 low = segments.front().a;
-  Point64 high = low;
+  PointUm32 low = segments.front().a;
+  PointUm32 high = low;
   double total = 0;
   for (const Segment& s : segments) {
     low = {std::min({low.x, s.a.x, s.b.x}), std::min({low.y, s.a.y, s.b.y})};

@@ -419,7 +419,8 @@ Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& 
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
 
-  const PhaseLevel& finest = levels.front();
+  PhaseLevel& finest = levels.front();
+  finest.edges = {};  // the largest part of it; memory peaks in here
   const Grid& grid = lines.grid;
   SineField field{grid, params.spacing, std::vector<Vec2f>(grid.size()), std::vector<Vec2f>(grid.size())};
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 4.0 * grid.nx), [&](int begin, int end) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "curves.hpp"
 #include "sillon/bead_width.hpp"
@@ -12,16 +13,18 @@
 #include "sillon/phase_field.hpp"
 #include "sillon/relaxation.hpp"
 #include "sillon/sdf.hpp"
+#include "sillon/session.hpp"
 #include "sillon/simplify.hpp"
 #include "sillon/sine_field.hpp"
 #include "sillon/spacing_field.hpp"
 #include "sillon/stitch.hpp"
 #include "text.hpp"
+#include "wave_preview.hpp"
 
 namespace sillon {
 namespace {
 
-// A cell takes some 230 bytes; where pointers have 32 bits no more than 2 GB can be had.
+// A cell takes some 110 bytes; where pointers have 32 bits no more than 2 GB can be had, and 1 GB with threads.
 constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
 
 // Times stages and tells the run where in the job they lie.
@@ -88,7 +91,9 @@ std::string invalidParameter(const ToolpathParams& p) {
   return {};
 }
 
-Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
+namespace {
+
+std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params) {
   if (std::string bad = invalidParameter(params); !bad.empty())
     return Error{ErrorCode::InvalidArgument, std::move(bad)};
   if (!within(input.shape.page.x, 1e-3, 1e5) || !within(input.shape.page.y, 1e-3, 1e5)) {
@@ -100,11 +105,21 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
     return Error{ErrorCode::InvalidArgument,
                  "the direction map or the mode map is empty; each needs at least one pixel"};
   }
-  Plate plate;
-  StageClock clock(run, plate.time);
+  return std::nullopt;
+}
 
+// What the shape, the spacing and the bridge decide.
+struct ShapeFields {
+  Vec2 size;
+  BorderIndex border;
+  SignedDistanceField sdf;
+  Parts parts;
+};
+
+Result<ShapeFields> shapeFields(const Shape& shape, const ToolpathParams& params, StageClock& clock,
+                                const RunContext& run) {
   clock.start("outline", 0.02);
-  const Result<Outline> outline = resolveOutline(input.shape);
+  const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   const Vec2 size = outline.value().bounds.size();
   const double cells = 4 * (size.x / params.spacing + 3) * (size.y / params.spacing + 3);
@@ -117,73 +132,196 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
 
   clock.start("distance", 0.06);
   const Grid grid = makeGrid(outline.value().bounds, params.spacing);
-  plate.nx = grid.nx;
-  plate.ny = grid.ny;
-  const Result<BorderIndex> border = buildBorderIndex(outline.value(), grid, run);
+  Result<BorderIndex> border = buildBorderIndex(outline.value(), grid, run);
   if (!border) return border.error();
-  const Result<SignedDistanceField> sdf = signedDistanceField(input.shape, border.value(), grid, run);
+  Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
-  const Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
+  Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
   if (parts.count == 0) {
     return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) +
                                             " mm, which is too wide for this shape of " + decimal(size.x, 3) + " x " +
                                             decimal(size.y, 3) + " mm; no place in it is wide enough for one bead"};
   }
+  return ShapeFields{size, std::move(border).value(), std::move(sdf).value(), std::move(parts)};
+}
 
+// What the directions decide besides.
+struct WaveFields {
+  LineField lines;
+  SineField waves;
+};
+
+Result<WaveFields> waveFields(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
+                              StageClock& clock, const RunContext& run) {
   clock.start("lines", 0.12);
-  const Result<CellConstraints> constraints =
-      cellConstraints(sdf.value(), input.directions, input.modes, input.shape.page, params, run);
+  Result<CellConstraints> constraints =
+      cellConstraints(shape.sdf, input.directions, input.modes, input.shape.page, params, run);
   if (!constraints) return constraints.error();
-  const Result<LineField> lines = lineField(sdf.value(), constraints.value(), params, run);
+  Result<LineField> lines = lineField(shape.sdf, constraints.value(), params, run);
   if (!lines) return lines.error();
+  std::vector<Vec2f>().swap(constraints.value().mapLine);  // in the lines now
 
   clock.start("phases", 0.35);
   const Result<std::vector<float>> frequency = spacingField(lines.value(), constraints.value(), params, run);
   if (!frequency) return frequency.error();
-  const Result<SineField> waves =
-      alignPhases(lines.value(), frequency.value(), sdf.value(), constraints.value(), params, run);
+  Result<SineField> waves = alignPhases(lines.value(), frequency.value(), shape.sdf, constraints.value(), params, run);
   if (!waves) return waves.error();
+  return WaveFields{std::move(lines).value(), std::move(waves).value()};
+}
+
+// Frees what is not needed any more where nothing is kept: the peak of memory is what limits a plate's size.
+template <class T>
+void release(bool keep, T& fields) {
+  if (!keep) fields = T{};
+}
+
+// From the fields to the path; they are emptied on the way unless they are kept.
+Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& fields, bool keep,
+                      const ToolpathParams& params, StageClock& clock, std::vector<StageTime>& times,
+                      const RunContext& run) {
+  Plate plate;
+  const Grid grid = fields.lines.grid;
+  plate.nx = grid.nx;
+  plate.ny = grid.ny;
 
   clock.start("contour", 0.5);
   const Grid nodes = nodeLattice(grid);
-  const Result<std::vector<float>> distance =
-      bandDistance(input.shape, border.value(), nodes, static_cast<float>(params.spacing), run);
-  if (!distance) return distance.error();
-  Result<std::vector<float>> values = evaluateSineField(waves.value(), distance.value(), params, run);
-  if (!values) return values.error();
-  keepThinParts(parts, sdf.value(), params.spacing, values.value());
-  const Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
-  if (!contour) return contour.error();
-  plate.contourCycles = contour.value().count();
+  ClosedCurves cycles;
+  {
+    const Result<std::vector<float>> distance =
+        bandDistance(input.shape, shape.border, nodes, static_cast<float>(params.spacing), run);
+    if (!distance) return distance.error();
+    Result<std::vector<float>> values = evaluateSineField(fields.waves, distance.value(), params, run);
+    if (!values) return values.error();
+    release(keep, fields.waves);
+    keepThinParts(shape.parts, shape.sdf, params.spacing, values.value());
+    release(keep, shape.sdf);
+    Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
+    if (!contour) return contour.error();
+    cycles = std::move(contour).value();
+  }
+  plate.contourCycles = cycles.count();
   if (plate.contourCycles == 0) {
     return Error{ErrorCode::EmptyShape, "no bead fits into this shape at spacing " + decimal(params.spacing, 3) +
                                             " mm; use a smaller spacing or a larger shape"};
   }
 
   clock.start("stitch", 0.65);
-  const ClosedCurves cycles = resampledSimply(contour.value(), static_cast<float>(0.25 * params.spacing), run);
-  const Result<Stitched> stitched = stitchCycles(cycles, lines.value(), border.value(), parts, params, run);
+  cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
+  Result<Stitched> stitched = stitchCycles(cycles, fields.lines, shape.border, shape.parts, params, run);
   if (!stitched) return stitched.error();
+  release(false, cycles);
+  release(keep, fields.lines);
+  release(keep, shape.parts);
   plate.parts = stitched.value().parts;
   plate.longestJointMm = stitched.value().longestJoint;
   plate.gapJoints = stitched.value().gapJoints;
 
   clock.start("relaxation", 0.88);
-  const Result<Relaxed> relaxed = relaxSpacing(stitched.value().curves, border.value(), params, run);
+  Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, params, run);
   if (!relaxed) return relaxed.error();
   const ClosedCurves& path = relaxed.value().curves;
 
   clock.start("width", 0.95);
-  const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, border.value(), params, run);
+  const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, shape.border, params, run);
   if (!widths) return widths.error();
+  release(false, relaxed.value().gaps);
 
   clock.start("simplify", 1);
   Result<Toolpath> toolpath = finishToolpath(path, widths.value(), params, run);
   if (!toolpath) return toolpath.error();
   plate.toolpath = std::move(toolpath).value();
   clock.stop();
+  plate.time = std::move(times);
   run.report(1);
   return plate;
+}
+
+// The parameters that the waves depend on; the others as they are by default.
+ToolpathParams ofWaves(const ToolpathParams& p) {
+  ToolpathParams kept;
+  kept.spacing = p.spacing;
+  kept.bridge = p.bridge;  // of the shape's fields
+  kept.perimeterMode = p.perimeterMode;
+  kept.perimeters = p.perimeters;
+  kept.mapFilter = p.mapFilter;
+  kept.seed = p.seed;
+  kept.jitter = p.jitter;
+  kept.phaseTransport = p.phaseTransport;
+  kept.sweepsPerLevel = p.sweepsPerLevel;
+  kept.spacingBend = p.spacingBend;
+  kept.borderPull = p.borderPull;
+  return kept;
+}
+
+}  // namespace
+
+Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
+  if (auto wrong = wrongInput(input, params)) return *wrong;
+  std::vector<StageTime> times;
+  StageClock clock(run, times);
+  Result<ShapeFields> shape = shapeFields(input.shape, params, clock, run);
+  if (!shape) return shape.error();
+  Result<WaveFields> waves = waveFields(input, shape.value(), params, clock, run);
+  if (!waves) return waves.error();
+  return plateOf(input, shape.value(), waves.value(), false, params, clock, times, run);
+}
+
+struct Session::State {
+  PlateInput input;
+  ToolpathParams params;  ///< those of ofWaves
+  std::optional<ShapeFields> shape;
+  std::optional<WaveFields> waves;
+
+  /// Makes what is missing or out of date. \return why it could not; what there is then is whole all the same.
+  std::optional<Error> update(const PlateInput& wanted, const ToolpathParams& all, StageClock& clock,
+                              const RunContext& run) {
+    const ToolpathParams now = ofWaves(all);
+    if (!shape || now.spacing != params.spacing || now.bridge != params.bridge || wanted.shape != input.shape) {
+      waves.reset();
+      shape.reset();
+      Result<ShapeFields> made = shapeFields(wanted.shape, now, clock, run);
+      if (!made) return made.error();
+      shape = std::move(made).value();
+      input.shape = wanted.shape;
+      params = now;
+    }
+    if (!waves || now != params || wanted.directions != input.directions || wanted.modes != input.modes) {
+      waves.reset();
+      Result<WaveFields> made = waveFields(wanted, *shape, now, clock, run);
+      if (!made) return made.error();
+      waves = std::move(made).value();
+      input.directions = wanted.directions;
+      input.modes = wanted.modes;
+      params = now;
+    }
+    return std::nullopt;
+  }
+};
+
+Session::Session() : state_(std::make_unique<State>()) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Result<Plate> Session::generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
+  if (auto wrong = wrongInput(input, params)) return *wrong;
+  std::vector<StageTime> times;
+  StageClock clock(run, times);
+  if (auto error = state_->update(input, params, clock, run)) return *error;
+  return plateOf(input, *state_->shape, *state_->waves, true, params, clock, times, run);
+}
+
+Result<RgbImage> Session::previewWaves(const PlateInput& input, const ToolpathParams& params, int width,
+                                       const RunContext& run) {
+  if (auto wrong = wrongInput(input, params)) return *wrong;
+  if (width < 16 || width > 8192)
+    return Error{ErrorCode::InvalidArgument, outOfRange("width", width, " pixels", "16 to 8192 pixels")};
+  std::vector<StageTime> times;
+  StageClock clock(run, times);
+  if (auto error = state_->update(input, params, clock, run)) return *error;
+  clock.start("preview", 1);
+  return drawWaves(state_->waves->waves, input.shape.page, width, run);
 }
 
 }  // namespace sillon

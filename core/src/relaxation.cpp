@@ -111,13 +111,14 @@ void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vect
 
 }  // namespace
 
-Result<Relaxed> relaxSpacing(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params,
+Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, const ToolpathParams& params,
                              const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
   const float step = 0.25f * spacing;
   const float smoothing = static_cast<float>(params.relaxationSmoothing);
   const float strength = static_cast<float>(params.relaxationStrength);
   ClosedCurves path = resampledSimply(curves, step, run);
+  curves = {};  // memory peaks in here
   NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);

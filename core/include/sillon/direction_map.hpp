@@ -22,6 +22,8 @@ struct DirectionMap {
   int width = 0;
   int height = 0;
   std::vector<std::uint16_t> angle;  ///< angle / 65535 * pi - pi/2 [rad], counter-clockwise from +x
+
+  friend bool operator==(const DirectionMap&, const DirectionMap&) = default;
 };
 
 /// What a place asks of its beads.
@@ -37,6 +39,8 @@ struct ModeMap {
   int width = 0;
   int height = 0;
   std::vector<DirectionMode> mode;
+
+  friend bool operator==(const ModeMap&, const ModeMap&) = default;
 };
 
 /// Exact for Angle; Rotation and Tangent are off by at most half a unit, 0.0014 degrees.

@@ -46,6 +46,8 @@ struct ToolpathParams {
   double minWidth = 0.5;       ///< narrowest bead [tau], 0.1..1
   double maxWidth = 2;         ///< widest bead [tau], 1..4
   double simplifyTolerance = 0.002;  ///< largest change of position and width by leaving out points [mm], 0..1
+
+  friend bool operator==(const ToolpathParams&, const ToolpathParams&) = default;
 };
 
 }  // namespace sillon

@@ -16,12 +16,16 @@ using Ring = std::vector<Vec2>;  ///< closed polygon [mm], first point not repea
 struct FilledPath {
   std::vector<Ring> rings;
   FillRule fillRule = FillRule::NonZero;
+
+  friend bool operator==(const FilledPath&, const FilledPath&) = default;
 };
 
 /// The union of its paths on a page of `page` mm; maps are stretched over the page.
 struct Shape {
   std::vector<FilledPath> paths;
   Vec2 page;
+
+  friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 /// Axis-parallel rectangle that fills its page. \param size  width and height [mm], each > 0.

@@ -1,0 +1,35 @@
+// Plates made one after the other, as while somebody edits: what the next one needs again is kept.
+#pragma once
+
+#include <memory>
+
+#include "sillon/pipeline.hpp"
+#include "sillon/preview.hpp"
+
+namespace sillon {
+
+/// Keeps the fields that depend on the shape (some 30 bytes a cell) and those of its waves (some 30 more) from one call
+/// to the next, with copies of the inputs they were made of. Whatever changed is made anew, so that results are those
+/// of generateToolpath, to the byte. One call at a time.
+class Session {
+ public:
+  Session();
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  /// As the function of this name.
+  Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run);
+
+  /// The waves themselves, before any path: bright ridges where beads will lie, black outside. For showing an edit at
+  /// once. \param width  of the picture [pixels], 16..8192; the height follows the page.
+  /// \return as generateToolpath, and InvalidArgument for the width.
+  Result<RgbImage> previewWaves(const PlateInput& input, const ToolpathParams& params, int width,
+                                const RunContext& run);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sillon
