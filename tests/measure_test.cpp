@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "support/scenes.hpp"
 
@@ -137,6 +139,41 @@ TEST_CASE("measures are equal for any number of threads, and digests tell plates
   Toolpath other = path;
   other.cycles[0].points[3].x += 0.001f;
   CHECK(digestOf(other) != digestOf(path));
+}
+
+TEST_CASE(
+    "dislocations: none on straight beads, what the divergence asks for on a fan, half turns where lines have them") {
+  const Shape square = scenes::shapeOf({scenes::rectangle({0, 0}, {24, 24})}, {24, 24});
+  const Toolpath any = toolpathOf(ringOf(scenes::rectangle({5, 5}, {15, 15})), 0.4f);
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::None;
+  params.spacingBend = 0;
+  const auto of = [&](const std::function<double(double, double)>& angle) {
+    const DirectionMap map = scenes::mapOf(480, [&](double x, double y) { return angle(24 * x, 24 * y); });
+    return measureToolpath(any, square, map, uniformMode(DirectionMode::Constrained), params, kRun).value();
+  };
+  const Measures straight = of([](double, double) { return 0.7; });
+  CHECK(straight.dislocations == 0);
+  CHECK(straight.singularities == 0);
+  CHECK(straight.dislocationBound < 0.5);
+
+  // Beads fan out from (-20, 12): div t = 1/r, and N = the integral of 1/r over 2 tau.
+  const auto fromPoint = [](double x, double y) { return std::atan2(y - 12, x + 20); };
+  double integral = 0;
+  for (double y = 0.45; y < 23.6; y += 0.1) {  // one spacing inside
+    for (double x = 0.45; x < 23.6; x += 0.1) integral += 0.01 / std::hypot(x + 20, y - 12);
+  }
+  const Measures fan = of(fromPoint);
+  CHECK(fan.dislocationBound == doctest::Approx(integral / 0.8).epsilon(0.08));
+  CHECK(fan.singularities == 0);
+  CHECK(static_cast<double>(fan.dislocations) == doctest::Approx(integral / 0.8).epsilon(0.35));
+  params.spacingBend = 0.5;
+  CHECK(of(fromPoint).dislocations < fan.dislocations);
+  params.spacingBend = 0;
+
+  // Lines that turn by half a turn round a point, one way or the other.
+  CHECK(of([](double x, double y) { return 0.5 * std::atan2(y - 12.1, x - 12.1); }).singularities == 1);
+  CHECK(of([](double x, double y) { return -0.5 * std::atan2(y - 12.1, x - 12.1); }).singularities == 1);
 }
 
 TEST_CASE("measuring tells its progress: from 0 to 1, never falling") {

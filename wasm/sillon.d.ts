@@ -327,6 +327,9 @@ export interface Report {
   uTurns?: number;
   kinks?: number;
   crossings?: number;
+  dislocations?: number;
+  singularities?: number;
+  dislocationBound?: number;
   width?: { p01: number; median: number; p99: number; belowHalf: number; clamped: number };
   fillRatio?: number;
   lostAreaMm2?: number;

@@ -7,7 +7,9 @@
 #include "fast_math.hpp"
 #include "parallel_for.hpp"
 #include "sillon/constraints.hpp"
+#include "sillon/dislocations.hpp"
 #include "sillon/sdf.hpp"
+#include "sillon/spacing_field.hpp"
 
 namespace sillon {
 namespace {
@@ -392,6 +394,30 @@ ClosedCurves curvesOf(const Toolpath& toolpath) {
 
 }  // namespace
 
+namespace {
+
+// Of the waves as the pipeline makes them: the path itself no longer shows them.
+Result<Dislocations> dislocationsOf(const Outline& outline, const Shape& shape, const DirectionMap& directions,
+                                    const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+  const Grid grid = makeGrid(outline.bounds, params.spacing);
+  const Result<BorderIndex> border = buildBorderIndex(outline, grid, run);
+  if (!border) return border.error();
+  const Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
+  if (!sdf) return sdf.error();
+  const Result<CellConstraints> cells = cellConstraints(sdf.value(), directions, modes, shape.page, params, run);
+  if (!cells) return cells.error();
+  const Result<LineField> lines = lineField(sdf.value(), cells.value(), params, run);
+  if (!lines) return lines.error();
+  const Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
+  if (!frequency) return frequency.error();
+  const Result<SineField> waves =
+      alignPhases(lines.value(), frequency.value(), sdf.value(), cells.value(), params, run);
+  if (!waves) return waves.error();
+  return findDislocations(lines.value(), waves.value(), cells.value(), run);
+}
+
+}  // namespace
+
 std::int64_t countCrossings(const Toolpath& toolpath) {
   return static_cast<std::int64_t>(findCrossings(curvesOf(toolpath), RunContext(1)).size());
 }
@@ -416,9 +442,12 @@ std::string digestOf(const Toolpath& toolpath) {
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
                                  const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
   run.beginJob();
-  run.beginStage("measure", 0, 1);
+  run.beginStage("measure", 0, 0.3);
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
+  const Result<Dislocations> dislocations = dislocationsOf(outline.value(), shape, directions, modes, params, run);
+  if (!dislocations) return dislocations.error();
+  run.beginStage("measure", 0.3, 1);
   Bounds box = outline.value().bounds;
   for (const Cycle& cycle : toolpath.cycles) {
     for (const Vec2f p : cycle.points) box.add(wide(p));
@@ -428,6 +457,9 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
 
   Measures out;
   out.digest = digestOf(toolpath);
+  out.dislocations = dislocations.value().count;
+  out.singularities = dislocations.value().singularities;
+  out.dislocationBound = dislocations.value().bound;
   Alignment alignment;
   double beadArea = 0;
   for (const Cycle& cycle : toolpath.cycles) {

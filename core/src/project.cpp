@@ -22,7 +22,6 @@ namespace sillon {
 namespace {
 
 using Json = nlohmann::json;                 // sorted keys: look-up stays fast in files made of keys only
-using OrderedJson = nlohmann::ordered_json;  // for writing: keys stay in the order of the rows
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxDepth = 64;
@@ -645,57 +644,55 @@ class Checker {
 
 class Writer {
  public:
-  OrderedJson root = OrderedJson::object();
-
-  void begin(const char* section) { section_ = section; }
-  void end() {}
-  void text(const char* key, const std::string& value) { at(key) = value; }
-  void block(const char* key, const std::string& value) { at(key) = value; }
+  void begin(const char* section) {
+    body_ += std::string(",\n  \"") + section + "\": {";
+    first_ = true;
+  }
+  void end() { body_ += "\n  }"; }
+  void text(const char* key, const std::string& value) {
+    // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
+    add(key, Json(value).dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+  void block(const char* key, const std::string& value) { text(key, value); }
   void preset(const char* key, const std::string& value, const Printer& /*printer*/, const PresetTable& /*table*/) {
-    at(key) = value;
+    text(key, value);
   }
   void recipe(const char* /*key*/, const ToolpathParams& /*params*/) {}
-  void boolean(const char* key, bool value) { at(key) = value; }
-  void number(const char* key, double value, double = 0, double = 0, const char* = "") { put(at(key), value); }
-  void number(const char* key, const std::optional<double>& value) {
-    if (value) {
-      put(at(key), *value);
-    } else {
-      at(key) = nullptr;
-    }
-  }
+  void boolean(const char* key, bool value) { add(key, value ? "true" : "false"); }
+  void number(const char* key, double value, double = 0, double = 0, const char* = "") { add(key, numberText(value)); }
+  void number(const char* key, const std::optional<double>& value) { add(key, value ? numberText(*value) : "null"); }
   template <class Integer>
   void integer(const char* key, Integer value, Integer = 0, Integer = 0) {
-    at(key) = value;
+    add(key, std::to_string(value));
   }
   template <class T, std::size_t n>
   void choice(const char* key, T value, const std::array<Name<T>, n>& names) {
     for (const Name<T>& name : names) {
-      if (value == name.value) at(key) = name.name;
+      if (value == name.value) add(key, std::string("\"") + name.name + "\"");
     }
   }
   void point(const char* key, const Vec2& value, double, double, const char*) {
-    OrderedJson pair = OrderedJson::array({nullptr, nullptr});
-    put(pair[0], value.x);
-    put(pair[1], value.y);
-    at(key) = std::move(pair);
+    add(key, "[\n      " + numberText(value.x) + ",\n      " + numberText(value.y) + "\n    ]");
   }
   void point(const char* key, const std::optional<Vec2>& value, double low, double high, const char* unit) {
-    at(key) = nullptr;
-    if (value) point(key, *value, low, high, unit);
+    if (value) {
+      point(key, *value, low, high, unit);
+    } else {
+      add(key, "null");
+    }
+  }
+
+  [[nodiscard]] std::string file() const {
+    return "{\n  \"sillon\": " + std::to_string(kProjectVersion) + body_ + "\n}\n";
   }
 
  private:
-  OrderedJson& at(const char* key) { return root[section_][key]; }
-  /// 80 rather than 80.0.
-  static void put(OrderedJson& out, double value) {
-    if (std::abs(value) < 1e9 && std::floor(value) == value) {
-      out = static_cast<std::int64_t>(value);
-    } else {
-      out = value;
-    }
+  void add(const char* key, const std::string& value) {
+    body_ += std::string(first_ ? "\n" : ",\n") + "    \"" + key + "\": " + value;
+    first_ = false;
   }
-  const char* section_ = "";
+  std::string body_;
+  bool first_ = true;
 };
 
 }  // namespace
@@ -747,18 +744,16 @@ Result<Project> readProject(std::string_view json) {
 
 std::string writeProject(const Project& project) {
   Writer writer;
-  writer.root["sillon"] = kProjectVersion;
   visitProject(writer, project);
-  // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
-  return writer.root.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return writer.file();
 }
 
 std::string writePrinter(const Printer& printer) {
   Writer writer;
-  writer.root["sillon"] = kProjectVersion;
   writer.begin("printer");
   visitPrinter(writer, printer);
-  return writer.root.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  writer.end();
+  return writer.file();
 }
 
 std::vector<Preset> presets(PresetKind kind) {

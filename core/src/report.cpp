@@ -84,6 +84,9 @@ void addMeasures(const Measures& measures, Object& report) {
   report.add("uTurns", measures.uTurns);
   report.add("kinks", measures.kinks);
   report.add("crossings", measures.crossings);
+  report.add("dislocations", measures.dislocations);
+  report.add("singularities", measures.singularities);
+  report.add("dislocationBound", measures.dislocationBound, 0);
   report.add("width", widthJson(measures.width));
   report.add("fillRatio", measures.fillRatio, 4);
   report.add("lostAreaMm2", measures.lostAreaMm2, 4);

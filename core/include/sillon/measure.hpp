@@ -37,7 +37,10 @@ struct Measures {
   double lostAreaMm2 = 0;           ///< what no bead of one spacing can reach, pieces above tau²/4
   std::int64_t uTurns = 0;
   std::int64_t kinks = 0;
-  std::int64_t crossings = 0;  ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
+  std::int64_t crossings = 0;      ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
+  std::int64_t dislocations = 0;   ///< of the waves that these directions make: beads that begin or end
+  std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
+  double dislocationBound = 0;     ///< about as many are forced by the directions at one constant spacing
   WidthMeasures width;
   std::string digest;  ///< 16 hex digits of the toolpath on a grid of 1 µm
 };

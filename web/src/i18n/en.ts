@@ -567,12 +567,12 @@ export const en = {
     other: '{n} hairpin turns, {density} per cm².',
   },
   'verdict.uTurns.fair': {
-    one: '{n} hairpin turn, {density} per cm². It is visible as a dot.',
-    other: '{n} hairpin turns, {density} per cm². They are visible as dots.',
+    one: '{n} hairpin turn, {density} per cm². It is visible as a dot; the directions ask for about {bound}.',
+    other: '{n} hairpin turns, {density} per cm². They are visible as dots; the directions ask for about {bound}.',
   },
   'verdict.uTurns.poor': {
-    one: '{n} hairpin turn, {density} per cm². Smoother directions need fewer.',
-    other: '{n} hairpin turns, {density} per cm². Smoother directions need fewer.',
+    one: '{n} hairpin turn, {density} per cm². These directions ask for about {bound}; smoother ones need fewer.',
+    other: '{n} hairpin turns, {density} per cm². These directions ask for about {bound}; smoother ones need fewer.',
   },
   'verdict.kinks.good': { one: '{n} sharp corner.', other: '{n} sharp corners.' },
   'verdict.kinks.fair': {

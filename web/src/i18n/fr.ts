@@ -580,12 +580,14 @@ export const fr: Dictionary = {
   'verdict.alignment.free': 'Aucune direction n’est imposée : il n’y a rien à comparer.',
   'verdict.uTurns.good': { one: '{n} demi-tour, {density} par cm².', other: '{n} demi-tours, {density} par cm².' },
   'verdict.uTurns.fair': {
-    one: '{n} demi-tour, {density} par cm². Il se voit comme un point.',
-    other: '{n} demi-tours, {density} par cm². Ils se voient comme des points.',
+    one: '{n} demi-tour, {density} par cm². Il se voit comme un point ; les directions en demandent environ {bound}.',
+    other:
+      '{n} demi-tours, {density} par cm². Ils se voient comme des points ; les directions en demandent environ {bound}.',
   },
   'verdict.uTurns.poor': {
-    one: '{n} demi-tour, {density} par cm². Des directions plus douces en demandent moins.',
-    other: '{n} demi-tours, {density} par cm². Des directions plus douces en demandent moins.',
+    one: '{n} demi-tour, {density} par cm². Ces directions en demandent environ {bound} ; de plus douces en demandent moins.',
+    other:
+      '{n} demi-tours, {density} par cm². Ces directions en demandent environ {bound} ; de plus douces en demandent moins.',
   },
   'verdict.kinks.good': { one: '{n} angle vif.', other: '{n} angles vifs.' },
   'verdict.kinks.fair': {

@@ -33,7 +33,7 @@ const round = (value: number, digits: number): number => Number(value.toFixed(di
 /** Empty for a report without measures. */
 export function verdictsOf(report: Report): Verdict[] {
   const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = report;
-  const { alignmentConstrained } = report;
+  const { alignmentConstrained, dislocationBound } = report;
   if (
     width === undefined ||
     coverage === undefined ||
@@ -44,7 +44,8 @@ export function verdictsOf(report: Report): Verdict[] {
     fillRatio === undefined ||
     lostAreaMm2 === undefined ||
     lengthMm === undefined ||
-    alignmentConstrained === undefined
+    alignmentConstrained === undefined ||
+    dislocationBound === undefined
   ) {
     return [];
   }
@@ -99,7 +100,7 @@ export function verdictsOf(report: Report): Verdict[] {
     measure: 'uTurns',
     level: turning,
     text: `uTurns.${turning}`,
-    values: { n: uTurns, density: perCm2(uTurns) },
+    values: { n: uTurns, density: perCm2(uTurns), bound: dislocationBound },
   });
 
   const kinked = perCm2(kinks) <= 0.2 ? 'good' : 'fair';

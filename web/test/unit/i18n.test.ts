@@ -288,6 +288,7 @@ const good: Report = {
   overlap: 0.4,
   spill: 0,
   uTurns: 300,
+  dislocationBound: 250,
   kinks: 1,
   crossings: 0,
   width: { p01: 0.8, median: 1, p99: 1.25, belowHalf: 0, clamped: 0 },
