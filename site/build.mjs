@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 
 import { drawGallery } from './gallery.mjs';
 import { contentsOf, escaped, render } from './markdown.mjs';
-import { addressOf, coming, isPicture, pageOf, pages, relative, root, targetOf, tracked } from './pages.mjs';
+import { addressOf, coming, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
 
 const at = (path) => join(root, path);
 
@@ -25,7 +25,7 @@ function folderPage(path, files) {
 
 /** Pages, and all that they lead to. */
 function writeDocs(folder) {
-  const files = tracked();
+  const files = sources();
   const waiting = pages().filter((path) => path.startsWith('docs/') || !path.includes('/'));
   const done = new Set();
   for (let path = waiting.pop(); path !== undefined; path = waiting.pop()) {

@@ -1,6 +1,5 @@
 // The pages of the site: which there are, where they lie, and what surrounds their text.
-import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -12,14 +11,21 @@ const at = (path) => join(root, path);
 /** Pages that others write now; links to them are words until they are there. */
 export const coming = new Set(['docs/embedding.md', 'docs/performance.md']);
 
-export const tracked = () =>
-  execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })
-    .trim()
-    .split('\n');
+const passedOver = new Set(['node_modules', 'build', 'out', 'dist']);
+
+/** Every file of the source by its path from the root; nothing that is hidden or made. */
+export function sources(folder = '') {
+  return readdirSync(at(folder), { withFileTypes: true })
+    .filter(({ name }) => !name.startsWith('.') && !passedOver.has(name))
+    .flatMap((entry) => {
+      const path = posix.join(folder, entry.name);
+      return entry.isDirectory() ? sources(path) : [path];
+    })
+    .sort();
+}
 
 /** Markdown that people read, by path from the root. */
-export const pages = () =>
-  tracked().filter((path) => path.endsWith('.md') && existsSync(at(path)) && !path.startsWith('web/test/'));
+export const pages = () => sources().filter((path) => path.endsWith('.md'));
 
 export const isPicture = (path) => /\.(png|svg|jpe?g|webp)$/.test(path);
 
