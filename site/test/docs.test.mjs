@@ -100,6 +100,29 @@ test('every script that a page runs exists', () => {
   for (const { page, path } of scripts) assert.ok(existsSync(join(root, path)), `${page}: ${path}`);
 });
 
+const json = (path) => JSON.parse(readFileSync(join(root, path), 'utf8'));
+
+test('every library that becomes part of a product is listed with its licence', () => {
+  const text = readFileSync(join(root, 'THIRD-PARTY.md'), 'utf8');
+  const listed = new Map(
+    [...text.matchAll(/^\| ([\w@/-]+) \| ([^|]+) \|/gm)].slice(1).map(([, name, licence]) => [name, licence]),
+  );
+  const tools = ['doctest'];
+  const native = json('vcpkg.json').dependencies.filter((name) => !tools.includes(name));
+  const bundled = Object.entries(json('package-lock.json').packages)
+    .filter(([path, { dev, link }]) => path.startsWith('node_modules/') && !dev && !link)
+    .map(([path, { license }]) => [path.replace(/^.*node_modules\//, ''), license]);
+  assert.deepEqual([...listed.keys()].sort(), [...native, ...bundled.map(([name]) => name)].sort());
+  for (const [name, licence] of bundled) assert.equal(listed.get(name), licence, name);
+});
+
+test('the program and the packages have one version', async () => {
+  const version = (await run('./dev version')).trim();
+  assert.match(version, /^\d+\.\d+\.\d+$/);
+  for (const path of ['vcpkg.json', 'wasm/package.json', 'web/package.json'])
+    assert.equal(json(path).version, version, path);
+});
+
 // A folder with the parts of the source that the pages' commands name; what they write stays in it.
 const folder = mkdtempSync(join(tmpdir(), 'sillon-docs-'));
 after(() => rmSync(folder, { recursive: true }));
