@@ -57,9 +57,8 @@ export function render(text, addressOf) {
     code({ text }) {
       return `<pre tabindex="0"><code>${escaped(text)}\n</code></pre>\n`;
     },
-    html() {
-      throw new Error('pages hold no HTML of their own');
-    },
+    // No page needs HTML of its own: it is shown as it is written.
+    html: ({ text }) => escaped(text),
   };
   const html = new Marked({ renderer }).parse(text);
   return { title, html };
