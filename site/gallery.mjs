@@ -37,11 +37,11 @@ function projectZip(name) {
 
 const decimal = (value, digits) => value.toFixed(digits);
 
-/** Settings that are not the default. */
+/** What the project says, but for names of files. */
 function settingsOf(name) {
   const project = JSON.parse(readFileSync(join(root, `examples/${name}.json`), 'utf8'));
   const told = [];
-  for (const section of ['modes', 'toolpath', 'print', 'printer']) {
+  for (const section of ['shape', 'directions', 'modes', 'toolpath', 'print', 'printer']) {
     for (const [key, value] of Object.entries(project[section] ?? {})) {
       if (key !== 'file') told.push(`${section}.${key} ${JSON.stringify(value)}`);
     }
