@@ -122,11 +122,17 @@ async function restore(): Promise<void> {
 }
 
 async function openLink(): Promise<boolean> {
-  if (!location.hash.startsWith('#plate=')) return false;
   const { hash } = location;
+  // Projects of the site's own gallery, and nothing else.
+  const project = /^#open=(gallery\/\w+\.zip)$/.exec(hash)?.[1];
+  if (project === undefined && !hash.startsWith('#plate=')) return false;
   // A reload must bring back the work that followed, not the link.
   history.replaceState(null, '', location.pathname + location.search);
   return studio.attempt(async () => {
+    if (project !== undefined) {
+      await opener.openOwn(project);
+      return;
+    }
     const { readLink } = await import('./model/share.js');
     const plate = await readLink(hash);
     if (plate === undefined) return;

@@ -15,6 +15,8 @@ export interface Opener {
   /** Uses one of the files that were opened last as something else. */
   setRole(index: number, role: Role): Promise<void>;
   openExample(example: Example): Promise<void>;
+  /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
+  openOwn(path: string): Promise<void>;
 }
 
 const gesture = 'files';
@@ -34,7 +36,7 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
     studio.stage?.fit();
   }
 
-  return {
+  const opener: Opener = {
     async open(files) {
       const { identify } = await import('./files/open.js');
       const { plate } = studio.store.state;
@@ -70,7 +72,12 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
       show(await plateOf(example));
       studio.store.set({ opened: [] });
     },
+
+    async openOwn(path) {
+      await opener.open([new File([await fetchedBytes(path)], path.replace(/^.*\//, ''))]);
+    },
   };
+  return opener;
 }
 
 /** Pictures of kinds that only the browser reads, as PNG; everything else as it is. */
@@ -86,16 +93,21 @@ async function readable(file: File): Promise<File> {
   }
 }
 
-async function fetched(name: string): Promise<SourceFile> {
-  let response: Response;
+async function fetchedBytes(path: string): Promise<Blob> {
   try {
-    response = await fetch(new URL(`examples/${name}`, document.baseURI));
+    const response = await fetch(new URL(path, document.baseURI));
     if (!response.ok) throw new Error(`status ${response.status}`);
-    return { id: `example/${name}`, name, bytes: await response.blob() };
+    return await response.blob();
   } catch (error) {
-    throw new StudioError('LoadFailed', {}, `examples/${name}: ${String(error)}`);
+    throw new StudioError('LoadFailed', {}, `${path}: ${String(error)}`);
   }
 }
+
+const fetched = async (name: string): Promise<SourceFile> => ({
+  id: `example/${name}`,
+  name,
+  bytes: await fetchedBytes(`examples/${name}`),
+});
 
 async function plateOf(example: Example): Promise<Plate> {
   const { directions, modes = {}, width, height, filament, spacing, nozzle, nearest } = example;

@@ -1,0 +1,102 @@
+// The whole site as static files: the studio at its root, the documentation in docs/, the examples in gallery/.
+//   node site/build.mjs FOLDER [EXAMPLE ...]
+// Every link of a page leads to a page: to another one, or to the file of the source that it names.
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { basename, dirname, extname, join, posix, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { drawGallery } from './gallery.mjs';
+import { contentsOf, escaped, render } from './markdown.mjs';
+import { addressOf, coming, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
+
+const at = (path) => join(root, path);
+
+function write(folder, address, content) {
+  const path = join(folder, address);
+  mkdirSync(dirname(path), { recursive: true });
+  writeFileSync(path, content);
+}
+
+function folderPage(path, files) {
+  const inside = files.filter((file) => posix.dirname(file) === path && !isPicture(file));
+  const items = inside.map((file) => `- [${basename(file)}](${basename(file)})`).join('\n');
+  return `# ${path}\n\n${items}\n`;
+}
+
+/** Pages, and all that they lead to. */
+function writeDocs(folder) {
+  const files = sources();
+  const waiting = pages().filter((path) => path.startsWith('docs/') || !path.includes('/'));
+  const done = new Set();
+  for (let path = waiting.pop(); path !== undefined; path = waiting.pop()) {
+    if (done.has(path)) continue;
+    done.add(path);
+    const address = addressOf(path);
+    if (isPicture(path)) {
+      mkdirSync(dirname(join(folder, address)), { recursive: true });
+      cpSync(at(path), join(folder, address));
+      continue;
+    }
+    const isFolder = statSync(at(path)).isDirectory();
+    if (!isFolder && extname(path) !== '.md') {
+      const code = `<h1>${escaped(path)}</h1>\n<pre tabindex="0"><code>${escaped(readFileSync(at(path), 'utf8'))}</code></pre>`;
+      write(folder, address, pageOf(address, path, code));
+      continue;
+    }
+    const text = isFolder ? folderPage(path, files) : readFileSync(at(path), 'utf8');
+    const base = isFolder ? `${path}/index.md` : path;
+    const { title, html } = render(text, (href) => {
+      if (/^(https?:|#)/.test(href)) return href;
+      const target = targetOf(base, href);
+      if (!existsSync(at(target))) {
+        if (coming.has(target)) return undefined;
+        throw new Error(`${path} leads to ${href}, which is not there`);
+      }
+      waiting.push(target);
+      const anchor = href.includes('#') ? `#${href.split('#')[1]}` : '';
+      return relative(address, addressOf(target)) + anchor;
+    });
+    write(folder, address, pageOf(address, title, html));
+  }
+}
+
+/** Licences of what the studio holds, from the packages themselves. */
+function licences() {
+  const { packages } = JSON.parse(readFileSync(at('package-lock.json'), 'utf8'));
+  const parts = Object.entries(packages).filter(([path, { dev, link }]) => /^node_modules/.test(path) && !dev && !link);
+  const texts = parts.map(([path, { version, license }]) => {
+    const name = readdirSync(at(path)).find((file) => /^licen[cs]e/i.test(file));
+    const text = name === undefined ? '' : readFileSync(at(join(path, name)), 'utf8').trim();
+    return `${path.slice('node_modules/'.length)} ${version}: ${license}\n\n${text}\n`;
+  });
+  return ['Sillon: MIT\n', readFileSync(at('LICENSE'), 'utf8'), ...texts].join('\n========\n\n');
+}
+
+/** @param examples  names of projects in examples/ */
+export async function buildSite(folder, examples) {
+  if (existsSync(join(folder, '.git'))) throw new Error(`${folder} is no folder for a site`);
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  if (existsSync(at('web/dist/index.html'))) cpSync(at('web/dist'), folder, { recursive: true });
+  writeDocs(folder);
+  write(folder, 'licences.txt', licences());
+  cpSync(at('site/style.css'), join(folder, 'docs/style.css'));
+  cpSync(at('web/public/icon.svg'), join(folder, 'icon.svg'));
+  await drawGallery(folder, examples);
+}
+
+/** All examples, in the order of their own page. */
+export const exampleNames = () => [
+  ...new Set(
+    contentsOf(readFileSync(at('examples/README.md'), 'utf8'))
+      .names.filter((name) => /^\w+\.json$/.test(name))
+      .map((name) => name.slice(0, -5)),
+  ),
+];
+
+if (process.argv[1] !== undefined && resolve(process.argv[1]) === fileURLToPath(import.meta.url)) {
+  const [folder, ...examples] = process.argv.slice(2);
+  if (folder === undefined) throw new Error('usage: node site/build.mjs FOLDER [EXAMPLE ...]');
+  await buildSite(resolve(folder), examples.length > 0 ? examples : exampleNames());
+  console.log(`${folder}: the studio, docs/ and gallery/`);
+}

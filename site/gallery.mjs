@@ -1,0 +1,99 @@
+// The gallery: every example as the program makes it, with what it takes to make it again.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join, posix } from 'node:path';
+
+import { zipSync } from 'fflate';
+
+import { escaped, render } from './markdown.mjs';
+import { pageOf, root } from './pages.mjs';
+
+const program = join(root, 'build/release/sillon');
+const epoch = new Date(1980, 0, 1); // the same zip for the same files
+
+/** What examples/README.md says of an example: its row of the table. */
+function wordsOf(name) {
+  const rows = readFileSync(join(root, 'examples/README.md'), 'utf8').split('\n');
+  const row = rows.find((line) => line.startsWith('|') && line.split('|')[1].includes(`\`${name}.json\``));
+  if (row === undefined) throw new Error(`examples/README.md has no row for ${name}.json`);
+  const cells = row.split('|').map((cell) => cell.trim());
+  return render(cells[3], () => undefined).html;
+}
+
+/** The project and what it names, as one file that the studio opens; unpacked, the command line reads it. */
+function projectZip(name) {
+  const text = readFileSync(join(root, `examples/${name}.json`));
+  const project = JSON.parse(text);
+  const files = { 'project.json': text };
+  for (const section of ['shape', 'directions', 'modes']) {
+    const file = project[section]?.file;
+    if (file === undefined) continue;
+    if (!/^[\w/.-]+$/.test(file) || posix.normalize(file).startsWith('..'))
+      throw new Error(`${name}: odd file ${file}`);
+    files[file] = readFileSync(join(root, 'examples', file));
+  }
+  return zipSync(files, { mtime: epoch });
+}
+
+const decimal = (value, digits) => value.toFixed(digits);
+
+/** What the project says, but for names of files. */
+function settingsOf(name) {
+  const project = JSON.parse(readFileSync(join(root, `examples/${name}.json`), 'utf8'));
+  const told = [];
+  for (const section of ['shape', 'directions', 'modes', 'toolpath', 'print', 'printer']) {
+    for (const [key, value] of Object.entries(project[section] ?? {})) {
+      if (key !== 'file') told.push(`${section}.${key} ${JSON.stringify(value)}`);
+    }
+  }
+  return told.join(', ');
+}
+
+function make(folder, name) {
+  const made = join(folder, 'gallery', name);
+  const args = ['generate', join(root, `examples/${name}.json`), '--preview-width', '420'];
+  execFileSync(program, [...args, '--preview', `${made}.png`, '--report', `${made}.json`, '--project', `${made}.tmp`], {
+    stdio: ['ignore', 'ignore', 'inherit'],
+  });
+  const report = JSON.parse(readFileSync(`${made}.json`, 'utf8'));
+  const png = readFileSync(`${made}.png`);
+  rmSync(`${made}.json`);
+  rmSync(`${made}.tmp`);
+  const zip = projectZip(name);
+  writeFileSync(`${made}.zip`, zip);
+  return { report, zip, width: png.readUInt32BE(16), height: png.readUInt32BE(20) };
+}
+
+function figure(name, { report, zip, width, height }) {
+  const { lengthMm, coverage, spacing, toolpaths, grid } = report;
+  const [wide, tall] = grid.map((cells) => (cells - 6) * (spacing / 2)); // without the margin of one and a half spacings
+  const size = `${decimal(wide, 0)} × ${decimal(tall, 0)} mm`;
+  const path = toolpaths === 1 ? 'one path' : `${toolpaths} paths`;
+  return `<article>
+<h2 id="${name}">${name}</h2>
+<img src="${name}.png" width="${width}" height="${height}" loading="lazy" alt="${escaped(name)}: directions in colour, and the look under a lamp" />
+${wordsOf(name)}
+<dl>
+<div><dt>Size</dt><dd>${size}</dd></div>
+<div><dt>Spacing</dt><dd>${spacing} mm</dd></div>
+<div><dt>Toolpath</dt><dd>${path}, ${decimal(lengthMm / 1000, 1)} m, coverage ${decimal(coverage, 1)} %</dd></div>
+<div><dt>Set</dt><dd>${escaped(settingsOf(name))}</dd></div>
+</dl>
+<p><a href="../#open=gallery/${name}.zip">Open ${name} in the studio</a>, or <a href="${name}.zip" download>download the project</a>
+(${Math.ceil(zip.length / 1000)} kB): unpack it, then <code>sillon generate project.json --gcode ${name}.gcode</code></p>
+</article>
+`;
+}
+
+/** @param examples  names of projects in examples/ */
+export async function drawGallery(folder, examples) {
+  if (!existsSync(program)) throw new Error(`${program} is missing; ./dev build release makes it`);
+  mkdirSync(dirname(join(folder, 'gallery/index.html')), { recursive: true });
+  const figures = examples.map((name) => figure(name, make(folder, name)));
+  const body = `<h1>Gallery</h1>
+<p>Each plate as the program makes it from a project in <code>examples</code>: the beads coloured by direction, and their look under a lamp from
+the upper right. None has been printed by us.</p>
+<div class="gallery">
+${figures.join('\n')}</div>`;
+  writeFileSync(join(folder, 'gallery/index.html'), pageOf('gallery/index.html', 'Gallery', body, { wide: true }));
+}
