@@ -272,7 +272,7 @@ int main(int count, char** arguments) {
   const sillon::Grid nodes = sillon::nodeLattice(grid);
   const std::vector<float> nodeDistance =
       need(sillon::bandDistance(input.shape, border, nodes, static_cast<float>(spacing), run));
-  std::vector<float> values = need(sillon::evaluateSineField(waves, nodeDistance, run));
+  std::vector<float> values = need(sillon::evaluateSineField(waves, nodeDistance, params, run));
   const sillon::Parts parts = sillon::labelParts(sdf, border, spacing, params.bridge.value_or(spacing));
   sillon::keepThinParts(parts, sdf, spacing, values);
   Picture field(page);

@@ -21,7 +21,7 @@
 namespace sillon {
 namespace {
 
-using Json = nlohmann::json;                 // sorted keys: look-up stays fast in files made of keys only
+using Json = nlohmann::json;  // sorted keys: look-up stays fast in files made of keys only
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxDepth = 64;
