@@ -2,8 +2,10 @@
 //
 //   sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...]   figures of the delivered toolpath, and of the G-code
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
+//   sillon_bench live [SCENE.json ...]                    edits of a kept session, previews, against runs from nothing
+//   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
 //   sillon_bench random [N [SEED]]                        promises on random shapes, fields and parameters (2000 from
-//   1) sillon_bench growth                                   0.25 to 16 million cells: time exponent and bytes per cell
+//   1) sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes per cell
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -16,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +28,8 @@
 #include "sillon/outline.hpp"
 #include "sillon/pipeline.hpp"
 #include "sillon/presets.hpp"
+#include "sillon/session.hpp"
+#include "simd.hpp"
 #include "support/random_plates.hpp"
 #include "written.hpp"
 
@@ -194,30 +199,152 @@ void times(const std::vector<std::string>& scenes) {
   }
 }
 
+// A square plate of waves with so many million cells at a spacing of 0.4 mm.
+PlateInput wavesOf(double millions) {
+  const double side = std::sqrt(millions * 1e6) * 0.2;
+  PlateInput input;
+  input.shape = sillon::makeRectangle({side, side}).value();
+  input.modes = sillon::uniformMode(sillon::DirectionMode::Constrained);
+  input.directions.width = input.directions.height = 256;
+  input.directions.angle.resize(256 * 256);
+  for (int y = 0; y < 256; ++y) {
+    for (int x = 0; x < 256; ++x) {
+      const double wave = std::sin(x * 0.1) + std::sin(y * 0.07 + x * 0.03);
+      input.directions.angle[static_cast<std::size_t>(y * 256 + x)] = static_cast<std::uint16_t>(32767 + 12000 * wave);
+    }
+  }
+  return input;
+}
+
+double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// Turns the directions within a disc of a tenth of the map, elsewhere each time: what a brush does.
+void brush(sillon::DirectionMap& map, int stroke) {
+  const double radius2 = 0.1 * map.width * map.height / 3.1416;
+  const double cx = map.width * (0.3 + 0.04 * (stroke % 11));
+  const double cy = map.height * (0.7 - 0.03 * (stroke % 13));
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      if ((x - cx) * (x - cx) + (y - cy) * (y - cy) > radius2) continue;
+      map.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)] +=
+          9000;
+    }
+  }
+}
+
+// Each round edits a tenth of the directions, then makes the plate with a kept session, from nothing, and its preview.
+void live(const std::vector<std::string>& scenes) {
+  constexpr int kWarmUps = 2;
+  constexpr int kRuns = 9;
+  for (const std::string& path : scenes) {
+    Loaded scene;
+    if (!load(path, scene)) continue;
+    std::printf("%s: median of %d edits of a tenth of the directions (least)\n", scene.name.c_str(), kRuns);
+    for (const int threads : {1, 2}) {
+      const RunContext run(threads);
+      sillon::Session session, previewed;
+      std::vector<double> kept, fresh, preview;
+      for (int k = 0; k < kWarmUps + kRuns; ++k) {
+        brush(scene.input.directions, k);
+        const double times[] = {
+            seconds([&] { (void)session.generateToolpath(scene.input, scene.project.toolpath, run); }),
+            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); }),
+            seconds([&] { (void)previewed.previewWaves(scene.input, scene.project.toolpath, 1000, run); })};
+        if (k < kWarmUps) continue;
+        kept.push_back(times[0]);
+        fresh.push_back(times[1]);
+        preview.push_back(times[2]);
+      }
+      const auto least = [](const std::vector<double>& values) {
+        return *std::min_element(values.begin(), values.end());
+      };
+      std::printf(
+          "  %d thread%s  session %7.1f ms (%.1f)   from nothing %7.1f ms (%.1f)   preview, 1000 pixels %7.1f ms "
+          "(%.1f)\n",
+          threads, threads == 1 ? " " : "s", 1e3 * median(kept), 1e3 * least(kept), 1e3 * median(fresh),
+          1e3 * least(fresh), 1e3 * median(preview), 1e3 * least(preview));
+    }
+  }
+}
+
+// What the machine can do on one thread: bytes moved by a + s b -> c over arrays larger than its caches, and flops of
+// independent multiply-adds on vectors of four.
+void roof() {
+  constexpr std::size_t kFloats = std::size_t{1} << 25;
+  std::vector<float> a(kFloats, 1), b(kFloats, 2), c(kFloats, 0);
+  double bandwidth = 0;
+  for (int k = 0; k < 5; ++k) {
+    const double time = seconds([&] {
+      for (std::size_t i = 0; i < kFloats; ++i) c[i] = a[i] + 0.5f * b[i];
+    });
+    bandwidth = std::max(bandwidth, 12.0 * kFloats / time);
+  }
+  constexpr int kSteps = 20'000'000;
+  sillon::F4 sums[8];
+  for (int k = 0; k < 8; ++k) sums[k] = sillon::splat(static_cast<float>(k) + c[static_cast<std::size_t>(k)]);
+  double flops = 0;
+  for (int round = 0; round < 3; ++round) {
+    const double time = seconds([&] {
+      const sillon::F4 factor = sillon::splat(0.999f);
+      for (int k = 0; k < kSteps; ++k) {
+        for (sillon::F4& sum : sums) sum = sum * factor + factor;
+      }
+    });
+    flops = std::max(flops, 8.0 * 8 * kSteps / time);
+  }
+  volatile float sink =
+      sums[0][0] + sums[1][0] + sums[2][0] + sums[3][0] + sums[4][0] + sums[5][0] + sums[6][0] + sums[7][0];
+  (void)sink;
+  std::printf("machine, one thread: %.1f GB/s (triad), %.1f Gflop/s (vectors of four)\n", bandwidth / 1e9, flops / 1e9);
+
+  // Each sweep of a cell: 4 edges of 3 numbers and whether it is free are read, the phase read and written: 68 bytes at
+  // least; 8 neighbours of 10 operations and 12 for the norm. All levels together are 4/3 of the finest.
+  constexpr double kBytes = 68.0 * 4 / 3;
+  constexpr double kFlops = 92.0 * 4 / 3;
+  std::printf("%12s %14s %22s %22s\n", "cells", "ns/cell sweep", "GB/s (share)", "Gflop/s (share)");
+  const RunContext run(1);
+  for (const double millions : {0.0625, 0.25, 1.0, 4.0}) {
+    const PlateInput input = wavesOf(millions);
+    double cells = 0;
+    const auto phases = [&](int sweeps) {
+      sillon::ToolpathParams params;
+      params.sweepsPerLevel = sweeps;
+      sillon::Session session;
+      double least = 1e9;
+      for (int k = 0; k < 3; ++k) {
+        params.seed = static_cast<std::uint64_t>(k + 1);  // so that it is made anew
+        const auto plate = session.generateToolpath(input, params, run);
+        if (!plate) continue;
+        cells = static_cast<double>(plate.value().nx) * plate.value().ny;
+        for (const auto& stage : plate.value().time) {
+          if (stage.stage == "phases") least = std::min(least, stage.seconds);
+        }
+      }
+      return least;
+    };
+    const double sweep = (phases(40) - phases(8)) / 32;
+    std::printf("%12.0f %14.2f %14.1f (%3.0f %%) %15.1f (%3.0f %%)\n", cells, sweep / cells * 1e9,
+                kBytes * cells / sweep / 1e9, 100 * kBytes * cells / sweep / bandwidth, kFlops * cells / sweep / 1e9,
+                100 * kFlops * cells / sweep / flops);
+  }
+}
+
 // A plate of waves whose page grows at one spacing, so that cells are all alike. Each size runs in a process of its
 // own, whose peak memory is the run's.
-void growth() {
+void growth(double most) {
   std::printf("%12s %10s %12s %14s\n", "cells", "seconds", "ns/cell", "bytes/cell");
   std::vector<double> logCells;
   std::vector<double> logTime;
-  for (const double millions : {0.25, 1.0, 4.0, 16.0}) {
+  for (double millions = 0.25; millions <= most; millions *= 4) {
     int pipeEnds[2];
     if (pipe(pipeEnds) != 0) return;
     const pid_t child = fork();
     if (child == 0) {
-      const double side = std::sqrt(millions * 1e6) * 0.2;
-      PlateInput input;
-      input.shape = sillon::makeRectangle({side, side}).value();
-      input.modes = sillon::uniformMode(sillon::DirectionMode::Constrained);
-      input.directions.width = input.directions.height = 256;
-      input.directions.angle.resize(256 * 256);
-      for (int y = 0; y < 256; ++y) {
-        for (int x = 0; x < 256; ++x) {
-          const double wave = std::sin(x * 0.1) + std::sin(y * 0.07 + x * 0.03);
-          input.directions.angle[static_cast<std::size_t>(y * 256 + x)] =
-              static_cast<std::uint16_t>(32767 + 12000 * wave);
-        }
-      }
+      const PlateInput input = wavesOf(millions);
       rusage before{};
       getrusage(RUSAGE_SELF, &before);
       const RunContext run(1);
@@ -331,6 +458,11 @@ int main(int argc, char** argv) {
     randomPlates(number(0, 2000), number(1, 1));
     return 0;
   }
+  double mostMillions = 16;
+  if (what == "growth" && !rest.empty()) {
+    mostMillions = std::strtod(rest[0].c_str(), nullptr);
+    rest.clear();
+  }
   std::string perimeters;
   if (what == "quality" && !rest.empty() && rest[0].find(".json") == std::string::npos) {
     perimeters = rest[0];
@@ -342,21 +474,26 @@ int main(int argc, char** argv) {
     std::printf("the published scenes are not there (../shared/scenes); using the examples\n");
     rest = exampleScenes();
   }
+  const bool timed = what == "time" || what == "live";
   if (what == "quality") {
     quality(rest, perimeters);
-  } else if (what == "time") {
+  } else if (timed) {
     if (!named) {
       std::erase_if(rest, [](const std::string& path) {
         const std::string name = fs::path(path).stem().string();
         return path.find("shared") != std::string::npos && name != "brain" && name != "wave";
       });
     }
-    times(rest);
+    what == "time" ? times(rest) : live(rest);
   } else if (what == "growth") {
-    growth();
+    growth(mostMillions);
+  } else if (what == "roof") {
+    roof();
   } else {
     std::printf(
-        "sillon_bench quality [none|soft|N] [SCENE.json ...] | time [SCENE.json ...] | growth | random [N [SEED]]\n");
+        "sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...] | time [SCENE.json ...] | live [SCENE.json ...] | "
+        "roof "
+        "| growth [MILLIONS] | random [N [SEED]]\n");
     return 2;
   }
   return 0;
