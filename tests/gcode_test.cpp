@@ -652,19 +652,21 @@ TEST_CASE("short segments slow down only where they come in numbers") {
   for (const std::int32_t feedrate : planMotion(pathOf(points, 0.4), 0, limits).feedrates) CHECK(feedrate == 18);
 }
 
-TEST_CASE("a straight line takes L / v + v / a, however it is cut") {
+TEST_CASE("a straight line takes L / v + (v - u)^2 / (a v), however it is cut; u is the jerk, 0 for Klipper") {
   const MotionLimits limits = someLimits();
   CHECK(planMotion(pathOf({{0, 0}, {100, 0}}, 0.4), 0, limits).totalSeconds == Approx(2.05));
   std::vector<Vec2> points;
   for (int k = 0; k <= 1000; ++k) points.push_back({k * 0.1, 0});
-  for (const GcodeFlavor flavor : {GcodeFlavor::Marlin, GcodeFlavor::Klipper}) {
-    CHECK(planMotion(pathOf(points, 0.4), 0, someLimits(flavor)).totalSeconds == Approx(2.05));
-  }
+  CHECK(planMotion(pathOf(points, 0.4), 0, limits).totalSeconds == Approx(2.05));
+  const MotionLimits marlin = someLimits(GcodeFlavor::Marlin);  // jerk 8 mm/s
+  CHECK(planMotion(pathOf(points, 0.4), 0, marlin).totalSeconds == Approx(2 + 42 * 42 / 50e3));
   // Too short to reach the speed: a triangle.
   CHECK(planMotion(pathOf({{0, 0}, {1, 0}}, 0.4), 0, limits).totalSeconds == Approx(2 * std::sqrt(1 / 1000.0)));
-  CHECK(travelSeconds(100, 50, 1000) == Approx(2.05));
-  CHECK(travelSeconds(1, 50, 1000) == Approx(2 * std::sqrt(1 / 1000.0)));
-  CHECK(travelSeconds(0, 50, 1000) == 0);
+  CHECK(travelSeconds({{0, 0}, {100000, 0}}, 50, limits) == Approx(2.05));
+  CHECK(travelSeconds({{0, 0}, {1000, 0}}, 50, limits) == Approx(2 * std::sqrt(1 / 1000.0)));
+  CHECK(travelSeconds({{0, 0}, {40000, 0}, {100000, 0}}, 50, limits) == Approx(2.05));
+  CHECK(travelSeconds({{0, 0}, {100000, 0}}, 50, marlin) == Approx(2 + 42 * 42 / 50e3));
+  CHECK(travelSeconds({{0, 0}}, 50, marlin) == 0);
 }
 
 // Passing a corner at u instead of v costs (v - u)² / (a v), so the time tells the corner's speed.
@@ -675,7 +677,10 @@ TEST_CASE("corners slow down as Klipper and Marlin say") {
     const Motion motion =
         planMotion(pathOf({{0, 0}, {leg, 0}, {leg + leg * std::cos(turn), leg * std::sin(turn)}}, 0.4), 0, limits);
     const double v = limits.speed;
-    const double lost = motion.totalSeconds - 2 * leg / v - v / limits.acceleration;
+    const double u = limits.flavor == GcodeFlavor::Klipper ? 0 : 2 * limits.cornerSpeed;  // at the path's ends
+    const double toward = std::max(std::abs(std::cos(turn)), std::abs(std::sin(turn)));
+    const double lost = motion.totalSeconds - 2 * leg / v - (v - u) * (v - u) / (2 * limits.acceleration * v) -
+                        (v - u / toward) * (v - u / toward) / (2 * limits.acceleration * v);
     return v - std::sqrt(std::max(0.0, lost) * limits.acceleration * v);
   };
   MotionLimits klipper = someLimits();
@@ -689,7 +694,7 @@ TEST_CASE("corners slow down as Klipper and Marlin say") {
   const MotionLimits marlin = someLimits(GcodeFlavor::Marlin);  // jerk 8 mm/s
   CHECK(cornerSpeed(marlin, 9) == Approx(50).epsilon(0.01));
   CHECK(cornerSpeed(marlin, 90) == Approx(8).epsilon(0.01));
-  CHECK(cornerSpeed(marlin, 180) == Approx(4).epsilon(0.01));
+  CHECK(cornerSpeed(marlin, 180) == Approx(8).epsilon(0.01));  // Marlin takes the faster side, not both
 }
 
 TEST_CASE("short segments around corners go as their room allows") {

@@ -139,6 +139,8 @@ class Writer {
   void filamentMove(double length);
   void moveZ(double z);
   void travel(PointUm target, double speed);
+  void moveTo(PointUm target, double speed);
+  [[nodiscard]] MotionLimits machineLimits() const;
   void feedrate(std::int64_t mmPerMin);
   void progress();
 
@@ -248,14 +250,24 @@ void Writer::moveZ(double z) {
 }
 
 void Writer::travel(PointUm target, double speed) {
-  const PointUm d = target - at_;
-  const double mm = length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000;
-  seconds_ += travelSeconds(mm, speed, printer_.acceleration);
+  if (target != at_) seconds_ += travelSeconds({at_, target}, speed, machineLimits());
+  moveTo(target, speed);
+}
+
+void Writer::moveTo(PointUm target, double speed) {
   at_ = target;
   out_ << "G1 X";
   out_.scaled(target.x, 3) << " Y";
   out_.scaled(target.y, 3);
   feedrate(std::llround(speed * 60));
+}
+
+MotionLimits Writer::machineLimits() const {
+  MotionLimits limits;
+  limits.flavor = printer_.flavor;
+  limits.acceleration = printer_.acceleration;
+  limits.cornerSpeed = printer_.cornerSpeed;
+  return limits;
 }
 
 // The number after E. \param amount  [0.00001 mm]
@@ -287,6 +299,7 @@ void Writer::leave(const Motion& motion, double speed, double top) {
   filamentMove(-printer_.retractLength);
   retracted_ = true;
   double left = kWipeLength;
+  std::vector<PointUm> wipe{at_};
   for (std::size_t i = motion.lengths.size(); i-- > 0 && left > 0;) {
     PointUm target = motion.points[i];
     if (motion.lengths[i] > left) {
@@ -296,8 +309,11 @@ void Writer::leave(const Motion& motion, double speed, double top) {
                 from.y + std::llround(share * static_cast<double>(target.y - from.y))};
     }
     left -= motion.lengths[i];
-    if (target != at_) travel(target, speed);
+    if (target == at_) continue;
+    moveTo(target, speed);
+    wipe.push_back(target);
   }
+  seconds_ += travelSeconds(wipe, speed, machineLimits());
   moveZ(top + printer_.lift);
 }
 
@@ -331,14 +347,11 @@ void Writer::bead(const Motion& motion, double flow, double height) {
 
 void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer) {
   if (paths.empty()) return;
-  MotionLimits limits;
-  limits.flavor = printer_.flavor;
+  MotionLimits limits = machineLimits();
   limits.layerHeight = layer.height;
   limits.flow = flow;
   limits.filamentArea = filamentArea(printer_.filamentDiameter);
   limits.speed = layer.index == 0 ? std::min(printer_.firstLayerSpeed, printer_.speed) : printer_.speed;
-  limits.acceleration = printer_.acceleration;
-  limits.cornerSpeed = printer_.cornerSpeed;
   limits.maxFlow = printer_.maxFlow;
   limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
   limits.pressureAdvance = printer_.pressureAdvance;
