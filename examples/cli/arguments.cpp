@@ -505,6 +505,7 @@ void addCheck(CLI::App& app, Arguments& arguments) {
           },
           "whose bed and limits count [as the file's own settings say]")
       ->option_text("ID");
+  check->add_flag("--json", arguments.checkJson, "the same as JSON");
 }
 
 /// First line of a message of CLI11, without the full stop that some end in.

@@ -27,6 +27,7 @@ struct Arguments {
   std::string import;      ///< file to take a printer from; this and `check` empty: generate
   std::string importName;  ///< printer of a bundle; empty: the active one
   std::optional<sillon::Printer> checkPrinter;
+  bool checkJson = false;
   std::string scene;  ///< JSON file; empty: options only
   /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
   std::vector<std::function<std::string(sillon::Project&)>> changes;

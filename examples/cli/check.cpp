@@ -1,6 +1,7 @@
 #include "check.hpp"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace cli {
 namespace {
@@ -36,6 +37,38 @@ std::string checkText(const sillon::GcodeCheck& check) {
   }
   const std::int64_t errors = check.errors();
   return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
+}
+
+std::string checkJson(const sillon::GcodeCheck& check) {
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+  for (const sillon::GcodeFinding& finding : check.findings) {
+    findings.push_back({{"rule", finding.rule},
+                        {"error", finding.error},
+                        {"line", finding.line},
+                        {"count", finding.count},
+                        {"message", finding.message}});
+  }
+  nlohmann::ordered_json out = {{"errors", check.errors()},
+                                {"findings", std::move(findings)},
+                                {"lines", check.lines},
+                                {"moves", check.moves},
+                                {"layers", check.layers},
+                                {"filamentMm", check.filamentMm},
+                                {"pathMm", check.pathMm},
+                                {"travelMm", check.travelMm},
+                                {"closed", check.closed},
+                                {"open", check.open},
+                                {"retractions", check.retractions},
+                                {"fastest", check.fastest},
+                                {"mostFlow", check.mostFlow},
+                                {"mostMoves", check.mostMoves},
+                                {"printer", check.printer},
+                                {"box", nullptr},
+                                {"top", check.top}};
+  if (!check.box.empty()) {
+    out["box"] = {{"min", {check.box.min.x, check.box.min.y}}, {"max", {check.box.max.x, check.box.max.y}}};
+  }
+  return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace cli

@@ -106,7 +106,7 @@ int check(const cli::Arguments& arguments) {
   const sillon::Result<std::string> text = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
   if (!text) return fail(text.error());
   const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
-  std::fputs(cli::checkText(result).c_str(), stdout);
+  std::fputs((arguments.checkJson ? cli::checkJson(result) : cli::checkText(result)).c_str(), stdout);
   return result.errors() == 0 ? 0 : 2;
 }
 
