@@ -35,12 +35,13 @@ base_layers: shape outline
 motion: gcode
 chunked_output: gcode
 bed: gcode
+bed_fit: shape gcode bed turned
 dialect: gcode
 offset_loops: shape outline sdf contour base_layers
 gcode_check: gcode bed
 gcode_checks: gcode gcode_job
 gcode_template: gcode gcode_job
-gcode_job: gcode gcode_checks turned base_layers offset_loops motion bed gcode_template gcode_check
+gcode_job: gcode gcode_checks measure bed_fit turned base_layers offset_loops motion bed gcode_template gcode_check
 gcode: shape outline motion gcode_job chunked_output bed dialect
 presets: gcode
 preview: image_io

@@ -176,12 +176,14 @@ export interface PrinterValues {
   filamentDiameter: number;
   filamentDensity: number;
   filamentType: string;
+  anyTemperature: boolean;
   nozzleTemperature: number;
   firstLayerNozzleTemperature: number;
   bedTemperature: number;
   speed: number;
   firstLayerSpeed: number;
   travelSpeed: number;
+  machineSpeed: number;
   acceleration: number;
   machineAcceleration: number;
   cornerSpeed: number;
@@ -217,6 +219,7 @@ export interface PrintParams {
   baseFlow: number;
   rotate: number;
   mirror: boolean;
+  strict: boolean;
   place: [number, number] | null;
   /** Default: now. The same date gives the same bytes. */
   date: Date;

@@ -358,6 +358,7 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
   if (params_.constantFlow && layer.oriented && layer.index > 0) {
     limits.evenFlow = limits.speed * job_.spacing;
     limits.speed *= kFastest;
+    if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
   }
   limits.coast = layer.oriented ? params_.coast : 0;
 
@@ -551,11 +552,21 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
                                 const PrintParams& params, const GcodeSink& sink) {
   if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};
   Printer printer = given;
+  std::vector<std::string> held;
+  const auto hold = [&](const char* name, double& speed) {
+    if (!(given.machineSpeed > 0 && speed > given.machineSpeed)) return;
+    held.push_back(std::string(name) + " is " + decimal(speed, 3) + " mm/s; it is held at machineSpeed, " +
+                   decimal(given.machineSpeed, 3));
+    speed = given.machineSpeed;
+  };
   const bool tooFast = given.machineAcceleration > 0 && given.acceleration > given.machineAcceleration;
   if (tooFast) printer.acceleration = given.machineAcceleration;
   Result<GcodeJob> prepared = prepareGcodeJob(toolpath, shape, printer, params);
   if (!prepared) return prepared.error();
   const GcodeJob& job = prepared.value();
+  hold("speed", printer.speed);
+  hold("firstLayerSpeed", printer.firstLayerSpeed);
+  hold("travelSpeed", printer.travelSpeed);
 
   Writer writer(job, printer, params, &sink);
   writer.header(estimateSeconds(job, printer, params));
@@ -570,6 +581,7 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
     summary.warnings.push_back("acceleration is " + whole(given.acceleration) +
                                " mm/s2; it is held at machineAcceleration, " + whole(given.machineAcceleration));
   }
+  summary.warnings.insert(summary.warnings.end(), held.begin(), held.end());
   if (writer.failed()) return Error{ErrorCode::Cancelled, "writing was stopped before the file was complete"};
   return summary;
 }

@@ -371,7 +371,8 @@ void Reader::command(std::string_view text) {
       (code == 104 || code == 109 ? check_.nozzleTarget : check_.bedTarget) = target;
       if (code == 109 && target >= kColdest) check_.heatsNozzle = true;
       if (code == 190 && target > 0) check_.heatsBed = true;
-      const double most = code == 104 || code == 109 ? 300 : 120;
+      const bool any = machine_.printer && machine_.printer->anyTemperature;
+      const double most = any ? 1e9 : code == 104 || code == 109 ? 300 : 120;
       if (target > most) found("heating", true, "hotter than ", decimal(most, 0) + " degrees: " + decimal(target, 1));
       break;
     }

@@ -9,7 +9,9 @@
 #include "gcode_checks.hpp"
 #include "gcode_template.hpp"
 #include "offset_loops.hpp"
+#include "sillon/bed_fit.hpp"
 #include "sillon/gcode_check.hpp"
+#include "sillon/measure.hpp"
 #include "text.hpp"
 #include "turned.hpp"
 
@@ -213,6 +215,15 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
                  plate + reach + " over the edge of the round bed by " + fixed(std::max(overhang, 0.001), 3) + " mm"};
   }
   return std::nullopt;
+}
+
+// What would bring a plate upon the bed that does not fit where it is.
+std::string wayOut(const Shape& shape, const Printer& printer, const PrintParams& params) {
+  const BedFit fit = fitBed(shape, printer, params);
+  if (fit.centred && params.place) return "; it fits when it is centred";
+  if (fit.turned) return "; it fits when it is turned by 90 degrees and centred";
+  if (fit.percent < 1) return "";
+  return "; it fits when it is scaled to " + std::to_string(std::min(fit.percent, 99)) + " % and centred";
 }
 
 // The hot end must melt the widest bead at a speed worth printing.
@@ -568,11 +579,22 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
     box.add(first.min + mm(copy));
     box.add(first.max + mm(copy));
   }
-  if (auto error = checkFit(box, shape, mm(offset), job, printer)) return *error;
+  if (auto error = checkFit(box, shape, mm(offset), job, printer)) {
+    error->message += wayOut(givenShape, printer, params);
+    return *error;
+  }
 
   job.fillRatio = cycles.beadArea / inside.area;
   if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
-    job.warnings.push_back(std::to_string(outside) + " points of the path lie more than 0.1 mm outside the shape");
+    const std::string what = std::to_string(outside) + " points of the path lie more than 0.1 mm outside the shape";
+    if (params.strict) return *invalid(what + "; strict refuses that");
+    job.warnings.push_back(what);
+  }
+  if (params.strict) {
+    if (const std::int64_t crossings = countCrossings(toolpath); crossings > 0) {
+      return *invalid("the path crosses itself " + std::to_string(crossings) + (crossings == 1 ? " time" : " times") +
+                      "; strict refuses that");
+    }
   }
   markSeams(job.cycles, offset, inside, job.spacing);
   markSeams(job.bedCycles, offset, inside, job.spacing);

@@ -243,6 +243,9 @@ class Taker {
       p.acceleration = std::min(kAcceleration, value);
     }
     value = 0;
+    number({"machine_max_feedrate_x", "machine_max_speed_x"}, 5, 1000, value);
+    if (value > 0) p.machineSpeed = value;
+    value = 0;
     number({"machine_max_jerk_x"}, 0.1, 200, value);
     if (value > 0) p.cornerSpeed = std::clamp(value / 2, 0.1, 100.0);
   }

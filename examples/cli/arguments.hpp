@@ -21,6 +21,13 @@ struct OutputPaths {
   std::string project;
 };
 
+/// What may be done to a plate that does not fit the bed where it is.
+enum class Placing {
+  AsGiven,
+  Rotate,  ///< centred, and turned by 90 degrees if only that fits
+  Fit,     ///< and scaled down if that does not fit either
+};
+
 struct Arguments {
   std::string answer;      ///< help, version or a list: print it, done
   std::string check;       ///< G-code file to check
@@ -32,6 +39,7 @@ struct Arguments {
   /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
   std::vector<std::function<std::string(sillon::Project&)>> changes;
   OutputPaths outputs;
+  Placing placing = Placing::AsGiven;
   int threads = 1;
   bool quiet = false;
 };

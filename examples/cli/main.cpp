@@ -83,6 +83,11 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
 
   sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project);
   if (!input) return input.error();
+  if (arguments.placing != cli::Placing::AsGiven &&
+      cli::bringUponBed(job.project, input.value().shape, arguments.placing == cli::Placing::Fit)) {
+    input = cli::assemblePlate(job.project);
+    if (!input) return input.error();
+  }
   job.input = std::move(input).value();
 
   sillon::Result<sillon::Plate> plate = sillon::generateToolpath(job.input, job.project.toolpath, run);

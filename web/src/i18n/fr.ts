@@ -398,6 +398,12 @@ export const fr: Dictionary = {
   'setting.printer.machineAcceleration': 'Accélération ensuite',
   'help.printer.machineAcceleration':
     'Celle de l’imprimante, rétablie à la fin. 0 : l’accélération n’est pas réglée du tout.',
+  'setting.printer.machineSpeed': 'Vitesse maximale',
+  'help.printer.machineSpeed':
+    'La limite de la machine, à laquelle toutes les vitesses sont ramenées. 0 : elle n’est pas connue.',
+  'setting.printer.anyTemperature': 'Toutes températures',
+  'help.printer.anyTemperature':
+    'Pour qui sait pourquoi : permet une buse sous 170 ou au-dessus de 300 °C et un plateau à plus de 120 °C, refusés sinon.',
   'setting.printer.cornerSpeed': 'Vitesse dans les angles',
   'help.printer.cornerSpeed': 'Le « square corner velocity » de Klipper ; la moitié du « jerk » de Marlin.',
   'setting.printer.maxFlow': 'Débit maximal',
@@ -431,6 +437,9 @@ export const fr: Dictionary = {
     'Les cordons larges sont imprimés plus lentement, les étroits plus vite, pour un débit régulier.',
   'setting.print.coast': 'Roue libre',
   'help.print.coast': 'Longueur avant la fin d’un trajet sur laquelle rien n’est poussé, pour éviter une goutte.',
+  'setting.print.strict': 'Strict',
+  'help.print.strict':
+    'Refuse un chemin qui se croise ou qui sort de la forme de plus de 0,1 mm, au lieu de seulement le signaler.',
   'setting.print.copyGap': 'Espace entre les plaques',
   'help.print.copyGap': 'Entre les copies, bordures comprises.',
   'setting.printer.roundBed': 'Plateau rond',
@@ -648,6 +657,7 @@ export const fr: Dictionary = {
   'warning.startTemperature':
     'Le G-code de début laisse la buse à {hot} °C ; la première couche est prévue pour {meant}.',
   'warning.startLine': 'Ligne {line} du G-code de début : {what}',
+  'warning.speed': 'Une vitesse de {asked} mm/s dépasse celle de la machine ; elle est ramenée à {held}.',
   'warning.acceleration': 'L’accélération est de {asked} mm/s² ; elle est ramenée à celle de la machine, {held}.',
   'warning.purge':
     'La plaque ne laisse pas de place pour une ligne de purge : la buse n’est pas amorcée avant le premier cordon.',

@@ -111,6 +111,10 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
     /^acceleration is (\d+) mm\/s2; it is held at machineAcceleration, (\d+)/,
     ([asked = '', held = '']) => t('warning.acceleration', { asked: Number(asked), held: Number(held) }),
   ],
+  [
+    /^(?:speed|firstLayerSpeed|travelSpeed) is (\S+) mm\/s; it is held at machineSpeed, (\S+)/,
+    ([asked = '', held = '']) => t('warning.speed', { asked: Number(asked), held: Number(held) }),
+  ],
   [/^the plate is mirrored but shown from above/, () => t('warning.backwards')],
   [
     /^startGcode leaves the nozzle at (\d+) degrees; the first layer is meant for (\d+)/,

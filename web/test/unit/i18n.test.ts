@@ -200,6 +200,7 @@ test('every warning of the engine has words, with its numbers', async () => {
     ['the plate is mirrored but shown from above; writing on it reads backwards', ''],
     ['startGcode leaves the nozzle at 240 degrees; the first layer is meant for 215', '240'],
     ['line 7 of startGcode: 300 is beyond the bed', '7'],
+    ['speed is 300 mm/s; it is held at machineSpeed, 200', '300'],
     ['acceleration is 2000 mm/s2; it is held at machineAcceleration, 1250', '250'],
     ['maxFlow slows 20 % of the path', '20'],
     ['maxSegmentsPerSecond slows 31 % of the path', '31'],
