@@ -38,7 +38,8 @@ bed: gcode
 bed_fit: shape gcode bed turned
 dialect: gcode
 offset_loops: shape outline sdf contour base_layers
-gcode_check: gcode bed
+gcode_coverage:
+gcode_check: gcode bed gcode_coverage
 gcode_checks: gcode gcode_job
 gcode_template: gcode gcode_job
 gcode_job: gcode gcode_checks measure bed_fit turned base_layers offset_loops motion bed gcode_template gcode_check

@@ -1083,6 +1083,34 @@ TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre")
   CHECK(full.filament() - path.filament() == Approx(extrusion(0.2, 0.4, 0.25, 1.75, 0.95)).epsilon(0.02));
 }
 
+TEST_CASE("cycles begin at a concave corner if they pass one") {
+  Job job = plate();
+  job.params.layers = 5;
+  job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 8}, {12, 8}, {12, 20}, {0, 20}};
+  const std::vector<Vec2f> corners = {{0.2f, 0.2f},  {29.8f, 0.2f},  {29.8f, 7.8f},
+                                      {11.8f, 7.8f}, {11.8f, 19.8f}, {0.2f, 19.8f}};
+  Cycle cycle;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2f a = corners[k];
+    const Vec2f b = corners[k + 1 < corners.size() ? k + 1 : 0];
+    for (int part = 0; part < 100; ++part) {
+      cycle.points.push_back(a + (static_cast<float>(part) / 100) * (b - a));
+      cycle.widths.push_back(0.4f);
+    }
+  }
+  job.toolpath.cycles = {cycle};
+  const Written written = job.write();
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  int seams = 0;
+  for (const ReadPath& path : readGcode(written.text).paths) {
+    if (path.role != "Top solid infill") continue;
+    ++seams;
+    const ReadMove& first = path.moves.front();
+    CHECK(std::hypot(double(first.x0) / 1000 - 95 - 11.8, double(first.y0) / 1000 - 100 - 7.8) < 1.3);
+  }
+  CHECK(seams == 5);
+}
+
 TEST_CASE("cycles begin near the border, elsewhere on each layer") {
   Job job = plate(30, 20, 0.5);
   job.params.layers = 5;
@@ -1512,6 +1540,10 @@ TEST_CASE("no F is above the machine's own speed") {
   REQUIRE(written.result.ok());
   const GcodeCheck check = checkGcode(written.text, job.printer);
   CHECK(check.fastest <= 33.001);
+  CHECK(check.errors() == 0);
+  Printer slower = job.printer;
+  slower.machineSpeed = 30;
+  CHECK(checkGcode(written.text, slower).findings.at(0).message == "faster than the printer: 33 mm/s");
   for (const std::string_view line : split(written.text, '\n')) {
     const std::size_t at = line.find(" F");
     if (!line.starts_with("G1 X") || at == std::string_view::npos) continue;

@@ -56,6 +56,17 @@ after(() => rmSync(folder, { recursive: true }));
 const close = (actual, expected, slack, what) =>
   assert.ok(Math.abs(actual - expected) <= slack, `${what}: ${actual}, ours ${expected}`);
 
+test("our own check finds no fault, no zigzag above 5 µm and less than a twentieth of the base uncovered", () => {
+  for (const [name, { check }] of Object.entries(plates)) {
+    assert.deepEqual([check.errors, check.findings], [0, []], name);
+    assert.ok(check.noise < 0.005, `${name}: ${check.noise}`);
+    assert.ok(
+      check.coverage.every((share) => share > 0.95),
+      `${name}: ${check.coverage}`,
+    );
+  }
+});
+
 test('gcode-parser reads every word, and the same filament', () => {
   for (const [name, { text, filament }] of Object.entries(plates)) {
     let sum = 0;
