@@ -223,6 +223,19 @@ TEST_CASE("a plate that does not fit is centred, turned or scaled if asked") {
   checkRefused(folder, wide + "40x40 --place here --gcode d.gcode", "it must be X,Y in mm, centre, rotate or fit");
 }
 
+TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are read") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode a.gcode.3mf", "SOURCE_DATE_EPOCH=0").code == 0);
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode a.gcode", "SOURCE_DATE_EPOCH=0").code == 0);
+  const std::string zip = readAll(folder.at("a.gcode.3mf"));
+  CHECK(zip.starts_with("PK"));
+  CHECK(has(zip, readAll(folder.at("a.gcode"))));
+  CHECK(folder.run("check a.gcode.3mf").out == folder.run("check a.gcode").out);
+  CHECK(folder.run("import a.gcode.3mf").out == folder.run("import a.gcode").out);
+  folder.write("b.gcode.3mf", zip.substr(0, zip.size() / 2));
+  checkRefused(folder, "check b.gcode.3mf", "the .gcode.3mf is cut off");
+}
+
 TEST_CASE("a printer is imported from G-code and prints") {
   const Folder folder;
   REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode").code == 0);

@@ -66,6 +66,9 @@ export interface Engine {
   /** Reads any G-code as a printer would and says what would go wrong.
    * @param printer whose bed and limits count; left out: what the file's own settings say. */
   checkGcode(file: Bytes, printer?: Partial<Printer>, options?: RunOptions): Promise<GcodeCheck>;
+  /** G-code as the .gcode.3mf that Bambu printers take: a zip with the file, its MD5, picture, time and filament. Not tried
+   * on a printer. importPrinter and checkGcode read such files. */
+  packGcode(file: Bytes, options?: RunOptions): Promise<Blob>;
 
   /** Ends the worker; running and waiting calls reject with code `Disposed`. */
   dispose(): void;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "gcode_template.hpp"
+#include "sillon/gcode_archive.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/project.hpp"
 #include "sillon/thumbnails.hpp"
@@ -640,6 +641,12 @@ bool looksLikeGcode(std::string_view text) {
 }  // namespace
 
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
+  if (bytes.starts_with("PK\x03\x04")) {
+    const Result<std::string> gcode = unpackGcode(bytes);
+    if (!gcode) return gcode.error();
+    if (!looksLikeGcode(gcode.value())) return invalidFile("what the .gcode.3mf holds is no G-code");
+    return fromGcode(gcode.value());
+  }
   if (bytes.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge,
                  "the file is " + std::to_string(bytes.size() >> 20) + " MiB; it must be at most 256"};
