@@ -427,7 +427,8 @@ void addPrint(Options& options, Arguments& arguments) {
 
 void addOutputs(Options& options, Arguments& arguments) {
   options.group("Output");
-  options.output("--gcode", "G-code for the printer; packed for Bambu's if F ends in .gcode.3mf", arguments.outputs.gcode);
+  options.output("--gcode", "G-code for the printer; packed for Bambu's if F ends in .gcode.3mf",
+                 arguments.outputs.gcode);
   options.output("--svg", "drawing of the toolpath", arguments.outputs.svg);
   options.output("--report", "measures as JSON", arguments.outputs.report);
   options.output("--preview", "picture of directions and look, PNG", arguments.outputs.preview);
