@@ -134,6 +134,17 @@ TEST_CASE("coverage is the share of the base that an oriented layer fills") {
   REQUIRE(shares.size() == 5);
   CHECK(shares[3] == Approx(0.8).epsilon(0.01));
   CHECK(shares[4] == -1);
+  // Hostile files: wide beads over and over, far apart and in many stacks, end soon.
+  beads.clear();
+  for (int k = 0; k < 20000; ++k) {
+    const auto layer = 2 * k;
+    beads.push_back({{0, 0}, {150, 150}, 10, true, layer, 0.2F});
+    beads.push_back({{0, 0}, {150, 150}, 10, false, layer + 1, 0.4F});
+  }
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 20000);
+  CHECK(shares.front() == 1);
+  CHECK(shares.back() == -1);
   // Slanted beads are drawn as upright ones are.
   beads.clear();
   beads.push_back({{0, 0}, {30, 40}, 2, true, 1, 0.2F});

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFinest = 0.05;  // [mm]
 constexpr double kMostCells = 4e6;
+constexpr std::int64_t kMostVisits = 400'000'000;  // of cells, a second or two; a plate of 120 x 80 mm takes a tenth
 
 // One byte per cell: which kinds of beads have touched its middle.
 struct Raster {
@@ -25,7 +26,9 @@ struct Raster {
     cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
   }
 
-  void draw(const LaidBead& bead) {
+  /// \return how many cells it has looked at
+  std::int64_t draw(const LaidBead& bead) {
+    std::int64_t visits = 0;
     const Vec2 a = Vec2{bead.from.x, bead.from.y} - min;
     const Vec2 d = Vec2{bead.to.x, bead.to.y} - min - a;
     const double reach = bead.width / 2;
@@ -47,6 +50,7 @@ struct Raster {
         from = std::max(from, index(a.x + std::min(low, high) - reach, columns));
         to = std::min(to, index(a.x + std::max(low, high) + reach, columns));
       }
+      visits += std::max(1, to - from + 1);
       std::uint8_t* line = cells.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns);
       for (int column = from; column <= to; ++column) {
         const Vec2 p{(column + 0.5) * cell - a.x, y};
@@ -54,6 +58,7 @@ struct Raster {
         if (dot(off, off) <= reach * reach) line[column] |= kind;
       }
     }
+    return visits;
   }
 
   // Share of the base that is covered; the oriented layer is taken off again.
@@ -76,7 +81,17 @@ struct Raster {
   std::vector<std::uint8_t> cells;
 };
 
-void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead* end) {
+// Without a base, or where that would take too long, the shares are -1.
+void addUnknown(std::vector<double>& shares, const LaidBead* begin, const LaidBead* end) {
+  int last = -1;
+  for (const LaidBead* bead = begin; bead != end; ++bead) {
+    if (!bead->base && bead->layer != last) shares.push_back(-1);
+    if (!bead->base) last = bead->layer;
+  }
+}
+
+/// \param rest  cells that may still be looked at
+void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead* end, std::int64_t& rest) {
   Bounds box;
   bool based = false;
   for (const LaidBead* bead = begin; bead != end; ++bead) {
@@ -88,17 +103,14 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
       box.add(Vec2{p.x, p.y} + half);
     }
   }
-  if (!based) {
-    int last = -1;
-    for (const LaidBead* bead = begin; bead != end; ++bead) {
-      if (bead->layer != last) shares.push_back(-1);
-      last = bead->layer;
-    }
+  if (!based || rest < 0) {
+    addUnknown(shares, begin, end);
     return;
   }
   Raster raster(box);
-  for (const LaidBead* bead = begin; bead != end; ++bead) {
-    if (bead->base) raster.draw(*bead);
+  rest -= static_cast<std::int64_t>(raster.cells.size());
+  for (const LaidBead* bead = begin; bead != end && rest >= 0; ++bead) {
+    if (bead->base) rest -= raster.draw(*bead);
   }
   for (const LaidBead* bead = begin; bead != end;) {
     if (bead->base) {
@@ -107,9 +119,10 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
     }
     const int layer = bead->layer;
     for (; bead != end && bead->layer == layer; ++bead) {
-      if (!bead->base) raster.draw(*bead);
+      if (!bead->base && rest >= 0) rest -= raster.draw(*bead);
     }
-    shares.push_back(raster.takeCoverage());
+    rest -= static_cast<std::int64_t>(raster.cells.size());
+    shares.push_back(rest >= 0 ? raster.takeCoverage() : -1);
   }
 }
 
@@ -117,11 +130,12 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
 
 std::vector<double> orientedCoverage(const std::vector<LaidBead>& beads) {
   std::vector<double> shares;
+  std::int64_t rest = kMostVisits;
   const LaidBead* const end = beads.data() + beads.size();
   for (const LaidBead* begin = beads.data(); begin != end;) {
     const LaidBead* last = begin + 1;
     while (last != end && (last->layer == (last - 1)->layer || last->top > (last - 1)->top)) ++last;
-    addStack(shares, begin, last);
+    addStack(shares, begin, last, rest);
     begin = last;
   }
   return shares;
