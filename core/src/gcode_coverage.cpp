@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFinest = 0.05;  // [mm]
 constexpr double kMostCells = 4e6;
-constexpr std::int64_t kMostVisits = 400'000'000;  // of cells, a second or two; a plate of 120 x 80 mm takes a tenth
+constexpr std::int64_t kMostVisits = 200'000'000;  // of cells, a second; a plate of 120 x 80 mm takes a quarter
 
 // One byte per cell: which kinds of beads have touched its middle.
 struct Raster {

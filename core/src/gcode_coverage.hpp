@@ -19,7 +19,7 @@ struct LaidBead {
 
 /// Share of the area of all base layers of a stack that each of its oriented layers covers, in the order of the file. A
 /// new stack begins where a layer lies no higher than the one before it. Nothing tells the outline of a stack without
-/// base layers: -1; likewise where it would take more than a second or two. Beads are rectangles with round ends on a
+/// base layers: -1; likewise where it would take more than a second. Beads are rectangles with round ends on a
 /// raster of 0.05 mm, coarser for plates above 100 cm².
 std::vector<double> orientedCoverage(const std::vector<LaidBead>& beads);
 
