@@ -11,7 +11,7 @@ foundation="types result run_context params version grid parallel_for fast_math 
 stages="
 shape:
 svg: shape
-image_io:
+image_io: inflate
 direction_map:
 outline: shape
 sdf: outline
@@ -35,19 +35,22 @@ base_layers: shape outline
 motion: gcode
 chunked_output: gcode
 bed: gcode
+bed_fit: shape gcode bed turned
 dialect: gcode
 offset_loops: shape outline sdf contour base_layers
-gcode_check: gcode bed
+gcode_coverage:
+gcode_check: gcode bed gcode_coverage
 gcode_checks: gcode gcode_job
 gcode_template: gcode gcode_job
-gcode_job: gcode gcode_checks turned base_layers offset_loops motion bed gcode_template gcode_check
+gcode_job: gcode gcode_checks measure bed_fit turned base_layers offset_loops motion bed gcode_template gcode_check
 gcode: shape outline motion gcode_job chunked_output bed dialect
+gcode_archive: inflate
 presets: gcode
 preview: image_io
 thumbnails: gcode preview image_io
 toolpath_svg: shape
 project: direction_map gcode pipeline presets thumbnails
-printer_import: gcode gcode_template gcode_check project thumbnails
+printer_import: gcode gcode_archive gcode_template gcode_check project thumbnails
 plate_input: shape svg image_io direction_map pipeline project
 "
 

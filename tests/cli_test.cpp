@@ -194,9 +194,46 @@ TEST_CASE("check reads G-code as a printer would") {
   CHECK(bad.code == 2);
   CHECK(has(bad.out, "error      homing: moves before it homes (G28) (line "));
   CHECK(has(bad.out, "error      bounds: a move over the bed's edge at (0, 220), 40 mm (line "));
+  const Run json = folder.run("check b.gcode --json");
+  CHECK(json.code == 2);
+  const auto read = nlohmann::json::parse(json.out);
+  CHECK(read["errors"].get<int>() > 0);
+  CHECK(read["findings"][0]["rule"] == "homing");
+  CHECK(read["layers"] == 3);
   checkRefused(folder, "check", "file is required");
   checkRefused(folder, "check none.gcode", "cannot be read");
   checkRefused(folder, "check a.gcode --printer mk4", "--printer is \"mk4\"");
+}
+
+TEST_CASE("a plate that does not fit is centred, turned or scaled if asked") {
+  const Folder folder;
+  const std::string wide = "generate --shape rect --size 24x12 --spacing 0.8 --skirt 0 --bed ";
+  const Run refused = folder.run(wide + "14x30 --gcode a.gcode");
+  CHECK(refused.code == 2);
+  CHECK(has(refused.err, "it fits when it is turned by 90 degrees and centred"));
+  CHECK(folder.run(wide + "14x30 --place centre --gcode a.gcode").code == 2);
+  REQUIRE(folder.run(wide + "14x30 --place rotate --gcode a.gcode --project a.json").code == 0);
+  CHECK(nlohmann::json::parse(readAll(folder.at("a.json")))["print"]["rotate"] == 90);
+  CHECK(folder.run(wide + "20x20 --place rotate --gcode b.gcode").code == 2);
+  REQUIRE(folder.run(wide + "20x20 --place fit --gcode b.gcode --project b.json").code == 0);
+  const auto size = nlohmann::json::parse(readAll(folder.at("b.json")))["shape"]["size"];
+  CHECK(std::abs(size[0].get<double>() - 24 * 0.83) < 1e-9);
+  CHECK(std::abs(size[1].get<double>() - 12 * 0.83) < 1e-9);
+  CHECK(folder.run(wide + "40x40 --place fit --gcode c.gcode").code == 0);
+  checkRefused(folder, wide + "40x40 --place here --gcode d.gcode", "it must be X,Y in mm, centre, rotate or fit");
+}
+
+TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are read") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode a.gcode.3mf", "SOURCE_DATE_EPOCH=0").code == 0);
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode a.gcode", "SOURCE_DATE_EPOCH=0").code == 0);
+  const std::string zip = readAll(folder.at("a.gcode.3mf"));
+  CHECK(zip.starts_with("PK"));
+  CHECK(has(zip, readAll(folder.at("a.gcode"))));
+  CHECK(folder.run("check a.gcode.3mf").out == folder.run("check a.gcode").out);
+  CHECK(folder.run("import a.gcode.3mf").out == folder.run("import a.gcode").out);
+  folder.write("b.gcode.3mf", zip.substr(0, zip.size() / 2));
+  checkRefused(folder, "check b.gcode.3mf", "the .gcode.3mf is cut off");
 }
 
 TEST_CASE("a printer is imported from G-code and prints") {

@@ -3,9 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "gcode_coverage.hpp"
 #include "gcode_grammar.hpp"
 
 using namespace sillon;
@@ -70,6 +74,83 @@ TEST_CASE("a clean file has no findings, and its facts are right") {
   CHECK(check.fastest == Approx(30));
   CHECK(check.mostFlow == Approx(0.2 * 0.4 * 30).epsilon(1e-3));
   CHECK((check.homes && check.heatsBed && check.heatsNozzle));
+}
+
+TEST_CASE("noise is the amplitude of a zigzag; lines, circles and corners have none") {
+  const auto noiseOf = [](const std::function<Vec2(int)>& at) {
+    std::string text = kStart + ";LAYER_CHANGE\n;TYPE:Top solid infill\n";
+    for (int k = 0; k <= 400; ++k) {
+      const Vec2 p = at(k);
+      char line[80];
+      std::snprintf(line, sizeof line, "G1 X%.3f Y%.3f%s F1800\n", p.x, p.y, k > 0 ? " E0.01" : "");
+      text += line;
+    }
+    return checkGcode(text + kEnd).noise;
+  };
+  const auto zigzag = [](double amplitude, double step) {
+    return [=](int k) { return Vec2{10 + k * step, 50 + (k % 2 == 0 ? amplitude : -amplitude)}; };
+  };
+  CHECK(noiseOf(zigzag(0.02, 0.2)) == Approx(0.02).epsilon(0.01));
+  CHECK(noiseOf(zigzag(0.005, 0.2)) == Approx(0.005).epsilon(0.01));
+  CHECK(noiseOf(zigzag(0.005, 0.4)) == Approx(0.005).epsilon(0.01));
+  CHECK(noiseOf(zigzag(0, 0.2)) == 0);
+  CHECK(noiseOf(zigzag(0.5, 1.2)) == 0);  // longer legs are meant
+  CHECK(noiseOf([](int k) { return Vec2{50 + 20 * std::cos(k * 0.0157), 50 + 20 * std::sin(k * 0.0157)}; }) < 0.0011);
+  // Serpentines of right angles: corners turn twice to the same side.
+  CHECK(noiseOf([](int k) { return Vec2{10 + (k / 2) * 0.4, 50 + ((k + 1) / 2 % 2) * 0.4}; }) == 0);
+  CHECK(checkGcode(kStart).noise == -1);
+  std::string text = kStart + ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X10 Y50 F1800\n";
+  for (int k = 1; k < 300; ++k) {
+    text += "G1 X" + std::to_string(10 + k * 0.2).substr(0, 6) + (k % 2 == 0 ? " Y50.02" : " Y49.98") + " E0.01\n";
+  }
+  CHECK(finding(checkGcode(text + kEnd), "noise").message ==
+        "the path zigzags by 20 um; above 5 printers brake for it");
+}
+
+TEST_CASE("coverage is the share of the base that an oriented layer fills") {
+  std::vector<LaidBead> beads;
+  const auto lines = [&](int count, float width, bool base, int layer, float top, float x = 0) {
+    for (int k = 0; k < count; ++k) {
+      const float y = (static_cast<float>(k) + 0.5F) * 0.4F;
+      beads.push_back({{x, y}, {x + 10, y}, width, base, layer, top});
+    }
+  };
+  CHECK(orientedCoverage(beads).empty());
+  lines(25, 0.4F, true, 1, 0.2F);
+  CHECK(orientedCoverage(beads).empty());
+  lines(25, 0.4F, false, 2, 0.4F);
+  lines(12, 0.4F, false, 3, 0.6F);
+  lines(25, 0.2F, false, 4, 0.8F);
+  std::vector<double> shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 3);
+  CHECK(shares[0] == 1);
+  CHECK(shares[1] == Approx(0.48).epsilon(0.01));
+  CHECK(shares[2] == Approx(0.5).epsilon(0.03));
+  // A second plate is a stack of its own; a third has no base.
+  lines(25, 0.4F, true, 5, 0.2F, 50);
+  lines(20, 0.4F, false, 6, 0.4F, 50);
+  lines(20, 0.4F, false, 7, 0.2F, 80);
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 5);
+  CHECK(shares[3] == Approx(0.8).epsilon(0.01));
+  CHECK(shares[4] == -1);
+  // Hostile files: wide beads over and over, far apart and in many stacks, end soon.
+  beads.clear();
+  for (int k = 0; k < 20000; ++k) {
+    const auto layer = 2 * k;
+    beads.push_back({{0, 0}, {150, 150}, 10, true, layer, 0.2F});
+    beads.push_back({{0, 0}, {150, 150}, 10, false, layer + 1, 0.4F});
+  }
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 20000);
+  CHECK(shares.front() == 1);
+  CHECK(shares.back() == -1);
+  // Slanted beads are drawn as upright ones are.
+  beads.clear();
+  beads.push_back({{0, 0}, {30, 40}, 2, true, 1, 0.2F});
+  beads.push_back({{0, 0}, {30, 40}, 1, false, 2, 0.4F});
+  const double area = (50 + 0.785398) / (100 + 3.14159);
+  CHECK(orientedCoverage(beads)[0] == Approx(area).epsilon(0.01));
 }
 
 TEST_CASE("relative moves, absolute E, inches, arcs and set origins are followed") {

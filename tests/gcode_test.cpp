@@ -14,6 +14,7 @@
 #include "gcode_template.hpp"
 #include "motion.hpp"
 #include "offset_loops.hpp"
+#include "sillon/bed_fit.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/presets.hpp"
 #include "support/gcode_check.hpp"
@@ -652,19 +653,21 @@ TEST_CASE("short segments slow down only where they come in numbers") {
   for (const std::int32_t feedrate : planMotion(pathOf(points, 0.4), 0, limits).feedrates) CHECK(feedrate == 18);
 }
 
-TEST_CASE("a straight line takes L / v + v / a, however it is cut") {
+TEST_CASE("a straight line takes L / v + (v - u)^2 / (a v), however it is cut; u is the jerk, 0 for Klipper") {
   const MotionLimits limits = someLimits();
   CHECK(planMotion(pathOf({{0, 0}, {100, 0}}, 0.4), 0, limits).totalSeconds == Approx(2.05));
   std::vector<Vec2> points;
   for (int k = 0; k <= 1000; ++k) points.push_back({k * 0.1, 0});
-  for (const GcodeFlavor flavor : {GcodeFlavor::Marlin, GcodeFlavor::Klipper}) {
-    CHECK(planMotion(pathOf(points, 0.4), 0, someLimits(flavor)).totalSeconds == Approx(2.05));
-  }
+  CHECK(planMotion(pathOf(points, 0.4), 0, limits).totalSeconds == Approx(2.05));
+  const MotionLimits marlin = someLimits(GcodeFlavor::Marlin);  // jerk 8 mm/s
+  CHECK(planMotion(pathOf(points, 0.4), 0, marlin).totalSeconds == Approx(2 + 42 * 42 / 50e3));
   // Too short to reach the speed: a triangle.
   CHECK(planMotion(pathOf({{0, 0}, {1, 0}}, 0.4), 0, limits).totalSeconds == Approx(2 * std::sqrt(1 / 1000.0)));
-  CHECK(travelSeconds(100, 50, 1000) == Approx(2.05));
-  CHECK(travelSeconds(1, 50, 1000) == Approx(2 * std::sqrt(1 / 1000.0)));
-  CHECK(travelSeconds(0, 50, 1000) == 0);
+  CHECK(travelSeconds({{0, 0}, {100000, 0}}, 50, limits) == Approx(2.05));
+  CHECK(travelSeconds({{0, 0}, {1000, 0}}, 50, limits) == Approx(2 * std::sqrt(1 / 1000.0)));
+  CHECK(travelSeconds({{0, 0}, {40000, 0}, {100000, 0}}, 50, limits) == Approx(2.05));
+  CHECK(travelSeconds({{0, 0}, {100000, 0}}, 50, marlin) == Approx(2 + 42 * 42 / 50e3));
+  CHECK(travelSeconds({{0, 0}}, 50, marlin) == 0);
 }
 
 // Passing a corner at u instead of v costs (v - u)² / (a v), so the time tells the corner's speed.
@@ -675,7 +678,10 @@ TEST_CASE("corners slow down as Klipper and Marlin say") {
     const Motion motion =
         planMotion(pathOf({{0, 0}, {leg, 0}, {leg + leg * std::cos(turn), leg * std::sin(turn)}}, 0.4), 0, limits);
     const double v = limits.speed;
-    const double lost = motion.totalSeconds - 2 * leg / v - v / limits.acceleration;
+    const double u = limits.flavor == GcodeFlavor::Klipper ? 0 : 2 * limits.cornerSpeed;  // at the path's ends
+    const double toward = std::max(std::abs(std::cos(turn)), std::abs(std::sin(turn)));
+    const double lost = motion.totalSeconds - 2 * leg / v - (v - u) * (v - u) / (2 * limits.acceleration * v) -
+                        (v - u / toward) * (v - u / toward) / (2 * limits.acceleration * v);
     return v - std::sqrt(std::max(0.0, lost) * limits.acceleration * v);
   };
   MotionLimits klipper = someLimits();
@@ -689,7 +695,7 @@ TEST_CASE("corners slow down as Klipper and Marlin say") {
   const MotionLimits marlin = someLimits(GcodeFlavor::Marlin);  // jerk 8 mm/s
   CHECK(cornerSpeed(marlin, 9) == Approx(50).epsilon(0.01));
   CHECK(cornerSpeed(marlin, 90) == Approx(8).epsilon(0.01));
-  CHECK(cornerSpeed(marlin, 180) == Approx(4).epsilon(0.01));
+  CHECK(cornerSpeed(marlin, 180) == Approx(8).epsilon(0.01));  // Marlin takes the faster side, not both
 }
 
 TEST_CASE("short segments around corners go as their room allows") {
@@ -1077,6 +1083,34 @@ TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre")
   CHECK(full.filament() - path.filament() == Approx(extrusion(0.2, 0.4, 0.25, 1.75, 0.95)).epsilon(0.02));
 }
 
+TEST_CASE("cycles begin at a concave corner if they pass one") {
+  Job job = plate();
+  job.params.layers = 5;
+  job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 8}, {12, 8}, {12, 20}, {0, 20}};
+  const std::vector<Vec2f> corners = {{0.2f, 0.2f},  {29.8f, 0.2f},  {29.8f, 7.8f},
+                                      {11.8f, 7.8f}, {11.8f, 19.8f}, {0.2f, 19.8f}};
+  Cycle cycle;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2f a = corners[k];
+    const Vec2f b = corners[k + 1 < corners.size() ? k + 1 : 0];
+    for (int part = 0; part < 100; ++part) {
+      cycle.points.push_back(a + (static_cast<float>(part) / 100) * (b - a));
+      cycle.widths.push_back(0.4f);
+    }
+  }
+  job.toolpath.cycles = {cycle};
+  const Written written = job.write();
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  int seams = 0;
+  for (const ReadPath& path : readGcode(written.text).paths) {
+    if (path.role != "Top solid infill") continue;
+    ++seams;
+    const ReadMove& first = path.moves.front();
+    CHECK(std::hypot(double(first.x0) / 1000 - 95 - 11.8, double(first.y0) / 1000 - 100 - 7.8) < 1.3);
+  }
+  CHECK(seams == 5);
+}
+
 TEST_CASE("cycles begin near the border, elsewhere on each layer") {
   Job job = plate(30, 20, 0.5);
   job.params.layers = 5;
@@ -1289,7 +1323,9 @@ TEST_CASE("a round bed holds what lies within its circle and nothing else") {
   job.params.place = Vec2{-15.5, -20};
   const Error error = job.write().result.error();
   CHECK(error.code == ErrorCode::DoesNotFit);
-  CHECK(error.message == "the plate of 30.0 x 40.0 mm reaches over the edge of the round bed by 0.303 mm");
+  CHECK(error.message ==
+        "the plate of 30.0 x 40.0 mm reaches over the edge of the round bed by 0.303 mm; it fits when it "
+        "is centred");
 
   job.params.place.reset();
   job.printer.bedMin = {-40, -40};
@@ -1411,7 +1447,8 @@ TEST_CASE("what does not fit is refused with the overhang of each side") {
   Written written = job.write();
   REQUIRE(!written.result.ok());
   CHECK(written.result.error().code == ErrorCode::DoesNotFit);
-  CHECK(written.result.error().message.find("2.000 mm on the left, 5.500 mm at the back") != std::string::npos);
+  CHECK(written.result.error().message.find("2.000 mm on the left, 5.500 mm at the back; it fits when it is centred") !=
+        std::string::npos);
   CHECK(written.text.empty());
   job.params.place.reset();
   job.printer.bedMax = {30, 20};
@@ -1435,6 +1472,83 @@ TEST_CASE("what does not fit is refused with the overhang of each side") {
   CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
   job.printer.maxZ = 1;
   CHECK(job.write().result.ok());
+}
+
+TEST_CASE("what brings a plate upon the bed is told, and helps") {
+  const Job job = plate();  // 30 x 20 mm
+  const auto fit = [&](Vec2 bed, bool round = false) {
+    Printer printer = job.printer;
+    printer.bedMax = printer.bedMin + bed;
+    printer.roundBed = round;
+    return fitBed(job.shape, printer, job.params);
+  };
+  CHECK(fit({30, 20}).centred);
+  CHECK(fit({30, 20}).percent == 100);
+  CHECK(!fit({20, 30}).centred);
+  CHECK(fit({20, 30}).turned);
+  CHECK(!fit({24, 24}).turned);
+  CHECK(fit({24, 24}).percent == 80);
+  CHECK(fit({36.1, 36.1}, true).centred);  // the diagonal is 36.06
+  CHECK(!fit({36, 36}, true).centred);
+  CHECK(fit({18.1, 18.1}, true).percent == 50);
+  PrintParams two = job.params;
+  two.copies = {2, 1};
+  Printer printer = job.printer;
+  printer.bedMax = printer.bedMin + Vec2{70, 20};
+  CHECK(fitBed(job.shape, printer, two).centred);
+  two.brim = 1;
+  CHECK(!fitBed(job.shape, printer, two).centred);
+  printer.bedMax = printer.bedMin + Vec2{100, 100};
+  printer.excludedMin = printer.bedMin + Vec2{64, 0};
+  printer.excludedMax = printer.bedMax;
+  CHECK(!fitBed(job.shape, printer, job.params).centred);
+  CHECK(fitBed(job.shape, printer, job.params).turned);  // 20 mm wide, from 40 to 60
+
+  Job tall = plate();
+  tall.printer.bedMax = tall.printer.bedMin + Vec2{22, 32};
+  Written written = tall.write();
+  REQUIRE(!written.result.ok());
+  CHECK(written.result.error().message.find("; it fits when it is turned by 90 degrees and centred") !=
+        std::string::npos);
+  tall.params.rotate = 90;
+  CHECK(tall.write().result.ok());
+  tall.params.rotate = 0;
+  tall.printer.bedMax = tall.printer.bedMin + Vec2{27, 19};
+  written = tall.write();
+  REQUIRE(!written.result.ok());
+  CHECK(written.result.error().message.find("; it fits when it is scaled to 90 % and centred") != std::string::npos);
+}
+
+TEST_CASE("whoever knows why may print colder and hotter") {
+  Job job = plate();
+  job.printer.anyTemperature = true;
+  job.printer.nozzleTemperature = job.printer.firstLayerNozzleTemperature = 420;
+  job.printer.bedTemperature = 160;
+  const Written written = job.write();
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  CHECK(written.text.find("M109 S420") != std::string::npos);
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+  job.printer.anyTemperature = false;
+  CHECK(checkGcode(written.text, job.printer).errors() > 0);
+}
+
+TEST_CASE("no F is above the machine's own speed") {
+  Job job = plate();
+  job.printer.machineSpeed = 33;
+  job.params.constantFlow = true;
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  const GcodeCheck check = checkGcode(written.text, job.printer);
+  CHECK(check.fastest <= 33.001);
+  CHECK(check.errors() == 0);
+  Printer slower = job.printer;
+  slower.machineSpeed = 30;
+  CHECK(checkGcode(written.text, slower).findings.at(0).message == "faster than the printer: 33 mm/s");
+  for (const std::string_view line : split(written.text, '\n')) {
+    const std::size_t at = line.find(" F");
+    if (!line.starts_with("G1 X") || at == std::string_view::npos) continue;
+    CHECK(std::stoi(std::string(line.substr(at + 2))) <= 33 * 60);
+  }
 }
 
 // ---- bad input
@@ -1470,6 +1584,27 @@ TEST_CASE("bad input is refused by name before a byte is written") {
          j.printer.maxZ = 100;
        },
        ErrorCode::DoesNotFit},
+      {"nozzleTemperature is 501 degrees Celsius; it must be 0 to 500",
+       [](Job& j) {
+         j.printer.anyTemperature = true;
+         j.printer.nozzleTemperature = 501;
+       }},
+      {"bedTemperature is 201",
+       [](Job& j) {
+         j.printer.anyTemperature = true;
+         j.printer.bedTemperature = 201;
+       }},
+      {"machineSpeed is 4 mm/s; it must be 5 to 1000, or 0", [](Job& j) { j.printer.machineSpeed = 4; }},
+      {"points of the path lie more than 0.1 mm outside the shape; strict refuses that",
+       [](Job& j) {
+         j.params.strict = true;
+         j.shape = rectangle(30, 15);
+       }},
+      {"the path crosses itself 1 time; strict refuses that",
+       [](Job& j) {
+         j.params.strict = true;
+         j.toolpath.cycles = {{{{1, 1}, {29, 19}, {29, 1}, {1, 19}}, std::vector<float>(4, 0.4f)}};
+       }},
       {"nozzleTemperature is 169", [](Job& j) { j.printer.nozzleTemperature = 169; }},
       {"firstLayerNozzleTemperature is 301", [](Job& j) { j.printer.firstLayerNozzleTemperature = 301; }},
       {"bedTemperature is 121", [](Job& j) { j.printer.bedTemperature = 121; }},
@@ -1570,6 +1705,13 @@ TEST_CASE("what is odd but printable is written with a warning") {
       {"points of the path lie more than 0.1 mm outside the shape", [](Job& j) { j.shape = rectangle(30, 15); }},
       {"maxFlow slows", [](Job& j) { j.printer.maxFlow = 2; }},
       {"maxSegmentsPerSecond slows", [](Job& j) { j.printer.maxSegmentsPerSecond = 2; }},
+      {"speed is 300 mm/s; it is held at machineSpeed, 40",
+       [](Job& j) {
+         j.printer.machineSpeed = 40;
+         j.printer.speed = 300;
+       }},
+      {"travelSpeed is 120 mm/s; it is held at machineSpeed, 100", [](Job& j) { j.printer.machineSpeed = 100; }},
+      {"writing on it reads backwards", [](Job& j) { j.params.mirror = true; }},
       {"pressure advance is 0 after the print", [](Job& j) { j.printer.setPressureAdvance = true; }},
   };
   const Written normal = plate().write();
@@ -1584,6 +1726,29 @@ TEST_CASE("what is odd but printable is written with a warning") {
     CHECK(contains(written.result.value().warnings, row.part));
     CHECK(grammarError(written.text) == "");
   }
+}
+
+TEST_CASE("more moves and bytes than hosts like are written, with a warning") {
+  Job job = plate();
+  job.printer.maxZ = 1000;
+  job.params.layers = 1000;
+  job.params.base = 0;
+  Cycle& cycle = job.toolpath.cycles[0];
+  cycle = {};
+  for (int k = 0; k < 2100; ++k) {  // up and down on 10 mm, finely cut
+    const float x = 1 + 0.01f * static_cast<float>(k < 1050 ? k : 2100 - k);
+    cycle.points.push_back({x, k < 1050 ? 2.0f : 2.4f});
+    cycle.widths.push_back(0.4f);
+  }
+  std::int64_t bytes = 0;
+  const auto result = writeGcode(job.toolpath, job.shape, job.printer, job.params, [&](std::string_view piece) {
+    bytes += static_cast<std::int64_t>(piece.size());
+    return true;
+  });
+  REQUIRE(result.ok());
+  CHECK(bytes == result.value().bytes);
+  CHECK(contains(result.value().warnings, "the file has 2"));
+  CHECK(contains(result.value().warnings, "hosts get slow above 2 million"));
 }
 
 TEST_CASE("a sink that refuses stops the writing") {

@@ -75,6 +75,7 @@ Project unusualProject() {
   p.print.coast = 0.2;
   p.print.copies = {2, 3};
   p.print.copyGap = 8;
+  p.print.strict = true;
   p.print.layerHeight = 0.15;
   p.print.firstLayerHeight = 0.25;
   p.print.flow = 0.9;
@@ -98,6 +99,8 @@ Project unusualProject() {
   p.printer.firstLayerSpeed = 15;
   p.printer.travelSpeed = 150;
   p.printer.acceleration = 1500;
+  p.printer.anyTemperature = true;
+  p.printer.machineSpeed = 400;
   p.printer.machineAcceleration = 3000;
   p.printer.cornerSpeed = 8;
   p.printer.maxFlow = 12;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "sillon/gcode_archive.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/measure.hpp"
 #include "sillon/pipeline.hpp"
@@ -230,7 +231,18 @@ val checkGcode(const val& file, const std::string& projectJson) {
       if (!project) return failure(project.error());
       printer = project.value().printer;
     }
-    return success(convert::toJs(sillon::checkGcode(convert::bytes(file), printer)));
+    const auto text = sillon::unpackGcode(convert::bytes(file));
+    if (!text) return failure(text.error());
+    return success(convert::toJs(sillon::checkGcode(text.value(), printer)));
+  });
+}
+
+val packGcode(const val& file) {
+  return guarded([&](sillon::RunContext&) {
+    const auto archive = sillon::packGcode(convert::bytes(file));
+    if (!archive) return failure(archive.error());
+    const std::string& zip = archive.value();
+    return success(convert::copied(reinterpret_cast<const std::uint8_t*>(zip.data()), zip.size()));
   });
 }
 
@@ -248,4 +260,5 @@ EMSCRIPTEN_BINDINGS(sillon) {
   emscripten::function("presets", &presets);
   emscripten::function("importPrinter", &importPrinter);
   emscripten::function("checkGcode", &checkGcode);
+  emscripten::function("packGcode", &packGcode);
 }

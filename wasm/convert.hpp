@@ -225,6 +225,10 @@ inline val toJs(const sillon::GcodeCheck& check) {
   out.set("mostFlow", check.mostFlow);
   out.set("mostMoves", check.mostMoves);
   out.set("printer", val(check.printer));
+  out.set("noise", check.noise < 0 ? val::null() : val(check.noise));
+  val coverage = val::array();
+  for (const double share : check.coverage) coverage.call<void>("push", share < 0 ? val::null() : val(share));
+  out.set("coverage", coverage);
   return out;
 }
 

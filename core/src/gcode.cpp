@@ -139,6 +139,8 @@ class Writer {
   void filamentMove(double length);
   void moveZ(double z);
   void travel(PointUm target, double speed);
+  void moveTo(PointUm target, double speed);
+  [[nodiscard]] MotionLimits machineLimits() const;
   void feedrate(std::int64_t mmPerMin);
   void progress();
 
@@ -248,14 +250,24 @@ void Writer::moveZ(double z) {
 }
 
 void Writer::travel(PointUm target, double speed) {
-  const PointUm d = target - at_;
-  const double mm = length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000;
-  seconds_ += travelSeconds(mm, speed, printer_.acceleration);
+  if (target != at_) seconds_ += travelSeconds({at_, target}, speed, machineLimits());
+  moveTo(target, speed);
+}
+
+void Writer::moveTo(PointUm target, double speed) {
   at_ = target;
   out_ << "G1 X";
   out_.scaled(target.x, 3) << " Y";
   out_.scaled(target.y, 3);
   feedrate(std::llround(speed * 60));
+}
+
+MotionLimits Writer::machineLimits() const {
+  MotionLimits limits;
+  limits.flavor = printer_.flavor;
+  limits.acceleration = printer_.acceleration;
+  limits.cornerSpeed = printer_.cornerSpeed;
+  return limits;
 }
 
 // The number after E. \param amount  [0.00001 mm]
@@ -287,6 +299,7 @@ void Writer::leave(const Motion& motion, double speed, double top) {
   filamentMove(-printer_.retractLength);
   retracted_ = true;
   double left = kWipeLength;
+  std::vector<PointUm> wipe{at_};
   for (std::size_t i = motion.lengths.size(); i-- > 0 && left > 0;) {
     PointUm target = motion.points[i];
     if (motion.lengths[i] > left) {
@@ -296,8 +309,11 @@ void Writer::leave(const Motion& motion, double speed, double top) {
                 from.y + std::llround(share * static_cast<double>(target.y - from.y))};
     }
     left -= motion.lengths[i];
-    if (target != at_) travel(target, speed);
+    if (target == at_) continue;
+    moveTo(target, speed);
+    wipe.push_back(target);
   }
+  seconds_ += travelSeconds(wipe, speed, machineLimits());
   moveZ(top + printer_.lift);
 }
 
@@ -331,20 +347,18 @@ void Writer::bead(const Motion& motion, double flow, double height) {
 
 void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer) {
   if (paths.empty()) return;
-  MotionLimits limits;
-  limits.flavor = printer_.flavor;
+  MotionLimits limits = machineLimits();
   limits.layerHeight = layer.height;
   limits.flow = flow;
   limits.filamentArea = filamentArea(printer_.filamentDiameter);
   limits.speed = layer.index == 0 ? std::min(printer_.firstLayerSpeed, printer_.speed) : printer_.speed;
-  limits.acceleration = printer_.acceleration;
-  limits.cornerSpeed = printer_.cornerSpeed;
   limits.maxFlow = printer_.maxFlow;
   limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
   limits.pressureAdvance = printer_.pressureAdvance;
   if (params_.constantFlow && layer.oriented && layer.index > 0) {
     limits.evenFlow = limits.speed * job_.spacing;
     limits.speed *= kFastest;
+    if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
   }
   limits.coast = layer.oriented ? params_.coast : 0;
 
@@ -538,11 +552,21 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
                                 const PrintParams& params, const GcodeSink& sink) {
   if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};
   Printer printer = given;
+  std::vector<std::string> held;
+  const auto hold = [&](const char* name, double& speed) {
+    if (!(given.machineSpeed > 0 && speed > given.machineSpeed)) return;
+    held.push_back(std::string(name) + " is " + decimal(speed, 3) + " mm/s; it is held at machineSpeed, " +
+                   decimal(given.machineSpeed, 3));
+    speed = given.machineSpeed;
+  };
   const bool tooFast = given.machineAcceleration > 0 && given.acceleration > given.machineAcceleration;
   if (tooFast) printer.acceleration = given.machineAcceleration;
   Result<GcodeJob> prepared = prepareGcodeJob(toolpath, shape, printer, params);
   if (!prepared) return prepared.error();
   const GcodeJob& job = prepared.value();
+  hold("speed", printer.speed);
+  hold("firstLayerSpeed", printer.firstLayerSpeed);
+  hold("travelSpeed", printer.travelSpeed);
 
   Writer writer(job, printer, params, &sink);
   writer.header(estimateSeconds(job, printer, params));
@@ -557,6 +581,7 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
     summary.warnings.push_back("acceleration is " + whole(given.acceleration) +
                                " mm/s2; it is held at machineAcceleration, " + whole(given.machineAcceleration));
   }
+  summary.warnings.insert(summary.warnings.end(), held.begin(), held.end());
   if (writer.failed()) return Error{ErrorCode::Cancelled, "writing was stopped before the file was complete"};
   return summary;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bed.hpp"
+#include "gcode_coverage.hpp"
 #include "gcode_grammar.hpp"
 #include "text.hpp"
 
@@ -21,6 +22,11 @@ constexpr double kCoast = 1.01;              // [mm], travel at a path's end tha
 constexpr double kColdest = 170;             // [degrees Celsius]
 constexpr double kLongestPrime = 50;         // [mm of filament], Klipper's max_extrude_only_distance
 constexpr std::size_t kWindow = 8;           // [moves], half of a small firmware's buffer
+constexpr double kLongNoise = 1;             // [mm], a zigzag of longer legs is meant
+constexpr double kNoiseStep = 0.0001;        // [mm]
+constexpr double kMostNoise = 0.005;         // [mm], more makes planners brake
+constexpr double kLeastCovered = 0.9;        // of the base
+constexpr std::size_t kMostBeads = 4000000;  // whose coverage is judged, in 100 MB
 constexpr double kTotalSlack = 0.006;        // [mm], two decimals
 constexpr double kForeignTotalSlack = 0.02;  // of other programs, who count their start block or do not
 
@@ -157,6 +163,9 @@ class Reader {
   void endPath();
   void checkPlace(Vec2 p, const char* what);
   void checkRate(double seconds);
+  void follow(Vec2 p);
+  void lay(Vec2 from, Vec2 to, double section);
+  void judgeLayers();
 
   [[nodiscard]] bool block() const { return layers_ == 0 || custom_; }
 
@@ -187,6 +196,13 @@ class Reader {
   double coasted_ = 0;
   std::array<double, kWindow> window_{};  // [s] of the last moves of a path
   std::size_t windowed_ = 0;
+  std::vector<Vec2> trail_;                   // of an oriented path, the last five points
+  std::array<std::int64_t, 1000> zigzags_{};  // vertices by amplitude, in steps of kNoiseStep
+  std::vector<LaidBead> beads_;
+  bool base_ = false;
+  double layerHeight_ = 0;
+  double flow_ = 1;      // of oriented layers
+  double baseFlow_ = 1;  // not told by files: as it mostly is
   double fileTotal_ = -1;
   int fileLayers_ = -1;
   double counted_ = 0;  // [mm of filament] outside start and end blocks
@@ -233,8 +249,13 @@ void Reader::comment(std::string_view text) {
     const std::string_view role = trimmed(text.substr(text.find(':') + 1));
     custom_ = role == "Custom";
     oriented_ = role == "Top solid infill" || role == "Top surface";
+    base_ = role == "Solid infill" || role == "Internal solid infill";
   }
   if (text.starts_with("printer_model = ")) check_.printer = std::string(text.substr(16, 60));
+  if (const auto value = numberAfter(text, "HEIGHT:")) layerHeight_ = *value;
+  if (const std::size_t at = text.find(", flow = "); ours_ && layers_ == 0 && at != std::string_view::npos) {
+    flow_ = std::clamp(numberAfter(text.substr(at + 2), "flow =").value_or(1), 0.01, 2.0);
+  }
   if (const auto value = numberAfter(text, "filament used [mm] =")) fileTotal_ = *value;
   if (const auto value = numberAfter(text, "total layers count =")) {
     fileLayers_ = static_cast<int>(std::clamp(*value, 0.0, 1e6));
@@ -371,7 +392,8 @@ void Reader::command(std::string_view text) {
       (code == 104 || code == 109 ? check_.nozzleTarget : check_.bedTarget) = target;
       if (code == 109 && target >= kColdest) check_.heatsNozzle = true;
       if (code == 190 && target > 0) check_.heatsBed = true;
-      const double most = code == 104 || code == 109 ? 300 : 120;
+      const bool any = machine_.printer && machine_.printer->anyTemperature;
+      const double most = any ? 1e9 : code == 104 || code == 109 ? 300 : 120;
       if (target > most) found("heating", true, "hotter than ", decimal(most, 0) + " degrees: " + decimal(target, 1));
       break;
     }
@@ -503,11 +525,15 @@ void Reader::bead(Vec2 from, Vec2 to, double length, double e) {
     pathOriented_ = oriented_;
     pathStart_ = from;
     windowed_ = 0;
+    trail_.clear();
+    if (oriented_) follow(from);
   } else if (coasted_ > 0) {
     found("cycle", ours_ && pathOriented_, "a gap of travel inside a path", "");
   }
   coasted_ = 0;
   pathEnd_ = to;
+  if (oriented_ && !block()) follow(to);
+  if (ours_ && (oriented_ || base_) && !block()) lay(from, to, e * area_ / length);
   check_.filamentMm += e;
   if (!block()) counted_ += e;
   check_.pathMm += length;
@@ -529,8 +555,61 @@ void Reader::bead(Vec2 from, Vec2 to, double length, double e) {
   if (machine_.printer && !block() && sure * speed_ > machine_.printer->maxFlow * 1.0001) {
     found("flow", true, "more flow than maxFlow", ": " + decimal(sure * speed_, 2) + " mm3/s");
   }
+  if (machine_.printer && machine_.printer->machineSpeed > 0 && speed_ > machine_.printer->machineSpeed * 1.001) {
+    found("speed", true, "faster than the printer", ": " + decimal(speed_, 1) + " mm/s");
+  }
   checkPlace(to, "a bead");
   if (!block()) checkRate(length / speed_);
+}
+
+// Noise is a zigzag: three turns in a row, left and right in turn. Its amplitude is half the middle's distance from the
+// line between its neighbours, so that curves and corners, which turn to one side, have none.
+void Reader::follow(Vec2 p) {
+  trail_.push_back(p);
+  if (trail_.size() < 5) return;
+  const auto turn = [&](std::size_t k) { return cross(trail_[k] - trail_[k - 1], trail_[k + 1] - trail_[k]); };
+  const Vec2 before = trail_[2] - trail_[1];
+  const Vec2 after = trail_[3] - trail_[2];
+  double amplitude = 0;
+  if (turn(1) * turn(2) < 0 && turn(2) * turn(3) < 0 && length(before) <= kLongNoise && length(after) <= kLongNoise) {
+    const double chord = length(before + after);
+    if (chord > 0) amplitude = std::abs(turn(2)) / chord / 2;
+  }
+  const double step = std::min(amplitude / kNoiseStep, static_cast<double>(zigzags_.size() - 1));
+  ++zigzags_[static_cast<std::size_t>(step)];
+  trail_.erase(trail_.begin());
+}
+
+void Reader::lay(Vec2 from, Vec2 to, double section) {
+  if (layerHeight_ <= 0 || beads_.size() >= kMostBeads) return;
+  const double width = std::min(section / layerHeight_ / (base_ ? baseFlow_ : flow_), 10.0);
+  const auto narrow = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
+  beads_.push_back({narrow(from), narrow(to), static_cast<float>(width), base_, layers_, static_cast<float>(z_)});
+}
+
+void Reader::judgeLayers() {
+  std::int64_t all = 0;
+  for (const std::int64_t count : zigzags_) all += count;
+  std::int64_t rest = all;
+  for (std::size_t k = 0; k < zigzags_.size() && all > 0; ++k) {
+    rest -= zigzags_[k];
+    if (rest * 100 > all) continue;
+    check_.noise = static_cast<double>(k) * kNoiseStep;
+    break;
+  }
+  if (check_.noise > kMostNoise) {
+    check_.findings.push_back(
+        {"noise", false, 0, 1,
+         "the path zigzags by " + decimal(1000 * check_.noise, 1) + " um; above 5 printers brake for it"});
+  }
+  if (beads_.size() >= kMostBeads) return;
+  check_.coverage = orientedCoverage(beads_);
+  for (const double share : check_.coverage) {
+    if (share < 0 || share >= kLeastCovered) continue;
+    check_.findings.push_back(
+        {"coverage", false, 0, 1, "an oriented layer covers " + fixed(100 * share, 1) + " % of the layers below it"});
+    break;
+  }
 }
 
 void Reader::travel(double length) {
@@ -577,6 +656,7 @@ void Reader::endPath() {
 GcodeCheck Reader::finish() {
   endPath();
   check_.layers = layers_;
+  judgeLayers();
   const auto whole = [&](const char* rule, bool error, const std::string& message) {
     check_.findings.push_back({rule, error, 0, 1, message});
   };

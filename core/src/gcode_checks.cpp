@@ -66,6 +66,8 @@ std::optional<Error> checkText(const Printer& printer, const PrintParams& params
 }
 
 std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& params) {
+  const double coldest = printer.anyTemperature ? 0 : 170;
+  const double hottest = printer.anyTemperature ? 500 : 300;
   const Range ranges[] = {
       {"bedMin.x", printer.bedMin.x, " mm", -5000, 5000},
       {"bedMin.y", printer.bedMin.y, " mm", -5000, 5000},
@@ -79,12 +81,13 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
       {"nozzle", printer.nozzle, " mm", 0, 2, true},
       {"filamentDiameter", printer.filamentDiameter, " mm", 0.5, 5},
       {"filamentDensity", printer.filamentDensity, " g/cm3", 0, 25, true},
-      {"nozzleTemperature", printer.nozzleTemperature, " degrees Celsius", 170, 300},
-      {"firstLayerNozzleTemperature", printer.firstLayerNozzleTemperature, " degrees Celsius", 170, 300},
-      {"bedTemperature", printer.bedTemperature, " degrees Celsius", 0, 120},
+      {"nozzleTemperature", printer.nozzleTemperature, " degrees Celsius", coldest, hottest},
+      {"firstLayerNozzleTemperature", printer.firstLayerNozzleTemperature, " degrees Celsius", coldest, hottest},
+      {"bedTemperature", printer.bedTemperature, " degrees Celsius", 0, printer.anyTemperature ? 200.0 : 120.0},
       {"speed", printer.speed, " mm/s", 5, 1000},
       {"firstLayerSpeed", printer.firstLayerSpeed, " mm/s", 5, 1000},
       {"travelSpeed", printer.travelSpeed, " mm/s", 5, 1000},
+      {"machineSpeed", printer.machineSpeed, " mm/s", 0, 1000},
       {"acceleration", printer.acceleration, " mm/s2", 1, 100000},
       {"machineAcceleration", printer.machineAcceleration, " mm/s2", 0, 100000},
       {"cornerSpeed", printer.cornerSpeed, " mm/s", 0.1, 100},
@@ -117,6 +120,9 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
   if (printer.roundBed && std::abs((printer.bedMax - printer.bedMin).x - (printer.bedMax - printer.bedMin).y) > 1e-6) {
     return invalid("the round bed's box is " + decimal((printer.bedMax - printer.bedMin).x, 3) + " x " +
                    decimal((printer.bedMax - printer.bedMin).y, 3) + " mm; it must be a square");
+  }
+  if (printer.machineSpeed > 0 && printer.machineSpeed < 5) {
+    return invalid("machineSpeed is " + decimal(printer.machineSpeed, 6) + " mm/s; it must be 5 to 1000, or 0");
   }
   // firstLayerHeight() hides these two behind its default.
   if (!(params.firstLayerHeight >= 0)) {

@@ -9,7 +9,9 @@
 #include "gcode_checks.hpp"
 #include "gcode_template.hpp"
 #include "offset_loops.hpp"
+#include "sillon/bed_fit.hpp"
 #include "sillon/gcode_check.hpp"
+#include "sillon/measure.hpp"
 #include "text.hpp"
 #include "turned.hpp"
 
@@ -215,6 +217,15 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
   return std::nullopt;
 }
 
+// What would bring a plate upon the bed that does not fit where it is.
+std::string wayOut(const Shape& shape, const Printer& printer, const PrintParams& params) {
+  const BedFit fit = fitBed(shape, printer, params);
+  if (fit.centred && params.place) return "; it fits when it is centred";
+  if (fit.turned) return "; it fits when it is turned by 90 degrees and centred";
+  if (fit.percent < 1) return "";
+  return "; it fits when it is scaled to " + std::to_string(std::min(fit.percent, 99)) + " % and centred";
+}
+
 // The hot end must melt the widest bead at a speed worth printing.
 std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   double widest = 0;
@@ -274,23 +285,54 @@ std::int64_t countOutside(const Toolpath& toolpath, const Scan& scan) {
   return outside;
 }
 
-// Where a cycle may begin unseen: within a bead of the border, seen along x or y.
-void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Scan& scan, double spacing) {
-  const auto last = static_cast<double>(scan.rows.size()) - 1;
-  const auto holds = [&](Vec2 p) {
-    const double row = std::floor((p.y - scan.firstY) / scan.step + 0.5);
-    return row >= 0 && row <= last && rowHolds(scan.rows[static_cast<std::size_t>(row)], p.x);
-  };
+bool holds(const Scan& scan, Vec2 p) {
+  const double row = std::floor((p.y - scan.firstY) / scan.step + 0.5);
+  return row >= 0 && row <= static_cast<double>(scan.rows.size()) - 1 &&
+         rowHolds(scan.rows[static_cast<std::size_t>(row)], p.x);
+}
+
+// Corners that the shape lies around, where a seam hides best: between the two sides, a little way off, is nothing.
+// None where there are very many: no seam shows among them.
+std::vector<Vec2> concaveCorners(const Shape& shape, const Scan& scan) {
+  constexpr double kAway = 0.5;  // [mm]
+  constexpr std::size_t kMost = 100;
+  constexpr double kStraight = -0.94;  // cosine between the sides; blunter corners hide nothing
+  std::vector<Vec2> corners;
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (std::size_t i = 0; i < ring.size() && ring.size() > 2; ++i) {
+        const Vec2 before = ring[i > 0 ? i - 1 : ring.size() - 1] - ring[i];
+        const Vec2 after = ring[i + 1 < ring.size() ? i + 1 : 0] - ring[i];
+        const double sides = length(before) * length(after);
+        if (!(sides > 0) || dot(before, after) < kStraight * sides) continue;
+        const Vec2 between = 1 / length(before) * before + 1 / length(after) * after;
+        const double span = length(between);
+        if (span > 0 && !holds(scan, ring[i] + kAway / span * between)) corners.push_back(ring[i]);
+      }
+    }
+  }
+  if (corners.size() > kMost) corners.clear();
+  return corners;
+}
+
+// Where a cycle may begin unseen: within a bead of the border, seen along x or y; near a concave corner if it passes
+// one.
+void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Shape& shape, const Scan& scan, double spacing) {
   const double reach = spacing + kOutsideTolerance;
+  const std::vector<Vec2> corners = concaveCorners(shape, scan);
   for (BeadPath& path : cycles) {
+    std::vector<std::uint32_t> hidden;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
       const Vec2 p = mm(path.points[i] - offset);
-      if (holds(p + Vec2{reach, 0}) && holds(p - Vec2{reach, 0}) && holds(p + Vec2{0, reach}) &&
-          holds(p - Vec2{0, reach})) {
+      if (holds(scan, p + Vec2{reach, 0}) && holds(scan, p - Vec2{reach, 0}) && holds(scan, p + Vec2{0, reach}) &&
+          holds(scan, p - Vec2{0, reach})) {
         continue;
       }
       path.seams.push_back(static_cast<std::uint32_t>(i));
+      const auto near = [&](Vec2 corner) { return length(corner - p) <= 2 * reach; };
+      if (std::any_of(corners.begin(), corners.end(), near)) hidden.push_back(static_cast<std::uint32_t>(i));
     }
+    if (!hidden.empty()) path.seams = std::move(hidden);
   }
 }
 
@@ -568,14 +610,25 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
     box.add(first.min + mm(copy));
     box.add(first.max + mm(copy));
   }
-  if (auto error = checkFit(box, shape, mm(offset), job, printer)) return *error;
+  if (auto error = checkFit(box, shape, mm(offset), job, printer)) {
+    error->message += wayOut(givenShape, printer, params);
+    return *error;
+  }
 
   job.fillRatio = cycles.beadArea / inside.area;
   if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
-    job.warnings.push_back(std::to_string(outside) + " points of the path lie more than 0.1 mm outside the shape");
+    const std::string what = std::to_string(outside) + " points of the path lie more than 0.1 mm outside the shape";
+    if (params.strict) return *invalid(what + "; strict refuses that");
+    job.warnings.push_back(what);
   }
-  markSeams(job.cycles, offset, inside, job.spacing);
-  markSeams(job.bedCycles, offset, inside, job.spacing);
+  if (params.strict) {
+    if (const std::int64_t crossings = countCrossings(toolpath); crossings > 0) {
+      return *invalid("the path crosses itself " + std::to_string(crossings) + (crossings == 1 ? " time" : " times") +
+                      "; strict refuses that");
+    }
+  }
+  markSeams(job.cycles, offset, shape, inside, job.spacing);
+  markSeams(job.bedCycles, offset, shape, inside, job.spacing);
   if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
   addSkirt(job, box, printer, params.skirt);
   if (auto error = addBlocks(job, box, printer, params)) return *error;

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "inflate.hpp"
+
 namespace {
 
 // No allocation of the decoder may exceed what the announced size of the picture explains (zlib bombs).
@@ -403,6 +405,20 @@ std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::
     return png;
   } catch (const std::bad_alloc&) {
     return {};
+  }
+}
+
+std::optional<std::string> inflated(std::string_view data, std::size_t size) {
+  constexpr std::size_t kMost = 1U << 30;
+  if (data.size() > kMost || size > kMost) return std::nullopt;
+  try {
+    std::string out(size, '\0');
+    const int got = stbi_zlib_decode_noheader_buffer(out.data(), static_cast<int>(size), data.data(),
+                                                     static_cast<int>(data.size()));
+    if (got != static_cast<int>(size)) return std::nullopt;
+    return out;
+  } catch (const std::bad_alloc&) {
+    return std::nullopt;
   }
 }
 

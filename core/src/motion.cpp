@@ -15,6 +15,15 @@ constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed 
 constexpr double kKlipperExtruderCorner = 1;  // [mm/s of filament], instantaneous_corner_velocity
 constexpr double kMarlinExtruderJerk = 5;     // [mm/s of filament], DEFAULT_EJERK
 
+double lengthMm(PointUm d) { return length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000; }
+
+void measure(Motion& motion) {
+  motion.lengths.resize(motion.points.size() - 1);
+  for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+    motion.lengths[i] = lengthMm(motion.points[i + 1] - motion.points[i]);
+  }
+}
+
 void order(const BeadPath& path, std::size_t start, Motion& motion) {
   const std::size_t count = path.points.size();
   const std::size_t total = path.closed ? count + 1 : count;
@@ -26,11 +35,7 @@ void order(const BeadPath& path, std::size_t start, Motion& motion) {
     motion.points[i] = path.points[k];
     motion.widths[i] = path.widths[k];
   }
-  motion.lengths.resize(total - 1);
-  for (std::size_t i = 0; i + 1 < total; ++i) {
-    const PointUm d = motion.points[i + 1] - motion.points[i];
-    motion.lengths[i] = length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000;
-  }
+  measure(motion);
 }
 
 // Cuts the path where it begins to coast, to the micrometre.
@@ -56,9 +61,8 @@ void cutForCoast(Motion& motion, double coast, bool closed) {
       motion.points.insert(motion.points.begin() + at, cut);
       motion.widths.insert(motion.widths.begin() + at,
                            motion.widths[i] + share * (motion.widths[i + 1] - motion.widths[i]));
-      const auto mm = [](PointUm v) { return length(Vec2{static_cast<double>(v.x), static_cast<double>(v.y)}) / 1000; };
-      motion.lengths[i] = mm(cut - from);
-      motion.lengths.insert(motion.lengths.begin() + at, mm(motion.points[i + 2] - cut));
+      motion.lengths[i] = lengthMm(cut - from);
+      motion.lengths.insert(motion.lengths.begin() + at, lengthMm(motion.points[i + 2] - cut));
     }
     return;
   }
@@ -172,14 +176,22 @@ void setFeedrates(Motion& motion, const std::vector<double>& speeds, const Motio
   }
 }
 
+constexpr double kUnlimited = 1e12;  // [mm²/s²]
+
+// Square of the speed at which one axis changes by no more than Marlin's jerk. An axis that turns round counts with its
+// faster side, as in Marlin, not with both.
+double jerkSpeedSquared(Vec2 before, Vec2 after, const MotionLimits& limits) {
+  const auto change = [](double a, double b) {
+    return a * b >= 0 ? std::abs(b - a) : std::max(std::abs(a), std::abs(b));
+  };
+  const double most = std::max(change(before.x, after.x), change(before.y, after.y));
+  const double jerk = 2 * limits.cornerSpeed;
+  return most * most * kUnlimited <= jerk * jerk ? kUnlimited : jerk * jerk / (most * most);
+}
+
 // Square of the highest speed through the corner between two unit directions.
 double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionLimits& limits) {
-  constexpr double kUnlimited = 1e12;
-  if (limits.flavor != GcodeFlavor::Klipper) {
-    const double change = std::max(std::abs(after.x - before.x), std::abs(after.y - before.y));
-    const double jerk = 2 * limits.cornerSpeed;
-    return change * change * kUnlimited <= jerk * jerk ? kUnlimited : jerk * jerk / (change * change);
-  }
+  if (limits.flavor != GcodeFlavor::Klipper) return jerkSpeedSquared(before, after, limits);
   const double cosine = dot(before, after);
   if (cosine >= 1 - 1e-9) return kUnlimited;
   if (cosine <= -1 + 1e-9) return 0;
@@ -189,10 +201,16 @@ double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionL
   return std::min(deviation, 0.5 * shorter * limits.acceleration / tangent);
 }
 
+// Square of the speed at which a path sets off or stops: none for Klipper, the jerk for the others.
+double endSpeedSquared(Vec2 direction, double speed, const MotionLimits& limits) {
+  if (limits.flavor == GcodeFlavor::Klipper) return 0;
+  return std::min(speed * speed, jerkSpeedSquared({}, direction, limits));
+}
+
 // Trapezoids with look-ahead, from rest to rest.
 void setSeconds(Motion& motion, const MotionLimits& limits) {
   const std::size_t segments = motion.lengths.size();
-  const double bead = limits.flow * limits.layerHeight / limits.filamentArea / 2;
+  const double bead = limits.filamentArea > 0 ? limits.flow * limits.layerHeight / limits.filamentArea / 2 : 0;
   const double extruderStep = limits.flavor == GcodeFlavor::Klipper ? kKlipperExtruderCorner : kMarlinExtruderJerk;
   std::vector<double> squared(segments + 1, 0.0);  // of the speed at each point
   Vec2 before;
@@ -210,18 +228,21 @@ void setSeconds(Motion& motion, const MotionLimits& limits) {
       squared[i] = std::min(slower * slower, cornerSpeedSquared(before, direction, shorter, limits));
       const double jump = (feed - feedBefore) * (feed - feedBefore);
       if (jump * squared[i] > extruderStep * extruderStep) squared[i] = extruderStep * extruderStep / jump;
+    } else {
+      squared[0] = endSpeedSquared(direction, speed, limits);
     }
     before = direction;
     speedBefore = speed;
     feedBefore = feed;
   }
+  squared[segments] = endSpeedSquared(before, speedBefore, limits);
 
   const double twice = 2 * limits.acceleration;
   for (std::size_t i = segments; i-- > 0;) {
     squared[i] = std::min(squared[i], squared[i + 1] + twice * motion.lengths[i]);
   }
   motion.seconds.resize(segments);
-  double entry = 0;
+  double entry = std::sqrt(squared[0]);
   for (std::size_t i = 0; i < segments; ++i) {
     squared[i + 1] = std::min(squared[i + 1], squared[i] + twice * motion.lengths[i]);
     const double exit = std::sqrt(squared[i + 1]);
@@ -238,9 +259,14 @@ void setSeconds(Motion& motion, const MotionLimits& limits) {
 
 }  // namespace
 
-double travelSeconds(double length, double speed, double acceleration) {
-  if (length * acceleration < speed * speed) return 2 * std::sqrt(length / acceleration);
-  return length / speed + speed / acceleration;
+double travelSeconds(const std::vector<PointUm>& points, double speed, const MotionLimits& limits) {
+  Motion motion;
+  motion.points = points;
+  motion.widths.assign(points.size(), 0.0);
+  measure(motion);
+  motion.feedrates.assign(motion.lengths.size(), static_cast<std::int32_t>(std::llround(speed * 60)));
+  setSeconds(motion, limits);
+  return motion.totalSeconds;
 }
 
 Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& limits) {

@@ -28,7 +28,7 @@ struct MotionLimits {
   double filamentArea = 0;  ///< [mm²]
   double speed = 0;         ///< [mm/s]
   double acceleration = 0;  ///< [mm/s²]
-  double cornerSpeed = 0;   ///< square corner velocity [mm/s]; Marlin's jerk is twice this
+  double cornerSpeed = 0;   ///< square corner velocity [mm/s]; Marlin's jerk is twice this, and so fast it sets off
   double maxFlow = 0;       ///< [mm³/s]
   double maxSegmentsPerSecond = 0;
   double pressureAdvance = 0;  ///< [s]
@@ -53,7 +53,8 @@ struct Motion {
 /// \param start  vertex a closed path begins at; 0 for open ones.
 Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& limits);
 
-/// Time for a straight move from rest to rest [s].
-double travelSeconds(double length, double speed, double acceleration);
+/// Time for moves without plastic along points that all differ from their neighbours, from rest to rest [s].
+/// \param limits  of which flavor, acceleration and cornerSpeed count.
+double travelSeconds(const std::vector<PointUm>& points, double speed, const MotionLimits& limits);
 
 }  // namespace sillon

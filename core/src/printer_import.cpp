@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "gcode_template.hpp"
+#include "sillon/gcode_archive.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/project.hpp"
 #include "sillon/thumbnails.hpp"
@@ -242,6 +243,9 @@ class Taker {
       p.machineAcceleration = value;
       p.acceleration = std::min(kAcceleration, value);
     }
+    value = 0;
+    number({"machine_max_feedrate_x", "machine_max_speed_x"}, 5, 1000, value);
+    if (value > 0) p.machineSpeed = value;
     value = 0;
     number({"machine_max_jerk_x"}, 0.1, 200, value);
     if (value > 0) p.cornerSpeed = std::clamp(value / 2, 0.1, 100.0);
@@ -637,6 +641,12 @@ bool looksLikeGcode(std::string_view text) {
 }  // namespace
 
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
+  if (bytes.starts_with("PK\x03\x04")) {
+    const Result<std::string> gcode = unpackGcode(bytes);
+    if (!gcode) return gcode.error();
+    if (!looksLikeGcode(gcode.value())) return invalidFile("what the .gcode.3mf holds is no G-code");
+    return fromGcode(gcode.value());
+  }
   if (bytes.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge,
                  "the file is " + std::to_string(bytes.size() >> 20) + " MiB; it must be at most 256"};

@@ -93,12 +93,16 @@ void visitPrinter(Visitor& v, AnyPrinter& p) {
   v.number("filamentDiameter", p.filamentDiameter, 0.5, 5, "mm");
   v.number("filamentDensity", p.filamentDensity, 0.1, 25, "g/cm3");
   v.text("filamentType", p.filamentType);
-  v.number("nozzleTemperature", p.nozzleTemperature, 170, 300, "degrees Celsius");
-  v.number("firstLayerNozzleTemperature", p.firstLayerNozzleTemperature, 170, 300, "degrees Celsius");
-  v.number("bedTemperature", p.bedTemperature, 0, 120, "degrees Celsius");
+  v.boolean("anyTemperature", p.anyTemperature);  // before those it is about
+  const double coldest = p.anyTemperature ? 0 : 170;
+  const double hottest = p.anyTemperature ? 500 : 300;
+  v.number("nozzleTemperature", p.nozzleTemperature, coldest, hottest, "degrees Celsius");
+  v.number("firstLayerNozzleTemperature", p.firstLayerNozzleTemperature, coldest, hottest, "degrees Celsius");
+  v.number("bedTemperature", p.bedTemperature, 0, p.anyTemperature ? 200 : 120, "degrees Celsius");
   v.number("speed", p.speed, 5, 1000, "mm/s");
   v.number("firstLayerSpeed", p.firstLayerSpeed, 5, 1000, "mm/s");
   v.number("travelSpeed", p.travelSpeed, 5, 1000, "mm/s");
+  v.number("machineSpeed", p.machineSpeed, 0, 1000, "mm/s");
   v.number("acceleration", p.acceleration, 1, 100'000, "mm/s2");
   v.number("machineAcceleration", p.machineAcceleration, 0, 100'000, "mm/s2");
   v.number("cornerSpeed", p.cornerSpeed, 0.1, 100, "mm/s");
@@ -188,6 +192,7 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.number("baseFlow", p.print.baseFlow, 0.01, 2, "");
   v.number("rotate", p.print.rotate, -360, 360, "degrees");
   v.boolean("mirror", p.print.mirror);
+  v.boolean("strict", p.print.strict);
   v.point("place", p.print.place, -kMaxSide, kMaxSide, "mm");
   v.end();
 

@@ -347,7 +347,7 @@ void addToolpath(Options& options) {
       [](Project & p) -> auto& { return p.toolpath.seed; });
 }
 
-void addPrint(Options& options) {
+void addPrint(Options& options, Arguments& arguments) {
   options.group("Print");
   options.number(
       "--layers", "N", "oriented layers", [](Project & p) -> auto& { return p.print.layers; });
@@ -416,19 +416,28 @@ void addPrint(Options& options) {
       "--rotate", "DEG", "turns the plate on the bed, counter-clockwise",
       [](Project & p) -> auto& { return p.print.rotate; });
   options.flag("--mirror", "left to right, before turning", [](Project& p) -> bool& { return p.print.mirror; });
-  options.word("--place", "X,Y", "lower left corner of the page on the bed [centred]", [](const std::string& text) {
-    const std::optional<Vec2> place = parsePair(text, ',');
-    if (!place) refuse("--place", text, "X,Y in mm");
-    return [corner = *place](Project& project) {
-      project.print.place = corner;
-      return std::string();
-    };
-  });
+  options.flag("--strict", "refuse a path that crosses itself or leaves the shape",
+               [](Project& p) -> bool& { return p.print.strict; });
+  options.word(
+      "--place", "X,Y|centre|rotate|fit",
+      "lower left corner of the page on the bed; centred; and turned if only that fits; and scaled down [centre]",
+      [&arguments](const std::string& text) {
+        const std::optional<Vec2> place = parsePair(text, ',');
+        if (!place && text != "centre" && text != "rotate" && text != "fit") {
+          refuse("--place", text, "X,Y in mm, centre, rotate or fit");
+        }
+        arguments.placing = text == "fit" ? Placing::Fit : text == "rotate" ? Placing::Rotate : Placing::AsGiven;
+        return [place](Project& project) {
+          project.print.place = place;
+          return std::string();
+        };
+      });
 }
 
 void addOutputs(Options& options, Arguments& arguments) {
   options.group("Output");
-  options.output("--gcode", "G-code for the printer", arguments.outputs.gcode);
+  options.output("--gcode", "G-code for the printer; packed for Bambu's if F ends in .gcode.3mf",
+                 arguments.outputs.gcode);
   options.output("--svg", "drawing of the toolpath", arguments.outputs.svg);
   options.output("--report", "measures as JSON", arguments.outputs.report);
   options.output("--preview", "picture of directions and look, PNG", arguments.outputs.preview);
@@ -524,6 +533,7 @@ void addCheck(CLI::App& app, Arguments& arguments) {
           },
           "whose bed and limits count [as the file's own settings say]")
       ->option_text("ID");
+  check->add_flag("--json", arguments.checkJson, "the same as JSON");
 }
 
 /// First line of a message of CLI11, without the full stop that some end in.
@@ -556,7 +566,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   Options options(*generate, arguments);
   addShape(options);
   addToolpath(options);
-  addPrint(options);
+  addPrint(options, arguments);
   addOutputs(options, arguments);
   addAdvanced(options);
 

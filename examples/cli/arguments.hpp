@@ -21,16 +21,25 @@ struct OutputPaths {
   std::string project;
 };
 
+/// What may be done to a plate that does not fit the bed where it is.
+enum class Placing {
+  AsGiven,
+  Rotate,  ///< centred, and turned by 90 degrees if only that fits
+  Fit,     ///< and scaled down if that does not fit either
+};
+
 struct Arguments {
   std::string answer;      ///< help, version or a list: print it, done
   std::string check;       ///< G-code file to check
   std::string import;      ///< file to take a printer from; this and `check` empty: generate
   std::string importName;  ///< printer of a bundle; empty: the active one
   std::optional<sillon::Printer> checkPrinter;
+  bool checkJson = false;
   std::string scene;  ///< JSON file; empty: options only
   /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
   std::vector<std::function<std::string(sillon::Project&)>> changes;
   OutputPaths outputs;
+  Placing placing = Placing::AsGiven;
   int threads = 1;
   bool quiet = false;
 };

@@ -1,12 +1,18 @@
 #include "check.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace cli {
 namespace {
 
 std::string plural(std::int64_t count, const std::string& word) {
   return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+nlohmann::ordered_json known(double value) {
+  return value < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
 }
 
 }  // namespace
@@ -28,6 +34,16 @@ std::string checkText(const sillon::GcodeCheck& check) {
                 static_cast<long long>(check.closed), static_cast<long long>(check.open), check.fastest, check.mostFlow,
                 check.mostMoves);
   out += line;
+  if (check.noise >= 0) {
+    std::snprintf(line, sizeof line, "noise      %.1f um in 99 %% of the oriented path\n", 1000 * check.noise);
+    out += line;
+  }
+  const std::vector<double>& shares = check.coverage;
+  if (const auto least = std::min_element(shares.begin(), shares.end()); least != shares.end() && *least >= 0) {
+    std::snprintf(line, sizeof line, "coverage   %.1f %% of the base by %s\n", 100 * *least,
+                  shares.size() == 1 ? "the oriented layer" : "the oriented layer that covers least");
+    out += line;
+  }
   for (const sillon::GcodeFinding& finding : check.findings) {
     out += (finding.error ? "error      " : "warning    ") + finding.rule + ": " + finding.message;
     if (finding.line > 0) out += " (line " + std::to_string(finding.line);
@@ -36,6 +52,41 @@ std::string checkText(const sillon::GcodeCheck& check) {
   }
   const std::int64_t errors = check.errors();
   return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
+}
+
+std::string checkJson(const sillon::GcodeCheck& check) {
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+  for (const sillon::GcodeFinding& finding : check.findings) {
+    findings.push_back({{"rule", finding.rule},
+                        {"error", finding.error},
+                        {"line", finding.line},
+                        {"count", finding.count},
+                        {"message", finding.message}});
+  }
+  nlohmann::ordered_json out = {{"errors", check.errors()},
+                                {"findings", std::move(findings)},
+                                {"lines", check.lines},
+                                {"moves", check.moves},
+                                {"layers", check.layers},
+                                {"filamentMm", check.filamentMm},
+                                {"pathMm", check.pathMm},
+                                {"travelMm", check.travelMm},
+                                {"closed", check.closed},
+                                {"open", check.open},
+                                {"retractions", check.retractions},
+                                {"fastest", check.fastest},
+                                {"mostFlow", check.mostFlow},
+                                {"mostMoves", check.mostMoves},
+                                {"printer", check.printer},
+                                {"box", nullptr},
+                                {"top", check.top},
+                                {"noise", known(check.noise)},
+                                {"coverage", nlohmann::ordered_json::array()}};
+  for (const double share : check.coverage) out["coverage"].push_back(known(share));
+  if (!check.box.empty()) {
+    out["box"] = {{"min", {check.box.min.x, check.box.min.y}}, {"max", {check.box.max.x, check.box.max.y}}};
+  }
+  return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// The result of sillon check as text.
+// The result of sillon check as text and as JSON.
 #pragma once
 
 #include <string>
@@ -9,5 +9,8 @@ namespace cli {
 
 /// Facts, then one line per finding, then the verdict.
 std::string checkText(const sillon::GcodeCheck& check);
+
+/// The same with the names of the npm package's GcodeCheck; what is unknown is null.
+std::string checkJson(const sillon::GcodeCheck& check);
 
 }  // namespace cli

@@ -15,6 +15,7 @@
 #include "memory.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "sillon/gcode_archive.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/presets.hpp"
 #include "sillon/printer_import.hpp"
@@ -83,6 +84,11 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
 
   sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project);
   if (!input) return input.error();
+  if (arguments.placing != cli::Placing::AsGiven &&
+      cli::bringUponBed(job.project, input.value().shape, arguments.placing == cli::Placing::Fit)) {
+    input = cli::assemblePlate(job.project);
+    if (!input) return input.error();
+  }
   job.input = std::move(input).value();
 
   sillon::Result<sillon::Plate> plate = sillon::generateToolpath(job.input, job.project.toolpath, run);
@@ -103,10 +109,12 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
 }
 
 int check(const cli::Arguments& arguments) {
-  const sillon::Result<std::string> text = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  const sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  if (!file) return fail(file.error());
+  const sillon::Result<std::string> text = sillon::unpackGcode(file.value());
   if (!text) return fail(text.error());
   const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
-  std::fputs(cli::checkText(result).c_str(), stdout);
+  std::fputs((arguments.checkJson ? cli::checkJson(result) : cli::checkText(result)).c_str(), stdout);
   return result.errors() == 0 ? 0 : 2;
 }
 

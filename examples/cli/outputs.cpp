@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "assemble.hpp"
+#include "sillon/gcode_archive.hpp"
 #include "sillon/image_io.hpp"
 #include "sillon/preview.hpp"
 #include "sillon/report.hpp"
@@ -133,6 +134,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   std::vector<OutputFile> files;
   if (!paths.gcode.empty()) {
     Result<std::string> text = gcodeText(job, run);
+    if (text && paths.gcode.ends_with(".gcode.3mf")) text = sillon::packGcode(text.value());
     if (!text) return text.error();
     files.push_back({paths.gcode, std::move(text).value()});
   }

@@ -111,6 +111,11 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await run({ name: 'checkGcode', file: input.bytesFile(file), project }, checked)) as api.GcodeCheck;
     },
 
+    async packGcode(file, options) {
+      const checked = input.callOptions(options);
+      return (await run({ name: 'packGcode', file: input.bytesFile(file) }, checked)) as Blob;
+    },
+
     dispose() {
       queue.dispose();
     },

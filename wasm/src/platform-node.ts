@@ -54,8 +54,7 @@ export const node: Platform = {
 
   // Blobs that stand for files on disk cannot be posted.
   async portable(call) {
-    if (call.name === 'decodePicture' || call.name === 'importPrinter' || call.name === 'checkGcode')
-      return { ...call, file: await withoutBlob(call.file, 'file') };
+    if ('file' in call) return { ...call, file: await withoutBlob(call.file, 'file') };
     if (!('files' in call)) return call;
     const files: Files = {};
     for (const [name, file] of Object.entries(call.files)) files[name] = await withoutBlob(file, name);

@@ -30,7 +30,8 @@ export type Call =
   | { name: 'presets' }
   | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
   /** `project`: whose printer counts; empty: what the file's own settings say. */
-  | { name: 'checkGcode'; file: Uint8Array | Blob; project: string };
+  | { name: 'checkGcode'; file: Uint8Array | Blob; project: string }
+  | { name: 'packGcode'; file: Uint8Array | Blob };
 
 export interface StartMessage {
   type: 'start';

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 
 import { createEngine } from 'sillon';
 
-import { nativeProgram, openProject, projectPaths, publishedScenes } from './support/projects.js';
+import { nativeProgram, openProject, projectPaths, publishedScenes, root } from './support/projects.js';
 
 const date = new Date(0);
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
@@ -54,6 +54,31 @@ test('the engines run with the threads they were asked for', () => {
 
 test('the published scenes', { skip: existsSync(publishedScenes) ? false : 'not there (../shared/scenes)' }, () => {
   assert.ok(projectPaths().some((path) => path.startsWith(publishedScenes)));
+});
+
+test('packed G-code is that of the native program, and both read it', async () => {
+  const path = join(root, 'examples/strokes.json');
+  const packed = join(folder, 'plate.gcode.3mf');
+  const args = ['generate', path, '--gcode', packed, '--quiet'];
+  const { status, stderr } = spawnSync(nativeProgram, args, { env: { ...process.env, SOURCE_DATE_EPOCH: '0' } });
+  assert.equal(status, 0, stderr);
+  const expected = readFileSync(packed);
+  const [engine] = engines;
+  const { gcode } = native(path);
+  const zip = await engine.packGcode(Buffer.from(gcode));
+  assert.ok(expected.equals(Buffer.from(await zip.arrayBuffer())));
+  assert.deepEqual(await engine.checkGcode(zip), await engine.checkGcode(Buffer.from(gcode)));
+  const checked = JSON.parse(spawnSync(nativeProgram, ['check', packed, '--json'], { encoding: 'utf8' }).stdout);
+  const { findings, coverage, noise, pathMm } = await engine.checkGcode(zip);
+  assert.deepEqual(
+    { findings, coverage, noise, pathMm },
+    {
+      findings: checked.findings,
+      coverage: checked.coverage,
+      noise: checked.noise,
+      pathMm: checked.pathMm,
+    },
+  );
 });
 
 for (const path of projectPaths()) {

@@ -170,6 +170,8 @@ const cases = {
     [() => engine.importPrinter(new TextEncoder().encode('[printer:A]\na = b\n'), 'B'), 'InvalidArgument', /"B"/],
     [() => engine.importPrinter('a.ini'), 'InvalidArgument', /^file is "a\.ini"/],
     [() => engine.checkGcode(7), 'InvalidArgument', /^file is 7/],
+    [() => engine.packGcode(7), 'InvalidArgument', /^file is 7/],
+    [() => engine.checkGcode(Buffer.from('PK\x03\x04')), 'InvalidFile', /^the \.gcode\.3mf is cut off/],
     [() => engine.checkGcode(noise, { preset: 'mk4' }), 'InvalidArgument', /printer\.preset is "mk4"/],
     [() => engine.decodePicture(noise), 'InvalidFile', /file/],
     [() => engine.decodePicture(new Uint8Array(0)), 'InvalidFile', /./],

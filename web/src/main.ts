@@ -64,6 +64,7 @@ studio.services = {
     pipeline.retry();
   },
   gcode: () => pipeline.gcode(),
+  pack: async (gcode) => (await engine.engine()).packGcode(gcode),
   svg: () => engine.svg(),
   project: async (plate) => {
     const [{ writeProject }, raster] = await Promise.all([import('./files/project.js'), pipeline.directions()]);

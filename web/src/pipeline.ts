@@ -1,5 +1,5 @@
 // From a plate to what follows from it: directions, toolpath, places to look at, the file's summary.
-import type { Gcode } from 'sillon';
+import type { Gcode, GcodeCheck } from 'sillon';
 import { coarseResolution, fineResolution } from './directions/rasterise.js';
 import type { DirectionRaster } from './directions/raster.js';
 import type { Rasteriser } from './directions/rasteriser.js';
@@ -26,6 +26,7 @@ interface Written {
   plate: Plate;
   made: Made;
   gcode: Gcode;
+  check: GcodeCheck;
 }
 
 const sameFile = (a: Written, plate: Plate, made: Made | undefined): boolean =>
@@ -70,7 +71,7 @@ export class Pipeline {
     const written = { plate, ...(await this.engine.gcode(plate)) };
     this.#written = written;
     if (sameFile(written, this.store.state.plate, this.store.state.made))
-      this.store.set({ summary: written.gcode.summary });
+      this.store.set({ summary: written.gcode.summary, check: written.check });
     return written.gcode;
   }
 
@@ -148,10 +149,10 @@ export class Pipeline {
     clearTimeout(this.#summaryTimer);
     const { plate, made, summary } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, made)) {
-      this.store.set({ summary: this.#written.gcode.summary });
+      this.store.set({ summary: this.#written.gcode.summary, check: this.#written.check });
       return;
     }
-    if (summary !== undefined) this.store.set({ summary: undefined });
+    if (summary !== undefined) this.store.set({ summary: undefined, check: undefined });
     if (made === undefined || made.coarse || !made.measured) return;
     this.#summaryTimer = setTimeout(() => {
       const { state } = this.store;

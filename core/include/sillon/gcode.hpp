@@ -32,12 +32,14 @@ struct Printer {
   double filamentDiameter = 1.75;
   double filamentDensity = 1.24;  ///< [g/cm³]
   std::string filamentType = "PLA";
-  double nozzleTemperature = 215;  ///< 170..300
+  bool anyTemperature = false;     ///< for those who know why: temperatures up to 500 and 200, and cold nozzles
+  double nozzleTemperature = 215;  ///< 170..300; 0..500 with anyTemperature
   double firstLayerNozzleTemperature = 220;
-  double bedTemperature = 60;  ///< 0..120
+  double bedTemperature = 60;  ///< 0..120; 0..200 with anyTemperature
   double speed = 50;
   double firstLayerSpeed = 20;
   double travelSpeed = 120;
+  double machineSpeed = 0;  ///< all speeds are held at it; 0: not known
   double acceleration = 1000;
   double machineAcceleration = 0;  ///< put back at the end; 0: `acceleration` is only estimated with, not set
   double cornerSpeed = 5;          ///< Klipper's square corner velocity; Marlin's jerk is twice this
@@ -95,6 +97,7 @@ struct PrintParams {
   double baseFlow = 1;
   double rotate = 0;          ///< of the plate on the bed, counter-clockwise [degrees], -360..360
   bool mirror = false;        ///< left to right, before turning: for plates seen from below
+  bool strict = false;        ///< refuse a path that crosses itself or leaves the shape by more than 0.1 mm
   std::optional<Vec2> place;  ///< lower left corner of the turned page's box on the bed [mm]; unset: plate centred
   std::string date = "1970-01-01 at 00:00:00 UTC";  ///< written into line 1; core never reads a clock
   std::vector<std::string> notes;                   ///< extra header lines, without the semicolon

@@ -15,7 +15,7 @@ namespace sillon {
 /// One rule that was broken, however often.
 struct GcodeFinding {
   std::string rule;    ///< grammar, homing, heating, modes, bounds, height, extrusion, flow, speed, rate, retraction,
-                       ///< cycle, settings, totals, end
+                       ///< cycle, coverage, noise, settings, totals, end
   bool error = false;  ///< the print is at risk; else worth knowing
   std::int64_t line = 0;   ///< the first, from 1; 0: the file as a whole
   std::int64_t count = 0;  ///< lines that break it in this way
@@ -34,11 +34,15 @@ struct GcodeCheck {
   std::int64_t closed = 0;  ///< paths whose end is their beginning
   std::int64_t open = 0;
   std::int64_t retractions = 0;
-  Bounds box;             ///< of those beads' middles; start and end blocks left out where they are marked
-  double top = 0;         ///< highest bead
-  double fastest = 0;     ///< of beads
-  double mostFlow = 0;    ///< [mm³/s]
-  double mostMoves = 0;   ///< [1/s], over any 8 moves
+  Bounds box;            ///< of those beads' middles; start and end blocks left out where they are marked
+  double top = 0;        ///< highest bead
+  double fastest = 0;    ///< of beads
+  double mostFlow = 0;   ///< [mm³/s]
+  double mostMoves = 0;  ///< [1/s], over any 8 moves
+  double noise = -1;     ///< 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none
+  /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no base. The outline is in
+  /// no file; what the base layers fill is taken for it.
+  std::vector<double> coverage;
   std::string printer;    ///< printer_model
   bool homes = false;     ///< before the first bead, or at all where there is none
   bool heatsBed = false;  ///< and waits

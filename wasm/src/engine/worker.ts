@@ -36,6 +36,7 @@ interface SillonModule {
   presets(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
   importPrinter(file: Uint8Array, name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
   checkGcode(file: Uint8Array, project: string): Outcome<api.GcodeCheck>;
+  packGcode(file: Uint8Array): Outcome<CopiedBytes>;
 }
 
 /** A printer as the text of a project file. */
@@ -321,6 +322,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       if (call.project !== '') completed(call.project, module);
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return valueOf(module.checkGcode(file, call.project));
+    }
+    case 'packGcode': {
+      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      return new Blob([valueOf(module.packGcode(file))], { type: 'model/3mf' });
     }
   }
 }

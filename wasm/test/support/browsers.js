@@ -47,8 +47,8 @@ function inTime(promise, what) {
  */
 export const launch = (name) => (name === 'Firefox' ? launchFirefox() : launchChromium());
 
-/** Playwright's Chromium, for tests that look at pages of other kinds. */
-export async function startChromium() {
+/** Playwright's Chromium, for tests that look at pages of other kinds. @param more  arguments of the program */
+export async function startChromium(more = []) {
   const { chromium } = await import('playwright-core');
   return chromium.launch({
     executablePath: programs.Chromium,
@@ -60,6 +60,7 @@ export async function startChromium() {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
+      ...more,
     ],
   });
 }

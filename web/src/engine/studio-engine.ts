@@ -1,6 +1,6 @@
 // The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
-import type { Engine, EngineInfo, Gcode, PreviewParams } from 'sillon';
+import type { Engine, EngineInfo, Gcode, GcodeCheck, PreviewParams } from 'sillon';
 import type { DirectionRaster } from '../directions/raster.js';
 import type { Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
@@ -116,11 +116,11 @@ export class StudioEngine {
 
   /** @param plate  whose printer and print it is for; the path is that of the last update, whole and measured.
    * @throws SillonError, StudioError, AbortError */
-  async gcode(plate: Plate): Promise<{ gcode: Gcode; made: Made }> {
-    return this.#export(async (engine, made, signal) => ({
-      gcode: await engine.writeGcode(made.toolpath, plate.printer, plate.print, { signal }),
-      made,
-    }));
+  async gcode(plate: Plate): Promise<{ gcode: Gcode; check: GcodeCheck; made: Made }> {
+    return this.#export(async (engine, made, signal) => {
+      const gcode = await engine.writeGcode(made.toolpath, plate.printer, plate.print, { signal });
+      return { gcode, check: await engine.checkGcode(gcode.blob, plate.printer, { signal }), made };
+    });
   }
 
   async svg(): Promise<Blob> {

@@ -1,5 +1,5 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
-import type { EngineInfo } from 'sillon';
+import type { EngineInfo, GcodeFinding } from 'sillon';
 import type { Filament } from '../model/filaments.js';
 import { printers, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
@@ -111,6 +111,10 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
     /^acceleration is (\d+) mm\/s2; it is held at machineAcceleration, (\d+)/,
     ([asked = '', held = '']) => t('warning.acceleration', { asked: Number(asked), held: Number(held) }),
   ],
+  [
+    /^(?:speed|firstLayerSpeed|travelSpeed) is (\S+) mm\/s; it is held at machineSpeed, (\S+)/,
+    ([asked = '', held = '']) => t('warning.speed', { asked: Number(asked), held: Number(held) }),
+  ],
   [/^the plate is mirrored but shown from above/, () => t('warning.backwards')],
   [
     /^startGcode leaves the nozzle at (\d+) degrees; the first layer is meant for (\d+)/,
@@ -142,6 +146,53 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
   [/^the file has (\d+) moves/, ([n]) => t('warning.moves', { n: Number(n) })],
   [/^the file has (\d+) MB/, ([mb]) => t('warning.bytes', { mb: Number(mb) })],
 ];
+
+const findingRules = [
+  'grammar',
+  'homing',
+  'heating',
+  'modes',
+  'bounds',
+  'height',
+  'extrusion',
+  'flow',
+  'speed',
+  'rate',
+  'retraction',
+  'cycle',
+  'coverage',
+  'noise',
+  'settings',
+  'totals',
+  'end',
+] as const;
+
+/** A finding of GcodeCheck in the page's language, with its line; one of an unknown rule as the engine says it. */
+export function findingText({ rule, line, count, message }: GcodeFinding): string {
+  const known = findingRules.find((name) => name === rule);
+  const what = known === undefined ? message : t(`finding.${known}`);
+  if (line === 0) return what;
+  return t(count > 1 ? 'check.places' : 'check.place', { what, line, n: count - 1 });
+}
+
+export interface StartLine {
+  line: number;
+  /** As it stands in the start block. */
+  code: string;
+  /** In the engine's words. */
+  what: string;
+}
+
+/** The lines of the start block that the engine's sentences name. */
+export function startLines(sentences: readonly string[], startGcode: string): StartLine[] {
+  const lines = startGcode.split('\n');
+  return sentences.flatMap((sentence) => {
+    const [, number = '', what = ''] = /^line (\d+) of startGcode: (.*)$/.exec(sentence) ?? [];
+    const line = Number(number);
+    const code = lines[line - 1];
+    return code === undefined ? [] : [{ line, code: code.trim(), what }];
+  });
+}
 
 /** A warning of GcodeSummary in the page's language; one that is not known stays as it is. */
 export function warningText(warning: string): string {

@@ -1,5 +1,5 @@
 // All that the page shows, but for the cameras, which move too often.
-import type { GcodeSummary, Report, Toolpath } from 'sillon';
+import type { GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
 import type { DirectionRaster } from '../directions/raster.js';
 import type { Language } from '../i18n/text.js';
 import type { ColourBy, Light, ViewName } from '../views/scene.js';
@@ -50,6 +50,8 @@ export interface State {
   directions: DirectionRaster | undefined;
   made: Made | undefined;
   summary: GcodeSummary | undefined;
+  /** Of the same file, read back as a printer would. */
+  check: GcodeCheck | undefined;
   progress: Progress | undefined;
   problem: Problem | undefined;
 }
@@ -68,6 +70,7 @@ export const newState = (): State => ({
   directions: undefined,
   made: undefined,
   summary: undefined,
+  check: undefined,
   progress: undefined,
   problem: undefined,
 });

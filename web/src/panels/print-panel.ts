@@ -1,7 +1,7 @@
 // Printer, filament, layers, place; what it will take; the file.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { filamentLabel, printerLabel, warningText } from '../i18n/say.js';
+import { filamentLabel, findingText, printerLabel, startLines, warningText } from '../i18n/say.js';
 import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
 import { filaments, withFilament } from '../model/filaments.js';
 import { printerOf, printers, withPrinter, type PrinterKey } from '../model/printers.js';
@@ -16,7 +16,7 @@ import { settingField } from './setting-field.js';
 
 @customElement('sillon-print-panel')
 export class PrintPanel extends StudioElement {
-  static override reads = ['plate', 'summary', 'made', 'advanced'] as const;
+  static override reads = ['plate', 'summary', 'check', 'made', 'advanced', 'problem'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -178,7 +178,37 @@ export class PrintPanel extends StudioElement {
               <ul class="warnings">
                 ${summary.warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
               </ul>`
-      }`;
+      }
+      ${this.#findings()} ${this.#startLines()}`;
+  }
+
+  /** What reading the file back as a printer would has found. */
+  #findings(): TemplateResult | typeof nothing {
+    const { check } = this.state;
+    if (check === undefined) return nothing;
+    if (check.findings.length === 0) return html`<p class="note">${t('check.good')}</p>`;
+    return html`<h3>${t(check.errors > 0 ? 'check.errors' : 'check.warnings')}</h3>
+      <ul class="warnings">
+        ${check.findings.map(
+          (finding) => html`<li title=${finding.message}>${icon('warn', 16)}<span>${findingText(finding)}</span></li>`,
+        )}
+      </ul>`;
+  }
+
+  /** Faults of the start block, each with the line that has it. */
+  #startLines(): TemplateResult | typeof nothing {
+    const { summary, problem, plate } = this.state;
+    const lines = startLines([problem?.detail ?? '', ...(summary?.warnings ?? [])], plate.printer.startGcode);
+    if (lines.length === 0) return nothing;
+    return html`<h3>${t('setting.printer.startGcode')}</h3>
+      <ul class="warnings">
+        ${lines.map(
+          ({ line, code, what }) =>
+            html`<li>
+              ${icon('warn', 16)}<span>${t('check.line', { line })} <code>${code}</code><br />${what}</span>
+            </li>`,
+        )}
+      </ul>`;
   }
 
   #printer(): TemplateResult {

@@ -17,6 +17,8 @@ export interface Services {
   cancel(): void;
   retry(): void;
   gcode(): Promise<Gcode>;
+  /** G-code in the zip that Bambu printers take. */
+  pack(gcode: Blob): Promise<Blob>;
   svg(): Promise<Blob>;
   project(plate: Plate): Promise<Blob>;
   link(plate: Plate): Promise<{ url: string; told: string }>;
@@ -54,6 +56,7 @@ export function download(blob: Blob, name: string): void {
   }, 60_000);
 }
 
+const isPacked = (product: Product, plate: Plate): boolean => product === 'gcode' && plate.printer.flavor === 'bambu';
 const endings: Record<Product, string> = { gcode: '.gcode', svg: '.svg', png: '.png', project: '.sillon.zip' };
 
 export const fileName = (plate: Plate, product: string): string =>
@@ -231,17 +234,22 @@ export class Studio {
 
   async save(product: Product): Promise<void> {
     const { plate } = this.store.state;
-    const name = fileName(plate, endings[product]);
+    const name = fileName(plate, isPacked(product, plate) ? '.gcode.3mf' : endings[product]);
     const done = await this.attempt(async () => {
       download(await this.#make(product, plate), name);
     });
     if (done) this.notify(t('export.done', { name }));
   }
 
+  async #gcode(plate: Plate): Promise<Blob> {
+    const { blob } = await this.services.gcode();
+    return isPacked('gcode', plate) ? this.services.pack(blob) : blob;
+  }
+
   async #make(product: Product, plate: Plate): Promise<Blob> {
     switch (product) {
       case 'gcode':
-        return (await this.services.gcode()).blob;
+        return this.#gcode(plate);
       case 'svg':
         return this.services.svg();
       case 'project':

@@ -7,12 +7,14 @@ import { en } from '../../src/i18n/en.js';
 import { fr } from '../../src/i18n/fr.js';
 import {
   choiceLabel,
+  findingText,
   nullLabel,
   printerLabels,
   problemWords,
   progressWords,
   settingHelp,
   settingLabel,
+  startLines,
   threadsWords,
   untoldText,
   valueText,
@@ -200,6 +202,7 @@ test('every warning of the engine has words, with its numbers', async () => {
     ['the plate is mirrored but shown from above; writing on it reads backwards', ''],
     ['startGcode leaves the nozzle at 240 degrees; the first layer is meant for 215', '240'],
     ['line 7 of startGcode: 300 is beyond the bed', '7'],
+    ['speed is 300 mm/s; it is held at machineSpeed, 200', '300'],
     ['acceleration is 2000 mm/s2; it is held at machineAcceleration, 1250', '250'],
     ['maxFlow slows 20 % of the path', '20'],
     ['maxSegmentsPerSecond slows 31 % of the path', '31'],
@@ -350,4 +353,31 @@ test('a plate that was not measured is not judged', () => {
   const unmeasured: Partial<Report> = { ...good };
   delete unmeasured.coverage;
   assert.deepEqual(verdictsOf(unmeasured as Report), []);
+});
+
+test('findings of the file are told in both languages, with their line', async () => {
+  const header = readFileSync('core/include/sillon/gcode_check.hpp', 'utf8');
+  const [, list = ''] = /std::string rule;\s*\/\/\/<([^;]*);?\n\s*bool error/.exec(header) ?? [];
+  const rules = [...list.matchAll(/\b[a-z]+\b/g)].map(([word]) => word).filter((word) => word !== 'std');
+  assert.ok(rules.length > 15, rules.join(' '));
+  for (const language of ['en', 'fr'] as const) {
+    await setLanguage(language);
+    for (const rule of rules) {
+      const finding = { rule, error: true, line: 0, count: 1, message: 'as the engine says it' };
+      assert.notEqual(findingText(finding), finding.message, rule);
+      assert.match(findingText({ ...finding, line: 12 }), /12/);
+      assert.match(findingText({ ...finding, line: 12, count: 5 }), /12.*4/);
+    }
+  }
+  await setLanguage('en');
+  const unknown = { rule: 'taste', error: false, line: 0, count: 1, message: 'too sweet' };
+  assert.equal(findingText(unknown), 'too sweet');
+});
+
+test('faults of the start block are shown beside their lines', () => {
+  const block = 'G28\n  G1 X300\nM109 S200';
+  assert.deepEqual(startLines(["line 2 of startGcode: a move over the bed's edge", 'flow is 2', ''], block), [
+    { line: 2, code: 'G1 X300', what: "a move over the bed's edge" },
+  ]);
+  assert.deepEqual(startLines(['line 9 of startGcode: beyond its end'], block), []);
 });

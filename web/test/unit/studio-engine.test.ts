@@ -116,6 +116,7 @@ class Bench {
           resolve({ blob: new Blob(['G28']), summary: {} });
         }, 50);
       }),
+    checkGcode: () => Promise.resolve({ findings: [], errors: 0 }),
     dispose: () => {
       ++this.disposed;
     },

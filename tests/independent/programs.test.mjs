@@ -1,0 +1,204 @@
+// What programs of other people read in our G-code. What a machine lacks is named, and its tests show as skipped.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { parseStringSync } from 'gcode-parser';
+import Toolpath from 'gcode-toolpath';
+
+import { lacking, startChromium } from '../../wasm/test/support/browsers.js';
+import { nativeProgram, root } from '../../wasm/test/support/projects.js';
+import { serve } from '../../wasm/test/support/server.js';
+
+const here = fileURLToPath(new URL('./', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
+const timed = ['islands', 'logo', 'mosaic', 'noise', 'photo', 'qr', 'relief', 'strokes', 'tiles'];
+const plates = {};
+
+/** The command's output. */
+function run(program, args) {
+  const { status, stdout, stderr } = spawnSync(program, args, {
+    env: { ...process.env, SOURCE_DATE_EPOCH: '0', LANG: 'en_US.UTF-8', LIBGL_ALWAYS_SOFTWARE: '1' },
+    encoding: 'utf8',
+    maxBuffer: 1 << 26,
+  });
+  assert.equal(status, 0, stderr);
+  return stdout;
+}
+
+function has(program, args = ['--version']) {
+  const { error, status } = spawnSync(program, args, { stdio: 'ignore' });
+  return error === undefined && status === 0;
+}
+
+before(() => {
+  for (const name of timed) {
+    const path = join(folder, `${name}.gcode`);
+    run(nativeProgram, ['generate', join(root, 'examples', `${name}.json`), '--gcode', path, '--quiet']);
+    const text = readFileSync(path, 'utf8');
+    const [, time] = text.match(/^; estimated printing time \(normal mode\) = (.*)$/m);
+    const units = { d: 86400, h: 3600, m: 60, s: 1 };
+    plates[name] = {
+      path,
+      text,
+      check: JSON.parse(run(nativeProgram, ['check', path, '--json'])),
+      filament: Number(text.match(/^; filament used \[mm\] = (.*)$/m)[1]),
+      seconds: [...time.matchAll(/(\d+)([dhms])/g)].reduce((sum, [, count, unit]) => sum + count * units[unit], 0),
+    };
+  }
+});
+after(() => rmSync(folder, { recursive: true }));
+
+const close = (actual, expected, slack, what) =>
+  assert.ok(Math.abs(actual - expected) <= slack, `${what}: ${actual}, ours ${expected}`);
+
+test("our own check finds no fault, no zigzag above 5 µm and less than a twentieth of the base uncovered", () => {
+  for (const [name, { check }] of Object.entries(plates)) {
+    assert.deepEqual([check.errors, check.findings], [0, []], name);
+    assert.ok(check.noise < 0.005, `${name}: ${check.noise}`);
+    assert.ok(
+      check.coverage.every((share) => share > 0.95),
+      `${name}: ${check.coverage}`,
+    );
+  }
+});
+
+test('gcode-parser reads every word, and the same filament', () => {
+  for (const [name, { text, filament }] of Object.entries(plates)) {
+    let sum = 0;
+    let least = 0;
+    for (const { words } of parseStringSync(text)) {
+      if (words.length === 0 || words[0][0] !== 'G') continue;
+      for (const [letter, value] of words) {
+        assert.ok(Number.isFinite(value), `${name}: ${letter}${value}`);
+        if (letter === 'E' && words[0][1] === 1) sum += value;
+      }
+      least = Math.min(least, sum);
+    }
+    close(sum, filament - retracted(text), 0.006, name);
+    assert.ok(least >= -0.81, `${name} retracts to ${least}`);
+  }
+});
+
+/** How far the filament is retracted where the file ends [mm]: E without X or Y, or less than nothing. */
+function retracted(text) {
+  return [...text.matchAll(/^G1 E(-?[\d.]+)/gm)].reduce((sum, [, value]) => sum - Number(value), 0);
+}
+
+test('gcode-toolpath follows the same path', async () => {
+  for (const [name, { text, check }] of Object.entries(plates)) {
+    let length = 0;
+    const box = { min: [Infinity, Infinity], max: [-Infinity, -Infinity] };
+    const toolpath = new Toolpath({
+      addLine({ distance, units }, from, to) {
+        assert.deepEqual([distance, units], ['G90', 'G21'], name);
+        length += Math.hypot(to.x - from.x, to.y - from.y);
+        ['x', 'y'].forEach((axis, k) => {
+          box.min[k] = Math.min(box.min[k], to[axis]);
+          box.max[k] = Math.max(box.max[k], to[axis]);
+        });
+      },
+      addArcCurve: () => assert.fail(`${name} has arcs`),
+    });
+    await new Promise((resolve, reject) => {
+      toolpath.loadFromString(text, (error) => (error ? reject(error) : resolve()));
+    });
+    close(length, check.pathMm + check.travelMm, 1e-6 * length, `${name}: length`);
+    assert.ok(
+      box.min.every((value, k) => value >= 0 && value <= check.box.min[k] + 1e-9),
+      `${name}: ${box.min}`,
+    );
+    assert.ok(
+      box.max.every((value, k) => value <= 220 && value >= check.box.max[k] - 1e-9),
+      `${name}: ${box.max}`,
+    );
+  }
+});
+
+const python = ['/usr/bin/python3', 'python3'].find((program) => has(program, ['-c', 'import printrun.gcoder']));
+const noPrintrun = python === undefined && 'no printrun here; install the Debian package printrun-common';
+
+test('printrun reads the same filament, box and layers, and its time is within 3 %', { skip: noPrintrun }, () => {
+  for (const [name, { path, check, filament, seconds }] of Object.entries(plates)) {
+    const read = JSON.parse(run(python, [join(here, 'read_printrun.py'), path]));
+    close(read.filament, filament, 0.006, `${name}: filament`);
+    [...check.box.min, ...check.box.max].forEach((value, k) => close(read.box[k], value, 1e-4, `${name}: box`));
+    assert.equal(read.heights.filter((z) => z > 0 && z <= check.top + 1e-6).length, check.layers, name);
+    close(read.seconds, seconds, 0.03 * seconds, `${name}: time`);
+  }
+});
+
+const needs = { 'prusa-slicer': ['--help'], 'xvfb-run': ['--help'], tesseract: [], xdotool: null, import: null, openbox: [] };
+const packages = { tesseract: 'tesseract-ocr', import: 'imagemagick', 'xvfb-run': 'xvfb and xauth' };
+const missing = Object.entries(needs).filter(([program, args]) =>
+  args === null ? spawnSync(program).error !== undefined : !has(program, args.length > 0 ? args : undefined),
+);
+const noEnglish = spawnSync('locale', ['-a'], { encoding: 'utf8' }).stdout?.includes('en_US.utf8') !== true;
+const noViewer =
+  missing.length > 0
+    ? `no ${missing.map(([program]) => packages[program] ?? program).join(', ')} here; install the Debian packages`
+    : noEnglish && 'no locale en_US.UTF-8 here (Debian: locales, locale-gen); PrusaSlicer asks about it and waits';
+
+/** Seconds of "1h 5m", "37m" or "22s", and how far they are rounded. */
+function spoken(text) {
+  const units = { d: 86400, h: 3600, m: 60, s: 1 };
+  const parts = [...text.matchAll(/(\d+) ?([dhms])/g)].map(([, count, unit]) => [Number(count), units[unit]]);
+  return { seconds: parts.reduce((sum, [count, unit]) => sum + count * unit, 0), step: parts.at(-1)?.[1] };
+}
+
+test("PrusaSlicer's viewer shows roles, widths, filament and a time within 3 %", { skip: noViewer }, () => {
+  for (const name of ['relief', 'photo', 'tiles', 'logo', 'mosaic', 'qr']) {
+    const { path, seconds, filament } = plates[name];
+    const shown = run('xvfb-run', ['-a', '-s', '-screen 0 1400x900x24', 'sh', join(here, 'viewer.sh'), path, folder]);
+    for (const role of ['Solid ?infill', 'Top ?solid ?infill', 'Skirt/Brim', 'Width']) {
+      assert.match(shown, new RegExp(role), `${name}: ${shown}`);
+    }
+    const total = spoken(shown.match(/Total: *(.*)/)[1]);
+    close(total.seconds, seconds, 0.03 * seconds + total.step, `${name}: time, ${shown}`);
+    // Two decimals each; the point is easily overlooked.
+    const amounts = [...shown.matchAll(/% +([\d.]+) ?m/g)].map(([, value]) => Number(value.replace('.', '')) / 100);
+    const metres = amounts.reduce((sum, value) => sum + value, 0);
+    close(metres, filament / 1000, 0.016, `${name}: filament, ${shown}`);
+  }
+});
+
+test('gcode-preview draws the layers and takes the pictures', { skip: lacking('Chromium') }, async () => {
+  const site = await serve({ '/modules/': join(root, 'node_modules'), '/': here });
+  const browser = await startChromium(['--use-angle=swiftshader', '--enable-unsafe-swiftshader']);
+  try {
+    for (const name of ['islands', 'strokes', 'qr']) {
+      const page = await browser.newPage();
+      await page.goto(`${site.origin}/preview.html`);
+      const { layers, pictures } = await page.evaluate((text) => globalThis.show(text), plates[name].text);
+      assert.equal(layers.length, plates[name].check.layers + 1, `${name}: ${layers}`); // the start block is one, too
+      assert.deepEqual(
+        pictures.map(({ size, isValid }) => [size, isValid]),
+        [
+          ['32x32', true],
+          ['300x300', true],
+        ],
+      );
+      for (const { src, width, height } of pictures) {
+        const natural = await page.evaluate(async (source) => {
+          const picture = new Image();
+          picture.src = source;
+          await picture.decode();
+          return [picture.naturalWidth, picture.naturalHeight];
+        }, src);
+        assert.deepEqual(natural, [width, height]);
+      }
+      const empty = await page.evaluate(() => document.createElement('canvas').toDataURL());
+      assert.notEqual(await page.evaluate(() => document.getElementById('canvas').toDataURL()), empty);
+      await page.locator('#canvas').screenshot({ path: join(folder, `${name}.png`) });
+      assert.ok(readFileSync(join(folder, `${name}.png`)).length > 10_000, `${name}: the picture is empty`);
+      await page.close();
+    }
+  } finally {
+    await browser.close();
+    site.close();
+  }
+});
