@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 
 import { drawGallery } from './gallery.mjs';
 import { contentsOf, escaped, render } from './markdown.mjs';
-import { addressOf, coming, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
+import { addressOf, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
 
 const at = (path) => join(root, path);
 
@@ -49,7 +49,6 @@ function writeDocs(folder) {
       if (/^(https?:|#)/.test(href)) return href;
       const target = targetOf(base, href);
       if (!existsSync(at(target))) {
-        if (coming.has(target)) return undefined;
         throw new Error(`${path} leads to ${href}, which is not there`);
       }
       waiting.push(target);

@@ -8,9 +8,6 @@ import { escaped } from './markdown.mjs';
 export const root = fileURLToPath(new URL('..', import.meta.url));
 const at = (path) => join(root, path);
 
-/** Pages that others write now; links to them are words until they are there. */
-export const coming = new Set(['docs/embedding.md', 'docs/performance.md']);
-
 const passedOver = new Set(['node_modules', 'build', 'out', 'dist']);
 
 /** Every file of the source by its path from the root; nothing that is hidden or made. */
