@@ -64,7 +64,7 @@ studio.services = {
     pipeline.retry();
   },
   gcode: () => pipeline.gcode(),
-  svg: () => engine.svg(),
+  svg: () => pipeline.svg(),
   project: async (plate) => {
     const [{ writeProject }, raster] = await Promise.all([import('./files/project.js'), pipeline.directions()]);
     return writeProject(plate, raster);

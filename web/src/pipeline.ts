@@ -5,7 +5,7 @@ import type { DirectionRaster } from './directions/raster.js';
 import type { Rasteriser } from './directions/rasteriser.js';
 import type { StudioEngine } from './engine/studio-engine.js';
 import type { Plate } from './model/plate.js';
-import { isAbort, problemOf } from './model/problem.js';
+import { isAbort, problemOf, StudioError, type Problem } from './model/problem.js';
 import type { Made } from './model/state.js';
 import type { Store } from './model/store.js';
 import type { Shown } from './panels/shown.js';
@@ -15,6 +15,8 @@ const summaryAfter = 400; // [ms] without a change
 
 const sameSource = (a: Plate, b: Plate): boolean =>
   a.directions === b.directions && a.modes === b.modes && a.width === b.width && a.height === b.height;
+
+const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.strokes && sameSource(a, b);
 
 interface Drawn {
   plate: Plate;
@@ -35,6 +37,7 @@ const sameFile = (a: Written, plate: Plate, made: Made | undefined): boolean =>
 
 export class Pipeline {
   #drawn: Drawn | undefined;
+  #drawing: { plate: Plate; coarse: boolean; done: Promise<Problem | undefined> } | undefined;
   #written: Written | undefined;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
@@ -62,10 +65,17 @@ export class Pipeline {
     this.store.set({ cancelled: true, progress: undefined });
   }
 
+  /** The whole, measured path of the plate as it is now, however newly that has changed. */
+  async finished(): Promise<Made> {
+    await this.directions();
+    return this.engine.finished();
+  }
+
   /** Of the plate as it is now. */
   async gcode(): Promise<Gcode> {
-    const { plate, made } = this.store.state;
-    if (this.#written !== undefined && sameFile(this.#written, plate, made)) return this.#written.gcode;
+    const current = await this.finished();
+    const { plate } = this.store.state;
+    if (this.#written !== undefined && sameFile(this.#written, plate, current)) return this.#written.gcode;
     clearTimeout(this.#summaryTimer);
     const written = { plate, ...(await this.engine.gcode(plate)) };
     this.#written = written;
@@ -74,19 +84,21 @@ export class Pipeline {
     return written.gcode;
   }
 
-  /** Directions in full, for files. */
+  async svg(): Promise<Blob> {
+    await this.directions();
+    return this.engine.svg();
+  }
+
+  /** Directions of the plate as it is now, in full, which the engine has been told of.
+   * @throws StudioError where they cannot be drawn */
   async directions(): Promise<DirectionRaster> {
-    const { plate } = this.store.state;
+    await Promise.resolve(); // by now a change of this turn is being followed
     for (;;) {
+      const { plate } = this.store.state;
       const drawn = this.#drawn;
-      if (
-        drawn !== undefined &&
-        !drawn.coarse &&
-        drawn.plate.strokes === plate.strokes &&
-        sameSource(drawn.plate, plate)
-      )
-        return drawn.raster;
-      await this.#draw(plate, false);
+      if (drawn !== undefined && !drawn.coarse && sameDirections(drawn.plate, plate)) return drawn.raster;
+      const problem = await this.#draw(plate, false);
+      if (problem !== undefined) throw new StudioError(problem.code, problem.values, problem.detail);
     }
   }
 
@@ -101,18 +113,27 @@ export class Pipeline {
     this.store.set({ cancelled: false });
     this.#summarise();
     const drawn = this.#drawn;
-    const fresh =
-      drawn !== undefined &&
-      sameSource(drawn.plate, plate) &&
-      drawn.plate.strokes === plate.strokes &&
-      (live || !drawn.coarse);
+    const fresh = drawn !== undefined && sameDirections(drawn.plate, plate) && (live || !drawn.coarse);
     if (fresh) this.engine.update(plate, drawn.raster, { live });
     else void this.#draw(plate, live);
   }
 
-  async #draw(plate: Plate, live: boolean): Promise<void> {
+  /** @returns what went wrong; another plate that came first is no problem. */
+  #draw(plate: Plate, live: boolean): Promise<Problem | undefined> {
     // Strokes are cheap on a raster that is there.
     const coarse = live && !(this.#drawn !== undefined && !this.#drawn.coarse && sameSource(this.#drawn.plate, plate));
+    const going = this.#drawing;
+    // Two who ask for the same must not cut each other off for ever.
+    if (going !== undefined && going.coarse === coarse && sameDirections(going.plate, plate)) return going.done;
+    const drawing = { plate, coarse, done: this.#rasterise(plate, coarse) };
+    this.#drawing = drawing;
+    void drawing.done.finally(() => {
+      if (this.#drawing === drawing) this.#drawing = undefined;
+    });
+    return drawing.done;
+  }
+
+  async #rasterise(plate: Plate, coarse: boolean): Promise<Problem | undefined> {
     try {
       const raster = await this.rasteriser.rasterise({
         source: plate.directions,
@@ -121,15 +142,17 @@ export class Pipeline {
         page: [plate.width, plate.height || plate.width],
         resolution: coarse ? coarseResolution : fineResolution,
       });
-      if (raster === undefined) return;
+      if (raster === undefined) return undefined;
       this.#drawn = { plate, raster, coarse };
       this.store.set({ directions: raster });
     } catch (error) {
-      if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
-      return;
+      const problem = problemOf(error);
+      if (!isAbort(error)) this.store.set({ problem });
+      return problem;
     }
     const now = this.store.state;
-    if (now.plate.strokes === plate.strokes && sameSource(now.plate, plate)) this.#follow(now);
+    if (sameDirections(now.plate, plate)) this.#follow(now);
+    return undefined;
   }
 
   #findMarks(made: Made): void {
