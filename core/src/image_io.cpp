@@ -355,6 +355,21 @@ void appendBytes(void* out, void* data, int size) {
   static_cast<std::vector<std::uint8_t>*>(out)->assign(bytes, bytes + size);
 }
 
+/// tEXt of keyword Comment.
+std::vector<std::uint8_t> textChunk(std::string_view text) {
+  constexpr std::string_view kHead = "tEXtComment";
+  std::vector<std::uint8_t> chunk;
+  const auto append32 = [&chunk](std::uint32_t v) {
+    for (int shift = 24; shift >= 0; shift -= 8) chunk.push_back(static_cast<std::uint8_t>(v >> shift));
+  };
+  append32(static_cast<std::uint32_t>(kHead.size() - 3 + text.size()));  // without the type, with a zero
+  chunk.insert(chunk.end(), kHead.begin(), kHead.end());
+  chunk.push_back(0);
+  chunk.insert(chunk.end(), text.begin(), text.end());
+  append32(crc32(Bytes(chunk).subspan(4)));
+  return chunk;
+}
+
 }  // namespace
 
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -393,13 +408,19 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
   }
 }
 
-std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb) {
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb,
+                                    std::string_view comment) {
   if (width <= 0 || height <= 0) return {};
   const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
   if (pixels > kMaxImagePixels || static_cast<std::int64_t>(rgb.size()) != pixels * 3) return {};
   try {
     std::vector<std::uint8_t> png;
     stbi_write_png_to_func(appendBytes, &png, width, height, 3, rgb.data(), width * 3);
+    constexpr std::size_t kHeaderEnd = 33;  // of signature and IHDR
+    if (!comment.empty() && png.size() > kHeaderEnd) {
+      const std::vector<std::uint8_t> chunk = textChunk(comment);
+      png.insert(png.begin() + kHeaderEnd, chunk.begin(), chunk.end());
+    }
     return png;
   } catch (const std::bad_alloc&) {
     return {};
