@@ -4,6 +4,7 @@ import { coarseResolution, fineResolution } from './directions/rasterise.js';
 import type { DirectionRaster } from './directions/raster.js';
 import type { Rasteriser } from './directions/rasteriser.js';
 import type { StudioEngine } from './engine/studio-engine.js';
+import { viewLook } from './model/filaments.js';
 import type { Plate } from './model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from './model/problem.js';
 import type { Made } from './model/state.js';
@@ -17,6 +18,11 @@ const sameSource = (a: Plate, b: Plate): boolean =>
   a.directions === b.directions && a.modes === b.modes && a.width === b.width && a.height === b.height;
 
 const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.strokes && sameSource(a, b);
+
+/** Whether it is the plate's path: all but printer, print and looks are the same. Asked for the file of another, the engine
+ * would begin it, also where it has just been cancelled. */
+const isOf = ({ plate: of }: Made, plate: Plate): boolean =>
+  sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath;
 
 interface Drawn {
   plate: Plate;
@@ -39,6 +45,7 @@ export class Pipeline {
   #drawn: Drawn | undefined;
   #drawing: { plate: Plate; coarse: boolean; done: Promise<Problem | undefined> } | undefined;
   #written: Written | undefined;
+  #cancels = 0;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
 
@@ -46,6 +53,8 @@ export class Pipeline {
     private readonly store: Store<Shown>,
     private readonly engine: StudioEngine,
     private readonly rasteriser: Rasteriser,
+    /** Starts marks.worker.ts. */
+    private readonly startMarks: () => Worker,
   ) {}
 
   start(): void {
@@ -57,10 +66,13 @@ export class Pipeline {
 
   retry(): void {
     this.store.set({ cancelled: false, problem: undefined });
-    this.engine.retry();
+    const { plate } = this.store.state;
+    if (this.#drawn !== undefined && sameDirections(this.#drawn.plate, plate)) this.engine.retry();
+    else this.#follow(this.store.state);
   }
 
   cancel(): void {
+    ++this.#cancels;
     this.engine.cancel();
     this.store.set({ cancelled: true, progress: undefined });
   }
@@ -89,9 +101,15 @@ export class Pipeline {
     return this.engine.svg();
   }
 
+  async view(): Promise<Blob> {
+    await this.directions();
+    return this.engine.view(viewLook(this.store.state.plate));
+  }
+
   /** Directions of the plate as it is now, in full, which the engine has been told of.
-   * @throws StudioError where they cannot be drawn */
+   * @throws StudioError where they cannot be drawn, AbortError after a cancel */
   async directions(): Promise<DirectionRaster> {
+    const cancels = this.#cancels;
     await Promise.resolve(); // by now a change of this turn is being followed
     for (;;) {
       const { plate } = this.store.state;
@@ -99,6 +117,7 @@ export class Pipeline {
       if (drawn !== undefined && !drawn.coarse && sameDirections(drawn.plate, plate)) return drawn.raster;
       const problem = await this.#draw(plate, false);
       if (problem !== undefined) throw new StudioError(problem.code, problem.values, problem.detail);
+      if (cancels !== this.#cancels) throw new DOMException('The job was cancelled', 'AbortError');
     }
   }
 
@@ -134,6 +153,7 @@ export class Pipeline {
   }
 
   async #rasterise(plate: Plate, coarse: boolean): Promise<Problem | undefined> {
+    const cancels = this.#cancels;
     try {
       const raster = await this.rasteriser.rasterise({
         source: plate.directions,
@@ -151,13 +171,13 @@ export class Pipeline {
       return problem;
     }
     const now = this.store.state;
-    if (sameDirections(now.plate, plate)) this.#follow(now);
+    if (sameDirections(now.plate, plate) && cancels === this.#cancels) this.#follow(now);
     return undefined;
   }
 
   #findMarks(made: Made): void {
     this.#marksWorker?.terminate(); // what it looks through is stale
-    const worker = new Worker(new URL('./views/marks.worker.ts', import.meta.url), { type: 'module', name: 'marks' });
+    const worker = this.startMarks();
     this.#marksWorker = worker;
     worker.onmessage = ({ data }: MessageEvent<Mark[]>) => {
       worker.terminate();
@@ -175,10 +195,10 @@ export class Pipeline {
       return;
     }
     if (summary !== undefined) this.store.set({ summary: undefined });
-    if (made === undefined || made.coarse || !made.measured) return;
+    if (made === undefined || made.coarse || !made.measured || !isOf(made, plate)) return;
     this.#summaryTimer = setTimeout(() => {
       const { state } = this.store;
-      if (state.live || state.made?.toolpath.cycles !== made.toolpath.cycles) return;
+      if (state.live || state.cancelled || state.made?.toolpath.cycles !== made.toolpath.cycles) return;
       this.gcode().catch((error: unknown) => {
         if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
       });

@@ -1,6 +1,6 @@
 // The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
-import type { Engine, EngineInfo, Gcode } from 'sillon';
+import type { Engine, EngineInfo, Gcode, ViewParams } from 'sillon';
 import type { DirectionRaster } from '../directions/raster.js';
 import type { Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
@@ -136,6 +136,11 @@ export class StudioEngine {
       this.#wanted ??= { ...(this.#latest as Input), live: false };
       this.#settle();
     });
+  }
+
+  /** For <sillon-view>. @param look  of the plate's filament */
+  async view(look: ViewParams): Promise<Blob> {
+    return this.#export((engine, { toolpath }, signal) => engine.writeView(toolpath, look, { signal }));
   }
 
   /** For what needs neither the queue nor a plate: reading shapes, pictures and projects. */
