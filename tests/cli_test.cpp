@@ -129,7 +129,8 @@ void checkRefused(const Folder& folder, const std::string& arguments, const std:
   CHECK(folder.files() == before);
 }
 
-const std::string kOutputs = " --gcode a.gcode --svg a.svg --report a.json --preview a.png --view v.png --project b.json";
+const std::string kOutputs =
+    " --gcode a.gcode --svg a.svg --report a.json --preview a.png --view v.png --project b.json";
 
 }  // namespace
 

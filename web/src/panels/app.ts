@@ -94,7 +94,7 @@ export class App extends StudioElement {
         grid-column: 3; /* where it is without the panel, too */
       }
       .only {
-        grid-row: 1 / -1;
+        grid-area: 1 / 1 / -1 / 2;
       }
       .grip {
         display: none;

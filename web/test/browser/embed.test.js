@@ -190,6 +190,8 @@ test('customize shows only what the host names; view shows nothing but the plate
   await page.evaluate(() => (globalThis.element.mode = 'view'));
   await frame.locator('nav').waitFor({ state: 'detached' });
   assert.deepEqual(await frame.locator('sillon-header, sillon-status, sillon-tools').count(), 0);
+  const { width, height } = await frame.locator('sillon-canvas').boundingBox();
+  assert.deepEqual([width, height], [960, 640]);
   await page.evaluate(() => globalThis.element.removeAttribute('mode'));
   await frame.locator('nav button').nth(4).waitFor();
 });

@@ -1,8 +1,9 @@
 // The examples of embedding, opened as they are but for the addresses that stand in for the reader's own.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { extname, join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -22,7 +23,7 @@ before(async () => {
   studio = await serve(path('../../dist'), 0);
   cdn = await servePlain({ '/sillon@0.1.0/': path('../../../wasm/') }, headerSets.isolatedShared);
   folder = mkdtempSync(join(tmpdir(), 'sillon-examples-'));
-  site = await servePlain({ '/': path('../../../examples/'), '/built/': `${folder}/` });
+  site = await serveReader();
 });
 after(async () => {
   await browser?.close();
@@ -34,22 +35,54 @@ afterEach(async () => {
   page = undefined;
 });
 
-/** A page of another site. @param wrap  of a file that is a piece of a page */
-async function open(address, wrap = (text) => text) {
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json' };
+
+/** The site of the examples' reader, with the addresses that the reader would have put in. */
+function serveReader() {
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url, 'http://localhost');
+    const file = pathname.startsWith('/built/')
+      ? join(folder, pathname.slice(7))
+      : path(`../../../examples${pathname}`);
+    if (!existsSync(file)) {
+      response.writeHead(404).end();
+      return;
+    }
+    const type = types[extname(file)];
+    let body = readFileSync(file);
+    if (type !== undefined) {
+      body = body
+        .toString()
+        .replaceAll('https://sillon.example', studio.origin)
+        .replaceAll('https://cdn.example', cdn.origin);
+      if (pathname.endsWith('block.html')) body = theme(body);
+    }
+    response.writeHead(200, { 'Content-Type': type ?? 'image/png' }).end(body);
+  });
+  return new Promise((resolve) => {
+    server.listen(0, '127.0.0.1', () => {
+      resolve({
+        origin: `http://127.0.0.1:${server.address().port}`,
+        close() {
+          server.close();
+          server.closeAllConnections();
+        },
+      });
+    });
+  });
+}
+
+/** A page around a block. */
+const theme = (block) => `<!doctype html><html lang="en"><title>A blog</title><link rel="icon" href="data:," />
+  <style>iframe, img { max-width: 100% } figure { margin: 0 }</style><article>${block}</article></html>`;
+
+async function open(address) {
   const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US' });
   page = await context.newPage();
   page.setDefaultTimeout(60_000);
   const problems = [];
   page.on('pageerror', (error) => problems.push(String(error)));
-  const origin = site.origin.replace('localhost', '127.0.0.1');
-  await page.route(`${origin}/**/*.{html,js}`, async (route) => {
-    const response = await route.fetch();
-    const text = (await response.text())
-      .replaceAll('https://sillon.example', studio.origin)
-      .replaceAll('https://cdn.example', cdn.origin);
-    await route.fulfill({ response, body: route.request().url().endsWith('.html') ? wrap(text) : text });
-  });
-  await page.goto(`${origin}/${address}`);
+  await page.goto(`${site.origin}/${address}`);
   return problems;
 }
 
@@ -57,6 +90,7 @@ test('embed-page: a shop takes the order’s G-code', { skip }, async () => {
   const problems = await open('embed-page/index.html');
   await page.locator('#order:not([disabled])').click();
   await page.getByText(/plate\.gcode: \d+ bytes for the printer/).waitFor();
+  await page.locator('sillon-view').scrollIntoViewIfNeeded();
   await page.locator('sillon-view canvas:not([hidden])').waitFor();
   assert.deepEqual(problems, []);
 });
@@ -75,9 +109,7 @@ test('embed-vite: an app that bundles nothing of the studio', { skip }, async ()
 });
 
 test('embed-wordpress: a block in a page of somebody’s theme', { skip }, async () => {
-  const theme = (block) => `<!doctype html><html lang="en"><title>A blog</title><link rel="icon" href="data:," />
-    <style>iframe, img { max-width: 100% } figure { margin: 0 }</style><article>${block}</article></html>`;
-  const problems = await open('embed-wordpress/block.html', theme);
+  const problems = await open('embed-wordpress/block.html');
   const frame = await (await page.locator('sillon-studio iframe').elementHandle()).contentFrame();
   await frame.locator('sillon-canvas').waitFor();
   assert.equal(await frame.locator('nav').count(), 0);
