@@ -153,6 +153,10 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
   /** The studio's own page: threads, and the same plate's bytes. */
   async function studioPage(context, address, settled) {
     const page = await context.newPage();
+    const elsewhere = [];
+    page.on('request', (request) => {
+      if (!request.url().startsWith(address) && !request.url().startsWith('blob:')) elsewhere.push(request.url());
+    });
     await page.goto(address);
     if (settled !== undefined) await page.waitForFunction(settled);
     await page.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.made?.measured);
@@ -167,6 +171,7 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
       return Array.from(new Uint8Array(await blob.arrayBuffer()));
     });
     assert.equal(natively(Buffer.from(zip), made.gcode), made.gcode);
+    assert.deepEqual(elsewhere, [], 'other sites were asked for something');
     await context.close();
     return made.threads;
   }
