@@ -49,6 +49,7 @@ presets: gcode
 preview: image_io
 thumbnails: gcode preview image_io
 toolpath_svg: shape
+view_file: image_io
 project: direction_map gcode pipeline presets thumbnails
 printer_import: gcode gcode_archive gcode_template gcode_check project thumbnails
 plate_input: shape svg image_io direction_map pipeline project

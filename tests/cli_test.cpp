@@ -129,7 +129,8 @@ void checkRefused(const Folder& folder, const std::string& arguments, const std:
   CHECK(folder.files() == before);
 }
 
-const std::string kOutputs = " --gcode a.gcode --svg a.svg --report a.json --preview a.png --project b.json";
+const std::string kOutputs =
+    " --gcode a.gcode --svg a.svg --report a.json --preview a.png --view v.png --project b.json";
 
 }  // namespace
 
@@ -261,7 +262,7 @@ TEST_CASE("a small disc writes every file, and each is what it should be") {
   CHECK(has(run.out, "12.00 x 12.00 mm"));
   CHECK(has(run.out, "coverage"));
   CHECK(has(run.out, "a.gcode"));
-  CHECK(folder.files().size() == 5);
+  CHECK(folder.files().size() == 6);
 
   const std::string gcode = readAll(folder.at("a.gcode"));
   const std::string first =

@@ -25,6 +25,7 @@
 #include "sillon/thumbnails.hpp"
 #include "sillon/toolpath_svg.hpp"
 #include "sillon/version.hpp"
+#include "sillon/view_file.hpp"
 
 namespace {
 
@@ -157,6 +158,17 @@ val renderPreview(const val& toolpath, int width, double lightAzimuth, double li
   });
 }
 
+val writeView(const val& toolpath, const val& colour, double slopeAlong, double slopeAcross) {
+  return guarded([&](sillon::RunContext&) {
+    const auto channel = [&colour](int k) { return colour[k].as<std::uint8_t>(); };
+    const sillon::ViewParams params{{channel(0), channel(1), channel(2)}, slopeAlong, slopeAcross};
+    const auto view =
+        sillon::viewFile(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page, params);
+    if (!view) return failure(view.error());
+    return success(convert::copied(view.value().data(), view.value().size()));
+  });
+}
+
 val readShape(const std::string& projectJson, const val& files) {
   return guarded([&](sillon::RunContext&) {
     const auto project = sillon::readProject(projectJson);
@@ -254,6 +266,7 @@ EMSCRIPTEN_BINDINGS(sillon) {
   emscripten::function("writeGcode", &writeGcode);
   emscripten::function("writeSvg", &writeSvg);
   emscripten::function("renderPreview", &renderPreview);
+  emscripten::function("writeView", &writeView);
   emscripten::function("readShape", &readShape);
   emscripten::function("decodePicture", &decodePicture);
   emscripten::function("readProject", &readProject);

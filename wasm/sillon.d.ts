@@ -43,6 +43,8 @@ export interface Engine {
   ): Promise<Gcode>;
   /** The beads as strokes coloured by direction, and the nozzle's closed line above them. */
   writeSvg(toolpath: Toolpath, options?: RunOptions): Promise<Blob>;
+  /** A small picture of directions, from which `<sillon-view>` draws the plate's shimmer on web pages. */
+  writeView(toolpath: Toolpath, params?: Partial<ViewParams>, options?: RunOptions): Promise<Blob>;
   /** Directions with their legend beside the look under one light, as PNG. */
   renderPreview(toolpath: Toolpath, params?: Partial<PreviewParams>, options?: RunOptions): Promise<Blob>;
 
@@ -237,6 +239,14 @@ export interface PrintParams {
   place: [number, number] | null;
   /** Default: now. The same date gives the same bytes. */
   date: Date;
+}
+
+/** The filament that a plate is shown in. */
+export interface ViewParams {
+  /** Of the body: red, green, blue in sRGB, 0..255. Default gold. */
+  colour: [number, number, number];
+  /** RMS slopes of the surface along and across the bead [degrees], 0.1..45. Default 8.93, 15.6. */
+  slopes: [number, number];
 }
 
 export interface PreviewParams {

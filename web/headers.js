@@ -23,9 +23,10 @@ export const contentSecurityPolicy = [
   "form-action 'none'",
 ].join('; ');
 
-/** Of every response of our own server. */
+/** Of every response of our own server. Other sites' pages may import the elements and the engine: the files are public. */
 export const headers = {
   ...isolation,
+  'Access-Control-Allow-Origin': '*',
   'Content-Security-Policy': contentSecurityPolicy,
   'X-Content-Type-Options': 'nosniff',
   'Referrer-Policy': 'no-referrer',

@@ -102,7 +102,7 @@ export default {
   plugins: [engineFiles, exampleFiles, policy, offline],
   server: { headers: isolation },
   preview: { headers },
-  worker: { format: 'es' },
+  worker: { format: 'iife' }, // sandboxed frames start no modules
   build: {
     outDir: dist,
     emptyOutDir: true,
@@ -110,7 +110,7 @@ export default {
     assetsInlineLimit: 0, // data: addresses are not in the policy
     modulePreload: { polyfill: false },
     rolldownOptions: {
-      input: { main: at('index.html'), sw: at('src/service-worker/sw.ts') },
+      input: { main: at('index.html'), embed: at('embed.html'), sw: at('src/service-worker/sw.ts') },
       output: {
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
       },

@@ -357,6 +357,21 @@ void appendBytes(void* out, void* data, int size) {
   static_cast<std::vector<std::uint8_t>*>(out)->assign(bytes, bytes + size);
 }
 
+/// tEXt of keyword Comment.
+std::string textChunk(std::string_view text) {
+  constexpr std::string_view kHead("Comment\0", 8);
+  const auto big = [](std::uint32_t v) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(v >> shift & 0xff);
+    return bytes;
+  };
+  std::string chunk = "tEXt";
+  chunk += kHead;
+  chunk += text;
+  const std::uint32_t check = crc32(Bytes(reinterpret_cast<const std::uint8_t*>(chunk.data()), chunk.size()));
+  return big(static_cast<std::uint32_t>(kHead.size() + text.size())) + chunk + big(check);
+}
+
 }  // namespace
 
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -395,13 +410,19 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
   }
 }
 
-std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb) {
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb,
+                                    std::string_view comment) {
   if (width <= 0 || height <= 0) return {};
   const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
   if (pixels > kMaxImagePixels || static_cast<std::int64_t>(rgb.size()) != pixels * 3) return {};
   try {
     std::vector<std::uint8_t> png;
     stbi_write_png_to_func(appendBytes, &png, width, height, 3, rgb.data(), width * 3);
+    constexpr std::size_t kHeaderEnd = 33;  // of signature and IHDR
+    if (!comment.empty() && png.size() > kHeaderEnd) {
+      const std::string chunk = textChunk(comment);
+      png.insert(png.begin() + kHeaderEnd, chunk.begin(), chunk.end());
+    }
     return png;
   } catch (const std::bad_alloc&) {
     return {};

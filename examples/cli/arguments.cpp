@@ -448,6 +448,7 @@ void addOutputs(Options& options, Arguments& arguments) {
                  if (width < 16 || width > 16384) refuse("--preview-width", text, "16 to 16384 pixels");
                  return [](Project&) { return std::string(); };
                });
+  options.output("--view", "picture of directions for <sillon-view> on web pages, PNG", arguments.outputs.view);
   options.output("--project", "everything needed to repeat the plate, JSON", arguments.outputs.project);
 }
 

@@ -19,6 +19,7 @@ struct OutputPaths {
   std::string preview;
   int previewWidth = 1600;  ///< of each panel [pixels]
   std::string project;
+  std::string view;
 };
 
 /// What may be done to a plate that does not fit the bed where it is.

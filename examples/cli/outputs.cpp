@@ -16,6 +16,7 @@
 #include "sillon/report.hpp"
 #include "sillon/thumbnails.hpp"
 #include "sillon/toolpath_svg.hpp"
+#include "sillon/view_file.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -124,7 +125,8 @@ Result<std::string> runDate() {
 
 std::vector<std::string> outputNames(const OutputPaths& paths) {
   std::vector<std::string> names;
-  for (const std::string* path : {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.project}) {
+  for (const std::string* path :
+       {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.view, &paths.project}) {
     if (!path->empty()) names.push_back(*path);
   }
   return names;
@@ -147,6 +149,11 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     Result<std::string> png = previewPng(job, paths.previewWidth, run);
     if (!png) return png.error();
     files.push_back({paths.preview, std::move(png).value()});
+  }
+  if (!paths.view.empty()) {
+    const auto view = sillon::viewFile(job.plate.toolpath, job.input.shape.page, {});
+    if (!view) return view.error();
+    files.push_back({paths.view, std::string(view.value().begin(), view.value().end())});
   }
   if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
   // Last, so that the peak holds all that came before.

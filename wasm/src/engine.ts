@@ -57,6 +57,12 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await run({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;
     },
 
+    async writeView(toolpath, params, options) {
+      const checked = input.callOptions(options);
+      const call: Call = { name: 'writeView', toolpath: input.toolpath(toolpath), params: input.viewParams(params) };
+      return (await run(call, checked)) as Blob;
+    },
+
     async renderPreview(toolpath, params, options) {
       const checked = input.callOptions(options);
       const call: Call = {

@@ -264,6 +264,18 @@ export function previewParams(value: unknown): api.PreviewParams {
   };
 }
 
+export function viewParams(value: unknown): api.ViewParams {
+  const params = optionalFields(value, 'params');
+  refuseUnknown(params, '', ['colour', 'slopes']);
+  const { colour = [201, 148, 46], slopes = [8.93, 15.6] } = params;
+  const channels = listOf(colour, 'colour', finite);
+  // The engine would cut them to 8 bits.
+  if (channels.length !== 3 || !channels.every((one) => Number.isInteger(one) && one >= 0 && one <= 255)) {
+    throw mustBe('colour', colour, 'three whole numbers from 0 to 255');
+  }
+  return { colour: channels as api.ViewParams['colour'], slopes: pair(slopes, 'slopes') };
+}
+
 /** Types only: values are checked by the engine. */
 export function toolpath(value: unknown): api.Toolpath {
   const { spacing, cycles, shape, notes } = fieldsOf(value, 'toolpath');

@@ -22,6 +22,7 @@ export type Call =
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean }
   | { name: 'writeGcode'; toolpath: api.Toolpath; project: string; date: string; inPieces: boolean }
   | { name: 'writeSvg'; toolpath: api.Toolpath }
+  | { name: 'writeView'; toolpath: api.Toolpath; params: api.ViewParams }
   | { name: 'renderPreview'; toolpath: api.Toolpath; params: api.PreviewParams }
   | { name: 'readShape'; project: string; files: Files }
   | { name: 'decodePicture'; file: Uint8Array | Blob }

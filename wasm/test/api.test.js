@@ -88,11 +88,12 @@ describe('results', () => {
       const { blob, summary } = await engine.writeGcode(toolpath, {}, { date });
       const look = await engine.renderPreview(toolpath, { width: 300 });
       const drawing = await engine.writeSvg(toolpath);
+      const view = await engine.writeView(toolpath);
       all.push({
         toolpath,
         digest: report.digest,
         summary,
-        files: [await bytesOf(blob), await bytesOf(look), await bytesOf(drawing)],
+        files: [await bytesOf(blob), await bytesOf(look), await bytesOf(drawing), await bytesOf(view)],
       });
     }
     assert.deepEqual(all[1], all[0]);
@@ -164,6 +165,15 @@ describe('results', () => {
     const picture = await st.decodePicture(preview);
     assert.equal(picture.channels, 3);
     assert.ok(picture.width === 100 || picture.width === 200, `${picture.width} pixels`);
+  });
+
+  test('a view tells the plate’s look', async () => {
+    const { toolpath } = await st.generateToolpath(...small);
+    const view = await st.writeView(toolpath, { colour: [24, 78, 168], slopes: [2.36, 17.32] });
+    assert.equal(view.type, 'image/png');
+    assert.match(Buffer.from(await view.arrayBuffer()).toString('latin1'), /colour 24 78 168 slopes 236 1732/);
+    await assert.rejects(st.writeView(toolpath, { colour: [0, 0, 256] }), /colour is .*three whole numbers/);
+    await assert.rejects(st.writeView(toolpath, { slopes: [0, 10] }), /0\.1 to 45/);
   });
 
   test('a shape is polygons', async () => {

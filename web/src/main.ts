@@ -1,12 +1,17 @@
-// Puts the page together: state, engine, directions, files, and what the elements may ask for.
+// Puts a page together: state, engine, directions, files, and what the elements may ask for. There are two: the studio, and
+// the studio as it is shown in a frame of another page.
 import { languageFor, setLanguage, t, type Language } from './i18n/text.js';
+import directionsWorker from './directions/directions.worker.ts?worker&url';
 import { createRasteriser } from './directions/rasteriser.js';
 import { loadEngine } from './engine/load.js';
 import { StudioEngine } from './engine/studio-engine.js';
-import { createAutosave } from './files/autosave.js';
+import { createAutosave, type Autosave } from './files/autosave.js';
 import { newPlate } from './model/defaults.js';
 import type { Plate } from './model/plate.js';
 import { problemOf, StudioError } from './model/problem.js';
+import { addressed } from './embed/address.js';
+import { guestSettings, type GuestSettings } from './model/guest.js';
+import { withPrinter, type PrinterKey } from './model/printers.js';
 import type { Theme } from './model/state.js';
 import { Store } from './model/store.js';
 import { createOpener } from './opening.js';
@@ -15,9 +20,14 @@ import './panels/app.js';
 import { newShown } from './panels/shown.js';
 import { Studio } from './panels/studio.js';
 import { Pipeline } from './pipeline.js';
+import { startWorker } from './start-worker.js';
+import marksWorker from './views/marks.worker.ts?worker&url';
 import { recall, remember } from './remember.js';
 
-const threads = new URLSearchParams(location.search).get('threads') === 'off' ? 'off' : 'auto';
+/** Whether this is the page for frames of others. */
+const framed = document.documentElement.dataset['page'] === 'frame';
+const asked = addressed(location.search);
+const threads = asked.given.threads ?? 'auto';
 const store = new Store(newShown());
 const studio = new Studio(store, threads);
 
@@ -38,13 +48,21 @@ const engine = new StudioEngine(
     },
   },
 );
-const rasteriser = createRasteriser(async ({ bytes }) => (await engine.engine()).decodePicture(bytes));
-const pipeline = new Pipeline(store, engine, rasteriser);
-const autosave = createAutosave({
-  onProblem: (problem) => {
-    studio.fail(problem);
-  },
-});
+const rasteriser = createRasteriser(
+  async ({ bytes }) => (await engine.engine()).decodePicture(bytes),
+  () => startWorker(directionsWorker, 'directions'),
+);
+const pipeline = new Pipeline(store, engine, rasteriser, () => startWorker(marksWorker, 'marks'));
+/** Of the studio itself at once; in a frame none until a host says so. */
+let autosave: Autosave | undefined;
+
+const keeper = (host?: string): Autosave =>
+  createAutosave({
+    onProblem: (problem) => {
+      studio.fail(problem);
+    },
+    ...(host === undefined ? {} : { host }),
+  });
 
 /** Another plate altogether; what was there can be had back by undo. */
 function show(plate: Plate): void {
@@ -65,19 +83,25 @@ studio.services = {
   },
   gcode: () => pipeline.gcode(),
   pack: async (gcode) => (await engine.engine()).packGcode(gcode),
-  svg: () => engine.svg(),
+  svg: () => pipeline.svg(),
+  view: () => pipeline.view(),
   project: async (plate) => {
     const [{ writeProject }, raster] = await Promise.all([import('./files/project.js'), pipeline.directions()]);
     return writeProject(plate, raster);
   },
+  projectData: async (plate) => {
+    const [{ projectData }, raster] = await Promise.all([import('./files/project.js'), pipeline.directions()]);
+    return projectData(plate, raster);
+  },
   link: async (plate) => {
     const [{ writeLink }, { untoldText }] = await Promise.all([import('./model/share.js'), import('./i18n/say.js')]);
     const { hash, untold } = await writeLink(plate);
-    return { url: new URL(hash, location.href.split('#')[0]).href, told: untoldText(untold) };
+    // Of the studio, also where this is its page for frames.
+    return { url: new URL(`./${hash}`, document.baseURI).href, told: untoldText(untold) };
   },
   setLanguage: async (language) => {
     await speak(language);
-    remember('language', language);
+    if (!framed) remember('language', language);
   },
   open: (files) => opener.open(files),
   setRole: (index, role) => opener.setRole(index, role),
@@ -96,7 +120,7 @@ studio.services = {
   newPlate: () => {
     show(newPlate());
   },
-  forget: () => autosave.forget(),
+  forget: async () => autosave?.forget(),
 };
 
 async function speak(language: Language): Promise<void> {
@@ -109,10 +133,16 @@ const restoreWithin = 1500; // [ms], after which the page begins with what it ha
 
 /** The plate of the page's address, or the one that was left here. */
 async function restore(): Promise<void> {
-  if (await openLink()) return;
+  if ((await openLink()) || (await openAddress())) return;
+  if (!framed) await restoreKept(keeper());
+}
+
+/** @returns whether there was work of an earlier visit, which is shown now */
+async function restoreKept(keeps: Autosave): Promise<boolean> {
+  autosave = keeps;
   const before = store.state.plate;
-  const plate = await autosave.load();
-  if (plate === undefined || store.state.plate !== before) return; // nothing was kept, or a hand was faster
+  const plate = await keeps.load();
+  if (plate === undefined || store.state.plate !== before) return false; // nothing was kept, or a hand was faster
   show(plate);
   studio.notify(t('restore.done'), {
     label: t('restore.discard'),
@@ -120,6 +150,25 @@ async function restore(): Promise<void> {
       studio.services.newPlate();
     },
   });
+  return true;
+}
+
+/** Of the files that the address names, on this page's own site. */
+async function openAddress(): Promise<boolean> {
+  for (const { where, value } of asked.wrong) studio.fail({ code: 'GuestValue', values: { where, value }, detail: '' });
+  if (asked.files.length === 0) return false;
+  return studio.attempt(async () => {
+    const { fetchFiles } = await import('./embed/fetching.js');
+    const files = await fetchFiles(asked.files, document.baseURI).catch((error: unknown) => {
+      throw new StudioError('GuestFile', {}, problemOf(error).detail);
+    });
+    await opener.load(files.map(({ name, bytes, role }) => ({ file: new File([bytes], name), role })));
+    usePrinter(asked.given.printer);
+  });
+}
+
+function usePrinter(key: PrinterKey | undefined): void {
+  if (key !== undefined) store.change((plate) => withPrinter(plate, key));
 }
 
 async function openLink(): Promise<boolean> {
@@ -145,11 +194,11 @@ async function openLink(): Promise<boolean> {
 function keepUp(): void {
   store.subscribe((state, before) => {
     if (state.theme !== before.theme) applyTheme(state.theme);
-    if (state.plate !== before.plate) autosave.save(state.plate);
+    if (state.plate !== before.plate) autosave?.save(state.plate);
   });
-  addEventListener('pagehide', () => void autosave.flush());
+  addEventListener('pagehide', () => void autosave?.flush());
   document.addEventListener('visibilitychange', () => {
-    if (document.visibilityState === 'hidden') void autosave.flush(); // phones may never say more
+    if (document.visibilityState === 'hidden') void autosave?.flush(); // phones may never say more
   });
   addEventListener('hashchange', () => void openLink());
   // What nobody caught is told, too.
@@ -161,22 +210,80 @@ function keepUp(): void {
 function applyTheme(theme: Theme): void {
   if (theme === 'auto') delete document.documentElement.dataset['theme'];
   else document.documentElement.dataset['theme'] = theme;
-  remember('theme', theme);
+  if (!framed) remember('theme', theme);
+}
+
+/** What a host, or the address, sets. */
+async function configure({ mode, controls, units, theme, language, printer }: Partial<GuestSettings>): Promise<void> {
+  store.set({
+    ...(mode === undefined ? {} : { mode }),
+    ...(controls === undefined ? {} : { controls }),
+    ...(units === undefined ? {} : { units }),
+    ...(theme === undefined ? {} : { theme }),
+  });
+  if (mode !== undefined || controls !== undefined) store.set({ panel: firstPanel(), tool: 'pan' });
+  usePrinter(printer);
+  if (language !== undefined) await speak(language);
+}
+
+function firstPanel(): string {
+  if (!matchMedia('(min-width: 721px)').matches) return '';
+  const { mode } = store.state;
+  return mode === 'edit' ? 'directions' : mode === 'customize' ? 'own' : '';
+}
+
+async function frame(): Promise<void> {
+  const { waitForHost } = await import('./embed/frame.js');
+  const hosts = document.querySelector<HTMLMetaElement>('meta[name="sillon-hosts"]')?.content.split(/\s+/) ?? [];
+  waitForHost(hosts, studio, {
+    load: async (openings) => {
+      await opener.load(openings);
+      usePrinter(asked.given.printer);
+      store.forgetSteps();
+    },
+    configure: async (textOf) => {
+      const { given, wrong } = guestSettings(textOf);
+      const [first] = wrong;
+      if (first !== undefined) throw new StudioError('GuestValue', { where: first.where, value: first.value });
+      asked.given = { ...asked.given, ...given };
+      await configure(given);
+    },
+    project: () => studio.services.projectData(store.state.plate),
+    finished: () => pipeline.finished(),
+    make: (product) => studio.make(product),
+    picture: (width) => studio.picture(width),
+    video: (seconds) => studio.video(seconds),
+    cancel: () => {
+      pipeline.cancel();
+    },
+    onHost: async (origin) => {
+      store.set({ host: origin === 'null' ? t('app.someHost') : origin });
+      const { autosave: name } = asked.given;
+      return name === undefined || origin === 'null' ? false : restoreKept(keeper(`${origin} ${name}`));
+    },
+  });
 }
 
 async function start(): Promise<void> {
-  const theme = recall('theme', ['auto', 'light', 'dark']) ?? 'auto';
+  const { given } = asked;
+  const theme = given.theme ?? (framed ? undefined : recall('theme', ['auto', 'light', 'dark'])) ?? 'auto';
   store.set({ theme });
   applyTheme(theme);
-  await speak(recall('language', ['en', 'fr']) ?? languageFor(navigator.languages));
-  const wide = matchMedia('(min-width: 721px)').matches;
-  store.set({ panel: wide ? 'directions' : '' });
+  const language = given.language ?? (framed ? undefined : recall('language', ['en', 'fr']));
+  await speak(language ?? languageFor(navigator.languages));
+  store.set({ panel: firstPanel() });
+  if (framed) await configure({ ...given, theme, language });
+  else usePrinter(given.printer);
   const app = document.createElement('sillon-app');
   app.studio = studio;
   document.body.append(app);
   keepUp();
   await Promise.race([restore(), new Promise((resolve) => setTimeout(resolve, restoreWithin))]);
   pipeline.start();
+  if (framed) {
+    await frame();
+    return; // other pages work as they work without a network
+  }
   void workOffline({
     onReady: () => {
       studio.notify(t('offline.ready'));

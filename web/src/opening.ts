@@ -9,6 +9,12 @@ import type { Example } from './panels/examples.js';
 import type { Opened, Role } from './panels/shown.js';
 import type { Studio } from './panels/studio.js';
 
+/** A file, and what it is for where somebody says so: 'shape', 'image' (its directions), or a role. Empty: as it is guessed. */
+export interface Opening {
+  file: File;
+  role: string;
+}
+
 export interface Opener {
   /** @throws StudioError, SillonError */
   open(files: readonly File[]): Promise<void>;
@@ -17,6 +23,8 @@ export interface Opener {
   openExample(example: Example): Promise<void>;
   /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
   openOwn(path: string): Promise<void>;
+  /** Another plate, of these files alone. */
+  load(openings: readonly Opening[]): Promise<void>;
 }
 
 const gesture = 'files';
@@ -68,6 +76,18 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
       await use(opened.map((file, k) => (k === index ? { ...file, role } : file)));
     },
 
+    async load(openings) {
+      const { identify, withFiles } = await import('./files/open.js');
+      const plate = newPlate();
+      const files = await Promise.all(openings.map(({ file }) => readable(file)));
+      const found = await identify(files, plate, await engine());
+      const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
+      before = plate;
+      show(found.project ?? (await withFiles(plate, opened, await engine())));
+      studio.store.forgetSteps();
+      studio.store.set({ opened });
+    },
+
     async openExample(example) {
       show(await plateOf(example));
       studio.store.set({ opened: [] });
@@ -78,6 +98,17 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
     },
   };
   return opener;
+}
+
+/** The role that a file gets. @param wanted  of an `Opening` */
+function asked({ source, role, roles }: Opened, wanted: string): Role {
+  if (wanted === '') return role;
+  const directions: readonly Role[] = ['tone', 'edges', 'levels', 'angle', 'rotation', 'tangent'];
+  const means: Record<string, readonly Role[]> = { shape: ['shape', 'mask'], image: [role, ...directions] };
+  const possible = Object.hasOwn(means, wanted) ? (means[wanted] ?? []) : roles.filter((one) => one === wanted);
+  const found = possible.find((one) => roles.includes(one) && (wanted !== 'image' || directions.includes(one)));
+  if (found === undefined) throw new StudioError('GuestValue', { where: source.name, value: wanted });
+  return found;
 }
 
 /** Pictures of kinds that only the browser reads, as PNG; everything else as it is. */

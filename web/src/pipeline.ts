@@ -4,8 +4,9 @@ import { coarseResolution, fineResolution } from './directions/rasterise.js';
 import type { DirectionRaster } from './directions/raster.js';
 import type { Rasteriser } from './directions/rasteriser.js';
 import type { StudioEngine } from './engine/studio-engine.js';
+import { viewLook } from './model/filaments.js';
 import type { Plate } from './model/plate.js';
-import { isAbort, problemOf } from './model/problem.js';
+import { isAbort, problemOf, StudioError, type Problem } from './model/problem.js';
 import type { Made } from './model/state.js';
 import type { Store } from './model/store.js';
 import type { Shown } from './panels/shown.js';
@@ -15,6 +16,13 @@ const summaryAfter = 400; // [ms] without a change
 
 const sameSource = (a: Plate, b: Plate): boolean =>
   a.directions === b.directions && a.modes === b.modes && a.width === b.width && a.height === b.height;
+
+const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.strokes && sameSource(a, b);
+
+/** Whether it is the plate's path: all but printer, print and looks are the same. Asked for the file of another, the engine
+ * would begin it, also where it has just been cancelled. */
+const isOf = ({ plate: of }: Made, plate: Plate): boolean =>
+  sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath;
 
 interface Drawn {
   plate: Plate;
@@ -36,7 +44,9 @@ const sameFile = (a: Written, plate: Plate, made: Made | undefined): boolean =>
 
 export class Pipeline {
   #drawn: Drawn | undefined;
+  #drawing: { plate: Plate; coarse: boolean; done: Promise<Problem | undefined> } | undefined;
   #written: Written | undefined;
+  #cancels = 0;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
 
@@ -44,6 +54,8 @@ export class Pipeline {
     private readonly store: Store<Shown>,
     private readonly engine: StudioEngine,
     private readonly rasteriser: Rasteriser,
+    /** Starts marks.worker.ts. */
+    private readonly startMarks: () => Worker,
   ) {}
 
   start(): void {
@@ -55,18 +67,28 @@ export class Pipeline {
 
   retry(): void {
     this.store.set({ cancelled: false, problem: undefined });
-    this.engine.retry();
+    const { plate } = this.store.state;
+    if (this.#drawn !== undefined && sameDirections(this.#drawn.plate, plate)) this.engine.retry();
+    else this.#follow(this.store.state);
   }
 
   cancel(): void {
+    ++this.#cancels;
     this.engine.cancel();
     this.store.set({ cancelled: true, progress: undefined });
   }
 
+  /** The whole, measured path of the plate as it is now, however newly that has changed. */
+  async finished(): Promise<Made> {
+    await this.directions();
+    return this.engine.finished();
+  }
+
   /** Of the plate as it is now. */
   async gcode(): Promise<Gcode> {
-    const { plate, made } = this.store.state;
-    if (this.#written !== undefined && sameFile(this.#written, plate, made)) return this.#written.gcode;
+    const current = await this.finished();
+    const { plate } = this.store.state;
+    if (this.#written !== undefined && sameFile(this.#written, plate, current)) return this.#written.gcode;
     clearTimeout(this.#summaryTimer);
     const written = { plate, ...(await this.engine.gcode(plate)) };
     this.#written = written;
@@ -75,19 +97,28 @@ export class Pipeline {
     return written.gcode;
   }
 
-  /** Directions in full, for files. */
+  async svg(): Promise<Blob> {
+    await this.directions();
+    return this.engine.svg();
+  }
+
+  async view(): Promise<Blob> {
+    await this.directions();
+    return this.engine.view(viewLook(this.store.state.plate));
+  }
+
+  /** Directions of the plate as it is now, in full, which the engine has been told of.
+   * @throws StudioError where they cannot be drawn, AbortError after a cancel */
   async directions(): Promise<DirectionRaster> {
-    const { plate } = this.store.state;
+    const cancels = this.#cancels;
+    await Promise.resolve(); // by now a change of this turn is being followed
     for (;;) {
+      const { plate } = this.store.state;
       const drawn = this.#drawn;
-      if (
-        drawn !== undefined &&
-        !drawn.coarse &&
-        drawn.plate.strokes === plate.strokes &&
-        sameSource(drawn.plate, plate)
-      )
-        return drawn.raster;
-      await this.#draw(plate, false);
+      if (drawn !== undefined && !drawn.coarse && sameDirections(drawn.plate, plate)) return drawn.raster;
+      const problem = await this.#draw(plate, false);
+      if (problem !== undefined) throw new StudioError(problem.code, problem.values, problem.detail);
+      if (cancels !== this.#cancels) throw new DOMException('The job was cancelled', 'AbortError');
     }
   }
 
@@ -102,18 +133,28 @@ export class Pipeline {
     this.store.set({ cancelled: false });
     this.#summarise();
     const drawn = this.#drawn;
-    const fresh =
-      drawn !== undefined &&
-      sameSource(drawn.plate, plate) &&
-      drawn.plate.strokes === plate.strokes &&
-      (live || !drawn.coarse);
+    const fresh = drawn !== undefined && sameDirections(drawn.plate, plate) && (live || !drawn.coarse);
     if (fresh) this.engine.update(plate, drawn.raster, { live });
     else void this.#draw(plate, live);
   }
 
-  async #draw(plate: Plate, live: boolean): Promise<void> {
+  /** @returns what went wrong; another plate that came first is no problem. */
+  #draw(plate: Plate, live: boolean): Promise<Problem | undefined> {
     // Strokes are cheap on a raster that is there.
     const coarse = live && !(this.#drawn !== undefined && !this.#drawn.coarse && sameSource(this.#drawn.plate, plate));
+    const going = this.#drawing;
+    // Two who ask for the same must not cut each other off for ever.
+    if (going !== undefined && going.coarse === coarse && sameDirections(going.plate, plate)) return going.done;
+    const drawing = { plate, coarse, done: this.#rasterise(plate, coarse) };
+    this.#drawing = drawing;
+    void drawing.done.finally(() => {
+      if (this.#drawing === drawing) this.#drawing = undefined;
+    });
+    return drawing.done;
+  }
+
+  async #rasterise(plate: Plate, coarse: boolean): Promise<Problem | undefined> {
+    const cancels = this.#cancels;
     try {
       const raster = await this.rasteriser.rasterise({
         source: plate.directions,
@@ -122,20 +163,22 @@ export class Pipeline {
         page: [plate.width, plate.height || plate.width],
         resolution: coarse ? coarseResolution : fineResolution,
       });
-      if (raster === undefined) return;
+      if (raster === undefined) return undefined;
       this.#drawn = { plate, raster, coarse };
       this.store.set({ directions: raster });
     } catch (error) {
-      if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
-      return;
+      const problem = problemOf(error);
+      if (!isAbort(error)) this.store.set({ problem });
+      return problem;
     }
     const now = this.store.state;
-    if (now.plate.strokes === plate.strokes && sameSource(now.plate, plate)) this.#follow(now);
+    if (sameDirections(now.plate, plate) && cancels === this.#cancels) this.#follow(now);
+    return undefined;
   }
 
   #findMarks(made: Made): void {
     this.#marksWorker?.terminate(); // what it looks through is stale
-    const worker = new Worker(new URL('./views/marks.worker.ts', import.meta.url), { type: 'module', name: 'marks' });
+    const worker = this.startMarks();
     this.#marksWorker = worker;
     worker.onmessage = ({ data }: MessageEvent<Mark[]>) => {
       worker.terminate();
@@ -153,10 +196,10 @@ export class Pipeline {
       return;
     }
     if (summary !== undefined) this.store.set({ summary: undefined, check: undefined });
-    if (made === undefined || made.coarse || !made.measured) return;
+    if (made === undefined || made.coarse || !made.measured || !isOf(made, plate)) return;
     this.#summaryTimer = setTimeout(() => {
       const { state } = this.store;
-      if (state.live || state.made?.toolpath.cycles !== made.toolpath.cycles) return;
+      if (state.live || state.cancelled || state.made?.toolpath.cycles !== made.toolpath.cycles) return;
       this.gcode().catch((error: unknown) => {
         if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
       });

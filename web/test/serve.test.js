@@ -1,6 +1,6 @@
 // The studio's own server, and the headers that hosts are asked to send.
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { spawnSync } from 'node:child_process';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-import { contentSecurityPolicy, isolation } from '../headers.js';
+import { contentSecurityPolicy, headers, isolation } from '../headers.js';
 import { serve } from '../serve.js';
 
 const program = fileURLToPath(new URL('../serve.js', import.meta.url));
@@ -127,5 +127,20 @@ test('wrong arguments are named, with what to do', () => {
     assert.equal(status, 1, list.join(' '));
     assert.match(stderr, message);
     assert.doesNotMatch(stderr, /at .*\.js:\d/, 'a stack trace is no message');
+  }
+});
+
+test('the settings that hosts are told to copy are those of our own server', () => {
+  const page = readFileSync(fileURLToPath(new URL('../../docs/embedding.md', import.meta.url)), 'utf8');
+  const blocks = [...page.matchAll(/```\w*\n([^]*?)```/g)]
+    .map(([, block]) => block)
+    .filter((block) => block.includes('Document-Isolation-Policy'));
+  assert.equal(blocks.length, 4); // the list, nginx, Apache, _headers
+  const shared = { ...isolation, 'Access-Control-Allow-Origin': headers['Access-Control-Allow-Origin'] };
+  for (const block of blocks) {
+    for (const [name, value] of Object.entries(shared)) {
+      assert.match(block, new RegExp(`${name}:? ${value.replace('*', '\\*')}(?: always;)?$`, 'm'), name);
+    }
+    assert.equal(block.match(/(?:Cross-Origin|Document|Access)-[\w-]+/g).length, Object.keys(shared).length);
   }
 });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sillon/result.hpp"
@@ -21,8 +22,10 @@ inline constexpr std::int64_t kMaxImagePixels = 100'000'000;
 /// \return InvalidFile for anything empty, foreign, damaged or cut off; TooLarge beyond the limits above.
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// 8-bit PNG of an RGB picture. \param rgb  width * height * 3 bytes, row 0 on top.
+/// 8-bit PNG of an RGB picture. \param rgb  width * height * 3 bytes, row 0 on top. \param comment  kept in the file if
+/// not empty: printable ASCII.
 /// \return empty if the sizes do not fit together or exceed kMaxImagePixels, or if memory runs out.
-std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb,
+                                    std::string_view comment = {});
 
 }  // namespace sillon

@@ -23,6 +23,7 @@ interface SillonModule {
     onChunk: (bytes: CopiedBytes) => boolean,
   ): Outcome<api.GcodeSummary>;
   writeSvg(toolpath: api.Toolpath): Outcome<CopiedBytes>;
+  writeView(toolpath: api.Toolpath, colour: number[], slopeAlong: number, slopeAcross: number): Outcome<CopiedBytes>;
   renderPreview(
     toolpath: api.Toolpath,
     width: number,
@@ -292,6 +293,11 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     }
     case 'writeSvg':
       return new Blob([valueOf(module.writeSvg(call.toolpath))], { type: 'image/svg+xml' });
+    case 'writeView': {
+      const { colour, slopes } = call.params;
+      const png = valueOf(module.writeView(call.toolpath, colour, slopes[0], slopes[1]));
+      return new Blob([png], { type: 'image/png' });
+    }
     case 'renderPreview': {
       const { width, lightAzimuth, lightElevation } = call.params;
       const png = valueOf(module.renderPreview(call.toolpath, width, lightAzimuth, lightElevation, onProgress));

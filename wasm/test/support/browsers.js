@@ -26,6 +26,10 @@ function firstProgram(candidates) {
 const programs = {
   Chromium: firstProgram([process.env.CHROMIUM, '/usr/bin/chromium', 'chromium', 'chromium-browser', 'google-chrome']),
   Firefox: firstProgram([process.env.FIREFOX, '/usr/bin/firefox-esr', 'firefox-esr', 'firefox']),
+  /** Debian's webkit2gtk-driver: the engine of Safari, in GTK's clothes. */
+  WebKit:
+    (process.env.DISPLAY ?? firstProgram(['xvfb-run'])) &&
+    firstProgram([process.env.WEBKIT, '/usr/bin/WebKitWebDriver', 'WebKitWebDriver']),
 };
 
 /** For the option `skip` of a test: why it cannot run, or false. */
@@ -45,7 +49,7 @@ function inTime(promise, what) {
  * and gives what came of it: { value } or { error }.
  * @returns {Promise<{attempt(url: string, task: string, args: object): Promise<object>, close(): Promise<void>}>}
  */
-export const launch = (name) => (name === 'Firefox' ? launchFirefox() : launchChromium());
+export const launch = (name) => ({ Firefox: launchFirefox, WebKit: launchWebKit })[name]?.() ?? launchChromium();
 
 /** Playwright's Chromium, for tests that look at pages of other kinds. @param more  arguments of the program */
 export async function startChromium(more = []) {
@@ -72,7 +76,7 @@ async function launchChromium() {
   return {
     /** @param whileOpen  asked when the task is done, while its page is there */
     async attempt(url, task, args, whileOpen) {
-      const context = await browser.newContext();
+      const context = await browser.newContext({ reducedMotion: 'reduce' }); // pictures are drawn in software
       try {
         const page = await context.newPage();
         await page.goto(url); // until its modules have run
@@ -102,6 +106,7 @@ user_pref("datareporting.policy.dataSubmissionEnabled", false);
 user_pref("network.captive-portal-service.enabled", false);
 user_pref("network.connectivity-service.enabled", false);
 user_pref("toolkit.telemetry.server", "");
+user_pref("ui.prefersReducedMotion", 1);
 `;
 
 const relayPage = `<!doctype html><meta charset="utf-8" /><title>relay</title><script type="module">
@@ -184,4 +189,72 @@ async function launchFirefox() {
     },
     close,
   };
+}
+
+/** By WebDriver, whose commands are a few requests. */
+async function launchWebKit() {
+  const port = await freePort();
+  const screen = process.env.DISPLAY === undefined ? ['xvfb-run', '-a'] : []; // it has no headless mode
+  const [program, ...list] = [...screen, programs.WebKit, `--port=${port}`, '--host=127.0.0.1'];
+  const driver = spawn(program, list, {
+    stdio: 'ignore',
+    detached: true, // its browser is of its group
+    // A container has no namespaces to lend, nor a graphics card.
+    env: { ...process.env, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1', WEBKIT_DISABLE_DMABUF_RENDERER: '1' },
+  });
+  const end = () => {
+    try {
+      process.kill(-driver.pid, 'SIGKILL');
+    } catch {
+      // it has ended by itself
+    }
+  };
+  process.once('exit', end);
+  const close = () => {
+    end();
+    process.off('exit', end);
+  };
+  const ask = async (method, path, body) => {
+    const response = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body) });
+    const { value } = await response.json();
+    if (!response.ok) throw new Error(`WebKit: ${value.message ?? value.error}`);
+    return value;
+  };
+  const begin = async () => {
+    for (let attempt = 0; ; ++attempt) {
+      try {
+        return await ask('POST', '/session', { capabilities: {} });
+      } catch (problem) {
+        if (attempt > 40 || !(problem instanceof TypeError)) throw problem; // TypeError: it does not listen yet
+        await new Promise((resolve) => setTimeout(resolve, 100));
+      }
+    }
+  };
+  try {
+    const { sessionId } = await inTime(begin(), programs.WebKit);
+    const session = `/session/${sessionId}`;
+    await ask('POST', `${session}/timeouts`, { script: 1000 * patience, pageLoad: 1000 * patience });
+    return {
+      async attempt(url, task, args) {
+        await ask('POST', `${session}/url`, { url });
+        const script = 'const [task, args, done] = arguments; void globalThis.attempt(task, args).then(done);';
+        return inTime(ask('POST', `${session}/execute/async`, { script, args: [task, args] }), `task ${task}`);
+      },
+      async close() {
+        await ask('DELETE', session).catch(() => undefined);
+        close();
+      },
+    };
+  } catch (problem) {
+    close();
+    throw problem;
+  }
+}
+
+async function freePort() {
+  const server = createServer();
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address();
+  await new Promise((resolve) => server.close(resolve));
+  return port;
 }

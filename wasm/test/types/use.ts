@@ -98,7 +98,11 @@ await engine.writeGcode(toolpath, {}, { date: '2026-11-21' });
 // @ts-expect-error a toolpath, not a plate
 await engine.writeGcode(plate);
 
-const blobs: Blob[] = [await engine.writeSvg(toolpath), await engine.renderPreview(toolpath, { width: 800 })];
+const blobs: Blob[] = [
+  await engine.writeSvg(toolpath),
+  await engine.writeView(toolpath, { colour: [1, 2, 3] }),
+  await engine.renderPreview(toolpath, { width: 800 }),
+];
 const { page, paths } = await engine.readShape({ file }, { angle: 0 });
 const { samples } = await engine.decodePicture(file);
 const project: Project = await engine.readProject('{}');

@@ -29,11 +29,9 @@ interface Call {
   reject: (error: unknown) => void;
 }
 
-const startWorker = (): Worker =>
-  new Worker(new URL('./directions.worker.ts', import.meta.url), { type: 'module', name: 'directions' });
-
-/** @param decode  the engine's decodePicture; each file is decoded once while it is in use. */
-export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>, start = startWorker): Rasteriser {
+/** @param decode  the engine's decodePicture; each file is decoded once while it is in use.
+ * @param start  starts directions.worker.ts */
+export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>, start: () => Worker): Rasteriser {
   let worker: Worker | undefined;
   let running: Call | undefined;
   let waiting: Call | undefined;

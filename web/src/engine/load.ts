@@ -11,8 +11,8 @@ function afterPaint(): Promise<void> {
   });
 }
 
-/** @param threads  'off' where the address says `?threads=off` */
-export async function loadEngine(threads: 'auto' | 'off'): Promise<Engine> {
+/** @param threads  as the address asks: `?threads=off` */
+export async function loadEngine(threads: 'auto' | 'off' | number): Promise<Engine> {
   await afterPaint();
   const { createEngine } = await import('sillon');
   return createEngine({ threads, assetBase: new URL('engine/', document.baseURI) });

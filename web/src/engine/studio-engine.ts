@@ -1,6 +1,6 @@
 // The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
-import type { Engine, EngineInfo, Gcode, GcodeCheck, PreviewParams } from 'sillon';
+import type { Engine, EngineInfo, Gcode, GcodeCheck, ViewParams } from 'sillon';
 import type { DirectionRaster } from '../directions/raster.js';
 import type { Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
@@ -127,8 +127,20 @@ export class StudioEngine {
     return this.#export((engine, { toolpath }, signal) => engine.writeSvg(toolpath, { signal }));
   }
 
-  async preview(params: Partial<PreviewParams>): Promise<Blob> {
-    return this.#export((engine, { toolpath }, signal) => engine.renderPreview(toolpath, params, { signal }));
+  /** The latest plate's path, whole and measured: its measures go into the G-code.
+   * @throws SillonError, StudioError, AbortError */
+  finished(): Promise<Made> {
+    if (this.#latest === undefined || this.#disposed) return Promise.reject(new StudioError('Disposed'));
+    return new Promise((resolve, reject) => {
+      this.#waiters.push({ resolve, reject });
+      this.#wanted ??= { ...(this.#latest as Input), live: false };
+      this.#settle();
+    });
+  }
+
+  /** For <sillon-view>. @param look  of the plate's filament */
+  async view(look: ViewParams): Promise<Blob> {
+    return this.#export((engine, { toolpath }, signal) => engine.writeView(toolpath, look, { signal }));
   }
 
   /** For what needs neither the queue nor a plate: reading shapes, pictures and projects. */
@@ -257,7 +269,7 @@ export class StudioEngine {
     const { signal } = control;
     this.#exports.add(control);
     try {
-      const made = await this.#finished();
+      const made = await this.finished();
       const engine = await this.engine();
       if (signal.aborted) throw aborted();
       if (this.#running === undefined) this.#tellProgress('writing', '', 0, undefined);
@@ -266,16 +278,6 @@ export class StudioEngine {
       this.#exports.delete(control);
       if (this.#running === undefined) this.events.onProgress(undefined);
     }
-  }
-
-  /** The latest plate's path, whole and measured: its measures go into the G-code. */
-  #finished(): Promise<Made> {
-    if (this.#latest === undefined || this.#disposed) return Promise.reject(new StudioError('Disposed'));
-    return new Promise((resolve, reject) => {
-      this.#waiters.push({ resolve, reject });
-      this.#wanted ??= { ...(this.#latest as Input), live: false };
-      this.#settle();
-    });
   }
 
   /** Nothing is left to do for the plate that is wanted. */

@@ -33,9 +33,9 @@ export interface Autosave {
 }
 
 /** IndexedDB; opened by the first call, which is where it may be denied. */
-function browserStorage(): Storage {
+function browserStorage(database: string): Storage {
   let opened: ReturnType<typeof createStore> | undefined;
-  const store = (): ReturnType<typeof createStore> => (opened ??= createStore('sillon-studio', 'work'));
+  const store = (): ReturnType<typeof createStore> => (opened ??= createStore(database, 'work'));
   return {
     getMany: async (names) => getMany(names, store()),
     setMany: async (entries) =>
@@ -94,10 +94,11 @@ async function write(storage: Storage, plate: Plate, written: Set<string>): Prom
   if (unused.length > 0) await storage.delMany(unused);
 }
 
-/** @param onProblem  is told once that work cannot be kept */
+/** @param onProblem  is told once that work cannot be kept
+ * @param host  a page that shows the studio, and the name that it gave the work: none sees another's; empty: the studio's own */
 export function createAutosave(
-  { onProblem }: { onProblem: (problem: Problem) => void },
-  storage: Storage = browserStorage(),
+  { onProblem, host = '' }: { onProblem: (problem: Problem) => void; host?: string },
+  storage: Storage = browserStorage(host === '' ? 'sillon-studio' : `sillon-studio ${host}`),
 ): Autosave {
   let waiting: Plate | undefined;
   let saved: Plate | undefined;

@@ -49,31 +49,47 @@ interface Texels {
   samples: Uint8Array | Uint16Array;
 }
 
-/** The same plate and raster give the same bytes.
- * @param raster  of the plate, as the engine gets it; undefined: one direction and one mode everywhere */
-export async function writeProject(plate: Plate, raster: DirectionRaster | undefined): Promise<Blob> {
+/** What the command line reads, and the pictures that it names. @param paths  of the plate's own files */
+function described(
+  plate: Plate,
+  raster: DirectionRaster | undefined,
+  paths: ReadonlyMap<string, string>,
+): { project: object; pictures: [name: string, texels: Texels][] } {
   const { input, params } = engineInput({ plate, raster });
-  const files = filesOf(plate);
-  const paths = pathsFor(files);
-  const packed: Zippable = {};
-  const picture = async (name: string, given: unknown): Promise<string> => {
-    const { width, height, samples } = given as Texels;
-    packed[name] = [await encodeGreyPng(width, height, samples), { level: 0 }];
-    return name;
-  };
-
   const { shape, directions = {}, modes = {} } = input;
   const { print, printer } = plate;
+  const pictures: [string, Texels][] = [];
+  const named = (name: string, part: object): object => {
+    if (!('file' in part)) return part;
+    pictures.push([name, part.file as Texels]);
+    return { ...part, file: name };
+  };
   const project = {
     sillon: 1,
     shape: plate.shape.kind === 'file' ? { ...shape, file: paths.get(plate.shape.file.id) } : shape,
-    directions:
-      'file' in directions ? { ...directions, file: await picture('directions.png', directions.file) } : directions,
-    modes: 'file' in modes ? { file: await picture('modes.png', modes.file) } : modes,
+    directions: named('directions.png', directions),
+    modes: named('modes.png', modes),
     toolpath: params,
     print,
     printer,
   };
+  return { project, pictures };
+}
+
+/** project.json of the project file, as data. */
+export const projectData = (plate: Plate, raster: DirectionRaster | undefined): object =>
+  described(plate, raster, pathsFor(filesOf(plate))).project;
+
+/** The same plate and raster give the same bytes.
+ * @param raster  of the plate, as the engine gets it; undefined: one direction and one mode everywhere */
+export async function writeProject(plate: Plate, raster: DirectionRaster | undefined): Promise<Blob> {
+  const files = filesOf(plate);
+  const paths = pathsFor(files);
+  const packed: Zippable = {};
+  const { project, pictures } = described(plate, raster, paths);
+  for (const [name, { width, height, samples }] of pictures) {
+    packed[name] = [await encodeGreyPng(width, height, samples), { level: 0 }];
+  }
   const studio = { studio: version, plate: plateData(plate, ({ id, name }) => ({ path: paths.get(id), name })) };
 
   for (const { id, bytes } of files) {

@@ -5,6 +5,10 @@ export const fr: Dictionary = {
   'app.name': 'Sillon Studio',
   'app.tagline': 'Déposez une image et une forme, voyez-la chatoyer, téléchargez le G-code',
   'app.local': 'Tout se passe sur cet appareil. Rien n’est envoyé.',
+  'app.host':
+    'Affiché dans {host}, qui peut lire cette plaque et les fichiers que vous ouvrez ici. Rien d’autre n’est envoyé.',
+  'app.someHost': 'une autre page',
+  'app.open': 'Ouvrir dans un onglet à part',
   'app.skip': 'Aller à la plaque',
   'app.plate': 'Plaque',
   'app.untitled': 'Plaque sans titre',
@@ -64,6 +68,7 @@ export const fr: Dictionary = {
   // --- Sections -------------------------------------------------------------------------------------------------------
   'section.gallery': 'Exemples',
   'section.files': 'Fichiers',
+  'section.own': 'Personnaliser',
   'section.shape': 'Forme',
   'section.size': 'Taille',
   'section.directions': 'Directions',
@@ -551,6 +556,8 @@ export const fr: Dictionary = {
   'threads.off': 'Les fils de calcul sont désactivés pour cette page.',
   'threads.isolation':
     'Le serveur de la page n’envoie pas les en-têtes qui permettent aux fils de partager la mémoire. Tout fonctionne, mais plus lentement. Recharger la page une fois peut aider.',
+  'threads.frame':
+    'Ce navigateur n’accorde qu’un fil d’exécution aux cadres affichés dans les pages d’autres sites. Tout fonctionne, mais plus lentement.',
   'threads.givenUp':
     'Les fils de calcul n’ont pas démarré sur cet appareil ; un seul fait le travail. Tout fonctionne, mais plus lentement.',
   'threads.one': 'Cet appareil n’offre qu’un cœur à la page.',
@@ -638,11 +645,13 @@ export const fr: Dictionary = {
   'export.gcode': 'G-code',
   'export.svg': 'Dessin (SVG)',
   'export.png': 'Image (PNG)',
+  'export.view': 'Reflets pour pages web',
   'export.project': 'Projet avec ses fichiers',
   'export.link': 'Copier le lien',
   'export.gcode.help': 'Pour l’imprimante.',
   'export.svg.help': 'Les cordons en traits vectoriels.',
   'export.png.help': 'L’apparence sous la lumière actuelle.',
+  'export.view.help': 'Un petit fichier que <sillon-view> montre sous une lumière qui bouge.',
   'export.project.help': 'Se rouvre ici, et avec la ligne de commande.',
   'export.link.help': 'Ouvre cette page avec les mêmes réglages.',
   'export.preparing': 'Préparation : {name}…',
@@ -766,6 +775,10 @@ export const fr: Dictionary = {
   'hint.LinkTooNew': 'Rechargez la page pour obtenir la dernière version, puis rouvrez le lien.',
   'problem.LinkValue': 'Le lien donne à {where} la valeur {value}, qui n’est pas permise.',
   'hint.LinkValue': 'Il a peut-être été modifié à la main. Redemandez-le.',
+  'problem.GuestValue': 'La page qui affiche celle-ci donne à {where} la valeur {value}, qui n’est pas permise.',
+  'hint.GuestValue': 'Prévenez son responsable : docs/embedding.md dit lesquelles le sont.',
+  'problem.GuestFile': 'Un fichier nommé dans l’adresse de cette page n’a pas pu être ouvert.',
+  'hint.GuestFile': 'L’adresse est peut-être fausse, ou le site du fichier n’en permet pas la lecture d’ici.',
   'problem.TextTooLong': 'Le texte est trop long : {length} caractères, au plus {most}.',
   'hint.TextTooLong': 'Raccourcissez-le.',
   'problem.NoWebGl': 'Ce navigateur ne peut pas dessiner la plaque (WebGL 2 manque).',

@@ -97,12 +97,17 @@ export function progressWords({ job, stage, fraction, secondsLeft }: Progress): 
 }
 
 /** Of the chip that tells how many threads work. @param asked  what the engine was started with */
-export function threadsWords({ threads, reason }: EngineInfo, asked: 'auto' | 'off'): { count: string; why: string } {
+export function threadsWords(
+  { threads, reason }: EngineInfo,
+  asked: 'auto' | 'off' | number,
+): { count: string; why: string } {
   const count = t('threads.count', { n: threads });
   if (threads > 1) return { count, why: '' };
   if (asked === 'off') return { count, why: t('threads.off') };
   if (reason === '') return { count, why: t('threads.one') };
-  return { count, why: t(reason.includes('isolated') ? 'threads.isolation' : 'threads.givenUp') };
+  if (!reason.includes('isolated')) return { count, why: t('threads.givenUp') };
+  const framed = globalThis.parent !== (globalThis.window as typeof globalThis.window | undefined);
+  return { count, why: t(framed ? 'threads.frame' : 'threads.isolation') };
 }
 
 // The engine's warnings, with the numbers in them.

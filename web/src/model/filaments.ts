@@ -110,13 +110,21 @@ const toLinear = (value: number): number => {
 /** What the views draw with: linear colour, and the slopes for this nozzle, between those measured. A mirrored plate is
  * made to be seen from below. */
 export function lookOf(plate: Plate): { colour: [number, number, number]; along: number; across: number } {
-  const { colour, roughness } = filamentOf(plate.filament);
-  const side = plate.print.mirror ? 'bedSide' : 'nozzleSide';
-  const share = Math.min(1, Math.max(0, (plate.printer.nozzle - fineNozzle) / (wideNozzle - fineNozzle)));
+  const { colour } = filamentOf(plate.filament);
+  const [along, across] = slopesOf(plate);
+  return { colour: [toLinear(colour[0]), toLinear(colour[1]), toLinear(colour[2])], along, across };
+}
+
+/** The same for files: sRGB 0..255. */
+export function viewLook(plate: Plate): { colour: [number, number, number]; slopes: [number, number] } {
+  return { colour: [...filamentOf(plate.filament).colour], slopes: slopesOf(plate) };
+}
+
+/** Along and across the bead, on the side that is seen, for the nozzle [degrees]. */
+function slopesOf({ filament, print, printer }: Plate): [number, number] {
+  const { roughness } = filamentOf(filament);
+  const side = print.mirror ? 'bedSide' : 'nozzleSide';
+  const share = Math.min(1, Math.max(0, (printer.nozzle - fineNozzle) / (wideNozzle - fineNozzle)));
   const between = (k: 0 | 1): number => roughness.fine[side][k] * (1 - share) + roughness.wide[side][k] * share;
-  return {
-    colour: [toLinear(colour[0]), toLinear(colour[1]), toLinear(colour[2])],
-    along: between(0),
-    across: between(1),
-  };
+  return [between(0), between(1)];
 }

@@ -16,6 +16,10 @@ export type ProblemCode =
   | 'LinkTooNew'
   /** A value in a link that no control could set. */
   | 'LinkValue'
+  /** A page that shows the studio asks for something that is not allowed. */
+  | 'GuestValue'
+  /** A file of an address that could not be fetched. */
+  | 'GuestFile'
   | 'TextTooLong'
   | 'NoWebGl'
   | 'NoVideo'

@@ -59,6 +59,13 @@ export class Store<State extends HasPlate> {
     this.#gesture = undefined;
   }
 
+  /** What was before the plate cannot be had back. */
+  forgetSteps(): void {
+    this.settle();
+    this.#past = [];
+    this.#future = [];
+  }
+
   undo(): void {
     this.#step(this.#past, this.#future);
   }

@@ -2,6 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
+import { sections, type Section } from '../model/guest.js';
 import './directions-panel.js';
 import { StudioElement } from './element.js';
 import './header.js';
@@ -10,20 +11,13 @@ import './notices.js';
 import './print-panel.js';
 import './quality-panel.js';
 import './shape-panel.js';
-import type { Dialog } from './shown.js';
+import './own-panel.js';
+import { offers, ownControls, type Dialog } from './shown.js';
 import { onShortcut } from './shortcuts.js';
 import './stage.js';
 import './toolpath-panel.js';
 
-type Section = 'shape' | 'directions' | 'toolpath' | 'print' | 'quality';
-
-const sections: readonly (readonly [Section, IconName])[] = [
-  ['shape', 'shape'],
-  ['directions', 'directions'],
-  ['toolpath', 'toolpath'],
-  ['print', 'print'],
-  ['quality', 'quality'],
-];
+type Tab = [name: Section | 'own', image: IconName, label: string];
 
 declare global {
   interface HTMLElementTagNameMap {
@@ -40,7 +34,7 @@ const loadDialog: Record<Dialog, () => Promise<unknown>> = {
 
 @customElement('sillon-app')
 export class App extends StudioElement {
-  static override reads = ['panel', 'dialog', 'dropping'] as const;
+  static override reads = ['panel', 'dialog', 'dropping', 'mode', 'controls'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -98,6 +92,9 @@ export class App extends StudioElement {
       }
       sillon-stage {
         grid-column: 3; /* where it is without the panel, too */
+      }
+      .only {
+        grid-area: 1 / 1 / -1 / 2;
       }
       .grip {
         display: none;
@@ -184,14 +181,18 @@ export class App extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { panel, dropping } = this.state;
+    const { panel, dropping, mode } = this.state;
+    if (mode === 'view') {
+      return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>
+        <sillon-notices .studio=${this.studio}></sillon-notices>`;
+    }
     return html`
       <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
       <sillon-header role="banner" .studio=${this.studio}></sillon-header>
       <div class="work">
         <nav aria-label=${t('app.settings')}>
-          ${sections.map(
-            ([name, image]) =>
+          ${this.#sections().map(
+            ([name, image, label]) =>
               html`<button
                 type="button"
                 aria-expanded=${String(panel === name)}
@@ -200,7 +201,7 @@ export class App extends StudioElement {
                   this.studio.setPanel(panel === name ? '' : name);
                 }}
               >
-                ${icon(image, 22)} <span>${name === 'toolpath' ? t('view.toolpath') : t(`section.${name}`)}</span>
+                ${icon(image, 22)} <span>${label}</span>
               </button>`,
           )}
         </nav>
@@ -229,8 +230,17 @@ export class App extends StudioElement {
     `;
   }
 
+  #sections(): Tab[] {
+    const offered = sections
+      .filter((name) => offers(this.state, name))
+      .map((name): Tab => [name, name, name === 'toolpath' ? t('view.toolpath') : t(`section.${name}`)]);
+    return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
+  }
+
   #panel(panel: string): TemplateResult | typeof nothing {
     switch (panel) {
+      case 'own':
+        return html`<sillon-own-panel .studio=${this.studio}></sillon-own-panel>`;
       case 'shape':
         return html`<sillon-shape-panel .studio=${this.studio}></sillon-shape-panel>`;
       case 'directions':
@@ -300,7 +310,8 @@ export class App extends StudioElement {
 
   #onDragOver = (event: DragEvent): void => {
     if (!event.dataTransfer?.types.includes('Files')) return;
-    event.preventDefault();
+    event.preventDefault(); // else the browser would leave the page for the file
+    if (!this.#takesFiles()) return;
     // Leaving and entering come for every element; no news for a moment means that the files are gone.
     clearTimeout(this.#leaving);
     this.#leaving = setTimeout(() => {
@@ -313,10 +324,13 @@ export class App extends StudioElement {
     if (event.dataTransfer === null || event.dataTransfer.files.length === 0) return;
     event.preventDefault();
     this.studio.store.set({ dropping: false });
-    void this.studio.open([...event.dataTransfer.files]);
+    if (this.#takesFiles()) void this.studio.open([...event.dataTransfer.files]);
   };
 
+  #takesFiles = (): boolean => offers(this.state, 'shape') || offers(this.state, 'directions');
+
   #onPaste = (event: ClipboardEvent): void => {
+    if (!this.#takesFiles()) return;
     const files = [...(event.clipboardData?.files ?? [])];
     const text = event.clipboardData?.getData('text/plain') ?? '';
     if (files.length === 0 && /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text)) {

@@ -6,6 +6,7 @@ import { t } from '../i18n/text.js';
 import { lookOf } from '../model/filaments.js';
 import type { Plate, Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
+import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from './element.js';
@@ -17,7 +18,6 @@ import type { Stage } from './studio.js';
 const gap = 0.08; // between plate and zigzag, share of the page's width
 const margin = 40; // around the plate [CSS pixels]
 const toolsWidth = 60;
-const swayPeriod = 9000; // [ms]
 const slowFrame = 120; // [ms]
 const mostSlowFrames = 8;
 const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
@@ -253,7 +253,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     else if (now - this.#lastSway <= slowFrame) this.#slowFrames = 0;
     const azimuth = (light.azimuth + (360 * Math.min(50, now - (this.#lastSway || now))) / swayPeriod) % 360;
     this.#lastSway = now;
-    const elevation = sways ? 38 + 8 * Math.sin(now / 2900) : light.elevation;
+    const elevation = sways ? swayedElevation(now) : light.elevation;
     this.studio.store.set({ light: { azimuth, elevation } });
     return true;
   }
@@ -270,12 +270,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #onTilt = ({ beta, gamma }: DeviceOrientationEvent): void => {
     if (this.state.lightMode !== 'tilt' || beta === null || gamma === null) return;
-    // A lamp stands still above the phone, which lies at 40° in a hand.
-    const x = Math.sin((gamma * Math.PI) / 180);
-    const y = Math.sin(((beta - 40) * Math.PI) / 180);
-    const azimuth = (Math.atan2(y, -x) * 180) / Math.PI;
-    const elevation = Math.max(10, 90 - 110 * Math.min(0.9, Math.hypot(x, y)));
-    this.studio.store.set({ light: { azimuth: (azimuth + 360) % 360, elevation } });
+    this.studio.store.set({ light: lightOfTilt(beta, gamma) });
   };
 
   #hover(point: { x: number; y: number } | undefined): void {
@@ -283,13 +278,9 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.#cursor = point === undefined ? undefined : this.#toPage(point);
     const { lightMode, view, recording } = this.state;
     if (point !== undefined && lightMode === 'pointer' && view === 'appearance' && !recording) {
-      // As if the pointer held the lamp above the plate.
       const { width, height } = this.getBoundingClientRect();
-      const dx = (point.x - width / 2) / (width / 2);
-      const dy = (height / 2 - point.y) / (height / 2);
-      const azimuth = (Math.atan2(dy, dx) * 180) / Math.PI;
-      const elevation = 90 - 75 * Math.min(1, Math.hypot(dx, dy));
-      this.studio.store.set({ light: { azimuth: (azimuth + 360) % 360, elevation } });
+      const light = lightUnder((point.x - width / 2) / (width / 2), (height / 2 - point.y) / (height / 2));
+      this.studio.store.set({ light });
     }
     this.#redraw();
   }

@@ -1,16 +1,16 @@
 // Where the beads' directions come from, what they do elsewhere, and the brushes that change both.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { t, type TextId } from '../i18n/text.js';
+import { t } from '../i18n/text.js';
 import { fileKinds, generatorKinds, newFileDirections, newGenerator, type FileKind } from '../model/defaults.js';
 import type { DirectionSource, SourceFile } from '../model/plate.js';
 import { StudioElement } from './element.js';
-import { cards, flag, numberField, numberInput, select, textField } from './fields.js';
+import { cards, numberField, select } from './fields.js';
 import { fileChip } from './file-chip.js';
 import { icon, type IconName } from './icons.js';
-import './dial.js';
 import { panelStyle } from './panel-style.js';
-import { sourceRows, type SourceRow } from './source-rows.js';
+import { sourceField } from './source-field.js';
+import { sourceRows } from './source-rows.js';
 
 type Kind = DirectionSource['kind'];
 
@@ -43,7 +43,7 @@ export class DirectionsPanel extends StudioElement {
         ${this.#picker(directions)}
         <p class="note">${t(`source.${directions.kind}.help`)}</p>
         ${'file' in directions ? fileChip(this.studio, directions.file, pictures) : nothing}
-        ${sourceRows(directions).map((row) => this.#row(directions, row))}
+        ${sourceRows(directions).map((row) => sourceField(this.studio, directions, row))}
       </section>
       ${this.#brushes()} ${this.#modes()}
     `;
@@ -86,64 +86,6 @@ export class DirectionsPanel extends StudioElement {
 
   #set(directions: DirectionSource, gesture?: string): void {
     this.studio.change((plate) => ({ ...plate, directions }), gesture);
-  }
-
-  #row(source: DirectionSource, row: SourceRow): TemplateResult {
-    const label = t(row.label as TextId);
-    const id = `source-${row.key}`;
-    const value = row.get(source);
-    const set = (next: unknown): void => {
-      this.#set(row.with(this.state.plate.directions, next), `${source.kind}.${row.key}`);
-    };
-    const onSettle = (): void => {
-      this.studio.settle();
-    };
-    const choose = (next: unknown): void => {
-      set(next);
-      onSettle();
-    };
-    switch (row.control) {
-      case 'number':
-        return numberField({ ...row, id, label, value: value as number, onInput: set, onSettle });
-      case 'angle': {
-        const field = { ...row, id, label, value: value as number, unit: '°', step: 1, onInput: set, onSettle };
-        return html`<div class="field angle">
-          <label for=${id}>${label}</label>
-          <sillon-dial
-            .label=${label}
-            .value=${value}
-            .min=${row.min}
-            .max=${row.max}
-            @turn=${(event: CustomEvent<number>) => {
-              set(event.detail);
-            }}
-            @settle=${onSettle}
-          ></sillon-dial>
-          ${numberInput(field)}
-          <p class="error" id="${id}-error" role="status" hidden></p>
-        </div>`;
-      }
-      case 'flag':
-        return flag({ id, label, value: value as boolean, onChange: choose });
-      case 'text':
-        return textField({
-          id,
-          label,
-          value: value as string,
-          maxLength: row.max,
-          long: row.long,
-          onInput: set,
-          onSettle,
-        });
-      case 'choice':
-        return select({
-          id,
-          label,
-          value: value as string,
-          options: row.choices.map((choice) => ({ value: choice.value, label: t(choice.label as TextId) })),
-          onChoose: choose,
-        });
-    }
   }
 
   #brushes(): TemplateResult {

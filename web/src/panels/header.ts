@@ -2,22 +2,25 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { languages, t } from '../i18n/text.js';
+import type { Plate } from '../model/plate.js';
 import type { Theme } from '../model/state.js';
 import { StudioElement } from './element.js';
 import { icon, mark, type IconName } from './icons.js';
+import { offers } from './shown.js';
 import type { Product } from './studio.js';
 
 const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
   ['svg', 'toolpath'],
   ['png', 'camera'],
+  ['view', 'sun'],
   ['project', 'file'],
 ];
 const themes: readonly Theme[] = ['auto', 'light', 'dark'];
 
 @customElement('sillon-header')
 export class Header extends StudioElement {
-  static override reads = ['plate', 'theme'] as const;
+  static override reads = ['plate', 'theme', 'mode', 'controls', 'host'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -140,22 +143,11 @@ export class Header extends StudioElement {
 
   override render(): TemplateResult {
     const { store } = this.studio;
-    const { plate } = this.state;
+    const { plate, mode } = this.state;
+    const edits = mode === 'edit';
     return html`
       <h1>${mark()}<span class="word">Sillon</span></h1>
-      <input
-        class="name"
-        type="text"
-        aria-label=${t('app.plate')}
-        placeholder=${t('app.untitled')}
-        maxlength="80"
-        spellcheck="false"
-        .value=${plate.name}
-        @change=${(event: Event) => {
-          const name = (event.currentTarget as HTMLInputElement).value.trim();
-          this.studio.change((now) => (now.name === name ? now : { ...now, name }));
-        }}
-      />
+      ${edits ? this.#name(plate) : nothing}
       ${this.#button(
         'undo',
         t('verb.undo'),
@@ -175,7 +167,36 @@ export class Header extends StudioElement {
         !store.canRedo,
       )}
       <span class="space"></span>
-      ${this.#worded('gallery', t('section.gallery'), () => {
+      ${edits ? this.#all() : nothing}
+      ${
+        offers(this.state, 'download')
+          ? html`<button type="button" class="main" popovertarget="export">
+                ${icon('download')} ${t('verb.download')}</button
+              >${this.#exports()}`
+          : nothing
+      }
+    `;
+  }
+
+  #name(plate: Plate): TemplateResult {
+    return html`<input
+      class="name"
+      type="text"
+      aria-label=${t('app.plate')}
+      placeholder=${t('app.untitled')}
+      maxlength="80"
+      spellcheck="false"
+      .value=${plate.name}
+      @change=${(event: Event) => {
+        const name = (event.currentTarget as HTMLInputElement).value.trim();
+        this.studio.change((now) => (now.name === name ? now : { ...now, name }));
+      }}
+    />`;
+  }
+
+  /** What only those who may change everything need. */
+  #all(): TemplateResult {
+    return html`${this.#worded('gallery', t('section.gallery'), () => {
         this.studio.show('gallery');
       })}
       ${this.#worded('open', t('verb.open'), () => {
@@ -204,9 +225,7 @@ export class Header extends StudioElement {
         false,
         'wide',
       )}
-      <button type="button" class="main" popovertarget="export">${icon('download')} ${t('verb.download')}</button>
-      ${this.#exports()} ${this.#menu()}
-    `;
+      ${this.#menu()}`;
   }
 
   async #open(): Promise<void> {
@@ -263,7 +282,7 @@ export class Header extends StudioElement {
   }
 
   #menu(): TemplateResult {
-    const { theme, language } = this.state;
+    const { theme, language, host } = this.state;
     return html`<div id="menu" popover role="group" aria-label=${t('app.menu')}>
       ${this.#item('plus', t('verb.new'), '', () => {
         this.studio.services.newPlate();
@@ -322,7 +341,17 @@ export class Header extends StudioElement {
         </select>
       </div>
       <hr />
-      <p class="note field">${t('app.local')}</p>
+      ${
+        host === ''
+          ? html`<p class="note field">${t('app.local')}</p>`
+          : html`<p class="note field">${t('app.host', { host })}</p>
+              ${this.#item('open', t('app.open'), '', () => {
+                void this.studio.attempt(async () => {
+                  const { url } = await this.studio.services.link(this.state.plate);
+                  open(url, '_blank', 'noopener');
+                });
+              })}`
+      }
     </div>`;
   }
 }

@@ -1,16 +1,14 @@
 // Printer, filament, layers, place; what it will take; the file.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { filamentLabel, findingText, printerLabel, startLines, warningText } from '../i18n/say.js';
+import { findingText, startLines, warningText } from '../i18n/say.js';
 import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
-import { filaments, withFilament } from '../model/filaments.js';
-import { printerOf, printers, withPrinter, type PrinterKey } from '../model/printers.js';
 import { settings } from '../model/settings.js';
 import { advancedSettings } from './advanced.js';
 import './bed.js';
 import { StudioElement } from './element.js';
-import { select } from './fields.js';
 import { icon } from './icons.js';
+import { filamentField, printerField, swatchStyle } from './machine-fields.js';
 import { panelStyle } from './panel-style.js';
 import { settingField } from './setting-field.js';
 
@@ -21,46 +19,8 @@ export class PrintPanel extends StudioElement {
   static override styles = [
     ...StudioElement.styles,
     panelStyle,
+    swatchStyle,
     css`
-      .swatches {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-      }
-      .swatches label {
-        position: relative;
-        width: 36px;
-        height: 36px;
-        border-radius: 50%;
-        box-shadow: inset 0 0 0 1px var(--edge);
-        background:
-          conic-gradient(
-            from 20deg,
-            rgb(255 255 255 / 0.5),
-            transparent 50deg 150deg,
-            rgb(255 255 255 / 0.35) 190deg,
-            transparent 230deg 320deg,
-            rgb(255 255 255 / 0.5)
-          ),
-          var(--colour);
-      }
-      .swatches label:has(:checked) {
-        outline: 2px solid var(--accent);
-        outline-offset: 3px;
-      }
-      .swatches label:has(:focus-visible) {
-        outline: 3px solid var(--ink);
-        outline-offset: 3px;
-      }
-      .swatches input {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        margin: 0;
-        opacity: 0;
-        cursor: pointer;
-      }
       dl {
         display: grid;
         grid-template-columns: 1fr 1fr;
@@ -110,14 +70,14 @@ export class PrintPanel extends StudioElement {
         ${this.#summary()}
       </section>
       <section aria-label=${t('section.printer')}>
-        ${this.#printer()}
+        ${printerField(this.studio)}
         <sillon-bed .studio=${this.studio}></sillon-bed>
         ${settingField(this.studio, 'print.place')} ${settingField(this.studio, 'print.rotate')}
         ${settingField(this.studio, 'print.mirror')} ${settingField(this.studio, 'print.showSide')}
         ${settingField(this.studio, 'print.brim')} ${settingField(this.studio, 'print.copies')}
       </section>
       <section aria-label=${t('section.filament')}>
-        ${this.#filament()} ${settingField(this.studio, 'printer.nozzleTemperature')}
+        ${filamentField(this.studio)} ${settingField(this.studio, 'printer.nozzleTemperature')}
         ${settingField(this.studio, 'printer.bedTemperature')} ${settingField(this.studio, 'printer.speed')}
       </section>
       <section aria-label=${t('section.basics')}>
@@ -209,59 +169,5 @@ export class PrintPanel extends StudioElement {
             </li>`,
         )}
       </ul>`;
-  }
-
-  #printer(): TemplateResult {
-    const current = printerOf(this.state.plate);
-    const options: { value: PrinterKey; label: string }[] = printers.map((printer) => ({
-      value: printer.key,
-      label: printerLabel(printer),
-    }));
-    if (current === undefined) options.unshift({ value: '', label: this.state.plate.printer.name || t('printer.own') });
-    return html`${select<PrinterKey>({
-        id: 'printer',
-        label: t('section.printer'),
-        value: current?.key ?? '',
-        options,
-        onChoose: (key) => {
-          if (key !== '') this.studio.change((plate) => withPrinter(plate, key));
-        },
-      })}
-      <button
-        type="button"
-        @click=${async () => {
-          const [file] = await this.studio.pick('.gcode,.ini,.json,.3mf');
-          if (file !== undefined) await this.studio.attempt(() => this.studio.services.importPrinter(file));
-        }}
-      >
-        ${t('printer.import')}
-      </button>
-      ${this.state.plate.printer.startGcode === '' ? html`<p class="note">${t('printer.start')}</p>` : nothing}`;
-  }
-
-  #filament(): TemplateResult {
-    const { filament: key } = this.state.plate;
-    const chosen = filaments.find((filament) => filament.key === key) ?? filaments[0];
-    return html`<div class="field">
-        <span class="name" id="filament-name">${t('section.filament')}</span>
-        <span class="note">${chosen === undefined ? '' : filamentLabel(chosen)}</span>
-        <div class="wide swatches" role="radiogroup" aria-labelledby="filament-name">
-          ${filaments.map(
-            (filament) =>
-              html`<label title=${filamentLabel(filament)} .style=${`--colour: rgb(${filament.colour.join(' ')})`}>
-                <input
-                  type="radio"
-                  name="filament"
-                  aria-label=${filamentLabel(filament)}
-                  .checked=${filament.key === key}
-                  @change=${() => {
-                    this.studio.change((plate) => withFilament(plate, filament.key));
-                  }}
-                />
-              </label>`,
-          )}
-        </div>
-      </div>
-      <p class="note">${t('filament.help')}</p>`;
   }
 }

@@ -1,44 +1,23 @@
 // The shape, and how large it is.
-import { css, html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { newShape } from '../model/defaults.js';
 import type { Plate, ShapeSource } from '../model/plate.js';
 import { settingOf, withValue } from '../model/settings.js';
 import { StudioElement } from './element.js';
-import { cards, numberField, numberInput, select } from './fields.js';
+import { cards, numberField, select } from './fields.js';
 import { fileChip } from './file-chip.js';
 import { icon } from './icons.js';
 import { panelStyle } from './panel-style.js';
 import { settingField } from './setting-field.js';
-
-const smallest = 1; // [mm]
-const largest = 1000;
-const tenth = (value: number): number => Math.round(value * 100) / 100;
+import { lengthField, sizeFields, sizeStyle } from './size-fields.js';
 
 @customElement('sillon-shape-panel')
 export class ShapePanel extends StudioElement {
-  static override reads = ['plate', 'keepRatio'] as const;
+  static override reads = ['plate', 'keepRatio', 'units'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    panelStyle,
-    css`
-      .size {
-        display: grid;
-        grid-template-columns: 1fr auto 1fr;
-        align-items: end;
-        gap: 8px;
-      }
-      .size .measure {
-        width: 100%;
-      }
-      .size label {
-        display: block;
-        margin-bottom: 4px;
-      }
-    `,
-  ];
+  static override styles = [...StudioElement.styles, panelStyle, sizeStyle];
 
   override render(): TemplateResult {
     const { plate } = this.state;
@@ -64,7 +43,7 @@ export class ShapePanel extends StudioElement {
       </section>
       <section aria-labelledby="size-title">
         <h3 id="size-title">${t('section.size')}</h3>
-        ${shape.kind === 'disc' ? this.#diameter(plate) : this.#sides(plate)} ${this.#fit(plate)}
+        ${sizeFields(this.studio)} ${this.#fit(plate)}
       </section>
       <section aria-label=${t('verb.rotate')}>
         <div class="buttons">
@@ -111,22 +90,23 @@ export class ShapePanel extends StudioElement {
 
   #details(shape: ShapeSource): TemplateResult | typeof nothing {
     if (shape.kind === 'rounded') {
-      return numberField({
+      const { plate, units } = this.state;
+      const field = {
         id: 'radius',
         label: t('shape.radius'),
         value: shape.radius,
         min: 0,
         max: 500,
         step: 0.5,
-        usual: [0, Math.max(1, Math.floor(Math.min(this.state.plate.width, this.state.plate.height) / 2))],
-        unit: 'mm',
-        onInput: (radius) => {
-          this.studio.change((plate) => ({ ...plate, shape: { kind: 'rounded', radius } }), 'radius');
+        usual: [0, Math.max(1, Math.floor(Math.min(plate.width, plate.height) / 2))] as const,
+        onInput: (radius: number) => {
+          this.studio.change((now) => ({ ...now, shape: { kind: 'rounded', radius } }), 'radius');
         },
         onSettle: () => {
           this.studio.settle();
         },
-      });
+      };
+      return numberField(lengthField(field, units));
     }
     if (shape.kind !== 'file') return nothing;
     const vector = /\.svg$/i.test(shape.file.name);
@@ -147,78 +127,6 @@ export class ShapePanel extends StudioElement {
           })
         : nothing
     }`;
-  }
-
-  #resize(change: (plate: Plate) => Partial<Plate>, gesture: string): void {
-    this.studio.change((plate) => ({ ...plate, ...change(plate) }), gesture);
-  }
-
-  #side(side: 'width' | 'height', locked: boolean): TemplateResult {
-    const { plate } = this.state;
-    const other = side === 'width' ? 'height' : 'width';
-    const field = {
-      id: `size-${side}`,
-      label: t(`size.${side}`),
-      value: tenth(plate[side]),
-      min: smallest,
-      max: largest,
-      step: 0.1,
-      unit: 'mm',
-      onInput: (value: number) => {
-        this.#resize(
-          (now) => ({ [side]: value, ...(locked ? { [other]: tenth((now[other] / now[side]) * value) } : {}) }),
-          side,
-        );
-      },
-      onSettle: () => {
-        this.studio.settle();
-      },
-    };
-    return html`<div class="field stacked">
-      <label for=${field.id}>${field.label}</label>${numberInput(field)}
-      <p class="error" id="${field.id}-error" role="status" hidden></p>
-    </div>`;
-  }
-
-  #sides({ shape }: Plate): TemplateResult {
-    // A file's proportions are its own.
-    const locked = this.state.keepRatio || shape.kind === 'file';
-    return html`<div class="size">
-      ${this.#side('width', locked)}
-      <button
-        type="button"
-        class="square"
-        aria-pressed=${String(locked)}
-        aria-label=${t('size.lock')}
-        title=${t('size.lock')}
-        ?disabled=${shape.kind === 'file'}
-        @click=${() => {
-          this.studio.store.set({ keepRatio: !this.state.keepRatio });
-        }}
-      >
-        ${icon(locked ? 'lock' : 'unlock', 16)}
-      </button>
-      ${this.#side('height', locked)}
-    </div>`;
-  }
-
-  #diameter({ width }: Plate): TemplateResult {
-    return numberField({
-      id: 'size-width',
-      label: t('size.diameter'),
-      value: tenth(width),
-      min: smallest,
-      max: largest,
-      step: 0.1,
-      usual: [10, 200],
-      unit: 'mm',
-      onInput: (value) => {
-        this.#resize(() => ({ width: value, height: value }), 'width');
-      },
-      onSettle: () => {
-        this.studio.settle();
-      },
-    });
   }
 
   #fit({ printer, toolpath, width, height }: Plate): TemplateResult {

@@ -2,6 +2,7 @@
 import type { TextId } from '../i18n/text.js';
 import type { Tool } from '../model/state.js';
 import type { ViewName } from '../views/scene.js';
+import { offers } from './shown.js';
 import type { Studio } from './studio.js';
 
 interface Shortcut {
@@ -31,6 +32,7 @@ export const shortcuts: readonly Shortcut[] = [
 
 const views: Record<string, ViewName> = { '1': 'directions', '2': 'toolpath', '3': 'appearance', '4': 'quality' };
 const tools: Record<string, Tool> = { v: 'pan', b: 'comb', m: 'mode', e: 'erase' };
+const lightKeys = [',', '.'];
 const radiusStep = 1.2;
 const lightStep = 5; // degrees
 
@@ -47,6 +49,9 @@ export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   if (state.dialog !== undefined || event.altKey) return false;
   if (event.ctrlKey || event.metaKey) return onCommand(studio, key, event);
   if (typesText(event)) return false;
+  if (state.mode === 'view' && !lightKeys.includes(key)) return false;
+  if (key in tools && !offers(state, 'directions')) return false;
+  if (key === '?' && state.mode !== 'edit') return false;
   if (key in views) studio.setView(views[key] as ViewName);
   else if (key in tools) studio.setTool(tools[key] as Tool);
   else if (key === '?') studio.show('help');
@@ -67,6 +72,8 @@ export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
 
 function onCommand(studio: Studio, key: string, event: KeyboardEvent): boolean {
   const { store } = studio;
+  if (store.state.mode === 'view') return false;
+  if ((key === 'o' && store.state.mode !== 'edit') || (key === 's' && !offers(store.state, 'download'))) return false;
   if (key === 'o') void studio.pick().then((files) => studio.open(files));
   else if (key === 's') void studio.save(event.shiftKey ? 'gcode' : 'project');
   else if (typesText(event)) return false;

@@ -1,6 +1,7 @@
 // What only the panels know, beside the state that others share.
 import type { EngineInfo, DirectionMode } from 'sillon';
 import { newState, type State } from '../model/state.js';
+import { sections, type Control, type Mode, type Units } from '../model/guest.js';
 import type { Problem } from '../model/problem.js';
 import type { SourceFile } from '../model/plate.js';
 import type { Mark } from '../views/scene.js';
@@ -36,6 +37,12 @@ export interface Notice {
 }
 
 export interface Shown extends State {
+  mode: Mode;
+  /** Of mode 'customize'. */
+  controls: readonly Control[];
+  units: Units;
+  /** Origin of the page that shows this one in a frame and may command it; empty: none. */
+  host: string;
   brush: Brush;
   /** 0..1: how much of the print is shown. */
   played: number;
@@ -59,8 +66,22 @@ export interface Shown extends State {
   cancelled: boolean;
 }
 
+/** Whether a visitor may have this part: all of it is there for editing, and what a host names for customizing. */
+export const offers = ({ mode, controls }: Readonly<Shown>, control: Control): boolean =>
+  mode === 'edit' || (mode === 'customize' && controls.includes(control));
+
+/** Settings and parts that a host names one by one. */
+export const ownControls = ({ mode, controls }: Readonly<Shown>): Control[] =>
+  mode === 'customize'
+    ? controls.filter((control) => control !== 'download' && !(sections as readonly Control[]).includes(control))
+    : [];
+
 export const newShown = (): Shown => ({
   ...newState(),
+  mode: 'edit',
+  controls: [],
+  units: 'mm',
+  host: '',
   brush: { radius: 0.08, softness: 0.5, mode: 'parallel' },
   played: 1,
   playing: false,

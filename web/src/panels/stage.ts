@@ -9,8 +9,8 @@ import { icon } from './icons.js';
 import './legend.js';
 import './light-control.js';
 import './player.js';
+import { offers } from './shown.js';
 import './status-bar.js';
-import { download, fileName } from './studio.js';
 import './tool-palette.js';
 
 const views: readonly ViewName[] = ['directions', 'toolpath', 'appearance', 'quality'];
@@ -19,7 +19,7 @@ const videoSeconds = 6;
 
 @customElement('sillon-stage')
 export class StageElement extends StudioElement {
-  static override reads = ['view', 'colourBy', 'compare', 'recording', 'made'] as const;
+  static override reads = ['view', 'colourBy', 'compare', 'recording', 'made', 'mode', 'controls'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -205,7 +205,13 @@ export class StageElement extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { view, compare } = this.state;
+    const { view, compare, mode } = this.state;
+    if (mode === 'view') {
+      return html`<div class="bench">
+        <sillon-canvas .studio=${this.studio}></sillon-canvas>
+        <div class="bottom"><sillon-light class="light" .studio=${this.studio}></sillon-light></div>
+      </div>`;
+    }
     return html`
       <div class="bench">
         <sillon-canvas .studio=${this.studio}></sillon-canvas>
@@ -228,7 +234,11 @@ export class StageElement extends StudioElement {
               </button>`,
           )}
         </div>
-        <sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>
+        ${
+          offers(this.state, 'directions')
+            ? html`<sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>`
+            : nothing
+        }
         ${view === 'appearance' ? this.#looks() : nothing}
         <div class="bottom">
           ${view === 'toolpath' ? this.#colourBy() : nothing}
@@ -256,7 +266,7 @@ export class StageElement extends StudioElement {
   };
 
   #looks(): TemplateResult {
-    const { compare, recording } = this.state;
+    const { compare } = this.state;
     return html`<div class="actions">
       <button
         type="button"
@@ -268,7 +278,13 @@ export class StageElement extends StudioElement {
       >
         ${icon('compare')} <span class="words">${t('view.zigzag')}</span>
       </button>
-      <button
+      ${offers(this.state, 'download') ? this.#captures() : nothing}
+    </div>`;
+  }
+
+  #captures(): TemplateResult {
+    const { recording } = this.state;
+    return html`<button
         type="button"
         class="square"
         aria-label=${t('capture.picture')}
@@ -289,16 +305,13 @@ export class StageElement extends StudioElement {
         @click=${this.#record}
       >
         ${icon('video')}
-      </button>
-    </div>`;
+      </button> `;
   }
 
   #record = async (): Promise<void> => {
     await this.studio.attempt(async () => {
-      const video = await this.studio.stage?.record(videoSeconds);
-      if (video === undefined) return;
-      const name = fileName(this.state.plate, video.type.startsWith('video/mp4') ? '.mp4' : '.webm');
-      download(video, name);
+      const { blob, name } = await this.studio.video(videoSeconds);
+      this.studio.deliver(blob, name);
       this.studio.notify(t('export.done', { name }));
     });
   };

@@ -5,10 +5,11 @@ import { progressWords } from '../i18n/say.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
+import { inUnits } from './size-fields.js';
 
 @customElement('sillon-status')
 export class StatusBar extends StudioElement {
-  static override reads = ['plate', 'made', 'summary', 'progress', 'cancelled', 'live'] as const;
+  static override reads = ['plate', 'made', 'summary', 'progress', 'cancelled', 'live', 'units'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -127,7 +128,10 @@ export class StatusBar extends StudioElement {
   }
 
   #figures(): TemplateResult {
-    const { plate, made, summary, cancelled } = this.state;
+    const { plate, made, summary, cancelled, units } = this.state;
+    const size = [plate.width, plate.height || plate.width].map((length) =>
+      formatNumber(inUnits(length, units), units === 'in' ? 2 : 1),
+    );
     const length = made?.report.lengthMm;
     return html`<div class="figures">
       ${
@@ -142,7 +146,7 @@ export class StatusBar extends StudioElement {
               >
                 ${t('verb.retry')}
               </button>`
-          : html`<b>${formatNumber(plate.width, 1)} × ${formatNumber(plate.height || plate.width, 1)} mm</b> ${
+          : html`<b>${size.join(' × ')} ${units}</b> ${
                 length === undefined
                   ? nothing
                   : html`<span class="rest"

@@ -10,7 +10,7 @@ import type { Light, ViewName } from '../views/scene.js';
 import type { Example } from './examples.js';
 import type { Dialog, LightMode, Notice, Role, Shown } from './shown.js';
 
-export type Product = 'gcode' | 'svg' | 'png' | 'project';
+export type Product = 'gcode' | 'svg' | 'png' | 'view' | 'project';
 
 /** What reaches beyond the page's thread; each may reject. */
 export interface Services {
@@ -20,7 +20,10 @@ export interface Services {
   /** G-code in the zip that Bambu printers take. */
   pack(gcode: Blob): Promise<Blob>;
   svg(): Promise<Blob>;
+  view(): Promise<Blob>;
   project(plate: Plate): Promise<Blob>;
+  /** What the project file tells the command line, without its pictures. */
+  projectData(plate: Plate): Promise<object>;
   link(plate: Plate): Promise<{ url: string; told: string }>;
   setLanguage(language: Language): Promise<void>;
   /** Opens files as they are guessed; they can be changed in the dialog 'files'. */
@@ -46,7 +49,7 @@ export interface Stage {
 
 const noticeFor = 7000; // [ms]
 
-export function download(blob: Blob, name: string): void {
+function download(blob: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -57,9 +60,15 @@ export function download(blob: Blob, name: string): void {
 }
 
 const isPacked = (product: Product, plate: Plate): boolean => product === 'gcode' && plate.printer.flavor === 'bambu';
-const endings: Record<Product, string> = { gcode: '.gcode', svg: '.svg', png: '.png', project: '.sillon.zip' };
+const endings: Record<Product, string> = {
+  gcode: '.gcode',
+  svg: '.svg',
+  png: '.png',
+  view: '.view.png',
+  project: '.sillon.zip',
+};
 
-export const fileName = (plate: Plate, product: string): string =>
+const fileName = (plate: Plate, product: string): string =>
   `${plate.name.replace(/[^\p{L}\p{N}._ -]+/gu, '').trim() || 'plate'}${product}`;
 
 /** Phones ask their owner, and only after a touch; computers have no tilt to tell. */
@@ -77,12 +86,14 @@ async function mayTilt(): Promise<boolean> {
 export class Studio {
   stage: Stage | undefined;
   services!: Services;
+  /** Gives a file to the visitor, or to the page that shows this one. */
+  deliver: (blob: Blob, name: string) => void = download;
   #nextNotice = 1;
 
   constructor(
     readonly store: Store<Shown>,
     /** What the engine is asked for. */
-    readonly threads: 'auto' | 'off',
+    readonly threads: 'auto' | 'off' | number,
   ) {}
 
   // --- The plate ----------------------------------------------------------------------------------------------------------
@@ -233,12 +244,18 @@ export class Studio {
   }
 
   async save(product: Product): Promise<void> {
+    await this.attempt(async () => {
+      const { blob, name } = await this.make(product);
+      this.deliver(blob, name);
+      this.notify(t('export.done', { name }));
+    });
+  }
+
+  /** A file of the plate as it is now. */
+  async make(product: Product): Promise<{ blob: Blob; name: string }> {
     const { plate } = this.store.state;
     const name = fileName(plate, isPacked(product, plate) ? '.gcode.3mf' : endings[product]);
-    const done = await this.attempt(async () => {
-      download(await this.#make(product, plate), name);
-    });
-    if (done) this.notify(t('export.done', { name }));
+    return { blob: await this.#make(product, plate), name };
   }
 
   async #gcode(plate: Plate): Promise<Blob> {
@@ -252,11 +269,30 @@ export class Studio {
         return this.#gcode(plate);
       case 'svg':
         return this.services.svg();
+      case 'view':
+        return this.services.view();
       case 'project':
         return this.services.project(plate);
       case 'png':
-        if (this.stage === undefined) throw new Error('the canvas is not there');
-        return this.stage.capture(2400);
+        return this.#canvas().capture(2400);
     }
+  }
+
+  /** @param width  [pixels] */
+  async picture(width: number): Promise<{ blob: Blob; name: string }> {
+    const { plate } = this.store.state;
+    return { blob: await this.#canvas().capture(width), name: fileName(plate, endings.png) };
+  }
+
+  /** One turn of the light. */
+  async video(seconds: number): Promise<{ blob: Blob; name: string }> {
+    const { plate } = this.store.state;
+    const blob = await this.#canvas().record(seconds);
+    return { blob, name: fileName(plate, blob.type.startsWith('video/mp4') ? '.mp4' : '.webm') };
+  }
+
+  #canvas(): Stage {
+    if (this.stage === undefined) throw new Error('the canvas is not there');
+    return this.stage;
   }
 }

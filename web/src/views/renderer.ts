@@ -1,7 +1,9 @@
 // Draws the plate with WebGL2: beads as instanced capsules, their look by an anisotropic microfacet lobe (Beckmann).
 import type { Toolpath } from 'sillon';
 import type { DirectionRaster } from '../directions/raster.js';
+import { lampOf } from './light.js';
 import { directionPalette } from './palette.js';
+import { compile, type Program } from './program.js';
 import type { Camera, ColourBy, Renderer, Scene } from './scene.js';
 import { beadFragment, beadVertex, fieldFragment, fieldVertex } from './shaders.js';
 import { zigzag } from './zigzag.js';
@@ -25,38 +27,6 @@ interface Beads {
 const segmentsPerRun = 4096;
 
 const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3 };
-
-interface Program {
-  program: WebGLProgram;
-  at: (uniform: string) => WebGLUniformLocation | null;
-}
-
-function compile(gl: WebGL2RenderingContext, vertex: string, fragment: string): Program {
-  const program = gl.createProgram();
-  for (const [type, text] of [
-    [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, fragment],
-  ] as const) {
-    const shader = gl.createShader(type);
-    if (shader === null) throw new Error('WebGL was lost');
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true && !gl.isContextLost()) {
-    throw new Error(`a shader could not be built: ${gl.getProgramInfoLog(program) ?? ''}`);
-  }
-  const places = new Map<string, WebGLUniformLocation | null>(); // asking anew for each frame would stall some drivers
-  const at = (uniform: string): WebGLUniformLocation | null => {
-    const known = places.get(uniform);
-    if (known !== undefined) return known;
-    const place = gl.getUniformLocation(program, uniform);
-    places.set(uniform, place);
-    return place;
-  };
-  return { program, at };
-}
 
 function integerTexture(
   gl: WebGL2RenderingContext,
@@ -181,11 +151,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     const { at } = beadProgram;
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, beads.buffer);
-    const { azimuth, elevation } = scene.light;
-    const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
     gl.uniform4f(at('camera'), camera.x - offset, camera.y, camera.scale, 1);
     gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
-    gl.uniform3f(at('lamp'), Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e));
+    gl.uniform3f(at('lamp'), ...lampOf(scene.light));
     gl.uniform3f(at('body'), ...scene.filament.colour);
     gl.uniform2f(at('slopes'), scene.filament.along, scene.filament.across);
     gl.uniform2f(at('page'), ...scene.page);

@@ -42,24 +42,11 @@ void main() {
 
 /** The look: light that a bead's round top sends to an eye straight above. Half vector against a normal distribution of
  * slopes, Gaussian along and across the bead (Beckmann); what is too fine to be seen widens it across. */
-export const beadFragment = `#version 300 es
-precision highp float;
-in vec2 p;
-flat in vec4 ends;
-flat in vec4 tangents;
-flat in vec2 radii;
-flat in float order;
-uniform vec4 camera;
+export const lookOfBead = `
 uniform vec3 lamp;
 uniform vec3 body;
 uniform vec2 slopes;
 uniform vec2 page;
-uniform float spacing;
-uniform int view;
-uniform int colourBy;
-uniform vec3 feed;  // speed, largest flow, layer height
-uniform sampler2D palette;
-out vec4 colour;
 
 const float kLampSlope = 0.10;     // a softbox, not a point
 const float kProfileSlope = 0.30;  // of the round top at its edge, flattened by the nozzle
@@ -68,7 +55,7 @@ vec3 encoded(vec3 c) { return mix(1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)
 // Reinhard's curve with a white point, so that highlights keep their colour until they are really bright.
 vec3 toned(vec3 c) { return encoded(clamp(c * (1.0 + c / 6.0) / (1.0 + c * 0.72), 0.0, 1.0)); }
 
-vec3 look(vec2 along, float side, float relief) {
+vec3 look(vec2 p, vec2 along, float side, float relief) {
   vec2 eye = (0.5 * page - p) / (2.4 * max(page.x, page.y));
   float eyeSize = inversesqrt(dot(eye, eye) + 1.0);
   vec2 tilt = (lamp.xy + eye * eyeSize) / (lamp.z + eyeSize);
@@ -89,7 +76,24 @@ vec3 look(vec2 along, float side, float relief) {
   vec3 diffuse = body * (0.08 + 0.14 * lamp.z);
   return (metal * specular + diffuse) * open;
 }
+`;
 
+export const beadFragment = `#version 300 es
+precision highp float;
+in vec2 p;
+flat in vec4 ends;
+flat in vec4 tangents;
+flat in vec2 radii;
+flat in float order;
+uniform vec4 camera;
+uniform float spacing;
+uniform int view;
+uniform int colourBy;
+uniform vec3 feed;  // speed, largest flow, layer height
+uniform sampler2D palette;
+out vec4 colour;
+
+${lookOfBead}
 vec3 ramp(float x) {  // dark blue over green to amber, even in lightness
   x = clamp(x, 0.0, 1.0);
   return x < 0.5 ? mix(vec3(0.16, 0.24, 0.55), vec3(0.16, 0.62, 0.55), 2.0 * x) : mix(vec3(0.16, 0.62, 0.55), vec3(0.98, 0.75, 0.25), 2.0 * x - 1.0);
@@ -108,7 +112,7 @@ void main() {
   float side = clamp((along.x * off.y - along.y * off.x) / max(radius, 1e-6), -1.0, 1.0);
   float relief = clamp((pixels - 0.75) / 1.5, 0.0, 1.0);
   if (view == 0) {
-    colour = vec4(toned(look(along, side, relief)), alpha);
+    colour = vec4(toned(look(p, along, side, relief)), alpha);
     return;
   }
   float shade = 1.0 - 0.35 * relief * side * side;

@@ -1,0 +1,22 @@
+// What the address of the page asks for: ?src=plate.svg&mode=view
+import type { Unfit } from '../model/check-plate.js';
+import type { Asked } from './fetching.js';
+import { guestSettings, type GuestSettings } from '../model/guest.js';
+
+/** Attributes that name files, and what a file is for; '': as its bytes tell. */
+export const fileAttributes = { src: '', project: '', shape: 'shape', image: 'image' } as const;
+
+export interface Addressed {
+  given: Partial<GuestSettings>;
+  wrong: Unfit[];
+  files: Asked[];
+}
+
+export function addressed(search: string): Addressed {
+  const query = new URLSearchParams(search);
+  const files = Object.entries(fileAttributes).flatMap(([name, role]) => {
+    const url = query.get(name);
+    return url === null || url === '' ? [] : [{ url, role }];
+  });
+  return { ...guestSettings((name) => query.get(name) ?? undefined), files };
+}

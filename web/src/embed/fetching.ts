@@ -1,0 +1,81 @@
+// Fetches the files that attributes name. Only addresses of http and https, and of files that a page holds itself: a stranger
+// may have written them.
+import { field, isFields, most } from './protocol.js';
+
+export interface Asked {
+  url: string;
+  /** As in the protocol's `load`. */
+  role: string;
+}
+
+export interface Fetched {
+  name: string;
+  bytes: ArrayBuffer;
+  role: string;
+}
+
+const allowed = ['http:', 'https:', 'blob:'];
+
+function nameOf({ pathname }: URL): string {
+  const last = pathname.split('/').at(-1) ?? '';
+  try {
+    return decodeURIComponent(last).slice(0, most.name) || 'file';
+  } catch {
+    return 'file';
+  }
+}
+
+async function bytesAt(url: URL): Promise<ArrayBuffer> {
+  if (!allowed.includes(url.protocol)) throw new Error(`${url.protocol} addresses are not fetched`);
+  let response: Response;
+  try {
+    response = await fetch(url, { credentials: 'same-origin' });
+  } catch {
+    throw new Error(
+      `${url.href} could not be fetched: it is not there, or its site does not allow this one to read it`,
+    );
+  }
+  if (!response.ok) throw new Error(`${url.href} came with status ${response.status}`);
+  const told = Number(response.headers.get('Content-Length') ?? 0);
+  if (told > most.file) throw new Error(`${url.href} has ${told} bytes; at most ${most.file} are allowed`);
+  return response.arrayBuffer();
+}
+
+/** Names of the files that a project of the command line stands on. */
+function namedBy(bytes: ArrayBuffer): string[] {
+  if (bytes.byteLength > most.text) return [];
+  let project: unknown;
+  try {
+    project = JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    return [];
+  }
+  if (!isFields(project) || field(project, 'sillon') === undefined) return [];
+  const parts = ['shape', 'directions', 'modes'].map((part) => field(project, part));
+  const names = parts.flatMap((part) => (isFields(part) ? [field(part, 'file')] : []));
+  return [...new Set(names.filter((name): name is string => typeof name === 'string' && name !== ''))];
+}
+
+/** @param base  that relative addresses are relative to
+ * @throws Error with one sentence for people */
+export async function fetchFiles(files: readonly Asked[], base: string): Promise<Fetched[]> {
+  const addressOf = (text: string, from: string | URL): URL => {
+    if (!URL.canParse(text, from)) throw new Error(`${text.slice(0, 100)} is no address`);
+    return new URL(text, from);
+  };
+  const fetched: Fetched[] = [];
+  for (const { url: text, role } of files) {
+    const url = addressOf(text, base);
+    const bytes = await bytesAt(url);
+    fetched.push({ name: nameOf(url), bytes, role });
+    for (const name of namedBy(bytes)) {
+      const beside = addressOf(name, url);
+      // Whoever wrote the project must not have other sites read.
+      if (beside.origin !== url.origin) throw new Error(`${name.slice(0, 100)} lies on another site than its project`);
+      fetched.push({ name: nameOf(beside), bytes: await bytesAt(beside), role: '' });
+    }
+  }
+  if (fetched.length > most.files)
+    throw new Error(`there are ${fetched.length} files; at most ${most.files} are allowed`);
+  return fetched;
+}

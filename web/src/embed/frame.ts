@@ -1,0 +1,245 @@
+// The studio's side of a frame: waits for one host, checks who it is, and answers what it asks for, one request after the
+// other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
+import { problemWords, threadsWords } from '../i18n/say.js';
+import type { Opening } from '../opening.js';
+import { isAbort, problemOf, type Problem } from '../model/problem.js';
+import type { Made } from '../model/state.js';
+import type { Notice } from '../panels/shown.js';
+import type { Product, Studio } from '../panels/studio.js';
+import { checkedPicture, checkedVideo, openingsFrom, Refused } from './requests.js';
+import {
+  connectFrom,
+  field,
+  hello,
+  most,
+  requestFrom,
+  version,
+  type EventName,
+  type Failure,
+  type Fields,
+  type FileMessage,
+  type Method,
+  type Request,
+} from './protocol.js';
+
+/** What a host may have done; each may reject. */
+export interface FrameServices {
+  /** Another plate, of these files. */
+  load(openings: readonly Opening[]): Promise<void>;
+  configure(textOf: (attribute: string) => unknown): Promise<void>;
+  /** Project file of the command line; its pictures are named, not held. */
+  project(): Promise<unknown>;
+  finished(): Promise<Made>;
+  make(product: Product): Promise<{ blob: Blob; name: string }>;
+  picture(width: number): Promise<{ blob: Blob; name: string }>;
+  video(seconds: number): Promise<{ blob: Blob; name: string }>;
+  cancel(): void;
+  /** The handshake is done. @returns whether work of an earlier visit is shown, which must not be loaded over */
+  onHost(origin: string): Promise<boolean>;
+}
+
+interface Answer {
+  result: unknown;
+  transfer?: Transferable[];
+}
+
+/** What waits or runs. */
+interface Job {
+  id: number;
+  control: AbortController;
+}
+
+const sent = async ({ blob, name }: { blob: Blob; name: string }): Promise<Answer> => {
+  const bytes = await blob.arrayBuffer();
+  return { result: { name, type: blob.type, bytes } satisfies FileMessage, transfer: [bytes] };
+};
+
+const abortOf = (signal: AbortSignal): Promise<never> =>
+  new Promise((_, reject) => {
+    signal.addEventListener('abort', () => {
+      reject(signal.reason as DOMException);
+    });
+  });
+
+class Host {
+  readonly #jobs = new Map<number, Job>();
+  #last: Promise<unknown> = Promise.resolve();
+  #restored = false;
+
+  constructor(
+    private readonly port: MessagePort,
+    private readonly studio: Studio,
+    private readonly services: FrameServices,
+  ) {}
+
+  /** @param restored  resolves when work of an earlier visit has been looked for */
+  start(restored: Promise<boolean>): void {
+    this.#last = restored.then((found) => {
+      this.#restored = found;
+    });
+    this.port.addEventListener('message', ({ data }) => {
+      const request = requestFrom(data);
+      if (request !== undefined) this.#take(request);
+    });
+    this.port.start();
+  }
+
+  tell(event: EventName, detail: Fields, transfer: Transferable[] = []): void {
+    this.port.postMessage({ v: version, event, detail }, transfer);
+  }
+
+  #take(request: Request): void {
+    const { id, v, method } = request;
+    if (v !== version) {
+      this.#refuse(id, new Refused('Version', `messages are of version ${v}; this studio speaks ${version}`));
+    } else if (method === 'cancel') {
+      this.#cancel(field(request.params, 'id'));
+      this.#reply(id, { result: null });
+    } else if (this.#jobs.has(id)) {
+      this.#refuse(id, new Refused('BadRequest', `request ${id} is waiting already`));
+    } else if (this.#jobs.size >= most.waiting) {
+      this.#refuse(id, new Refused('Busy', `${most.waiting} requests are waiting already`));
+    } else {
+      const job = { id, control: new AbortController() };
+      this.#jobs.set(id, job);
+      this.#last = this.#last.then(() => this.#run(request, job));
+    }
+  }
+
+  async #run({ id, method, params }: Request, { control }: Job): Promise<void> {
+    try {
+      control.signal.throwIfAborted();
+      const answer = this.#methods.get(method as Method);
+      if (answer === undefined) throw new Refused('UnknownMethod', 'there is no such method');
+      this.#reply(id, await Promise.race([answer(params), abortOf(control.signal)]));
+    } catch (error) {
+      this.#refuse(id, error);
+    } finally {
+      this.#jobs.delete(id);
+    }
+  }
+
+  readonly #methods = new Map<Method, (params: Fields) => Promise<Answer>>([
+    [
+      'load',
+      async (params) => {
+        if (!(this.#restored && field(params, 'initial') === true)) await this.services.load(openingsFrom(params));
+        return { result: null };
+      },
+    ],
+    [
+      'configure',
+      async (params) => {
+        await this.services.configure((attribute) => field(params, attribute));
+        return { result: null };
+      },
+    ],
+    ['getProject', async () => ({ result: { project: await this.services.project() } })],
+    ['generate', async () => ({ result: { report: (await this.services.finished()).report } })],
+    ['exportGcode', async () => sent(await this.services.make('gcode'))],
+    ['exportSvg', async () => sent(await this.services.make('svg'))],
+    ['exportView', async () => sent(await this.services.make('view'))],
+    ['exportProject', async () => sent(await this.services.make('project'))],
+    [
+      'capture',
+      async (params) =>
+        sent(
+          field(params, 'type') === 'video'
+            ? await this.services.video(checkedVideo(params))
+            : await this.services.picture(checkedPicture(params)),
+        ),
+    ],
+    [
+      'report',
+      () => {
+        const { made } = this.studio.store.state;
+        return Promise.resolve({ result: { report: made?.measured === true ? made.report : null } });
+      },
+    ],
+  ]);
+
+  #cancel(id: unknown): void {
+    const job = this.#jobs.get(id as number);
+    if (job === undefined) return; // done already
+    job.control.abort();
+    // Only what runs has work to be stopped: it is the first that waits.
+    if (this.#jobs.values().next().value === job) this.services.cancel();
+  }
+
+  #reply(id: number, { result, transfer = [] }: Answer): void {
+    this.port.postMessage({ v: version, id, result }, transfer);
+  }
+
+  #refuse(id: number, error: unknown): void {
+    this.port.postMessage({ v: version, id, error: failureOf(error) });
+  }
+}
+
+const wordsOf = (problem: Problem): Failure => {
+  const { message, hint, detail } = problemWords(problem);
+  return { code: problem.code, message: detail === '' ? message : `${message} ${detail}`, hint };
+};
+
+function failureOf(error: unknown): Failure {
+  if (error instanceof Refused) return { code: error.code, message: error.message, hint: '' };
+  if (isAbort(error)) return { code: 'Aborted', message: 'The request was cancelled.', hint: '' };
+  return wordsOf(problemOf(error));
+}
+
+/** Tells the host what happens here. */
+function report(host: Host, studio: Studio): void {
+  const { store } = studio;
+  const ready = (): void => {
+    const { engine } = store.state;
+    if (engine === undefined) return;
+    const { threads, version: program } = engine;
+    host.tell('ready', { threads, why: threadsWords(engine, studio.threads).why, version: program });
+  };
+  const tellNotices = (notices: readonly Notice[]): void => {
+    for (const { problem } of notices) if (problem !== undefined) host.tell('error', { ...wordsOf(problem) });
+  };
+  ready();
+  tellNotices(store.state.notices);
+  let settled = store.state.plate;
+  store.subscribe((state, before) => {
+    if (state.engine !== before.engine) ready();
+    if (state.progress !== before.progress && state.progress !== undefined) {
+      const { stage, fraction, secondsLeft } = state.progress;
+      host.tell('progress', { stage, fraction, etaMs: secondsLeft === undefined ? null : 1000 * secondsLeft });
+    }
+    if (!state.live && state.plate !== settled) {
+      settled = state.plate;
+      host.tell('change', { name: settled.name, width: settled.width, height: settled.height || settled.width });
+    }
+    if (state.made !== before.made && state.made?.measured === true) host.tell('result', { report: state.made.report });
+    if (state.problem !== before.problem && state.problem !== undefined)
+      host.tell('error', { ...wordsOf(state.problem) });
+    tellNotices(state.notices.filter((notice) => !before.notices.includes(notice)));
+  });
+}
+
+/** Says hello to the page around this one, and takes commands from it alone.
+ * @param hosts  origins that may command it; '*': any */
+export function waitForHost(hosts: readonly string[], studio: Studio, services: FrameServices): void {
+  const { parent } = window;
+  if (parent === window) return;
+  const onMessage = ({ source, origin, data, ports }: MessageEvent): void => {
+    if (source !== parent || !(hosts.includes('*') || hosts.includes(origin))) return;
+    const connect = connectFrom(data);
+    const [port] = ports;
+    if (connect === undefined || port === undefined) return;
+    removeEventListener('message', onMessage); // one host, once
+    const host = new Host(port, studio, services);
+    if (connect.exports === 'host') {
+      studio.deliver = (blob, name) => {
+        void sent({ blob, name }).then(({ result, transfer }) => {
+          host.tell('export', result as Fields, transfer);
+        });
+      };
+    }
+    host.start(services.onHost(origin));
+    report(host, studio);
+  };
+  addEventListener('message', onMessage);
+  parent.postMessage(hello, '*'); // tells nothing to anybody
+}

@@ -1,0 +1,66 @@
+// What a host's requests carry, checked.
+import type { Opening } from '../opening.js';
+import { field, isFields, most, textField, type Fields } from './protocol.js';
+
+/** A request that is answered with a sentence, and with nothing else. */
+export class Refused extends Error {
+  constructor(
+    readonly code: 'BadRequest' | 'UnknownMethod' | 'TooLarge' | 'Busy' | 'Version',
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+function openingFrom(value: unknown, k: number): Opening {
+  const name = isFields(value) ? textField(value, 'name', most.name) : undefined;
+  const bytes = isFields(value) ? field(value, 'bytes') : undefined;
+  const role = isFields(value) ? (field(value, 'role') ?? '') : undefined;
+  if (name === undefined || !(bytes instanceof ArrayBuffer) || typeof role !== 'string') {
+    throw new Refused('BadRequest', `files[${k}] must be { name: text, bytes: ArrayBuffer, role: text or nothing }`);
+  }
+  if (bytes.byteLength > most.file) {
+    throw new Refused('TooLarge', `files[${k}] has ${bytes.byteLength} bytes; at most ${most.file} are allowed`);
+  }
+  return { file: new File([bytes], name), role: role.slice(0, most.name) };
+}
+
+function projectFile(project: unknown): Opening {
+  let text: string;
+  try {
+    text = JSON.stringify(project);
+  } catch {
+    throw new Refused('BadRequest', 'project cannot be written as JSON');
+  }
+  if (text.length > most.text) {
+    throw new Refused('TooLarge', `project has ${text.length} characters; at most ${most.text} are allowed`);
+  }
+  return { file: new File([text], 'project.json'), role: '' };
+}
+
+/** Of `load`: a project as plain JSON, files, or both: what the project names. */
+export function openingsFrom(params: Fields): Opening[] {
+  const [project, files = []] = [field(params, 'project'), field(params, 'files')];
+  if (project !== undefined && !isFields(project)) throw new Refused('BadRequest', 'project must be an object');
+  if (!Array.isArray(files)) throw new Refused('BadRequest', 'files must be a list');
+  if (files.length > most.files) {
+    throw new Refused('TooLarge', `there are ${files.length} files; at most ${most.files} are allowed`);
+  }
+  const openings = [...(project === undefined ? [] : [projectFile(project)]), ...files.map(openingFrom)];
+  if (openings.length === 0) throw new Refused('BadRequest', 'there is neither a project nor a file to load');
+  return openings;
+}
+
+function numberIn(params: Fields, name: string, usual: number, min: number, max: number): number {
+  const value = field(params, name) ?? usual;
+  if (typeof value !== 'number' || !(value >= min && value <= max)) {
+    throw new Refused('BadRequest', `${name} must be a number from ${min} to ${max}`);
+  }
+  return value;
+}
+
+/** Width [pixels]. */
+export const checkedPicture = (params: Fields): number => Math.round(numberIn(params, 'width', 1600, 16, 4096));
+
+/** [s] */
+export const checkedVideo = (params: Fields): number => numberIn(params, 'seconds', 6, 1, 20);

@@ -1,0 +1,397 @@
+// <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
+// into events and promises. No dependencies: one file for a script tag.
+import { fetchFiles, type Fetched } from './fetching.js';
+import {
+  field,
+  fileFrom,
+  isFields,
+  isHello,
+  replyFrom,
+  toldFrom,
+  version,
+  type Connect,
+  type Fields,
+  type Method,
+  type Told,
+} from './protocol.js';
+
+/** What the frame may do that its host may do. */
+const permissions =
+  'cross-origin-isolated; fullscreen; clipboard-write; gyroscope; accelerometer; web-share; local-network-access';
+
+/** Attributes that are part of the frame's address. */
+const ofAddress = ['threads', 'autosave'] as const;
+/** Attributes that the running studio takes. */
+const ofStudio = ['mode', 'controls', 'lang', 'theme', 'units', 'printer'] as const;
+/** Attributes that name files, and what each is for. */
+const ofFiles = { src: '', project: '', shape: 'shape', image: 'image' } as const;
+const others = ['base', 'sandbox'] as const;
+const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...others];
+
+const patience = 10_000; // [ms] for the frame's first word; a frame that the browser blocks never says any
+
+const words = {
+  en: { blocked: 'The studio cannot be shown here.', open: 'Open it in a tab of its own' },
+  fr: { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' },
+};
+
+export interface StudioFile {
+  name: string;
+  blob: Blob;
+}
+
+/** What went wrong, for people and programs: docs/embedding.md lists the codes. */
+export class StudioFrameError extends Error {
+  override readonly name = 'StudioFrameError';
+  constructor(
+    readonly code: string,
+    message: string,
+    readonly hint: string,
+  ) {
+    super(message);
+  }
+}
+
+interface Waiter {
+  resolve: (result: unknown) => void;
+  reject: (error: unknown) => void;
+}
+
+/** Files, their addresses, or a project as plain JSON. */
+export type Source = Blob | string | URL | readonly (Blob | string | URL)[] | object;
+
+const style = `
+  :host { display: block; position: relative; height: 640px; overflow: hidden; }
+  :host([hidden]) { display: none; }
+  iframe { display: block; width: 100%; height: 100%; border: 0; }
+  p { position: absolute; inset: 0; display: grid; place-content: center; justify-items: center; gap: 8px; margin: 0;
+    padding: 16px; font: 16px/1.5 system-ui, sans-serif; color: #23282d; background: #f4f3ef; text-align: center; }
+  p[hidden] { display: none; }
+  a { color: #0a5c78; }
+`;
+
+let sheet: CSSStyleSheet | undefined;
+
+/** Not a style element, which a host's policy may forbid. */
+function styleSheet(): CSSStyleSheet {
+  if (sheet === undefined) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(style);
+  }
+  return sheet;
+}
+
+export class SillonStudioElement extends HTMLElement {
+  static readonly observedAttributes = attributes;
+
+  readonly #frame = document.createElement('iframe');
+  readonly #notice = document.createElement('p');
+  #port: MessagePort | undefined;
+  #connected: Promise<MessagePort>;
+  #onConnected!: (port: MessagePort) => void;
+  readonly #waiters = new Map<number, Waiter>();
+  #nextId = 1;
+  #late: ReturnType<typeof setTimeout> | undefined;
+  #loadSoon = false;
+
+  constructor() {
+    super();
+    const root = this.attachShadow({ mode: 'open' });
+    root.adoptedStyleSheets = [styleSheet()];
+    this.#notice.hidden = true;
+    this.#notice.setAttribute('role', 'alert');
+    root.append(this.#frame, this.#notice);
+    this.#connected = this.#nextConnection();
+  }
+
+  connectedCallback(): void {
+    addEventListener('message', this.#onMessage);
+    this.#open();
+  }
+
+  disconnectedCallback(): void {
+    removeEventListener('message', this.#onMessage);
+    clearTimeout(this.#late);
+    this.#drop();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, now: string | null): void {
+    if (before === now || !this.isConnected) return;
+    if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
+    else if (name in ofFiles) this.#loadAttributes();
+    else if (this.#port !== undefined) {
+      // Taken away, an attribute has its default again.
+      const defaults: Record<string, string> = { mode: 'edit', controls: '', theme: 'auto', units: 'mm' };
+      const value = now ?? defaults[name];
+      if (value !== undefined) void this.#ask('configure', { [name]: value }).catch(this.#tellError);
+    }
+  }
+
+  // --- What a page may ask for ----------------------------------------------------------------------------------------------
+
+  /** Shows another plate. @throws StudioFrameError */
+  async load(source: Source): Promise<void> {
+    await this.#load(source, false);
+  }
+
+  /** The plate as a project of the command line (docs/project.md); its pictures are in `exportProject`. */
+  async getProject(): Promise<object> {
+    return objectIn(await this.#ask('getProject'), 'project');
+  }
+
+  /** Waits until the plate is whole and measured. @returns its report */
+  async generate({ signal }: { signal?: AbortSignal } = {}): Promise<object> {
+    return objectIn(await this.#ask('generate', {}, signal), 'report');
+  }
+
+  /** Of the plate that is shown; null while it is not whole. */
+  async report(): Promise<object | null> {
+    const result = await this.#ask('report');
+    return isFields(result) && isFields(field(result, 'report')) ? objectIn(result, 'report') : null;
+  }
+
+  exportGcode({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+    return this.#file('exportGcode', {}, signal);
+  }
+
+  exportSvg({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+    return this.#file('exportSvg', {}, signal);
+  }
+
+  /** A zip with the project and its pictures, which studio and command line open. */
+  exportProject({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+    return this.#file('exportProject', {}, signal);
+  }
+
+  /** For <sillon-view>. */
+  exportView({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+    return this.#file('exportView', {}, signal);
+  }
+
+  /** Its look: a PNG `width` pixels wide, or a video of one turn of the light. */
+  capture(options: { type?: 'image' | 'video'; width?: number; seconds?: number } = {}): Promise<StudioFile> {
+    return this.#file('capture', { ...options });
+  }
+
+  // --- The frame ------------------------------------------------------------------------------------------------------------
+
+  /** Where the studio is: a folder; by default the one that this script's folder lies in. */
+  #base(): URL {
+    const given = this.getAttribute('base');
+    const base = new URL(given ?? new URL(/* @vite-ignore */ '../', import.meta.url), document.baseURI);
+    if (base.protocol !== 'https:' && base.protocol !== 'http:')
+      throw new Error(`base is ${base.protocol}, not http or https`);
+    return base;
+  }
+
+  /** Origin of the frame's messages: an opaque one in a sandbox. */
+  #origin(): string {
+    const { sandbox } = this.#frame;
+    return this.hasAttribute('sandbox') && !sandbox.contains('allow-same-origin') ? 'null' : this.#base().origin;
+  }
+
+  #open(): void {
+    this.#drop();
+    clearTimeout(this.#late);
+    this.#notice.hidden = true;
+    let address: URL;
+    try {
+      address = new URL('embed.html', this.#base());
+    } catch (error) {
+      this.#tellError(new StudioFrameError('BadAttribute', String(error), ''));
+      return;
+    }
+    for (const name of [...ofAddress, ...ofStudio]) {
+      const value = this.getAttribute(name);
+      if (value !== null) address.searchParams.set(name, value);
+    }
+    this.#frame.allow = permissions;
+    this.#frame.title = 'Sillon Studio';
+    const sandbox = this.getAttribute('sandbox');
+    if (sandbox === null) this.#frame.removeAttribute('sandbox');
+    else this.#frame.setAttribute('sandbox', sandbox);
+    this.#frame.src = address.href;
+    this.#late = setTimeout(() => {
+      this.#blocked();
+    }, patience);
+    this.#loadAttributes();
+  }
+
+  #blocked(): void {
+    const say = (this.lang || document.documentElement.lang).startsWith('fr') ? words.fr : words.en;
+    const link = document.createElement('a');
+    link.href = this.#base().href;
+    link.target = '_blank';
+    link.rel = 'noopener';
+    link.textContent = say.open;
+    this.#notice.replaceChildren(say.blocked, link);
+    this.#notice.hidden = false;
+    this.#tellError(new StudioFrameError('Blocked', say.blocked, say.open));
+  }
+
+  #nextConnection(): Promise<MessagePort> {
+    return new Promise((resolve) => (this.#onConnected = resolve));
+  }
+
+  #drop(): void {
+    if (this.#port === undefined) return;
+    this.#port.close();
+    this.#port = undefined;
+    this.#connected = this.#nextConnection();
+    for (const { reject } of this.#waiters.values())
+      reject(new StudioFrameError('Closed', 'The frame was closed.', ''));
+    this.#waiters.clear();
+  }
+
+  /** The frame's hello: from this window of this origin alone. */
+  readonly #onMessage = ({ source, origin, data }: MessageEvent): void => {
+    const frame = this.#frame.contentWindow;
+    if (frame === null || source !== frame || origin !== this.#origin() || !isHello(data)) return;
+    this.#drop(); // it has been loaded anew
+    clearTimeout(this.#late);
+    this.#notice.hidden = true;
+    const { port1, port2 } = new MessageChannel();
+    port1.addEventListener('message', this.#onPortMessage);
+    port1.start();
+    const connect: Connect = { sillon: 'connect', v: version, exports: 'host' };
+    // An opaque origin cannot be named; whoever is in the sandbox was put there by this page.
+    frame.postMessage(connect, origin === 'null' ? '*' : origin, [port2]);
+    this.#port = port1;
+    this.#onConnected(port1);
+  };
+
+  readonly #onPortMessage = ({ data }: MessageEvent): void => {
+    const reply = replyFrom(data);
+    if (reply !== undefined) {
+      const waiter = this.#waiters.get(reply.id);
+      this.#waiters.delete(reply.id);
+      if (!('error' in reply)) waiter?.resolve(reply.result);
+      else if (reply.error.code === 'Aborted') waiter?.reject(new DOMException(reply.error.message, 'AbortError'));
+      else waiter?.reject(new StudioFrameError(reply.error.code, reply.error.message, reply.error.hint));
+      return;
+    }
+    const told = toldFrom(data);
+    if (told !== undefined) this.#tell(told);
+  };
+
+  #tell({ event, detail }: Told): void {
+    if (event === 'export') {
+      this.#hand(detail);
+      return;
+    }
+    this.dispatchEvent(new CustomEvent(event, { detail }));
+  }
+
+  /** A file that the visitor asked for: the host's, or else a download of this page's. */
+  #hand(detail: Fields): void {
+    const file = fileFrom(detail);
+    if (file === undefined) return;
+    const { name, type } = file;
+    const blob = new Blob([file.bytes], { type });
+    const event = new CustomEvent('export', { detail: { name, type, blob }, cancelable: true });
+    if (!this.dispatchEvent(event)) return;
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    link.click();
+    setTimeout(() => {
+      URL.revokeObjectURL(link.href);
+    }, 60_000);
+  }
+
+  readonly #tellError = (error: unknown): void => {
+    const { code, message, hint } =
+      error instanceof StudioFrameError ? error : new StudioFrameError('LoadFailed', errorText(error), '');
+    this.dispatchEvent(new CustomEvent('error', { detail: { code, message, hint } }));
+  };
+
+  async #ask(
+    method: Method,
+    params: Fields = {},
+    signal?: AbortSignal,
+    transfer: Transferable[] = [],
+  ): Promise<unknown> {
+    signal?.throwIfAborted();
+    const port = await this.#connected;
+    signal?.throwIfAborted();
+    const id = this.#nextId++;
+    return new Promise((resolve, reject) => {
+      this.#waiters.set(id, { resolve, reject });
+      signal?.addEventListener('abort', () => {
+        if (this.#waiters.has(id)) void this.#ask('cancel', { id });
+      });
+      port.postMessage({ v: version, id, method, params }, transfer);
+    });
+  }
+
+  async #file(method: Method, params: Fields, signal?: AbortSignal): Promise<StudioFile> {
+    const file = fileFrom(await this.#ask(method, params, signal));
+    if (file === undefined) throw new StudioFrameError('BadReply', 'The frame sent no file.', '');
+    return { name: file.name, blob: new Blob([file.bytes], { type: file.type }) };
+  }
+
+  // --- Files ----------------------------------------------------------------------------------------------------------------
+
+  /** Once for all attributes that are set in one turn. */
+  #loadAttributes(): void {
+    if (this.#loadSoon) return;
+    this.#loadSoon = true;
+    queueMicrotask(() => {
+      this.#loadSoon = false;
+      const asked = Object.entries(ofFiles).flatMap(([name, role]) => {
+        const url = this.getAttribute(name);
+        return url === null || url === '' ? [] : [{ url, role }];
+      });
+      if (asked.length === 0) return;
+      fetchFiles(asked, document.baseURI)
+        .then((files) => this.#send(files, {}, true))
+        .catch(this.#tellError);
+    });
+  }
+
+  async #load(source: Source, initial: boolean): Promise<void> {
+    const list: readonly unknown[] = Array.isArray(source) ? source : [source];
+    const files: Fetched[] = [];
+    const projects: object[] = [];
+    for (const one of list) {
+      if (one instanceof Blob) {
+        files.push({ name: one instanceof File ? one.name : 'file', bytes: await one.arrayBuffer(), role: '' });
+      } else if (typeof one === 'string' || one instanceof URL) {
+        files.push(...(await fetchFiles([{ url: String(one), role: '' }], document.baseURI)));
+      } else if (isFields(one)) projects.push(one);
+      else throw new StudioFrameError('BadRequest', 'load takes files, addresses and a project', '');
+    }
+    const [project, another] = projects;
+    if (another !== undefined) throw new StudioFrameError('BadRequest', 'load takes one project', '');
+    await this.#send(files, project === undefined ? {} : { project }, initial);
+  }
+
+  async #send(files: Fetched[], params: Fields, initial: boolean): Promise<void> {
+    const bytes = files.map((file) => file.bytes);
+    await this.#ask('load', { ...params, files, initial }, undefined, bytes);
+  }
+}
+
+const errorText = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+function objectIn(result: unknown, name: string): object {
+  const value = isFields(result) ? field(result, name) : undefined;
+  if (!isFields(value)) throw new StudioFrameError('BadReply', `The frame sent no ${name}.`, '');
+  return value;
+}
+
+for (const name of attributes) {
+  Object.defineProperty(SillonStudioElement.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: HTMLElement) {
+      return this.getAttribute(name) ?? '';
+    },
+    set(this: HTMLElement, value: string | null) {
+      if (value === null) this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    },
+  });
+}
+
+if (customElements.get('sillon-studio') === undefined) customElements.define('sillon-studio', SillonStudioElement);

@@ -1,0 +1,95 @@
+// What another page that shows the studio in a frame may ask of it. It comes as text - attributes, an address - and may
+// have been written by anybody.
+import { languages, type Language } from '../i18n/text.js';
+import { oneOf, Unfit } from './check-plate.js';
+import { printers, type PrinterKey } from './printers.js';
+import { settings, type SettingId } from './settings.js';
+import type { Theme } from './state.js';
+
+/** All of the studio; only what `controls` name; nothing but the plate under its light. */
+export type Mode = 'edit' | 'customize' | 'view';
+/** Of the plate's size; beads, printers and files are in mm everywhere. */
+export type Units = 'mm' | 'in';
+
+export const sections = ['shape', 'directions', 'toolpath', 'print', 'quality'] as const;
+export type Section = (typeof sections)[number];
+
+const parts = ['name', 'size', 'source', 'filament', 'printer', 'download'] as const;
+/** A whole section, one setting, or one part of a plate; `source`: the fields of its directions. */
+export type Control = Section | SettingId | (typeof parts)[number];
+const controls: readonly Control[] = [...sections, ...parts, ...settings.map(({ id }) => id)];
+
+export interface GuestSettings {
+  mode: Mode;
+  /** Of mode 'customize'. */
+  controls: readonly Control[];
+  language: Language;
+  theme: Theme;
+  units: Units;
+  printer: PrinterKey;
+  threads: 'auto' | 'off' | number;
+  /** Name under which the visitor's changes are kept, for this host alone. */
+  autosave: string;
+}
+
+const readers: { [Name in keyof GuestSettings]: [attribute: string, read: (text: string) => GuestSettings[Name]] } = {
+  mode: ['mode', (text) => oneOf(text, 'mode', ['edit', 'customize', 'view'])],
+  controls: [
+    'controls',
+    (text) =>
+      text
+        .split(/[\s,]+/)
+        .filter((name) => name !== '')
+        .map((name) => oneOf(name, 'controls', controls)),
+  ],
+  language: ['lang', (text) => oneOf(text.toLowerCase().split('-')[0], 'lang', Object.keys(languages) as Language[])],
+  theme: ['theme', (text) => oneOf(text, 'theme', ['auto', 'light', 'dark'])],
+  units: ['units', (text) => oneOf(text, 'units', ['mm', 'in'])],
+  printer: [
+    'printer',
+    (text) =>
+      oneOf(
+        text,
+        'printer',
+        printers.map(({ key }) => key),
+      ),
+  ],
+  threads: [
+    'threads',
+    (text) => {
+      if (text === 'auto' || text === 'off') return text;
+      const count = Number(text);
+      if (!/^\d{1,2}$/.test(text) || count < 1 || count > 64) throw new Unfit('threads', text);
+      return count;
+    },
+  ],
+  autosave: [
+    'autosave',
+    (text) => {
+      if (!/^[\w-]{0,64}$/.test(text)) throw new Unfit('autosave', text);
+      return text;
+    },
+  ],
+};
+
+/** @param textOf  of an attribute; undefined where it is not set
+ * @returns what was set, and what was set to something that it cannot be */
+export function guestSettings(textOf: (attribute: string) => unknown): {
+  given: Partial<GuestSettings>;
+  wrong: Unfit[];
+} {
+  const given: Partial<Record<keyof GuestSettings, unknown>> = {};
+  const wrong: Unfit[] = [];
+  for (const [name, [attribute, read]] of Object.entries(readers)) {
+    const text = textOf(attribute);
+    if (text === undefined) continue;
+    try {
+      if (typeof text !== 'string' || text.length > 1000) throw new Unfit(attribute, text);
+      given[name as keyof GuestSettings] = read(text);
+    } catch (error) {
+      if (!(error instanceof Unfit)) throw error;
+      wrong.push(error);
+    }
+  }
+  return { given: given as Partial<GuestSettings>, wrong };
+}

@@ -1,0 +1,106 @@
+// Which printer, which filament.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { filamentLabel, printerLabel } from '../i18n/say.js';
+import { t } from '../i18n/text.js';
+import { filaments, withFilament } from '../model/filaments.js';
+import { printerOf, printers, withPrinter, type PrinterKey } from '../model/printers.js';
+import { select } from './fields.js';
+import type { Studio } from './studio.js';
+
+/** For the panel that shows `filamentField`. */
+export const swatchStyle = css`
+  .swatches {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 8px;
+  }
+  .swatches label {
+    position: relative;
+    width: 36px;
+    height: 36px;
+    border-radius: 50%;
+    box-shadow: inset 0 0 0 1px var(--edge);
+    background:
+      conic-gradient(
+        from 20deg,
+        rgb(255 255 255 / 0.5),
+        transparent 50deg 150deg,
+        rgb(255 255 255 / 0.35) 190deg,
+        transparent 230deg 320deg,
+        rgb(255 255 255 / 0.5)
+      ),
+      var(--colour);
+  }
+  .swatches label:has(:checked) {
+    outline: 2px solid var(--accent);
+    outline-offset: 3px;
+  }
+  .swatches label:has(:focus-visible) {
+    outline: 3px solid var(--ink);
+    outline-offset: 3px;
+  }
+  .swatches input {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+    margin: 0;
+    opacity: 0;
+    cursor: pointer;
+  }
+`;
+
+export function printerField(studio: Studio): TemplateResult {
+  const current = printerOf(studio.store.state.plate);
+  const options: { value: PrinterKey; label: string }[] = printers.map((printer) => ({
+    value: printer.key,
+    label: printerLabel(printer),
+  }));
+  if (current === undefined)
+    options.unshift({ value: '', label: studio.store.state.plate.printer.name || t('printer.own') });
+  return html`${select<PrinterKey>({
+      id: 'printer',
+      label: t('section.printer'),
+      value: current?.key ?? '',
+      options,
+      onChoose: (key) => {
+        if (key !== '') studio.change((plate) => withPrinter(plate, key));
+      },
+    })}
+    <button
+      type="button"
+      @click=${async () => {
+        const [file] = await studio.pick('.gcode,.ini,.json,.3mf');
+        if (file !== undefined) await studio.attempt(() => studio.services.importPrinter(file));
+      }}
+    >
+      ${t('printer.import')}
+    </button>
+    ${studio.store.state.plate.printer.startGcode === '' ? html`<p class="note">${t('printer.start')}</p>` : nothing}`;
+}
+
+export function filamentField(studio: Studio): TemplateResult {
+  const { filament: key } = studio.store.state.plate;
+  const chosen = filaments.find((filament) => filament.key === key) ?? filaments[0];
+  return html`<div class="field">
+      <span class="name" id="filament-name">${t('section.filament')}</span>
+      <span class="note">${chosen === undefined ? '' : filamentLabel(chosen)}</span>
+      <div class="wide swatches" role="radiogroup" aria-labelledby="filament-name">
+        ${filaments.map(
+          (filament) =>
+            html`<label title=${filamentLabel(filament)} .style=${`--colour: rgb(${filament.colour.join(' ')})`}>
+              <input
+                type="radio"
+                name="filament"
+                aria-label=${filamentLabel(filament)}
+                .checked=${filament.key === key}
+                @change=${() => {
+                  studio.change((plate) => withFilament(plate, filament.key));
+                }}
+              />
+            </label>`,
+        )}
+      </div>
+    </div>
+    <p class="note">${t('filament.help')}</p>`;
+}

@@ -1,0 +1,305 @@
+// <sillon-studio> in a page of another site: what attributes set, what methods give, what events tell; and the plain frame.
+import assert from 'node:assert/strict';
+import { after, afterEach, before, test } from 'node:test';
+
+import { unzipSync } from 'fflate';
+
+import { lacking } from '../../../wasm/test/support/browsers.js';
+import { project, startHosts } from './support/hosts.js';
+
+const skip = lacking('Chromium');
+let hosts, visit;
+
+before(async () => {
+  if (!skip) hosts = await startHosts();
+});
+after(() => hosts?.close());
+afterEach(async () => {
+  await visit?.context.close();
+  visit = undefined;
+});
+
+/** A page with the element, which is `ready`. @param more  of the page: `site` */
+async function element(attributes = {}, more = {}) {
+  visit = await hosts.open(more);
+  const { page } = visit;
+  const ready = await page.evaluate(
+    async ({ studio, attributes }) => {
+      await import(`${studio}embed/sillon-studio.js`);
+      const element = document.createElement('sillon-studio');
+      globalThis.element = element;
+      globalThis.heard = [];
+      for (const name of ['ready', 'progress', 'result', 'change', 'export', 'error']) {
+        element.addEventListener(name, ({ detail }) => globalThis.heard.push({ name, detail }));
+      }
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      const ready = new Promise((resolve) => element.addEventListener('ready', ({ detail }) => resolve(detail)));
+      document.body.append(element);
+      return ready;
+    },
+    { studio: hosts.studio, attributes },
+  );
+  const frame = page.frames().find((one) => one.url().startsWith(hosts.studio));
+  return { page, frame, ready };
+}
+
+const state = (frame, read) => frame.evaluate(`(${read})(document.querySelector('sillon-app').studio.store.state)`);
+
+/** Not by waitForFunction, whose eval the studio's policy forbids. */
+async function until(frame, read) {
+  const end = Date.now() + 60_000;
+  const there = `document.querySelector('sillon-app') !== null`;
+  while (!(await frame.evaluate(there)) || !(await state(frame, read))) {
+    assert.ok(Date.now() < end, `never came: ${read}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+const load = (page) => page.evaluate((project) => globalThis.element.load(project), project);
+
+test('methods give the plate that was loaded, as project, report and files', { skip }, async () => {
+  const { page, frame, ready } = await element();
+  assert.ok(ready.threads >= 1 && typeof ready.why === 'string' && /^\d/.test(ready.version));
+  const made = await page.evaluate(async (project) => {
+    const { element } = globalThis;
+    await element.load(project);
+    const told = await element.getProject();
+    const report = await element.generate();
+    const files = {};
+    for (const method of ['exportGcode', 'exportSvg', 'exportProject', 'capture']) {
+      const { name, blob } = await element[method]({ width: 200 });
+      const bytes = new Uint8Array(await blob.arrayBuffer());
+      files[method] = { name, type: blob.type, size: bytes.length, head: Array.from(bytes.subarray(0, 4)) };
+    }
+    const zip = Array.from(new Uint8Array(await (await element.exportProject()).blob.arrayBuffer()));
+    return { told, report, again: await element.report(), files, zip };
+  }, project);
+  assert.deepEqual(made.told.shape, { builtin: 'disc', size: [16, 16] });
+  assert.equal(made.told.print.base, 0);
+  assert.equal(made.report.toolpaths, 1);
+  assert.deepEqual(made.again, made.report);
+  assert.deepEqual(JSON.parse(Buffer.from(unzipSync(Uint8Array.from(made.zip))['project.json'])), made.told);
+  const { exportGcode, exportSvg, exportProject, capture } = made.files;
+  assert.deepEqual([exportGcode.name, exportGcode.type], ['project.gcode', 'text/x-gcode']);
+  assert.ok(exportGcode.size > 10_000);
+  assert.deepEqual([exportSvg.name, exportSvg.type], ['project.svg', 'image/svg+xml']);
+  assert.deepEqual([exportProject.name, exportProject.head], ['project.sillon.zip', [0x50, 0x4b, 3, 4]]);
+  assert.deepEqual([capture.name, capture.head], ['project.png', [0x89, 0x50, 0x4e, 0x47]]);
+  assert.equal(await frame.evaluate(() => crossOriginIsolated), true);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('events tell progress, result and changes by the visitor', { skip }, async () => {
+  const { page, frame } = await element();
+  await load(page);
+  await page.evaluate(() => globalThis.element.generate());
+  await page.evaluate(() => (globalThis.heard.length = 0));
+  await frame.evaluate(() =>
+    document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 60, height: 60 })),
+  );
+  await page.evaluate(() => globalThis.element.generate());
+  const heard = await page.evaluate(() => globalThis.heard);
+  const named = (name) => heard.filter((one) => one.name === name).map(({ detail }) => detail);
+  assert.deepEqual(named('change'), [{ name: 'project', width: 60, height: 60 }]);
+  assert.equal(named('result').at(-1).report.toolpaths, 1);
+  assert.ok(named('progress').length > 0);
+  for (const { stage, fraction, etaMs } of named('progress')) {
+    assert.equal(typeof stage, 'string');
+    assert.ok(fraction >= 0 && fraction <= 1);
+    assert.ok(etaMs === null || etaMs >= 0);
+  }
+  assert.deepEqual(named('error'), []);
+});
+
+test('an abort rejects, ends the work, and leaves the studio usable', { skip }, async () => {
+  const { page, frame } = await element();
+  const outcome = await page.evaluate(async (project) => {
+    const { element } = globalThis;
+    await element.load({ ...project, shape: { builtin: 'disc', size: [300, 300] }, toolpath: { spacing: 0.25 } });
+    const control = new AbortController();
+    const work = element.generate({ signal: control.signal });
+    await new Promise((resolve) => element.addEventListener('progress', resolve, { once: true }));
+    control.abort();
+    return work.then(
+      () => 'finished',
+      ({ name }) => name,
+    );
+  }, project);
+  assert.equal(outcome, 'AbortError');
+  await until(frame, (state) => state.cancelled && state.progress === undefined);
+  await load(page);
+  assert.equal(await page.evaluate(async () => (await globalThis.element.generate()).toolpaths), 1);
+});
+
+test('files are fetched by the host’s page, and a project brings what it names', { skip }, async () => {
+  const { page, frame } = await element({ project: 'examples/logo.json', printer: 'prusa-mk4s' });
+  await until(frame, (state) => state.plate.shape.kind === 'file' && state.plate.directions.kind === 'map');
+  assert.equal(await state(frame, (state) => state.plate.name), 'logo');
+  assert.match(await state(frame, (state) => state.plate.printer.name), /MK4/);
+  await page.evaluate(() => {
+    globalThis.element.removeAttribute('project');
+    globalThis.element.shape = 'examples/inputs/logo.svg';
+    globalThis.element.image = 'examples/inputs/photo.png';
+  });
+  await until(frame, (state) => state.plate.shape.file?.name === 'logo.svg' && state.plate.directions.kind === 'tone');
+});
+
+test('a download goes to the host, or to the visitor where the host lets it', { skip }, async () => {
+  const { page, frame } = await element({ mode: 'customize', controls: 'size download' });
+  await load(page);
+  await page.evaluate(() => globalThis.element.generate());
+  const svg = async () => {
+    await frame.locator('[popovertarget=export]').click();
+    await frame.locator('#export').getByRole('button', { name: 'Drawing (SVG)' }).click();
+  };
+  const [download] = await Promise.all([page.waitForEvent('download'), svg()]);
+  assert.equal(download.suggestedFilename(), 'project.svg');
+
+  let downloads = 0;
+  page.on('download', () => ++downloads);
+  await page.evaluate(() => {
+    globalThis.taken = new Promise((resolve) => {
+      globalThis.element.addEventListener('export', (event) => {
+        event.preventDefault();
+        const { name, type, blob } = event.detail;
+        void blob.text().then((text) => resolve({ name, type, begins: text.slice(0, 200) }));
+      });
+    });
+  });
+  await svg();
+  const { name, type, begins } = await page.evaluate(() => globalThis.taken);
+  assert.deepEqual([name, type], ['project.svg', 'image/svg+xml']);
+  assert.match(begins, /<svg/);
+  await page.waitForTimeout(500);
+  assert.equal(downloads, 0);
+});
+
+test('customize shows only what the host names; view shows nothing but the plate', { skip }, async () => {
+  const { page, frame } = await element({ mode: 'customize', controls: 'name, size, toolpath.spacing' });
+  await page.setViewportSize({ width: 1000, height: 700 });
+  await page.addStyleTag({ content: 'sillon-studio { width: 960px; height: 640px }' });
+  const names = async () =>
+    frame
+      .locator('sillon-app button:visible')
+      .evaluateAll((all) => all.map((one) => one.ariaLabel ?? one.innerText.trim()));
+  await frame.locator('nav').getByRole('button', { name: 'Customize' }).click();
+  await frame.getByLabel('Bead spacing', { exact: false }).first().waitFor();
+  assert.equal(await frame.locator('nav button').count(), 1);
+  for (const absent of ['Download', 'Open', 'Gallery', 'Menu']) {
+    assert.ok(!(await names()).some((name) => name.startsWith(absent)), absent);
+  }
+  await page.evaluate(() => (globalThis.element.mode = 'view'));
+  await frame.locator('nav').waitFor({ state: 'detached' });
+  assert.deepEqual(await frame.locator('sillon-header, sillon-status, sillon-tools').count(), 0);
+  const { width, height } = await frame.locator('sillon-canvas').boundingBox();
+  assert.deepEqual([width, height], [960, 640]);
+  await page.evaluate(() => globalThis.element.removeAttribute('mode'));
+  await frame.locator('nav button').nth(4).waitFor();
+});
+
+test('language, theme and units are the host’s choice, and are not kept', { skip }, async () => {
+  const { page, frame } = await element({ lang: 'fr-CA', theme: 'dark', units: 'in' });
+  await load(page);
+  await until(frame, (state) => state.plate.width === 16);
+  assert.equal(await frame.evaluate(() => document.documentElement.dataset.theme), 'dark');
+  assert.match((await frame.locator('sillon-status .figures').innerText()).replaceAll('\u00a0', ' '), /0,63 × 0,63 in/);
+  await page.evaluate(() => {
+    globalThis.element.lang = 'en';
+    globalThis.element.units = 'mm';
+    globalThis.element.theme = 'light';
+  });
+  await until(frame, (state) => state.language === 'en' && state.units === 'mm' && state.theme === 'light');
+  assert.match(await frame.locator('sillon-status .figures').innerText(), /16 × 16 mm/);
+  const kept = await frame.evaluate(() => {
+    try {
+      return localStorage.length;
+    } catch {
+      return 0; // as frames of other sites find it
+    }
+  });
+  assert.equal(kept, 0);
+});
+
+test('wrong attributes are told, with what is wrong', { skip }, async () => {
+  const { page } = await element({ mode: 'everything' });
+  const errors = () =>
+    page.evaluate(() => globalThis.heard.filter(({ name }) => name === 'error').map(({ detail }) => detail));
+  await page.waitForFunction(() => globalThis.heard.some(({ name }) => name === 'error'));
+  assert.equal((await errors())[0].code, 'GuestValue');
+  assert.match((await errors())[0].message, /mode.*everything/);
+  await page.evaluate(() => (globalThis.element.src = 'missing.svg'));
+  await page.waitForFunction(() => globalThis.heard.some(({ detail }) => detail.code === 'LoadFailed'));
+  assert.match((await errors()).at(-1).message, /missing\.svg.*404/);
+});
+
+test('work is kept for the page’s own site where it asks for that', { skip }, async () => {
+  const first = await element({ autosave: 'shop', project: 'examples/noise.json' }, { site: 'localhost' });
+  await until(first.frame, (state) => state.plate.name === 'noise');
+  await first.frame.evaluate(() =>
+    document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name: 'Mine' })),
+  );
+  await first.page.waitForTimeout(1500);
+  const again = async (attributes) => {
+    await first.page.reload();
+    await first.page.waitForFunction(() => globalThis.attempt !== undefined);
+    await first.page.evaluate(
+      async ({ studio, attributes }) => {
+        await import(`${studio}embed/sillon-studio.js`);
+        globalThis.element = document.createElement('sillon-studio');
+        for (const [name, value] of Object.entries(attributes)) globalThis.element.setAttribute(name, value);
+        document.body.append(globalThis.element);
+      },
+      { studio: hosts.studio, attributes },
+    );
+    return first.page.evaluate(async () => {
+      await globalThis.element.generate();
+      const { name } = await globalThis.element.exportSvg();
+      return name;
+    });
+  };
+  assert.equal(await again({ autosave: 'shop', project: 'examples/noise.json' }), 'Mine.svg');
+  assert.equal(await again({ autosave: 'other', project: 'examples/noise.json' }), 'noise.svg');
+});
+
+test('a plain frame opens the files of its address, without any script of the host', { skip }, async () => {
+  visit = await hosts.open();
+  const { page } = visit;
+  await page.evaluate((studio) => {
+    const frame = document.createElement('iframe');
+    frame.src = `${studio}embed.html?shape=examples/logo.svg&mode=view&lang=fr`;
+    document.body.append(frame);
+  }, hosts.studio);
+  await page.waitForTimeout(300);
+  const frame = page.frames().find((one) => one.url().includes('embed.html'));
+  await until(frame, (state) => state.plate.shape.file?.name === 'logo.svg' && state.mode === 'view');
+  assert.equal(await frame.evaluate(() => document.documentElement.lang), 'fr');
+});
+
+test(
+  'without a host that takes files, downloads are the frame’s: not in a sandbox that forbids them',
+  { skip },
+  async () => {
+    for (const [sandbox, count] of [
+      ['allow-scripts allow-same-origin allow-downloads', 1],
+      ['allow-scripts allow-same-origin', 0],
+    ]) {
+      visit = await hosts.open();
+      const { page } = visit;
+      let downloads = 0;
+      page.on('download', () => ++downloads);
+      await page.evaluate(
+        async ({ studio, sandbox, project }) => {
+          const { ask, ready } = globalThis.connect(await globalThis.frameOf({ studio, sandbox }));
+          await ready;
+          await ask('load', { project });
+          await ask('generate');
+        },
+        { studio: hosts.studio, sandbox, project },
+      );
+      const frame = page.frames().find((one) => one.url().includes('embed.html'));
+      await frame.evaluate(() => document.querySelector('sillon-app').studio.save('svg'));
+      await page.waitForTimeout(1000);
+      assert.equal(downloads, count, sandbox);
+      await visit.context.close();
+    }
+  },
+);

@@ -1,0 +1,47 @@
+// Pages of another site around the studio.
+import { fileURLToPath } from 'node:url';
+
+import { startChromium } from '../../../../wasm/test/support/browsers.js';
+import { serve as servePlain } from '../../../../wasm/test/support/server.js';
+import { serve } from '../../../serve.js';
+
+const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
+const pages = fileURLToPath(new URL('../pages/', import.meta.url));
+const examples = fileURLToPath(new URL('../../../../examples/', import.meta.url));
+
+/** One browser, the studio, and a site of hosts. */
+export async function startHosts() {
+  const browser = await startChromium();
+  const studio = await serve(dist, 0);
+  const host = await servePlain({ '/': pages, '/examples/': examples });
+  return {
+    browser,
+    studio: `${studio.origin}/`,
+    host: `${host.origin.replace('localhost', '127.0.0.1')}/`,
+    /** A page of the hosts' site, or another. @param prepare  is given the page before it goes there */
+    async open({ path = 'host.html', site = '127.0.0.1', prepare, ...options } = {}) {
+      const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US', ...options });
+      const page = await context.newPage();
+      page.setDefaultTimeout(60_000);
+      const problems = [];
+      page.on('pageerror', (error) => problems.push(String(error)));
+      await prepare?.(page);
+      await page.goto(this.host.replace('127.0.0.1', site) + path);
+      await page.waitForFunction(() => globalThis.attempt !== undefined);
+      return { page, context, problems };
+    },
+    async close() {
+      await browser.close();
+      studio.close();
+      host.close();
+    },
+  };
+}
+
+/** A small plate. */
+export const project = {
+  sillon: 1,
+  shape: { builtin: 'disc', size: [16, 16] },
+  directions: { angle: 40 },
+  print: { layers: 1, base: 0 },
+};
