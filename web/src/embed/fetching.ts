@@ -36,9 +36,23 @@ async function bytesAt(url: URL): Promise<ArrayBuffer> {
     );
   }
   if (!response.ok) throw new Error(`${url.href} came with status ${response.status}`);
-  const told = Number(response.headers.get('Content-Length') ?? 0);
-  if (told > most.file) throw new Error(`${url.href} has ${told} bytes; at most ${most.file} are allowed`);
-  return response.arrayBuffer();
+  return bodyOf(response, url);
+}
+
+/** Stops reading where a file is too long: servers need not tell, or not the truth. */
+async function bodyOf(response: Response, url: URL): Promise<ArrayBuffer> {
+  const parts: BlobPart[] = [];
+  let size = 0;
+  const reader = response.body?.getReader();
+  for (let next = await reader?.read(); next?.value !== undefined; next = await reader?.read()) {
+    size += next.value.byteLength;
+    if (size > most.file) {
+      await reader?.cancel();
+      throw new Error(`${url.href} has more than ${most.file} bytes; no more are allowed`);
+    }
+    parts.push(next.value);
+  }
+  return new Blob(parts).arrayBuffer();
 }
 
 /** Names of the files that a project of the command line stands on. */

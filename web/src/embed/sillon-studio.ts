@@ -1,5 +1,7 @@
 // <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
 // into events and promises. No dependencies: one file for a script tag.
+import { download } from '../files/download.js';
+import { define } from './define.js';
 import { fetchFiles, type Fetched } from './fetching.js';
 import {
   field,
@@ -290,13 +292,7 @@ export class SillonStudioElement extends HTMLElement {
     const blob = new Blob([file.bytes], { type });
     const event = new CustomEvent('export', { detail: { name, type, blob }, cancelable: true });
     if (!this.dispatchEvent(event)) return;
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = name;
-    link.click();
-    setTimeout(() => {
-      URL.revokeObjectURL(link.href);
-    }, 60_000);
+    download(blob, name);
   }
 
   readonly #tellError = (error: unknown): void => {
@@ -380,18 +376,4 @@ function objectIn(result: unknown, name: string): object {
   return value;
 }
 
-for (const name of attributes) {
-  Object.defineProperty(SillonStudioElement.prototype, name, {
-    configurable: true,
-    enumerable: true,
-    get(this: HTMLElement) {
-      return this.getAttribute(name) ?? '';
-    },
-    set(this: HTMLElement, value: string | null) {
-      if (value === null) this.removeAttribute(name);
-      else this.setAttribute(name, value);
-    },
-  });
-}
-
-if (customElements.get('sillon-studio') === undefined) customElements.define('sillon-studio', SillonStudioElement);
+define('sillon-studio', SillonStudioElement, attributes);

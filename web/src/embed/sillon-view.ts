@@ -1,5 +1,6 @@
 // <sillon-view>: a finished plate that shimmers as the light moves. No WebAssembly, no threads, no dependencies: a small
 // picture of directions, and one graphics context for all that are on a page.
+import { define } from './define.js';
 import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
 import type { Light } from '../views/scene.js';
 import { readViewFile, type ViewFile } from './view-file.js';
@@ -306,18 +307,4 @@ function hexColour(text: string | null): ViewFile['colour'] | undefined {
 const protocolOf = (url: string): string =>
   URL.canParse(url, document.baseURI) ? new URL(url, document.baseURI).protocol : '';
 
-for (const name of attributes) {
-  Object.defineProperty(SillonViewElement.prototype, name, {
-    configurable: true,
-    enumerable: true,
-    get(this: HTMLElement) {
-      return this.getAttribute(name) ?? '';
-    },
-    set(this: HTMLElement, value: string | null) {
-      if (value === null) this.removeAttribute(name);
-      else this.setAttribute(name, value);
-    },
-  });
-}
-
-if (customElements.get('sillon-view') === undefined) customElements.define('sillon-view', SillonViewElement);
+define('sillon-view', SillonViewElement, attributes);

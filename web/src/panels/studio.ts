@@ -1,4 +1,5 @@
 // What the elements can do. They know the state and this; what it takes stands in main.ts.
+import { download } from '../files/download.js';
 import type { Gcode } from 'sillon';
 import { t } from '../i18n/text.js';
 import type { Plate } from '../model/plate.js';
@@ -48,16 +49,6 @@ export interface Stage {
 }
 
 const noticeFor = 7000; // [ms]
-
-function download(blob: Blob, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => {
-    URL.revokeObjectURL(link.href);
-  }, 60_000);
-}
 
 const isPacked = (product: Product, plate: Plate): boolean => product === 'gcode' && plate.printer.flavor === 'bambu';
 const endings: Record<Product, string> = {
