@@ -27,8 +27,11 @@ neighbour_gaps: sdf
 relaxation: neighbour_gaps sdf
 bead_width: neighbour_gaps sdf
 simplify: bead_width
-pipeline: shape direction_map sdf parts line_field phase_field sine_field spacing_field contour stitch relaxation bead_width simplify
-measure: direction_map outline sdf constraints
+pipeline: shape direction_map sdf parts line_field phase_field sine_field spacing_field contour stitch relaxation bead_width simplify session wave_preview
+session: pipeline preview
+wave_preview: phase_field preview
+dislocations: constraints line_field phase_field
+measure: direction_map outline sdf constraints spacing_field dislocations
 report: measure pipeline
 turned: shape gcode
 base_layers: shape outline
