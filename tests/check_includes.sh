@@ -27,11 +27,13 @@ neighbour_gaps: sdf
 relaxation: neighbour_gaps sdf
 bead_width: neighbour_gaps sdf
 simplify: bead_width
-pipeline: shape direction_map sdf parts line_field phase_field sine_field spacing_field contour stitch relaxation bead_width simplify session wave_preview
+line_give: constraints line_field phase_field
+wave_fields: constraints direction_map sdf line_field spacing_field phase_field line_give
+pipeline: shape direction_map sdf parts wave_fields sine_field contour stitch relaxation bead_width simplify session wave_preview
 session: pipeline preview
 wave_preview: phase_field preview
 dislocations: constraints line_field phase_field
-measure: direction_map outline sdf constraints spacing_field dislocations
+measure: direction_map outline sdf constraints wave_fields dislocations
 report: measure pipeline
 turned: shape gcode
 base_layers: shape outline

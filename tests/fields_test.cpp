@@ -6,6 +6,7 @@
 #include "fast_math.hpp"
 #include "sillon/constraints.hpp"
 #include "sillon/line_field.hpp"
+#include "sillon/line_give.hpp"
 #include "sillon/measure.hpp"
 #include "sillon/phase_field.hpp"
 #include "sillon/sine_field.hpp"
@@ -371,6 +372,31 @@ TEST_CASE("fields are equal for any number of threads") {
       CHECK(one.waves.phase == many.waves.phase);
       CHECK(one.values == many.values);
     }
+  }
+}
+
+TEST_CASE("lines turn towards the beads that are there, as far as they may, and the spacing follows") {
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::None;
+  const Fields f = fieldsOf(square(12, uniform(0.5)), params);
+  // Asked were lines 0.05 rad further on, at a spacing that is the waves' own.
+  LineField asked = f.lines;
+  for (Vec2f& d : asked.direction) {
+    const SinCos turn = sinCos(0.05f);
+    if (d != Vec2f{}) d = {d.x * turn.cos - d.y * turn.sin, d.x * turn.sin + d.y * turn.cos};
+  }
+  for (const double most : {1.0, 5.0}) {
+    params.lineGive = most;
+    const GivenLines given = giveLines(asked, f.frequency, f.waves, f.cells, params, RunContext(2)).value();
+    const float wanted = std::min(0.05f, static_cast<float>(most) * kPi / 180);
+    int count = 0;
+    for (std::size_t i = 0; i < asked.direction.size(); ++i) {
+      if (f.cells.zone[i] != Zone::Infill) continue;
+      CHECK(cross(given.lines.direction[i], asked.direction[i]) == doctest::Approx(wanted).epsilon(0.02));
+      CHECK(given.frequency[i] == doctest::Approx(1).epsilon(0.01));
+      ++count;
+    }
+    CHECK(count > 1000);
   }
 }
 

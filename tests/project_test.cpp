@@ -53,6 +53,7 @@ Project unusualProject() {
   p.toolpath.phaseTransport = PhaseTransport::Neighbour;
   p.toolpath.sweepsPerLevel = 9;
   p.toolpath.spacingBend = 0.1;
+  p.toolpath.lineGive = 4.5;
   p.toolpath.waveReach = 0.8;
   p.toolpath.borderPull = 2.5;
   p.toolpath.stitchAlignment = 0.6;

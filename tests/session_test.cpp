@@ -55,6 +55,7 @@ TEST_CASE("after any edit a session's toolpath is that of a run from nothing") {
       {"phaseTransport", [](PlateInput&, ToolpathParams& p) { p.phaseTransport = PhaseTransport::Neighbour; }},
       {"sweepsPerLevel", [](PlateInput&, ToolpathParams& p) { p.sweepsPerLevel = 3; }},
       {"spacingBend", [](PlateInput&, ToolpathParams& p) { p.spacingBend = 0.1; }},
+      {"lineGive", [](PlateInput&, ToolpathParams& p) { p.lineGive = 5; }},
       {"waveReach", [](PlateInput&, ToolpathParams& p) { p.waveReach = 0.7; }},
       {"stitchAlignment", [](PlateInput&, ToolpathParams& p) { p.stitchAlignment = 0; }},
       {"relaxationRounds", [](PlateInput&, ToolpathParams& p) { p.relaxationRounds = 1; }},

@@ -158,6 +158,7 @@ export interface ToolpathParams {
   phaseTransport: 'midpoint' | 'neighbour';
   sweepsPerLevel: number;
   spacingBend: number;
+  lineGive: number;
   waveReach: number;
   borderPull: number;
   stitchAlignment: number;

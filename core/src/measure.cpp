@@ -9,7 +9,7 @@
 #include "sillon/constraints.hpp"
 #include "sillon/dislocations.hpp"
 #include "sillon/sdf.hpp"
-#include "sillon/spacing_field.hpp"
+#include "wave_fields.hpp"
 
 namespace sillon {
 namespace {
@@ -404,16 +404,9 @@ Result<Dislocations> dislocationsOf(const Outline& outline, const Shape& shape, 
   if (!border) return border.error();
   const Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
-  const Result<CellConstraints> cells = cellConstraints(sdf.value(), directions, modes, shape.page, params, run);
-  if (!cells) return cells.error();
-  const Result<LineField> lines = lineField(sdf.value(), cells.value(), params, run);
-  if (!lines) return lines.error();
-  const Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
-  if (!frequency) return frequency.error();
-  const Result<SineField> waves =
-      alignPhases(lines.value(), frequency.value(), sdf.value(), cells.value(), params, run);
-  if (!waves) return waves.error();
-  return findDislocations(lines.value(), waves.value(), cells.value(), run);
+  const Result<WaveFields> fields = waveFields(sdf.value(), directions, modes, shape.page, params, run);
+  if (!fields) return fields.error();
+  return findDislocations(fields.value().lines, fields.value().waves, fields.value().cells, run);
 }
 
 }  // namespace

@@ -8,17 +8,15 @@
 #include "curves.hpp"
 #include "sillon/bead_width.hpp"
 #include "sillon/contour.hpp"
-#include "sillon/line_field.hpp"
 #include "sillon/parts.hpp"
-#include "sillon/phase_field.hpp"
 #include "sillon/relaxation.hpp"
 #include "sillon/sdf.hpp"
 #include "sillon/session.hpp"
 #include "sillon/simplify.hpp"
 #include "sillon/sine_field.hpp"
-#include "sillon/spacing_field.hpp"
 #include "sillon/stitch.hpp"
 #include "text.hpp"
+#include "wave_fields.hpp"
 #include "wave_preview.hpp"
 
 namespace sillon {
@@ -71,6 +69,7 @@ std::string invalidParameter(const ToolpathParams& p) {
   if (!within(p.jitter, 0, 0.25)) return outOfRange("jitter", p.jitter, " spacings", "0 to 0.25 spacings");
   if (p.sweepsPerLevel < 1 || p.sweepsPerLevel > 1000)
     return outOfRange("sweepsPerLevel", p.sweepsPerLevel, "", "1 to 1000");
+  if (!within(p.lineGive, 0, 30)) return outOfRange("lineGive", p.lineGive, " degrees", "0 to 30 degrees");
   if (!within(p.waveReach, 0.45, 1.5)) return outOfRange("waveReach", p.waveReach, " spacings", "0.45 to 1.5 spacings");
   if (!within(p.spacingBend, 0, 0.5)) return outOfRange("spacingBend", p.spacingBend, "", "0 to 0.5");
   if (!within(p.borderPull, 0, 100)) return outOfRange("borderPull", p.borderPull, "", "0 to 100");
@@ -145,28 +144,11 @@ Result<ShapeFields> shapeFields(const Shape& shape, const ToolpathParams& params
   return ShapeFields{size, std::move(border).value(), std::move(sdf).value(), std::move(parts)};
 }
 
-// What the directions decide besides.
-struct WaveFields {
-  LineField lines;
-  SineField waves;
-};
-
-Result<WaveFields> waveFields(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
+Result<WaveFields> timedWaves(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
                               StageClock& clock, const RunContext& run) {
   clock.start("lines", 0.12);
-  Result<CellConstraints> constraints =
-      cellConstraints(shape.sdf, input.directions, input.modes, input.shape.page, params, run);
-  if (!constraints) return constraints.error();
-  Result<LineField> lines = lineField(shape.sdf, constraints.value(), params, run);
-  if (!lines) return lines.error();
-  std::vector<Vec2f>().swap(constraints.value().mapLine);  // in the lines now
-
-  clock.start("phases", 0.35);
-  const Result<std::vector<float>> frequency = spacingField(lines.value(), constraints.value(), params, run);
-  if (!frequency) return frequency.error();
-  Result<SineField> waves = alignPhases(lines.value(), frequency.value(), shape.sdf, constraints.value(), params, run);
-  if (!waves) return waves.error();
-  return WaveFields{std::move(lines).value(), std::move(waves).value()};
+  return waveFields(shape.sdf, input.directions, input.modes, input.shape.page, params, run,
+                    [&] { clock.start("phases", 0.35); });
 }
 
 // Frees what is not needed any more where nothing is kept: the peak of memory is what limits a plate's size.
@@ -250,6 +232,7 @@ ToolpathParams ofWaves(const ToolpathParams& p) {
   kept.phaseTransport = p.phaseTransport;
   kept.sweepsPerLevel = p.sweepsPerLevel;
   kept.spacingBend = p.spacingBend;
+  kept.lineGive = p.lineGive;
   kept.borderPull = p.borderPull;
   return kept;
 }
@@ -262,7 +245,7 @@ Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& pa
   StageClock clock(run, times);
   Result<ShapeFields> shape = shapeFields(input.shape, params, clock, run);
   if (!shape) return shape.error();
-  Result<WaveFields> waves = waveFields(input, shape.value(), params, clock, run);
+  Result<WaveFields> waves = timedWaves(input, shape.value(), params, clock, run);
   if (!waves) return waves.error();
   return plateOf(input, shape.value(), waves.value(), false, params, clock, times, run);
 }
@@ -288,7 +271,7 @@ struct Session::State {
     }
     if (!waves || now != params || wanted.directions != input.directions || wanted.modes != input.modes) {
       waves.reset();
-      Result<WaveFields> made = waveFields(wanted, *shape, now, clock, run);
+      Result<WaveFields> made = timedWaves(wanted, *shape, now, clock, run);
       if (!made) return made.error();
       waves = std::move(made).value();
       input.directions = wanted.directions;

@@ -132,6 +132,7 @@ void visitToolpath(Visitor& v, AnyParams& p) {
   v.choice("phaseTransport", p.phaseTransport, kPhaseTransports);
   v.integer("sweepsPerLevel", p.sweepsPerLevel);
   v.number("spacingBend", p.spacingBend);
+  v.number("lineGive", p.lineGive);
   v.number("waveReach", p.waveReach);
   v.number("borderPull", p.borderPull);
   v.number("stitchAlignment", p.stitchAlignment);

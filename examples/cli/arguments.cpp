@@ -471,6 +471,9 @@ void addAdvanced(Options& options) {
       "--spacing-bend", "F", "how far beads may lie closer or wider where that saves U-turns",
       [](Project & p) -> auto& { return p.toolpath.spacingBend; });
   options.number(
+      "--line-give", "DEG", "how far beads may run off the lines where that saves U-turns",
+      [](Project & p) -> auto& { return p.toolpath.lineGive; });
+  options.number(
       "--wave-reach", "TAU", "over which the waves of cells are averaged",
       [](Project & p) -> auto& { return p.toolpath.waveReach; });
   options.number(

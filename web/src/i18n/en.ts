@@ -321,6 +321,8 @@ export const en = {
   'help.toolpath.relaxationSmoothing': 'How much each round of relaxation straightens a bead.',
   'setting.toolpath.stitchAlignment': 'Care at joints',
   'help.toolpath.stitchAlignment': 'How much a joint between two curves should follow the directions.',
+  'setting.toolpath.lineGive': 'Give of the directions',
+  'help.toolpath.lineGive': 'How far beads may run off the directions where that saves hairpin turns. Takes longer.',
   'setting.toolpath.waveReach': 'Blending of waves',
   'help.toolpath.waveReach': 'Over how many spacings neighbouring waves are averaged.',
   'setting.toolpath.borderPull': 'Pull of the border',

@@ -325,6 +325,9 @@ export const fr: Dictionary = {
   'help.toolpath.relaxationSmoothing': 'À quel point chaque tour de relaxation redresse un cordon.',
   'setting.toolpath.stitchAlignment': 'Soin des raccords',
   'help.toolpath.stitchAlignment': 'À quel point un raccord entre deux courbes doit suivre les directions.',
+  'setting.toolpath.lineGive': 'Souplesse des directions',
+  'help.toolpath.lineGive':
+    'De combien les cordons peuvent s’écarter des directions là où cela évite des demi-tours. Prend plus de temps.',
   'setting.toolpath.waveReach': 'Fondu des ondes',
   'help.toolpath.waveReach': 'Sur combien d’espacements les ondes voisines sont moyennées.',
   'setting.toolpath.borderPull': 'Attrait du bord',

@@ -14,6 +14,7 @@ export const toolpathDefaults: Readonly<ToolpathParams> = {
   jitter: 0.025,
   phaseTransport: 'midpoint',
   sweepsPerLevel: 8,
+  lineGive: 0,
   waveReach: 1,
   borderPull: 1,
   stitchAlignment: 0.8,

@@ -184,6 +184,7 @@ export const settings: readonly Setting[] = [
   number('toolpath', 'relaxationStrength', advanced, { min: 0, max: 0.5, step: 0.01 }),
   number('toolpath', 'relaxationSmoothing', advanced, { min: 0, max: 1, step: 0.05 }),
   number('toolpath', 'stitchAlignment', advanced, { min: 0, max: 10, step: 0.1, usual: [0, 3] }),
+  number('toolpath', 'lineGive', advanced, { unit: '°', min: 0, max: 30, step: 1 }),
   number('toolpath', 'waveReach', advanced, { unit: 'spacing', min: 0.45, max: 1.5, step: 0.05 }),
   number('toolpath', 'borderPull', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
   number('toolpath', 'widthBalance', advanced, { min: 0, max: 1, step: 0.05 }),

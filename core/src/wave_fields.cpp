@@ -1,0 +1,31 @@
+#include "wave_fields.hpp"
+
+#include "sillon/line_give.hpp"
+#include "sillon/spacing_field.hpp"
+
+namespace sillon {
+
+Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap& directions, const ModeMap& modes,
+                              Vec2 page, const ToolpathParams& params, const RunContext& run,
+                              const std::function<void()>& beforePhases) {
+  constexpr int kGivingRounds = 3;  // of lines that give way and waves that are aligned anew
+  Result<CellConstraints> cells = cellConstraints(sdf, directions, modes, page, params, run);
+  if (!cells) return cells.error();
+  Result<LineField> lines = lineField(sdf, cells.value(), params, run);
+  if (!lines) return lines.error();
+  cells.value().mapLine = {};  // memory peaks in the alignment
+  if (beforePhases) beforePhases();
+  const Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
+  if (!frequency) return frequency.error();
+  Result<SineField> waves = alignPhases(lines.value(), frequency.value(), sdf, cells.value(), params, run);
+  for (int round = 0; waves && params.lineGive > 0 && round < kGivingRounds; ++round) {
+    const Result<GivenLines> given =
+        giveLines(lines.value(), frequency.value(), waves.value(), cells.value(), params, run);
+    if (!given) return given.error();
+    waves = alignPhases(given.value().lines, given.value().frequency, sdf, cells.value(), params, run);
+  }
+  if (!waves) return waves.error();
+  return WaveFields{std::move(cells).value(), std::move(lines).value(), std::move(waves).value()};
+}
+
+}  // namespace sillon
