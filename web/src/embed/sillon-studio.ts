@@ -1,7 +1,6 @@
 // <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
 // into events and promises. No dependencies: one file for a script tag.
 import { download } from '../files/download.js';
-import { define } from './define.js';
 import { fetchFiles, type Fetched } from './fetching.js';
 import {
   field,
@@ -376,4 +375,19 @@ function objectIn(result: unknown, name: string): object {
   return value;
 }
 
-define('sillon-studio', SillonStudioElement, attributes);
+// Here and not beside the other element: what two entries share becomes a file of its own, and each must be one file.
+for (const name of attributes) {
+  Object.defineProperty(SillonStudioElement.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: HTMLElement) {
+      return this.getAttribute(name) ?? '';
+    },
+    set(this: HTMLElement, value: string | null) {
+      if (value === null) this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    },
+  });
+}
+
+if (customElements.get('sillon-studio') === undefined) customElements.define('sillon-studio', SillonStudioElement);

@@ -1,6 +1,5 @@
 // <sillon-view>: a finished plate that shimmers as the light moves. No WebAssembly, no threads, no dependencies: a small
 // picture of directions, and one graphics context for all that are on a page.
-import { define } from './define.js';
 import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
 import type { Light } from '../views/scene.js';
 import { readViewFile, type ViewFile } from './view-file.js';
@@ -307,4 +306,19 @@ function hexColour(text: string | null): ViewFile['colour'] | undefined {
 const protocolOf = (url: string): string =>
   URL.canParse(url, document.baseURI) ? new URL(url, document.baseURI).protocol : '';
 
-define('sillon-view', SillonViewElement, attributes);
+// Here and not beside the other element: what two entries share becomes a file of its own, and each must be one file.
+for (const name of attributes) {
+  Object.defineProperty(SillonViewElement.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: HTMLElement) {
+      return this.getAttribute(name) ?? '';
+    },
+    set(this: HTMLElement, value: string | null) {
+      if (value === null) this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    },
+  });
+}
+
+if (customElements.get('sillon-view') === undefined) customElements.define('sillon-view', SillonViewElement);
