@@ -35,7 +35,7 @@ struct ToolpathParams {
   PhaseTransport phaseTransport = PhaseTransport::Midpoint;
   int sweepsPerLevel = 8;        ///< smoothing sweeps on each level of the hierarchy, 1..1000
   double spacingBend = 0.3;      ///< beads may lie up to e^this closer or wider where that saves U-turns, 0..0.5
-  double lineGive = 0;   ///< beads may run up to so far off the lines where that saves U-turns [degrees], 0..30
+  double lineGive = 0;           ///< beads may run up to so far off the lines where that saves U-turns [degrees], 0..30
   double waveReach = 1;          ///< over which the waves of cells are averaged: three sigma of Eq. 13 [tau], 0.45..1.5
   double borderPull = 1;         ///< soft border: weight of the border's wave against a neighbour's, 0..100
   double stitchAlignment = 0.8;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
