@@ -28,8 +28,12 @@ std::uint32_t crc32(std::string_view bytes) {
   return ~crc;
 }
 
+// Lowest byte first; more than 8 bytes end in zeros.
 void append(std::string& out, std::uint64_t value, int bytes) {
-  for (int k = 0; k < bytes; ++k) out += static_cast<char>(value >> (8 * k) & 0xFF);
+  for (int k = 0; k < bytes; ++k) {
+    out += static_cast<char>(value & 0xFF);
+    value >>= 8;
+  }
 }
 
 // RFC 1321, in upper case.
