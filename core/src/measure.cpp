@@ -392,10 +392,6 @@ ClosedCurves curvesOf(const Toolpath& toolpath) {
   return curves;
 }
 
-}  // namespace
-
-namespace {
-
 // Of the waves as the pipeline makes them: the path itself no longer shows them.
 Result<Dislocations> dislocationsOf(const Outline& outline, const Shape& shape, const DirectionMap& directions,
                                     const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {

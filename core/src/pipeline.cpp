@@ -109,7 +109,6 @@ std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& p
 
 // What the shape, the spacing and the bridge decide.
 struct ShapeFields {
-  Vec2 size;
   BorderIndex border;
   SignedDistanceField sdf;
   Parts parts;
@@ -141,7 +140,7 @@ Result<ShapeFields> shapeFields(const Shape& shape, const ToolpathParams& params
                                             " mm, which is too wide for this shape of " + decimal(size.x, 3) + " x " +
                                             decimal(size.y, 3) + " mm; no place in it is wide enough for one bead"};
   }
-  return ShapeFields{size, std::move(border).value(), std::move(sdf).value(), std::move(parts)};
+  return ShapeFields{std::move(border).value(), std::move(sdf).value(), std::move(parts)};
 }
 
 Result<WaveFields> timedWaves(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
@@ -192,7 +191,7 @@ Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& f
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
   Result<Stitched> stitched = stitchCycles(cycles, fields.lines, shape.border, shape.parts, params, run);
   if (!stitched) return stitched.error();
-  release(false, cycles);
+  cycles = {};
   release(keep, fields.lines);
   release(keep, shape.parts);
   plate.parts = stitched.value().parts;
@@ -207,7 +206,7 @@ Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& f
   clock.start("width", 0.95);
   const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, shape.border, params, run);
   if (!widths) return widths.error();
-  release(false, relaxed.value().gaps);
+  relaxed.value().gaps = {};
 
   clock.start("simplify", 1);
   Result<Toolpath> toolpath = finishToolpath(path, widths.value(), params, run);
