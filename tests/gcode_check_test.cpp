@@ -66,6 +66,7 @@ TEST_CASE("a clean file has no findings, and its facts are right") {
   CHECK(check.layers == 1);
   CHECK(check.filamentMm == Approx(1.3304));
   CHECK(check.pathMm == Approx(40));
+  CHECK(check.slowedMm == 0);
   CHECK(check.closed == 1);
   CHECK(check.open == 0);
   CHECK(check.retractions == 1);
@@ -74,6 +75,15 @@ TEST_CASE("a clean file has no findings, and its facts are right") {
   CHECK(check.fastest == Approx(30));
   CHECK(check.mostFlow == Approx(0.2 * 0.4 * 30).epsilon(1e-3));
   CHECK((check.homes && check.heatsBed && check.heatsNozzle));
+}
+
+TEST_CASE("the slowed length is that below the fastest oriented bead of each layer") {
+  const std::string slow =
+      ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X50 Y50 F6000\nG1 X60 E0.33260 F1200\nG1 Y60 E0.33260 F1800\n"
+      "G1 X50 E0.33260 F1740\nG1 Y50 E0.33260 F1800\n";
+  CHECK(checkGcode(kStart + slow + kEnd).slowedMm == Approx(20));
+  CHECK(checkGcode(kStart + slow + kSquare + kEnd).slowedMm == Approx(20));
+  CHECK(checkGcode(kStart + slow + ";TYPE:Solid infill\nG1 X60 E0.33260 F300\n" + kEnd).slowedMm == Approx(20));
 }
 
 TEST_CASE("noise is the amplitude of a zigzag; lines, circles and corners have none") {

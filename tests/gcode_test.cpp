@@ -360,8 +360,8 @@ TEST_CASE("the file has the skeleton hosts look for") {
 
 TEST_CASE("nothing outlives the print") {
   Job job = plate();
-  for (const char* code : {"M92", "M301", "M304", "M500", "M851", "M203", "M201", "M205", "SAVE_CONFIG", "M204", "M900",
-                           "SET_VELOCITY_LIMIT", "SET_PRESSURE_ADVANCE"}) {
+  for (const char* code : {"M92", "M301", "M304", "M500", "M851", "M203", "M201", "M205", "M566", "SAVE_CONFIG", "M204",
+                           "M900", "SET_VELOCITY_LIMIT", "SET_PRESSURE_ADVANCE"}) {
     CAPTURE(code);
     CHECK(job.write().text.find(code) == std::string::npos);
   }
@@ -607,6 +607,7 @@ TEST_CASE("with constant flow the speed follows the width, as far as 1.5 times i
   Job job = plate();
   job.params.skirt = 0;
   job.params.constantFlow = true;
+  job.printer.curveAcceleration = 0;
   job.printer.speed = 40;
   job.printer.maxFlow = 30;
   job.printer.pressureAdvance = 0;
@@ -651,6 +652,99 @@ TEST_CASE("short segments slow down only where they come in numbers") {
   points.clear();
   for (int k = 0; k < 100; ++k) points.push_back({k * 0.001, 0});  // the printer crawls, but it moves
   for (const std::int32_t feedrate : planMotion(pathOf(points, 0.4), 0, limits).feedrates) CHECK(feedrate == 18);
+}
+
+TEST_CASE("a circle goes at most at the root of acceleration times radius, evenly; a straight line as before") {
+  for (const GcodeFlavor flavor : {GcodeFlavor::Klipper, GcodeFlavor::Marlin}) {
+    for (const double radius : {0.4, 0.9, 2.0, 2.4, 10.0}) {
+      CAPTURE(radius);
+      MotionLimits limits = someLimits(flavor);
+      limits.curveAcceleration = 800;
+      std::vector<Vec2> circle;
+      for (int k = 0; k < 60; ++k) {
+        const double angle = 2 * 3.14159265358979 * k / 60;
+        circle.push_back({20 + radius * std::cos(angle), 20 + radius * std::sin(angle)});
+      }
+      const BeadPath path = pathOf(circle, 0.4, true);
+      const Motion motion = planMotion(path, 0, limits);
+      const double allowed = std::sqrt(800 * radius);
+      const bool slowed = allowed < 50;
+      const auto [least, most] = std::minmax_element(motion.feedrates.begin(), motion.feedrates.end());
+      CHECK(*most <= 60 * std::min(50.0, 1.01 * allowed));  // points are whole µm: a little flatter here and there
+      CHECK(*least >= 60 * std::floor(std::min(50.0, 0.97 * allowed)));
+      CHECK(motion.curveSlowedMm == Approx(slowed ? 2 * 3.14159265 * radius : 0).epsilon(0.01));
+      limits.curveAcceleration = 0;
+      CHECK(planMotion(path, 0, limits).feedrates == std::vector<std::int32_t>(60, 3000));
+    }
+    MotionLimits limits = someLimits(flavor);
+    limits.curveAcceleration = 1;
+    const Motion line = planMotion(pathOf({{0, 0}, {0.1, 0.1}, {0.2, 0.2}, {7, 7}, {7.3, 7.3}}, 0.4), 0, limits);
+    CHECK(line.feedrates == std::vector<std::int32_t>(4, 3000));
+    CHECK(line.curveSlowedMm == 0);
+  }
+}
+
+TEST_CASE("a hairpin is slower than its straights, which keep their speed, and so are its first and last bends") {
+  for (const GcodeFlavor flavor : {GcodeFlavor::Klipper, GcodeFlavor::Marlin}) {
+    MotionLimits limits = someLimits(flavor);
+    limits.curveAcceleration = 1000;
+    std::vector<Vec2> points;
+    for (int k = 0; k <= 50; ++k) points.push_back({0, 0.2 * k});
+    for (int k = 1; k < 12; ++k) {
+      const double angle = 3.14159265358979 * (1 - k / 12.0);
+      points.push_back({0.2 + 0.2 * std::cos(angle), 10 + 0.2 * std::sin(angle)});
+    }
+    for (int k = 0; k <= 50; ++k) points.push_back({0.4, 10 - 0.2 * k});
+    const Motion motion = planMotion(pathOf(points, 0.4), 0, limits);
+    CHECK(motion.feedrates.front() == 3000);
+    CHECK(motion.feedrates[45] == 3000);
+    CHECK(motion.feedrates[56] <= 60 * std::sqrt(1000 * 0.2) * 1.01);  // its top
+    CHECK(motion.feedrates[56] >= 60 * 12);
+    CHECK(motion.feedrates[51] <= 60 * 21);  // its first bend: half of a bead's width lies on the straight
+    CHECK(motion.feedrates[61] <= 60 * 21);
+    CHECK(motion.feedrates.back() == 3000);
+    CHECK(motion.curveSlowedMm > 0.2 * 3.14);
+    CHECK(motion.curveSlowedMm < 0.2 * 3.14 + 2 * 0.8);  // and a bead's width to either side
+    // Down, and up again: never back and forth.
+    int rises = 0;
+    for (std::size_t i = 1; i < motion.feedrates.size(); ++i) {
+      if (motion.feedrates[i] > motion.feedrates[i - 1]) {
+        ++rises;
+        CHECK(motion.feedrates[i] >= motion.feedrates[i - 1] + 120);
+      } else {
+        CHECK(rises * (motion.feedrates[i - 1] - motion.feedrates[i]) == 0);
+      }
+      CHECK(motion.feedrates[i] % 60 == 0);
+    }
+  }
+}
+
+TEST_CASE("a corner between long lines is the firmware's own, a short line between two is a curve") {
+  MotionLimits limits = someLimits(GcodeFlavor::Marlin);
+  limits.curveAcceleration = 1000;
+  const Motion square = planMotion(pathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4, true), 0, limits);
+  CHECK(square.feedrates == std::vector<std::int32_t>(4, 3000));
+  // On the 0.4 mm about its middle the angle grows by 2 x 0.2 / 0.375 right angles: r = 0.239 mm, 15.5 mm/s.
+  const Motion pin = planMotion(pathOf({{0, 0}, {10, 0}, {10, 0.35}, {0, 0.35}}, 0.4), 0, limits);
+  CHECK(pin.feedrates == std::vector<std::int32_t>{3000, 60 * 15, 3000});
+}
+
+TEST_CASE("noise of micrometres slows nothing, and no curve is slower than 5 mm/s") {
+  std::mt19937 random(5);
+  MotionLimits limits = someLimits(GcodeFlavor::Marlin);
+  limits.curveAcceleration = 1000;
+  std::vector<Vec2> points;
+  for (int k = 0; k < 500; ++k) points.push_back({0.2 * k, 0.001 * double(random() % 5)});
+  CHECK(planMotion(pathOf(points, 0.4), 0, limits).curveSlowedMm == 0);
+  limits.curveAcceleration = 1;
+  points.clear();
+  for (int k = 0; k < 500; ++k)
+    points.push_back({5 + 0.001 * double(random() % 300), 5 + 0.001 * double(random() % 300)});
+  BeadPath path = pathOf(points, 0.4, true);
+  path.points.erase(std::unique(path.points.begin(), path.points.end()), path.points.end());
+  path.widths.resize(path.points.size());
+  const Motion wild = planMotion(path, 0, limits);
+  CHECK(*std::min_element(wild.feedrates.begin(), wild.feedrates.end()) == 300);
 }
 
 TEST_CASE("a straight line takes L / v + (v - u)^2 / (a v), however it is cut; u is the jerk, 0 for Klipper") {
@@ -1160,7 +1254,7 @@ TEST_CASE("thumbnails are in the header, in base64 of the length their first lin
 
 // ---- dialects, start and end blocks
 
-TEST_CASE("each dialect sets acceleration and pressure advance in its own words, and back") {
+TEST_CASE("each dialect sets acceleration, corner speed and pressure advance in its own words, and back") {
   struct Words {
     GcodeFlavor flavor;
     const char* acceleration;
@@ -1168,20 +1262,27 @@ TEST_CASE("each dialect sets acceleration and pressure advance in its own words,
     const char* advance;
     const char* none;
     const char* name;
+    const char* corner;
+    const char* cornerBack;
   };
   const Words all[] = {
-      {GcodeFlavor::Marlin, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin2"},
+      {GcodeFlavor::Marlin, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin2",
+       "M205 X10.00 Y10.00\n", "M205 X15.00 Y15.00\n"},
       {GcodeFlavor::Klipper, "M204 S1000\n", "M204 S4000\n", "SET_PRESSURE_ADVANCE ADVANCE=0.0400\n",
-       "SET_PRESSURE_ADVANCE ADVANCE=0\n", "klipper"},
+       "SET_PRESSURE_ADVANCE ADVANCE=0\n", "klipper", "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=5.00\n",
+       "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=7.50\n"},
       {GcodeFlavor::RepRap, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 D0 S0.0400\n", "M572 D0 S0\n",
-       "reprapfirmware"},
-      {GcodeFlavor::PrusaBuddy, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 S0.0400\n", "M572 S0\n", "marlin2"},
-      {GcodeFlavor::Bambu, "M204 S1000\n", "M204 S4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin"}};
+       "reprapfirmware", "M566 X600 Y600\n", "M566 X900 Y900\n"},
+      {GcodeFlavor::PrusaBuddy, "M204 P1000 T1000\n", "M204 P4000 T4000\n", "M572 S0.0400\n", "M572 S0\n", "marlin2",
+       "M205 X10.00 Y10.00\n", "M205 X15.00 Y15.00\n"},
+      {GcodeFlavor::Bambu, "M204 S1000\n", "M204 S4000\n", "M900 K0.0400\n", "M900 K0\n", "marlin",
+       "M205 X10.00 Y10.00\n", "M205 X15.00 Y15.00\n"}};
   for (const Words& words : all) {
     Job job = plate();
     job.printer.flavor = words.flavor;
     job.printer.setPressureAdvance = true;
     job.printer.machineAcceleration = 4000;
+    job.printer.machineCornerSpeed = 7.5;
     if (words.flavor == GcodeFlavor::Bambu) job.printer.startGcode = "G28\nM190 S60\nM109 S220";
     const Written written = job.write();
     checkFile(job, written);
@@ -1193,6 +1294,9 @@ TEST_CASE("each dialect sets acceleration and pressure advance in its own words,
     CHECK((unset != std::string::npos && unset > text.rfind(";TYPE:Top solid infill")));
     CHECK(text.find(std::string("\n") + words.acceleration) < text.find(";LAYER_CHANGE"));
     CHECK(text.find(std::string("\n") + words.back) != std::string::npos);
+    CHECK(text.find(std::string("\n") + words.corner) < text.find(";LAYER_CHANGE"));
+    CHECK((text.find(std::string("\n") + words.cornerBack) != std::string::npos &&
+           text.find(std::string("\n") + words.cornerBack) > text.rfind(";TYPE:Top solid infill")));
     CHECK(valueOf(text, "; gcode_flavor = ") == words.name);
     CHECK((text.find("; CHANGE_LAYER\n; Z_HEIGHT: 0.2\n") != std::string::npos) ==
           (words.flavor == GcodeFlavor::Bambu));
@@ -1614,6 +1718,8 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"acceleration is 0", [](Job& j) { j.printer.acceleration = 0; }},
       {"machineAcceleration", [](Job& j) { j.printer.machineAcceleration = -1; }},
       {"cornerSpeed", [](Job& j) { j.printer.cornerSpeed = 0; }},
+      {"machineCornerSpeed", [](Job& j) { j.printer.machineCornerSpeed = -1; }},
+      {"curveAcceleration", [](Job& j) { j.printer.curveAcceleration = kNan; }},
       {"maxFlow is 0 mm3/s", [](Job& j) { j.printer.maxFlow = 0; }},
       {"need at least 0.4 to print at 5 mm/s", [](Job& j) { j.printer.maxFlow = 0.39; }},
       {"maxSegmentsPerSecond", [](Job& j) { j.printer.maxSegmentsPerSecond = 0; }},

@@ -144,6 +144,20 @@ TEST_CASE("a bundle gives its active printer and filament with all they inherit"
   CHECK(problem("[print:fast]\nlayer_height = 0.2\n") == "the file has no section of a printer");
 }
 
+TEST_CASE("a jerk becomes the corner speed to put back, but not for firmwares that know better") {
+  const std::string jerk = "machine_max_jerk_x = 16,8\ngcode_flavor = ";
+  const Printer marlin = imported(jerk + "marlin2\n").printer;
+  CHECK(marlin.machineCornerSpeed == 8);
+  CHECK(marlin.cornerSpeed == 5);
+  const Printer gentle = imported("machine_max_jerk_x = 6\n").printer;
+  CHECK((gentle.machineCornerSpeed == 3 && gentle.cornerSpeed == 3));
+  for (const char* flavor : {"klipper", "reprapfirmware"}) {
+    const Printer other = imported(jerk + flavor + "\n").printer;
+    CHECK((other.machineCornerSpeed == 0 && other.cornerSpeed == 8));
+  }
+  CHECK(imported("nozzle_diameter = 0.4\n").printer.machineCornerSpeed == 0);
+}
+
 TEST_CASE("what cannot be read is listed with its value") {
   const ImportedPrinter read = imported(
       "nozzle_diameter = wide\nbed_shape = big\ntemperature = 500\ngcode_flavor = sailfish\nthumbnails = 8x8\n"

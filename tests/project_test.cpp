@@ -104,6 +104,8 @@ Project unusualProject() {
   p.printer.machineSpeed = 400;
   p.printer.machineAcceleration = 3000;
   p.printer.cornerSpeed = 8;
+  p.printer.machineCornerSpeed = 9;
+  p.printer.curveAcceleration = 700;
   p.printer.maxFlow = 12;
   p.printer.maxSegmentsPerSecond = 100;
   p.printer.pressureAdvance = 0.05;

@@ -196,6 +196,7 @@ inline val toJs(const sillon::GcodeSummary& summary) {
   out.set("moves", static_cast<double>(summary.moves));
   out.set("bytes", static_cast<double>(summary.bytes));
   out.set("clampedLengthMm", summary.clampedLengthMm);
+  out.set("curveSlowedMm", summary.curveSlowedMm);
   out.set("warnings", warnings);
   return out;
 }

@@ -204,6 +204,8 @@ export interface PrinterValues {
   acceleration: number;
   machineAcceleration: number;
   cornerSpeed: number;
+  machineCornerSpeed: number;
+  curveAcceleration: number;
   maxFlow: number;
   maxSegmentsPerSecond: number;
   pressureAdvance: number;
@@ -367,6 +369,8 @@ export interface GcodeSummary {
   moves: number;
   bytes: number;
   clampedLengthMm: number;
+  /** Of oriented beads that `curveAcceleration` slows. */
+  curveSlowedMm: number;
   warnings: string[];
 }
 

@@ -31,6 +31,14 @@ inline std::string accelerationCommand(GcodeFlavor flavor, double acceleration) 
   return "M204 P" + value + " T" + value + "\n";
 }
 
+/// Sets the speed of right-angled corners [mm/s]; a jerk is twice that, in mm/min for RepRapFirmware.
+inline std::string cornerSpeedCommand(GcodeFlavor flavor, double speed) {
+  if (flavor == GcodeFlavor::Klipper) return "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=" + fixed(speed, 2) + "\n";
+  const bool reprap = flavor == GcodeFlavor::RepRap;
+  const std::string jerk = fixed(reprap ? 120 * speed : 2 * speed, reprap ? 0 : 2);
+  return (reprap ? "M566 X" : "M205 X") + jerk + " Y" + jerk + "\n";
+}
+
 /// Sets pressure (or linear) advance [s].
 inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
   const std::string value = seconds > 0 ? fixed(seconds, 4) : "0";

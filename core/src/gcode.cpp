@@ -165,6 +165,7 @@ class Writer {
   double orientedMm_ = 0;
   double flowSlowedMm_ = 0;
   double segmentSlowedMm_ = 0;
+  double curveSlowedMm_ = 0;
 };
 
 void Writer::header(double estimate) {
@@ -215,6 +216,7 @@ void Writer::startBlock() {
     }
   }
   if (printer_.machineAcceleration > 0) out_ << accelerationCommand(printer_.flavor, printer_.acceleration);
+  if (printer_.machineCornerSpeed > 0) out_ << cornerSpeedCommand(printer_.flavor, printer_.cornerSpeed);
   if (printer_.setPressureAdvance) out_ << pressureAdvanceCommand(printer_.flavor, printer_.pressureAdvance);
   out_ << "G21\nG90\n" << (printer_.absoluteE ? "M82" : "M83") << "\nG92 E0\n";
 }
@@ -355,6 +357,7 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
   limits.maxFlow = printer_.maxFlow;
   limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
   limits.pressureAdvance = printer_.pressureAdvance;
+  limits.curveAcceleration = printer_.curveAcceleration;
   if (params_.constantFlow && layer.oriented && layer.index > 0) {
     limits.evenFlow = limits.speed * job_.spacing;
     limits.speed *= kFastest;
@@ -381,6 +384,7 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
       for (const double piece : motion.lengths) orientedMm_ += piece;
       flowSlowedMm_ += motion.flowSlowedMm;
       segmentSlowedMm_ += motion.segmentSlowedMm;
+      curveSlowedMm_ += motion.curveSlowedMm;
     }
   }
 }
@@ -451,6 +455,7 @@ void Writer::endBlock() {
   moveZ(std::min(printer_.maxZ, static_cast<double>(z_) / 1000 + kParkLift));
   if (printer_.setPressureAdvance) out_ << pressureAdvanceCommand(printer_.flavor, 0);
   if (printer_.machineAcceleration > 0) out_ << accelerationCommand(printer_.flavor, printer_.machineAcceleration);
+  if (printer_.machineCornerSpeed > 0) out_ << cornerSpeedCommand(printer_.flavor, printer_.machineCornerSpeed);
   if (!job_.endBlock.empty()) {
     out_ << job_.endBlock << "M73 P100 R0\n";
     return;
@@ -503,6 +508,7 @@ GcodeSummary Writer::finish() {
   summary.bytes = out_.bytes();
   summary.clampedLengthMm = job_.clampedMm * params_.layers * static_cast<double>(job_.copies.size()) *
                             (params_.showSide == ShowSide::Both ? 2 : 1);
+  summary.curveSlowedMm = curveSlowedMm_;
   summary.warnings = job_.warnings;
   const auto slowed = [&](double mm, const char* limit) {
     if (mm <= 0.1 * orientedMm_) return;

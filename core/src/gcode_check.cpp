@@ -166,6 +166,7 @@ class Reader {
   void follow(Vec2 p);
   void lay(Vec2 from, Vec2 to, double section);
   void judgeLayers();
+  void endLayer();
 
   [[nodiscard]] bool block() const { return layers_ == 0 || custom_; }
 
@@ -200,6 +201,9 @@ class Reader {
   std::array<std::int64_t, 1000> zigzags_{};  // vertices by amplitude, in steps of kNoiseStep
   std::vector<LaidBead> beads_;
   bool base_ = false;
+  double layerFastest_ = 0;  // of its oriented beads
+  double layerSlowedMm_ = 0;
+  double layerAtFastestMm_ = 0;
   double layerHeight_ = 0;
   double flow_ = 1;      // of oriented layers
   double baseFlow_ = 1;  // not told by files: as it mostly is
@@ -242,6 +246,7 @@ void Reader::comment(std::string_view text) {
   const bool layer = text == "LAYER_CHANGE" || text.starts_with("LAYER:");
   if (layer) {
     endPath();
+    endLayer();
     ++layers_;
   }
   if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
@@ -532,7 +537,15 @@ void Reader::bead(Vec2 from, Vec2 to, double length, double e) {
   }
   coasted_ = 0;
   pathEnd_ = to;
-  if (oriented_ && !block()) follow(to);
+  if (oriented_ && !block()) {
+    follow(to);
+    if (speed_ > layerFastest_) {
+      layerFastest_ = speed_;
+      layerSlowedMm_ += layerAtFastestMm_;
+      layerAtFastestMm_ = 0;
+    }
+    (speed_ < layerFastest_ ? layerSlowedMm_ : layerAtFastestMm_) += length;
+  }
   if (ours_ && (oriented_ || base_) && !block()) lay(from, to, e * area_ / length);
   check_.filamentMm += e;
   if (!block()) counted_ += e;
@@ -585,6 +598,11 @@ void Reader::lay(Vec2 from, Vec2 to, double section) {
   const double width = std::min(section / layerHeight_ / (base_ ? baseFlow_ : flow_), 10.0);
   const auto narrow = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
   beads_.push_back({narrow(from), narrow(to), static_cast<float>(width), base_, layers_, static_cast<float>(z_)});
+}
+
+void Reader::endLayer() {
+  check_.slowedMm += layerSlowedMm_;
+  layerFastest_ = layerSlowedMm_ = layerAtFastestMm_ = 0;
 }
 
 void Reader::judgeLayers() {
@@ -655,6 +673,7 @@ void Reader::endPath() {
 
 GcodeCheck Reader::finish() {
   endPath();
+  endLayer();
   check_.layers = layers_;
   judgeLayers();
   const auto whole = [&](const char* rule, bool error, const std::string& message) {

@@ -91,6 +91,8 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
       {"acceleration", printer.acceleration, " mm/s2", 1, 100000},
       {"machineAcceleration", printer.machineAcceleration, " mm/s2", 0, 100000},
       {"cornerSpeed", printer.cornerSpeed, " mm/s", 0.1, 100},
+      {"machineCornerSpeed", printer.machineCornerSpeed, " mm/s", 0, 100},
+      {"curveAcceleration", printer.curveAcceleration, " mm/s2", 0, 100000},
       {"maxFlow", printer.maxFlow, " mm3/s", 0, 1000, true},
       {"maxSegmentsPerSecond", printer.maxSegmentsPerSecond, "", 1, 100000},
       {"pressureAdvance", printer.pressureAdvance, " s", 0, 2},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast_math.hpp"
+
 namespace sillon {
 namespace {
 
@@ -11,11 +13,18 @@ namespace {
 constexpr std::size_t kSegmentWindow = 8;
 constexpr double kSlopeShare = 0.75;          // of the slope at which pressure advance would pull filament back
 constexpr double kRounding = 1e-6;            // [mm/s], so that 14.9999999 is 15
+constexpr double kLeastCurveSpeed = 5;        // [mm/s], slower nozzles drop more than they lay
 constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed are not worth a visible step
 constexpr double kKlipperExtruderCorner = 1;  // [mm/s of filament], instantaneous_corner_velocity
 constexpr double kMarlinExtruderJerk = 5;     // [mm/s of filament], DEFAULT_EJERK
 
 double lengthMm(PointUm d) { return length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000; }
+
+Vec2 direction(const Motion& motion, std::size_t i) {  // of a segment; the lengths are measured
+  const PointUm d = motion.points[i + 1] - motion.points[i];
+  const double scale = 0.001 / motion.lengths[i];
+  return {static_cast<double>(d.x) * scale, static_cast<double>(d.y) * scale};
+}
 
 void measure(Motion& motion) {
   motion.lengths.resize(motion.points.size() - 1);
@@ -155,6 +164,93 @@ void limitSlope(Motion& motion, const std::vector<double>& speeds, const MotionL
   blend(motion, low, high, closed);
 }
 
+// The angle a path heads at, along its length. It stands still in a segment's middle and changes evenly around a
+// corner, for at most half a bead's width on either side: a bead shows no more of it.
+class Heading {
+ public:
+  Heading(const Motion& motion, double width) {
+    double at = 0;
+    double angle = 0;
+    for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+      if (i > 0) angle += turnAt(motion, i);
+      const double length = motion.lengths[i];
+      const double inset = std::min(length, width) / 2;
+      knots_.push_back({at + inset, angle});
+      if (length > width) knots_.push_back({at + length - inset, angle});
+      at += length;
+    }
+  }
+
+  /// \param knot  where the last search ended; s must not fall from call to call.
+  [[nodiscard]] double at(double s, std::size_t& knot) const {
+    while (knot + 1 < knots_.size() && knots_[knot + 1].x <= s) ++knot;
+    const Vec2 from = knots_[knot];
+    if (knot + 1 == knots_.size() || s <= from.x) return from.y;
+    const Vec2 d = knots_[knot + 1] - from;
+    return from.y + d.y * (s - from.x) / d.x;
+  }
+
+ private:
+  static double turnAt(const Motion& motion, std::size_t i) {
+    const Vec2 before = direction(motion, i - 1);
+    const Vec2 after = direction(motion, i);
+    return atan2Approx(static_cast<float>(cross(before, after)), static_cast<float>(dot(before, after)));
+  }
+
+  std::vector<Vec2> knots_;  // length [mm], angle [radians]
+};
+
+// Lowers the speeds in curves: v² <= a r, with the radius that the path has over one bead's width. Then evens out all
+// speeds.
+void slowCurves(Motion& motion, const MotionLimits& limits, std::vector<double>& speeds) {
+  const double acceleration = std::min(limits.curveAcceleration, limits.acceleration);
+  if (acceleration <= 0) return;
+  const std::size_t segments = motion.lengths.size();
+  double area = 0;
+  double total = 0;
+  for (std::size_t i = 0; i < segments; ++i) {
+    area += motion.lengths[i] * (motion.widths[i] + motion.widths[i + 1]) / 2;
+    total += motion.lengths[i];
+  }
+  const double width = area / total;
+  const Heading heading(motion, width);
+  std::vector<double> squared(segments);
+  for (std::size_t i = 0; i < segments; ++i) squared[i] = speeds[i] * speeds[i];
+  // Nothing is known of the heading beyond the ends.
+  const double first = (std::min(motion.lengths.front(), width) + width) / 2;
+  const double last = total - (std::min(motion.lengths.back(), width) + width) / 2;
+  double begin = 0;
+  std::size_t behind = 0;
+  std::size_t ahead = 0;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const double length = motion.lengths[i];
+    const double middle = std::max(first, std::min(begin + length / 2, last));
+    const double turn = std::abs(heading.at(middle + width / 2, ahead) - heading.at(middle - width / 2, behind));
+    if (turn * squared[i] > acceleration * width) squared[i] = acceleration * width / turn;
+    begin += length;
+  }
+  // What is slow stays slow for a bead's width before and after: less would show as flicker, not as speed.
+  for (const bool back : {false, true}) {
+    double held = 0;
+    double rest = 0;
+    for (std::size_t k = 0; k < segments; ++k) {
+      const std::size_t i = back ? segments - 1 - k : k;
+      rest -= motion.lengths[i];
+      if (rest < 0 || squared[i] <= held) {
+        held = squared[i];
+        rest = width;
+      }
+      squared[i] = held;
+    }
+  }
+  for (std::size_t i = 0; i < segments; ++i) {
+    const double speed = std::max(kLeastCurveSpeed, std::sqrt(squared[i]));
+    if (speed >= speeds[i]) continue;
+    motion.curveSlowedMm += motion.lengths[i];
+    speeds[i] = speed;
+  }
+}
+
 // Feedrate per segment in whole mm/s, never above what flow and segment rate allow.
 void setFeedrates(Motion& motion, const std::vector<double>& speeds, const MotionLimits& limits) {
   motion.feedrates.resize(motion.lengths.size());
@@ -202,9 +298,9 @@ double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionL
 }
 
 // Square of the speed at which a path sets off or stops: none for Klipper, the jerk for the others.
-double endSpeedSquared(Vec2 direction, double speed, const MotionLimits& limits) {
+double endSpeedSquared(Vec2 heading, double speed, const MotionLimits& limits) {
   if (limits.flavor == GcodeFlavor::Klipper) return 0;
-  return std::min(speed * speed, jerkSpeedSquared({}, direction, limits));
+  return std::min(speed * speed, jerkSpeedSquared({}, heading, limits));
 }
 
 // Trapezoids with look-ahead, from rest to rest.
@@ -217,21 +313,19 @@ void setSeconds(Motion& motion, const MotionLimits& limits) {
   double speedBefore = 0;
   double feedBefore = 0;
   for (std::size_t i = 0; i < segments; ++i) {
-    const PointUm d = motion.points[i + 1] - motion.points[i];
-    const double scale = 0.001 / motion.lengths[i];
-    const Vec2 direction{static_cast<double>(d.x) * scale, static_cast<double>(d.y) * scale};
+    const Vec2 heading = direction(motion, i);
     const double speed = motion.feedrates[i] / 60.0;
     const double feed = bead * (motion.widths[i] + motion.widths[i + 1]);  // filament per mm
     if (i > 0) {
       const double slower = std::min(speed, speedBefore);
       const double shorter = std::min(motion.lengths[i], motion.lengths[i - 1]);
-      squared[i] = std::min(slower * slower, cornerSpeedSquared(before, direction, shorter, limits));
+      squared[i] = std::min(slower * slower, cornerSpeedSquared(before, heading, shorter, limits));
       const double jump = (feed - feedBefore) * (feed - feedBefore);
       if (jump * squared[i] > extruderStep * extruderStep) squared[i] = extruderStep * extruderStep / jump;
     } else {
-      squared[0] = endSpeedSquared(direction, speed, limits);
+      squared[0] = endSpeedSquared(heading, speed, limits);
     }
-    before = direction;
+    before = heading;
     speedBefore = speed;
     feedBefore = feed;
   }
@@ -273,8 +367,9 @@ Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& l
   Motion motion;
   order(path, start, motion);
   cutForCoast(motion, limits.coast, path.closed);
-  const std::vector<double> speeds = segmentSpeeds(motion, limits);
+  std::vector<double> speeds = segmentSpeeds(motion, limits);
   limitSlope(motion, speeds, limits, path.closed);
+  slowCurves(motion, limits, speeds);
   setFeedrates(motion, speeds, limits);
   setSeconds(motion, limits);
   return motion;

@@ -31,9 +31,10 @@ struct MotionLimits {
   double cornerSpeed = 0;   ///< square corner velocity [mm/s]; Marlin's jerk is twice this, and so fast it sets off
   double maxFlow = 0;       ///< [mm³/s]
   double maxSegmentsPerSecond = 0;
-  double pressureAdvance = 0;  ///< [s]
-  double evenFlow = 0;         ///< speed times width [mm²/s]; 0: the same speed for every width
-  double coast = 0;            ///< [mm] at the end of a closed path without extrusion
+  double curveAcceleration = 0;  ///< towards the middle of a curve [mm/s²]; 0: curves go as fast as straights
+  double pressureAdvance = 0;    ///< [s]
+  double evenFlow = 0;           ///< speed times width [mm²/s]; 0: the same speed for every width
+  double coast = 0;              ///< [mm] at the end of a closed path without extrusion
 };
 
 /// One path in printing order. Segment i leads from point i to point i + 1.
@@ -47,6 +48,7 @@ struct Motion {
   double totalSeconds = 0;
   double flowSlowedMm = 0;     ///< length slowed by maxFlow
   double segmentSlowedMm = 0;  ///< length slowed by maxSegmentsPerSecond
+  double curveSlowedMm = 0;    ///< length slowed by curveAcceleration, or to stay even beside a slower stretch
 };
 
 /// Plans a path from rest to rest. Geometry stays as it is.

@@ -119,6 +119,7 @@ class Taker {
     bed();
     numbers();
     flavor();  // after the name
+    cornerSpeed();
     block({"start_gcode", "machine_start_gcode"}, out_.printer.startGcode);
     block({"end_gcode", "machine_end_gcode"}, out_.printer.endGcode);
   }
@@ -249,6 +250,16 @@ class Taker {
     value = 0;
     number({"machine_max_jerk_x"}, 0.1, 200, value);
     if (value > 0) p.cornerSpeed = std::clamp(value / 2, 0.1, 100.0);
+  }
+
+  // Slicers write these firmwares' jerk into each file, so that it is known what the printer has; Klipper has another
+  // measure and RepRapFirmware its own file.
+  void cornerSpeed() {
+    Printer& p = out_.printer;
+    if (find({"machine_max_jerk_x"}) == nullptr) return;
+    if (p.flavor == GcodeFlavor::Klipper || p.flavor == GcodeFlavor::RepRap) return;
+    p.machineCornerSpeed = p.cornerSpeed;
+    p.cornerSpeed = std::min(p.cornerSpeed, Printer{}.cornerSpeed);
   }
 
   void flavor() {

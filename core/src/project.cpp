@@ -106,6 +106,8 @@ void visitPrinter(Visitor& v, AnyPrinter& p) {
   v.number("acceleration", p.acceleration, 1, 100'000, "mm/s2");
   v.number("machineAcceleration", p.machineAcceleration, 0, 100'000, "mm/s2");
   v.number("cornerSpeed", p.cornerSpeed, 0.1, 100, "mm/s");
+  v.number("machineCornerSpeed", p.machineCornerSpeed, 0, 100, "mm/s");
+  v.number("curveAcceleration", p.curveAcceleration, 0, 100'000, "mm/s2");
   v.number("maxFlow", p.maxFlow, 0.1, 1000, "mm3/s");
   v.number("maxSegmentsPerSecond", p.maxSegmentsPerSecond, 1, 100'000, "1/s");
   v.number("pressureAdvance", p.pressureAdvance, 0, 2, "s");

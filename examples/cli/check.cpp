@@ -34,6 +34,11 @@ std::string checkText(const sillon::GcodeCheck& check) {
                 static_cast<long long>(check.closed), static_cast<long long>(check.open), check.fastest, check.mostFlow,
                 check.mostMoves);
   out += line;
+  if (check.slowedMm > 0) {
+    std::snprintf(line, sizeof line, "slowed     %.2f m of oriented beads, below the fastest of their layer\n",
+                  check.slowedMm / 1000);
+    out += line;
+  }
   if (check.noise >= 0) {
     std::snprintf(line, sizeof line, "noise      %.1f um in 99 %% of the oriented path\n", 1000 * check.noise);
     out += line;
@@ -75,6 +80,7 @@ std::string checkJson(const sillon::GcodeCheck& check) {
                                 {"open", check.open},
                                 {"retractions", check.retractions},
                                 {"fastest", check.fastest},
+                                {"slowedMm", check.slowedMm},
                                 {"mostFlow", check.mostFlow},
                                 {"mostMoves", check.mostMoves},
                                 {"printer", check.printer},

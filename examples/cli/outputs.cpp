@@ -184,6 +184,9 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
   if (job.gcode) {
     out += print("print      %s, %.2f m filament, %.1f g\n", durationText(job.gcode->seconds).c_str(),
                  job.gcode->filamentMm / 1000, job.gcode->filamentGrams);
+    if (job.gcode->curveSlowedMm > 0) {
+      out += print("curves     %.2f m of the oriented path slower than the rest\n", job.gcode->curveSlowedMm / 1000);
+    }
   }
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
   if (job.gcode) {

@@ -41,9 +41,11 @@ struct Printer {
   double travelSpeed = 120;
   double machineSpeed = 0;  ///< all speeds are held at it; 0: not known
   double acceleration = 1000;
-  double machineAcceleration = 0;  ///< put back at the end; 0: `acceleration` is only estimated with, not set
-  double cornerSpeed = 5;          ///< Klipper's square corner velocity; Marlin's jerk is twice this
-  double maxFlow = 10;             ///< [mm³/s]
+  double machineAcceleration = 0;   ///< put back at the end; 0: `acceleration` is only estimated with, not set
+  double cornerSpeed = 5;           ///< Klipper's square corner velocity; Marlin's jerk is twice this
+  double machineCornerSpeed = 0;    ///< put back at the end; 0: `cornerSpeed` is only estimated with, not set
+  double curveAcceleration = 1000;  ///< curves of radius r go at most at √(this · r); 0: as fast as straights
+  double maxFlow = 10;              ///< [mm³/s]
   double maxSegmentsPerSecond = 300;
   double pressureAdvance = 0.04;    ///< [s]; bounds the change of width along the path
   bool setPressureAdvance = false;  ///< write it, and 0 at the end; else the printer's own stays
@@ -113,6 +115,7 @@ struct GcodeSummary {
   std::int64_t moves = 0;
   std::int64_t bytes = 0;
   double clampedLengthMm = 0;  ///< extruded with a width held at 0.6 or 1.6 nozzle
+  double curveSlowedMm = 0;    ///< of oriented beads that curveAcceleration slows, or that stay even beside slower ones
   std::vector<std::string> warnings;
 };
 

@@ -37,6 +37,7 @@ struct GcodeCheck {
   Bounds box;            ///< of those beads' middles; start and end blocks left out where they are marked
   double top = 0;        ///< highest bead
   double fastest = 0;    ///< of beads
+  double slowedMm = 0;   ///< of oriented beads slower than the fastest of their layer
   double mostFlow = 0;   ///< [mm³/s]
   double mostMoves = 0;  ///< [1/s], over any 8 moves
   double noise = -1;     ///< 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none

@@ -423,6 +423,12 @@ export const fr: Dictionary = {
     'Pour qui sait pourquoi : permet une buse sous 170 ou au-dessus de 300 °C et un plateau à plus de 120 °C, refusés sinon.',
   'setting.printer.cornerSpeed': 'Vitesse dans les angles',
   'help.printer.cornerSpeed': 'Le « square corner velocity » de Klipper ; la moitié du « jerk » de Marlin.',
+  'setting.printer.machineCornerSpeed': 'Vitesse dans les angles ensuite',
+  'help.printer.machineCornerSpeed':
+    'Celle de l’imprimante, rétablie à la fin. 0 : la vitesse dans les angles n’est pas réglée.',
+  'setting.printer.curveAcceleration': 'Accélération dans les courbes',
+  'help.printer.curveAcceleration':
+    'Moins rend les demi-tours plus lents et plus nets. 0 : les courbes vont aussi vite que les lignes droites.',
   'setting.printer.maxFlow': 'Débit maximal',
   'help.printer.maxFlow': 'Ce que la tête peut fondre ; les cordons larges sont ralentis pour s’y tenir.',
   'setting.printer.maxSegmentsPerSecond': 'Mouvements par seconde',

@@ -74,6 +74,8 @@ export const printerDefaults: Readonly<PrinterValues> = {
   machineSpeed: 0,
   anyTemperature: false,
   cornerSpeed: 5,
+  machineCornerSpeed: 0,
+  curveAcceleration: 1000,
   maxFlow: 10,
   maxSegmentsPerSecond: 300,
   pressureAdvance: 0.04,

@@ -251,6 +251,14 @@ export const settings: readonly Setting[] = [
     usual: [0, 20000],
   }),
   number('printer', 'cornerSpeed', advanced, { unit: 'mm/s', min: 0.1, max: 100, step: 0.1, usual: [1, 20] }),
+  number('printer', 'machineCornerSpeed', advanced, { unit: 'mm/s', min: 0, max: 100, step: 0.1, usual: [0, 20] }),
+  number('printer', 'curveAcceleration', advanced, {
+    unit: 'mm/s²',
+    min: 0,
+    max: 100000,
+    step: 50,
+    usual: [0, 5000],
+  }),
   number('printer', 'maxFlow', advanced, { unit: 'mm³/s', min: 0.1, max: 1000, step: 0.5, usual: [2, 40] }),
   number('printer', 'maxSegmentsPerSecond', advanced, {
     unit: '1/s',
