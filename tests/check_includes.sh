@@ -29,9 +29,9 @@ bead_width: neighbour_gaps sdf
 simplify: bead_width
 line_give: constraints line_field phase_field
 wave_fields: constraints direction_map sdf line_field spacing_field phase_field line_give
-pipeline: shape direction_map sdf parts wave_fields sine_field contour stitch relaxation bead_width simplify session wave_preview
+pipeline: shape direction_map dislocations sdf parts wave_fields sine_field contour stitch relaxation bead_width simplify session wave_preview
 session: pipeline preview
-wave_preview: phase_field preview
+wave_preview: phase_field sdf preview
 dislocations: constraints line_field phase_field
 measure: direction_map outline sdf constraints wave_fields dislocations
 report: measure pipeline

@@ -76,6 +76,30 @@ double alignmentEnergy(Vec2f offset, Vec2f di, Vec2f dj, double phaseI, double p
   return sum / 400;
 }
 
+// How well waves continue each other: the mean cosine of what is between the phases of neighbours; 1 is perfect.
+double alignment(const SineField& field) {
+  const Grid& grid = field.grid;
+  double sum = 0, count = 0;
+  for (int y = 0; y < grid.ny; ++y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}}) {
+        if (x + dx >= grid.nx || y + dy >= grid.ny) continue;
+        const std::size_t i = grid.index(x, y);
+        const std::size_t j = grid.index(x + dx, y + dy);
+        const Vec2f qi = field.phase[i];
+        const Vec2f qj = field.phase[j];
+        if (qi == Vec2f{} || qj == Vec2f{}) continue;
+        const float cell = static_cast<float>(grid.cell);
+        const Vec2f offset{-cell * static_cast<float>(dx), -cell * static_cast<float>(dy)};
+        const float expected = alignedPhase(offset, field.wave[i], field.wave[j], std::atan2(qj.y, qj.x), kFrequency);
+        sum += static_cast<double>(qi.x * std::cos(expected) + qi.y * std::sin(expected));
+        ++count;
+      }
+    }
+  }
+  return sum / count;
+}
+
 }  // namespace
 
 TEST_CASE("our sine and cosine keep their stated error") {
@@ -227,6 +251,47 @@ TEST_CASE("no phase found by search beats the aligned phase in the energy of Eq.
   }
 }
 
+TEST_CASE("waves of the level above the finest are aligned, and are nearly those of the plate") {
+  for (const DirectionMap& map : {scenes::waves(), scenes::swirl()}) {
+    for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+      CAPTURE(static_cast<int>(mode));
+      ToolpathParams params;
+      params.perimeterMode = mode;
+      params.seed = 3;
+      const Fields f = fieldsOf(square(20, map), params);
+      const SineField coarse = alignPhases(f.lines, f.frequency, f.sdf, f.cells, params, RunContext(1), 1).value();
+      CHECK(coarse.grid.cell == 2 * f.waves.grid.cell);
+      CHECK(coarse.grid.nx == (f.waves.grid.nx + 1) / 2);
+      CHECK(alignment(f.waves) > 0.96);
+      CHECK(alignment(coarse) > 0.88);  // over twice the distance
+
+      // Both waves at the centres of the finest cells.
+      double sum = 0, count = 0;
+      const Grid& grid = f.waves.grid;
+      for (int y = 0; y < grid.ny; ++y) {
+        for (int x = 0; x < grid.nx; ++x) {
+          const std::size_t i = grid.index(x, y);
+          if (f.cells.zone[i] == Zone::Masked) continue;
+          const std::size_t parent = coarse.grid.index(x / 2, y / 2);
+          const Vec2 to = grid.centre(x, y) - coarse.grid.centre(x / 2, y / 2);
+          const Vec2f k = coarse.wave[parent];
+          const Vec2f q = coarse.phase[parent];
+          const float phase =
+              std::atan2(q.y, q.x) + kFrequency * dot(Vec2f{static_cast<float>(to.x), static_cast<float>(to.y)}, k);
+          const bool opposed = dot(k, f.waves.wave[i]) < 0;
+          const Vec2f there = f.waves.phase[i];
+          sum += static_cast<double>((opposed ? -there.x : there.x) * std::cos(phase) + there.y * std::sin(phase));
+          ++count;
+        }
+      }
+      CHECK(sum / count > 0.96);
+      const SineField other = alignPhases(f.lines, f.frequency, f.sdf, f.cells, params, RunContext(3), 1).value();
+      CHECK(coarse.phase == other.phase);
+      CHECK(coarse.wave == other.wave);
+    }
+  }
+}
+
 TEST_CASE("(d, phi) and (-d, pi - phi) are the same wave, for alignment too") {
   scenes::Random random(11);
   for (int k = 0; k < 100; ++k) {
@@ -369,6 +434,7 @@ TEST_CASE("fields are equal for any number of threads") {
     for (const int threads : {2, 3, 8}) {
       const Fields many = fieldsOf(input, params, RunContext(threads));
       CHECK(one.lines.direction == many.lines.direction);
+      CHECK(one.frequency == many.frequency);
       CHECK(one.waves.phase == many.waves.phase);
       CHECK(one.values == many.values);
     }

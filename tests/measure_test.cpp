@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "sillon/report.hpp"
+#include "sillon/session.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -174,6 +176,28 @@ TEST_CASE(
   // Lines that turn by half a turn round a point, one way or the other.
   CHECK(of([](double x, double y) { return 0.5 * std::atan2(y - 12.1, x - 12.1); }).singularities == 1);
   CHECK(of([](double x, double y) { return -0.5 * std::atan2(y - 12.1, x - 12.1); }).singularities == 1);
+}
+
+TEST_CASE("measures are the same whether dislocations were counted while the plate was made, in a session, or anew") {
+  const auto scene = scenes::all()[0];
+  ToolpathParams params;
+  for (const double give : {0.0, 4.0}) {
+    params.lineGive = give;
+    Session session;
+    const Plate plate = generateToolpath(scene.input, params, kRun, true).value();
+    const Plate kept = session.generateToolpath(scene.input, params, kRun, true).value();
+    const auto report = [&](const std::optional<Dislocations>& known) {
+      const auto measures = measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions,
+                                            scene.input.modes, params, kRun, known);
+      return reportJson(Plate{}, measures.value(), 1, 0);
+    };
+    const std::string anew = report(std::nullopt);
+    REQUIRE(plate.dislocations.has_value());
+    CHECK(plate.dislocations->count > 0);
+    CHECK(report(plate.dislocations) == anew);
+    CHECK(report(kept.dislocations) == anew);
+    CHECK_FALSE(generateToolpath(scene.input, params, kRun).value().dislocations.has_value());
+  }
 }
 
 TEST_CASE("measuring tells its progress: from 0 to 1, never falling") {

@@ -153,3 +153,34 @@ TEST_CASE("the preview is bright where beads lie, dark half-way between, and bla
   CHECK(session.previewWaves(input, params, 9000, run).error().message ==
         "width is 9000 pixels; it must be 16 to 8192 pixels");
 }
+
+TEST_CASE("the preview is the same picture whatever came before and however many threads draw it") {
+  PlateInput input = fan(12, 0.5);
+  ToolpathParams params;
+  const auto preview = [&](Session& session, int threads) {
+    return session.previewWaves(input, params, 333, RunContext(threads)).value().rgb;
+  };
+  Session used;
+  (void)preview(used, 2);
+  (void)used.generateToolpath(input, params, RunContext(2));
+  input.directions.angle[700] += 9000;
+  params.relaxationRounds = 1;
+  Session fresh;
+  const auto expected = preview(fresh, 1);
+  CHECK(preview(used, 2) == expected);
+  (void)used.generateToolpath(input, params, RunContext(2));
+  CHECK(preview(used, 3) == expected);
+}
+
+TEST_CASE("a preview between two plates leaves the plate's waves as they were kept") {
+  const RunContext run(1);
+  PlateInput input = fan(10, 0.5);
+  ToolpathParams params;
+  Session session;
+  (void)session.generateToolpath(input, params, run);
+  (void)session.previewWaves(input, params, 200, run);
+  params.relaxationRounds = 1;
+  const Plate plate = session.generateToolpath(input, params, run).value();
+  CHECK_FALSE(did(plate, "phases"));
+  CHECK(digestOf(plate.toolpath) == digestOf(generateToolpath(input, params, run).value().toolpath));
+}

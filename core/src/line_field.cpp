@@ -173,31 +173,34 @@ Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraint
     needsFinal = needsFinal || mode == DirectionMode::Smoothest;
   }
 
+  const auto forCells = [&](const auto& visit) {
+    parallelFor(run, grid.ny, rowGrain(run, grid.ny, 5.0 * grid.nx), [&](int begin, int end) {
+      for (std::size_t i = grid.index(0, begin); i < grid.index(0, end); ++i) visit(i);
+    });
+  };
   // Everything begins as the normal of the nearest border.
   LineInput base{std::vector<Vec2f>(grid.size()), std::vector<std::uint8_t>(grid.size(), 0)};
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (cells.zone[i] == Zone::Masked) continue;
+  forCells([&](std::size_t i) {
+    if (cells.zone[i] == Zone::Masked) return;
     base.line[i] = lineOf(sdf.normal[i]);
     base.fixed[i] = cells.zone[i] == Zone::Ring ? 1 : 0;
-  }
+  });
   if (needsBase) base.line = smoothLines(grid, base, params.sweepsPerLevel, run);
 
-  LineInput lines = base;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
+  LineInput lines = std::move(base);
+  forCells([&](std::size_t i) {
     const Zone zone = cells.zone[i];
-    if (zone == Zone::Masked || (zone == Zone::Ring && ring)) continue;
+    if (zone == Zone::Masked || (zone == Zone::Ring && ring)) return;
     const DirectionMode mode = cells.mode[i];
     lines.fixed[i] = mode == DirectionMode::Smoothest ? 0 : 1;
-    if (zone == Zone::Shell || mode == DirectionMode::Smoothest || mode == DirectionMode::Parallel) continue;
-    lines.line[i] = mode == DirectionMode::Orthogonal ? -base.line[i] : cells.mapLine[i];
-  }
+    if (zone == Zone::Shell || mode == DirectionMode::Smoothest || mode == DirectionMode::Parallel) return;
+    lines.line[i] = mode == DirectionMode::Orthogonal ? -lines.line[i] : cells.mapLine[i];
+  });
   if (needsFinal) lines.line = smoothLines(grid, lines, params.sweepsPerLevel, run);
 
   LineField field{grid, std::vector<Vec2f>(grid.size()), std::move(lines.fixed)};
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 5.0 * grid.nx), [&](int begin, int end) {
-    for (std::size_t i = grid.index(0, begin); i < grid.index(0, end); ++i) {
-      if (cells.zone[i] != Zone::Masked) field.direction[i] = directionOf(lines.line[i]);
-    }
+  forCells([&](std::size_t i) {
+    if (cells.zone[i] != Zone::Masked) field.direction[i] = directionOf(lines.line[i]);
   });
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   return field;

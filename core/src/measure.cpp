@@ -7,8 +7,8 @@
 #include "fast_math.hpp"
 #include "parallel_for.hpp"
 #include "sillon/constraints.hpp"
-#include "sillon/dislocations.hpp"
 #include "sillon/sdf.hpp"
+#include "simd.hpp"
 #include "wave_fields.hpp"
 
 namespace sillon {
@@ -22,7 +22,7 @@ Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}
 
 // ---------------------------------------------------------------------------------------------- area
 
-// A bead from a to b, with the arc length at a along its cycle.
+// A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
 struct Bead {
   Vec2f a;
   Vec2f b;
@@ -33,20 +33,40 @@ struct Bead {
   std::int32_t cycle;
 };
 
-// Position [0, length] at which the bead covers p, or -1. The bead is the union of discs centred on its segment.
-float coveredAt(const Bead& bead, Vec2f p) {
-  const Vec2f to = p - bead.a;
-  if (bead.length <= 0) return dot(to, to) <= bead.ra * bead.ra ? 0.0f : -1.0f;
-  const Vec2f u = (bead.b - bead.a) * (1 / bead.length);
-  const float slope = (bead.rb - bead.ra) / bead.length;
-  const float x = dot(to, u);
-  const float y = std::abs(cross(u, to));
-  // The disc that reaches furthest towards p is not the nearest one where the radius changes.
-  const float shift = std::abs(slope) < 0.99f ? slope * y / std::sqrt(1 - slope * slope) : slope * 1e3f;
-  const float s = std::clamp(x + shift, 0.0f, bead.length);
-  const float r = bead.ra + slope * s;
-  return (x - s) * (x - s) + y * y <= r * r ? s : -1.0f;
-}
+// Positions [0, length] at which a bead covers four points of a row, or -1.
+class Cover {
+ public:
+  explicit Cover(const Bead& bead) : bead_(bead) {
+    if (bead.length <= 0) return;
+    u_ = (bead.b - bead.a) * (1 / bead.length);
+    slope_ = (bead.rb - bead.ra) / bead.length;
+    // The disc that reaches furthest towards a point is not the nearest one where the radius changes.
+    if (std::abs(slope_) < 0.99f) {
+      root_ = std::sqrt(1 - slope_ * slope_);
+    } else {
+      shift_ = slope_ * 1e3f;
+    }
+  }
+
+  [[nodiscard]] F4 at(F4 px, float py) const {
+    const F4 toX = px - splat(bead_.a.x);
+    const F4 toY = splat(py - bead_.a.y);
+    const F4 x = toX * splat(u_.x) + toY * splat(u_.y);
+    const F4 y = abs4(splat(u_.x) * toY - splat(u_.y) * toX);
+    const F4 shift = root_ > 0 ? splat(slope_) * y / splat(root_) : splat(shift_);
+    const F4 s = min4(max4(x + shift, splat(0)), splat(bead_.length));
+    const F4 r = splat(bead_.ra) + splat(slope_) * s;
+    const F4 away2 = bead_.length > 0 ? (x - s) * (x - s) + y * y : toX * toX + toY * toY;
+    return select4(away2 > r * r, splat(-1), s);
+  }
+
+ private:
+  const Bead& bead_;
+  Vec2f u_{};
+  float slope_ = 0;
+  float root_ = 0;  ///< 0: `shift_` says it
+  float shift_ = 0;
+};
 
 std::vector<Bead> beadsOf(const Toolpath& toolpath, std::vector<float>& lengthOfCycle) {
   std::vector<Bead> beads;
@@ -165,6 +185,8 @@ AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& 
     forTiles(beads[k], [&](std::size_t t) { beadOf[next[t]++] = static_cast<std::int32_t>(k); });
   }
 
+  std::vector<float> columns(static_cast<std::size_t>(raster.nx) + 3);  // whole vectors
+  for (int x = 0; x < raster.nx; ++x) columns[static_cast<std::size_t>(x)] = static_cast<float>(raster.centre(x, 0).x);
   const int tiles = tx * ty;
   std::vector<AreaCount> counts(static_cast<std::size_t>(tiles));
   const auto countTiles = [&](int firstTile, int lastTile) {
@@ -177,11 +199,15 @@ AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& 
            ++at) {
         const Bead& bead = beads[static_cast<std::size_t>(beadOf[at])];
         const Reach r = reachOf(bead);
+        const Cover cover(bead);
+        const int last = std::min(r.x1, left + kTile - 1);
         for (int y = std::max(r.y0, bottom); y <= std::min(r.y1, bottom + kTile - 1); ++y) {
-          for (int x = std::max(r.x0, left); x <= std::min(r.x1, left + kTile - 1); ++x) {
-            const Vec2 p = raster.centre(x, y);
-            const float s = coveredAt(bead, {static_cast<float>(p.x), static_cast<float>(p.y)});
-            if (s >= 0) passes.cover((y - bottom) * kTile + x - left, bead.cycle, bead.along + s);
+          const float py = static_cast<float>(raster.centre(0, y).y);
+          for (int x = std::max(r.x0, left); x <= last; x += 4) {
+            const F4 s = cover.at(load4(&columns[static_cast<std::size_t>(x)]), py);
+            for (int k = 0; k < 4 && x + k <= last; ++k) {
+              if (s[k] >= 0) passes.cover((y - bottom) * kTile + x + k - left, bead.cycle, bead.along + s[k]);
+            }
           }
         }
       }
@@ -400,7 +426,8 @@ Result<Dislocations> dislocationsOf(const Outline& outline, const Shape& shape, 
   if (!border) return border.error();
   const Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
-  const Result<WaveFields> fields = waveFields(sdf.value(), directions, modes, shape.page, params, run);
+  const Result<WaveFields> fields =
+      waveFields(sdf.value(), directions, modes, shape.page, params, WaveDetail::Plate, run);
   if (!fields) return fields.error();
   return findDislocations(fields.value().lines, fields.value().waves, fields.value().cells, run);
 }
@@ -429,14 +456,17 @@ std::string digestOf(const Toolpath& toolpath) {
 }
 
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
-                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
+                                 const std::optional<Dislocations>& known) {
+  const double making = known ? 0 : 0.3;  // the waves' share
   run.beginJob();
-  run.beginStage("measure", 0, 0.3);
+  run.beginStage("measure", 0, making);
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
-  const Result<Dislocations> dislocations = dislocationsOf(outline.value(), shape, directions, modes, params, run);
+  const Result<Dislocations> dislocations =
+      known ? *known : dislocationsOf(outline.value(), shape, directions, modes, params, run);
   if (!dislocations) return dislocations.error();
-  run.beginStage("measure", 0.3, 1);
+  run.beginStage("measure", making, 1);
   Bounds box = outline.value().bounds;
   for (const Cycle& cycle : toolpath.cycles) {
     for (const Vec2f p : cycle.points) box.add(wide(p));

@@ -351,42 +351,45 @@ Vec2f borderPhase(float distance, float spacing) {
 }
 
 PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequency, const SignedDistanceField& sdf,
-                       const CellConstraints& cells, const ToolpathParams& params, const Jitter& jitter) {
+                       const CellConstraints& cells, const ToolpathParams& params, const Jitter& jitter,
+                       const RunContext& run) {
   const Grid& grid = lines.grid;
   const float spacing = static_cast<float>(params.spacing);
   const bool soft = params.perimeterMode == PerimeterMode::Soft;
   const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
   PhaseLevel level = makeLevel(LevelShape(grid.nx, grid.ny), 0.5f * kPi, 0, params.phaseTransport, soft);
-  for (int y = 0; y < grid.ny; ++y) {
-    for (int x = 0; x < grid.nx; ++x) {
-      const std::size_t i = grid.index(x, y);
-      if (cells.zone[i] == Zone::Masked) continue;
-      const std::size_t colour = colourOf(x, y);
-      const std::size_t at = level.shape.atCell(x, y);
-      const Vec2f d = lines.direction[i];
-      level.dx[colour][at] = d.x;
-      level.dy[colour][at] = d.y;
-      level.f[colour][at] = frequency[i];
-      level.free[colour][at] = 1;
-      level.qr[colour][at] = 1;
-      if (cells.zone[i] != Zone::Ring || !(ring || soft)) continue;
-      const Vec2f n = sdf.normal[i];
-      const float along = dot(d, n);
-      Vec2f q = borderPhase(sdf.distance[i], spacing);
-      if (along < 0) q.x = -q.x;  // (d, phi) = (-d, pi - phi)
-      const SinCos move = sinCos(level.step * frequency[i] * dot(jitter.at(0, x, y), d));
-      q = multiply({move.cos, move.sin}, q);
-      if (ring) {
-        level.qr[colour][at] = q.x;
-        level.qi[colour][at] = q.y;
-        level.free[colour][at] = 0;
-      } else {
-        const float weight = static_cast<float>(params.borderPull) * std::abs(along);
-        level.ar[colour][at] = weight * q.x;
-        level.ai[colour][at] = weight * q.y;
+  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        if (cells.zone[i] == Zone::Masked) continue;
+        const std::size_t colour = colourOf(x, y);
+        const std::size_t at = level.shape.atCell(x, y);
+        const Vec2f d = lines.direction[i];
+        level.dx[colour][at] = d.x;
+        level.dy[colour][at] = d.y;
+        level.f[colour][at] = frequency[i];
+        level.free[colour][at] = 1;
+        level.qr[colour][at] = 1;
+        if (cells.zone[i] != Zone::Ring || !(ring || soft)) continue;
+        const Vec2f n = sdf.normal[i];
+        const float along = dot(d, n);
+        Vec2f q = borderPhase(sdf.distance[i], spacing);
+        if (along < 0) q.x = -q.x;  // (d, phi) = (-d, pi - phi)
+        const SinCos move = sinCos(level.step * frequency[i] * dot(jitter.at(0, x, y), d));
+        q = multiply({move.cos, move.sin}, q);
+        if (ring) {
+          level.qr[colour][at] = q.x;
+          level.qi[colour][at] = q.y;
+          level.free[colour][at] = 0;
+        } else {
+          const float weight = static_cast<float>(params.borderPull) * std::abs(along);
+          level.ar[colour][at] = weight * q.x;
+          level.ai[colour][at] = weight * q.y;
+        }
       }
     }
-  }
+  });
   return level;
 }
 
@@ -400,12 +403,13 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
 
 Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
                               const SignedDistanceField& sdf, const CellConstraints& cells,
-                              const ToolpathParams& params, const RunContext& run) {
+                              const ToolpathParams& params, const RunContext& run, int depth) {
   const Jitter jitter(params.seed, static_cast<float>(params.jitter));
   std::vector<PhaseLevel> levels;
-  levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter));
+  levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter, run));
   while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));
-  for (std::size_t k = levels.size() - 1; k-- > 0;) {
+  const std::size_t last = std::min(static_cast<std::size_t>(depth), levels.size() - 1);
+  for (std::size_t k = levels.size() - 1; k-- > last;) {
     PhaseLevel& level = levels[k];
     prolong(levels[k + 1], level, jitter, run);
     levels.pop_back();
@@ -414,26 +418,27 @@ Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& 
                                                        colourSweep(level, 2), colourSweep(level, 3)};
     for (int sweep = 0; sweep < params.sweepsPerLevel && !run.cancelled(); ++sweep) {
       sweepOnce(colours, level.shape, run);
-      if (k == 0) run.report((sweep + 1.0) / params.sweepsPerLevel);
+      if (k == last) run.report((sweep + 1.0) / params.sweepsPerLevel);
     }
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
 
-  PhaseLevel& finest = levels.front();
+  PhaseLevel& finest = levels[last];
   finest.edges = {};  // the largest part of it; memory peaks in here
-  const Grid& grid = lines.grid;
+  const LevelShape& shape = finest.shape;
+  const Grid grid{lines.grid.origin, lines.grid.cell * (1 << last), shape.nx, shape.ny};
   SineField field{grid, params.spacing, std::vector<Vec2f>(grid.size()), std::vector<Vec2f>(grid.size())};
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 4.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        if (cells.zone[i] == Zone::Masked) continue;
-        field.wave[i] = lines.direction[i] * frequency[i];
         const std::size_t colour = colourOf(x, y);
-        const std::size_t at = finest.shape.atCell(x, y);
+        const std::size_t at = shape.atCell(x, y);
+        if (isMasked(finest, colour, at)) continue;
+        const std::size_t i = grid.index(x, y);
+        field.wave[i] = waveAt(finest, colour, at);
         Vec2f q{finest.qr[colour][at], finest.qi[colour][at]};
         if (params.seed != 0) {  // back from the moved sample point to the cell's centre
-          const SinCos move = sinCos(-finest.step * dot(jitter.at(0, x, y), field.wave[i]));
+          const SinCos move = sinCos(-finest.step * dot(jitter.at(finest.depth, x, y), field.wave[i]));
           q = multiply({move.cos, move.sin}, q);
         }
         field.phase[i] = q;

@@ -24,6 +24,7 @@ namespace {
 
 // A cell takes some 110 bytes; where pointers have 32 bits no more than 2 GB can be had, and 1 GB with threads.
 constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
+constexpr double kMaxKeptCells = 0.4 * kMaxCells;  // a session keeps 60 bytes a cell more
 
 // Times stages and tells the run where in the job they lie.
 class StageClock {
@@ -144,9 +145,9 @@ Result<ShapeFields> shapeFields(const Shape& shape, const ToolpathParams& params
 }
 
 Result<WaveFields> timedWaves(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
-                              StageClock& clock, const RunContext& run) {
+                              WaveDetail detail, StageClock& clock, const RunContext& run) {
   clock.start("lines", 0.12);
-  return waveFields(shape.sdf, input.directions, input.modes, input.shape.page, params, run,
+  return waveFields(shape.sdf, input.directions, input.modes, input.shape.page, params, detail, run,
                     [&] { clock.start("phases", 0.35); });
 }
 
@@ -158,9 +159,11 @@ void release(bool keep, T& fields) {
 
 // From the fields to the path; they are emptied on the way unless they are kept.
 Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& fields, bool keep,
-                      const ToolpathParams& params, StageClock& clock, std::vector<StageTime>& times,
-                      const RunContext& run) {
+                      const ToolpathParams& params, bool countDislocations, StageClock& clock,
+                      std::vector<StageTime>& times, const RunContext& run) {
   Plate plate;
+  clock.stop();
+  if (countDislocations) plate.dislocations = findDislocations(fields.lines, fields.waves, fields.cells, run);
   const Grid grid = fields.lines.grid;
   plate.nx = grid.nx;
   plate.ny = grid.ny;
@@ -238,45 +241,65 @@ ToolpathParams ofWaves(const ToolpathParams& p) {
 
 }  // namespace
 
-Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
+Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+                               bool countDislocations) {
   if (auto wrong = wrongInput(input, params)) return *wrong;
   std::vector<StageTime> times;
   StageClock clock(run, times);
   Result<ShapeFields> shape = shapeFields(input.shape, params, clock, run);
   if (!shape) return shape.error();
-  Result<WaveFields> waves = timedWaves(input, shape.value(), params, clock, run);
+  Result<WaveFields> waves = timedWaves(input, shape.value(), params, WaveDetail::Plate, clock, run);
   if (!waves) return waves.error();
-  return plateOf(input, shape.value(), waves.value(), false, params, clock, times, run);
+  return plateOf(input, shape.value(), waves.value(), false, params, countDislocations, clock, times, run);
 }
 
-struct Session::State {
-  PlateInput input;
+namespace {
+
+// Waves, and what they were made of besides the shape.
+struct KeptWaves {
+  DirectionMap directions;
+  ModeMap modes;
   ToolpathParams params;  ///< those of ofWaves
-  std::optional<ShapeFields> shape;
-  std::optional<WaveFields> waves;
+  WaveFields fields;
+
+  [[nodiscard]] bool areOf(const PlateInput& input, const ToolpathParams& wanted) const {
+    return params == wanted && directions == input.directions && modes == input.modes;
+  }
+};
+
+}  // namespace
+
+struct Session::State {
+  Shape shape;
+  double spacing = 0;
+  std::optional<double> bridge;
+  std::optional<ShapeFields> fields;  ///< of these three
+  std::optional<KeptWaves> plate;
+  std::optional<KeptWaves> preview;  ///< the waves only
 
   /// Makes what is missing or out of date. \return why it could not; what there is then is whole all the same.
-  std::optional<Error> update(const PlateInput& wanted, const ToolpathParams& all, StageClock& clock,
+  std::optional<Error> update(const PlateInput& wanted, const ToolpathParams& all, WaveDetail detail, StageClock& clock,
                               const RunContext& run) {
     const ToolpathParams now = ofWaves(all);
-    if (!shape || now.spacing != params.spacing || now.bridge != params.bridge || wanted.shape != input.shape) {
-      waves.reset();
-      shape.reset();
+    if (!fields || now.spacing != spacing || now.bridge != bridge || wanted.shape != shape) {
+      plate.reset();
+      preview.reset();
+      fields.reset();
       Result<ShapeFields> made = shapeFields(wanted.shape, now, clock, run);
       if (!made) return made.error();
-      shape = std::move(made).value();
-      input.shape = wanted.shape;
-      params = now;
+      fields = std::move(made).value();
+      shape = wanted.shape;
+      spacing = now.spacing;
+      bridge = now.bridge;
     }
-    if (!waves || now != params || wanted.directions != input.directions || wanted.modes != input.modes) {
-      waves.reset();
-      Result<WaveFields> made = timedWaves(wanted, *shape, now, clock, run);
-      if (!made) return made.error();
-      waves = std::move(made).value();
-      input.directions = wanted.directions;
-      input.modes = wanted.modes;
-      params = now;
-    }
+    std::optional<KeptWaves>& kept = detail == WaveDetail::Plate ? plate : preview;
+    if (kept && kept->areOf(wanted, now)) return std::nullopt;
+    kept.reset();
+    Result<WaveFields> made = timedWaves(wanted, *fields, now, detail, clock, run);
+    if (!made) return made.error();
+    kept = KeptWaves{wanted.directions, wanted.modes, now, std::move(made).value()};
+    release(detail == WaveDetail::Plate, kept->fields.cells);
+    release(detail == WaveDetail::Plate, kept->fields.lines);
     return std::nullopt;
   }
 };
@@ -286,12 +309,20 @@ Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
-Result<Plate> Session::generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
+Result<Plate> Session::generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+                                        bool countDislocations) {
   if (auto wrong = wrongInput(input, params)) return *wrong;
   std::vector<StageTime> times;
   StageClock clock(run, times);
-  if (auto error = state_->update(input, params, clock, run)) return *error;
-  return plateOf(input, *state_->shape, *state_->waves, true, params, clock, times, run);
+  if (auto error = state_->update(input, params, WaveDetail::Plate, clock, run)) return *error;
+  ShapeFields& shape = *state_->fields;
+  if (static_cast<double>(shape.sdf.grid.size()) <= kMaxKeptCells)
+    return plateOf(input, shape, state_->plate->fields, true, params, countDislocations, clock, times, run);
+  state_->preview.reset();
+  Result<Plate> plate =
+      plateOf(input, shape, state_->plate->fields, false, params, countDislocations, clock, times, run);
+  *state_ = {};
+  return plate;
 }
 
 Result<RgbImage> Session::previewWaves(const PlateInput& input, const ToolpathParams& params, int width,
@@ -301,9 +332,9 @@ Result<RgbImage> Session::previewWaves(const PlateInput& input, const ToolpathPa
     return Error{ErrorCode::InvalidArgument, outOfRange("width", width, " pixels", "16 to 8192 pixels")};
   std::vector<StageTime> times;
   StageClock clock(run, times);
-  if (auto error = state_->update(input, params, clock, run)) return *error;
+  if (auto error = state_->update(input, params, WaveDetail::Preview, clock, run)) return *error;
   clock.start("preview", 1);
-  return drawWaves(state_->waves->waves, input.shape.page, width, run);
+  return drawWaves(state_->preview->fields.waves, state_->fields->sdf, input.shape.page, width, run);
 }
 
 }  // namespace sillon

@@ -107,6 +107,22 @@ void ThreadPool::run(int chunks, const std::function<void(int)>& task) {
   for (int spin = 0; state.unfinished.load() > 0; ++spin) pause(spin & 0xffff);
 }
 
+void forRanges(const RunContext& run, int count, int grain, const RangeBody& body) {
+  if (count <= 0) return;
+  grain = std::max(grain, 1);
+  const int chunks = (count - 1) / grain + 1;
+  const auto chunkBody = [&](int chunk) {
+    if (run.cancelled()) return;
+    const int begin = chunk * grain;
+    body.call(body.body, begin, std::min(count - begin, grain) + begin);
+  };
+  if (chunks == 1 || run.threads() == 1) {
+    for (int chunk = 0; chunk < chunks && !run.poll(); ++chunk) chunkBody(chunk);
+  } else {
+    run.pool().run(chunks, chunkBody);
+  }
+}
+
 RunContext::RunContext(int threads) : pool_(std::make_unique<ThreadPool>(threads)) {}
 RunContext::~RunContext() = default;
 

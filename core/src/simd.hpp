@@ -41,6 +41,7 @@ struct I4 {
 struct F4 {
   float lane[4];
   float operator[](int k) const { return lane[k]; }
+  float& operator[](int k) { return lane[k]; }
 };
 #define SILLON_LANES(Out, expression)                     \
   Out out;                                                \

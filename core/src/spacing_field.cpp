@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "lines.hpp"
 #include "parallel_for.hpp"
+#include "simd.hpp"
 
 namespace sillon {
 namespace {
@@ -37,11 +37,16 @@ struct CoarseGrid {
 
 bool masked(const CoarseCell& cell) { return cell.direction == Vec2f{}; }
 
-CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, bool ring) {
+CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, bool ring, const RunContext& run) {
   const Grid& grid = lines.grid;
   CoarseGrid coarse{(grid.nx - 1) / kCoarsening + 1, (grid.ny - 1) / kCoarsening + 1, {}};
   coarse.cells.resize(static_cast<std::size_t>(coarse.nx) * static_cast<std::size_t>(coarse.ny));
-  for (int cy = 0; cy < coarse.ny; ++cy) {
+  const auto forRows = [&](const auto& row) {
+    parallelFor(run, coarse.ny, rowGrain(run, coarse.ny, 100.0 * coarse.nx), [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) row(y);
+    });
+  };
+  forRows([&](int cy) {
     for (int cx = 0; cx < coarse.nx; ++cx) {
       Vec2f z{};
       int count = 0;
@@ -59,9 +64,9 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
       coarse.cells[static_cast<std::size_t>(cy) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(cx)]
           .direction = directionOf(z * (1 / size));
     }
-  }
+  });
   // kappa = -curl d by differences, neighbours' signs matched.
-  for (int y = 0; y < coarse.ny; ++y) {
+  forRows([&](int y) {
     for (int x = 0; x < coarse.nx; ++x) {
       CoarseCell& cell =
           coarse.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(x)];
@@ -82,70 +87,113 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
       const float kappa = std::clamp(slope(0, 1).x - slope(1, 0).y, -kMaxDivergence, kMaxDivergence);
       cell.divergence = Vec2f{d.y, -d.x} * kappa;
     }
-  }
+  });
   return coarse;
 }
 
-// What one neighbour asks of a cell: u there less the target, with a weight.
-struct Link {
-  std::int32_t from;
-  float weight;
-  float target;
+// Rows four by four: lane l of the vector at step s of a band is cell (s - 2 l, 4 band + l). Where a cell is updated
+// after its neighbours to the left and in the row below it in the order of rows, all four lanes can be at once: what
+// lane l reads of lane l - 1 was written one step ago. The other way round, from the last step to the first, holds as
+// well. (Measured on 31,000 cells, 24 sweeps: 2 ms instead of 18, with the same bits as cell by cell.)
+struct SkewedRows {
+  int bands;
+  int steps;
+  std::size_t pitch;  ///< steps of a band and of what is read beside it
+
+  explicit SkewedRows(const CoarseGrid& grid)
+      : bands((grid.ny + 3) / 4), steps(grid.nx + 6), pitch(static_cast<std::size_t>(steps) + 2 * kBeside) {}
+
+  static constexpr int kBeside = 7;
+  [[nodiscard]] std::size_t size() const { return (static_cast<std::size_t>(bands) + 2) * pitch; }  // [vectors]
+  [[nodiscard]] std::size_t at(int band, int step) const {
+    return static_cast<std::size_t>(band + 1) * pitch + static_cast<std::size_t>(step + kBeside);
+  }
 };
 
-// The links of every cell, one after the other; they stay as they are over all sweeps (four times as fast as anew).
+// What the 8 neighbours of four cells ask of them: u there less the target, with a weight; weight 0 is no neighbour.
 struct Links {
-  std::vector<Link> all;
-  std::vector<std::int32_t> begin;  ///< of each cell's, and their end
-  std::vector<float> weight;        ///< of all that acts on the cell
+  F4 weight[8];
+  F4 target[8];
+  F4 weights;  ///< of all that acts on the cell
 };
 
-Links linksOf(const CoarseGrid& grid) {
-  Links links;
-  links.begin.push_back(0);
-  for (int y = 0; y < grid.ny; ++y) {
-    for (int x = 0; x < grid.nx; ++x) {
-      const CoarseCell& cell = grid.at(x, y);
-      float weights = 1 / (kReach * kReach);
-      for (int dy = -1; dy <= 1 && !masked(cell); ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          const CoarseCell& other = grid.at(x + dx, y + dy);
-          if ((dx == 0 && dy == 0) || masked(other) || std::abs(dot(cell.direction, other.direction)) < kAlike)
-            continue;
-          const float size = std::sqrt(static_cast<float>(dx * dx + dy * dy));
-          const Vec2f e = Vec2f{static_cast<float>(dx), static_cast<float>(dy)} * (1 / size);
-          const float span = size * kCell;
-          const float across = dot(cell.direction, e);
-          const float along2 = 1 - across * across;  // (t . e)²
-          const float weight = along2 * along2 / (span * span);
-          links.all.push_back(
-              {(y + dy) * grid.nx + x + dx, weight, 0.5f * span * dot(cell.divergence + other.divergence, e)});
-          weights += weight;
+constexpr int kNeighbourX[8] = {-1, 0, 1, -1, 1, -1, 0, 1};
+constexpr int kNeighbourY[8] = {-1, -1, -1, 0, 0, 1, 1, 1};
+
+std::vector<Links> linksOf(const CoarseGrid& grid, const SkewedRows& rows, const RunContext& run) {
+  std::vector<Links> links(rows.size());
+  parallelFor(run, rows.bands, 1, [&](int begin, int end) {
+    for (int band = begin; band < end; ++band) {
+      for (int step = 0; step < rows.steps; ++step) {
+        Links& link = links[rows.at(band, step)];
+        link.weights = splat(1 / (kReach * kReach));
+        for (int lane = 0; lane < 4; ++lane) {
+          const int x = step - 2 * lane;
+          const int y = 4 * band + lane;
+          const CoarseCell& cell = grid.at(x, y);
+          for (std::size_t k = 0; k < 8 && !masked(cell); ++k) {
+            const CoarseCell& other = grid.at(x + kNeighbourX[k], y + kNeighbourY[k]);
+            if (masked(other) || std::abs(dot(cell.direction, other.direction)) < kAlike) continue;
+            const Vec2f to{static_cast<float>(kNeighbourX[k]), static_cast<float>(kNeighbourY[k])};
+            const float size = length(to);
+            const Vec2f e = to * (1 / size);
+            const float span = size * kCell;
+            const float across = dot(cell.direction, e);
+            const float along2 = 1 - across * across;  // (t . e)²
+            const float weight = along2 * along2 / (span * span);
+            link.weight[k][lane] = weight;
+            link.target[k][lane] = 0.5f * span * dot(cell.divergence + other.divergence, e);
+            link.weights[lane] += weight;
+          }
         }
       }
-      links.begin.push_back(static_cast<std::int32_t>(links.all.size()));
-      links.weight.push_back(weights);
     }
-  }
+  });
   return links;
 }
 
 // u by Gauss-Seidel in row order, forward and back in turn; on one thread, as the grid is small.
 std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunContext& run) {
-  const Links links = linksOf(grid);
-  std::vector<float> u(grid.cells.size(), 0.0f);
-  const auto relax = [&](std::size_t i) {
-    float sum = 0;
-    for (std::int32_t k = links.begin[i]; k < links.begin[i + 1]; ++k) {
-      const Link& link = links.all[static_cast<std::size_t>(k)];
-      sum += link.weight * (u[static_cast<std::size_t>(link.from)] - link.target);
+  const SkewedRows rows(grid);
+  const std::vector<Links> links = linksOf(grid, rows, run);
+  std::vector<F4> u(rows.size(), splat(0));
+  const auto relax = [&](int band, int step) {
+    const std::size_t at = rows.at(band, step);
+    const Links& link = links[at];
+    F4 sum = splat(0);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const std::size_t beside = at + static_cast<std::size_t>(kNeighbourX[k]);
+      F4 from = u[beside];
+      if (kNeighbourY[k] < 0) {
+        const F4 same = u[beside - 2];
+        from = F4{u[beside + 6 - rows.pitch][3], same[0], same[1], same[2]};
+      } else if (kNeighbourY[k] > 0) {
+        const F4 same = u[beside + 2];
+        from = F4{same[1], same[2], same[3], u[beside - 6 + rows.pitch][0]};
+      }
+      sum = sum + link.weight[k] * (from - link.target[k]);
     }
-    u[i] = std::clamp(sum / links.weight[i], -limit, limit);
+    u[at] = min4(max4(sum / link.weights, splat(-limit)), splat(limit));
   };
   for (int sweep = 0; sweep < kSweeps && !run.cancelled(); ++sweep) {
-    for (std::size_t k = 0; k < u.size(); ++k) relax(sweep % 2 == 1 ? u.size() - 1 - k : k);
+    if (sweep % 2 == 0) {
+      for (int band = 0; band < rows.bands; ++band) {
+        for (int step = 0; step < rows.steps; ++step) relax(band, step);
+      }
+    } else {
+      for (int band = rows.bands - 1; band >= 0; --band) {
+        for (int step = rows.steps - 1; step >= 0; --step) relax(band, step);
+      }
+    }
   }
-  return u;
+  std::vector<float> cells(grid.cells.size());
+  for (int y = 0; y < grid.ny; ++y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x)] =
+          u[rows.at(y / 4, x + 2 * (y % 4))][y % 4];
+    }
+  }
+  return cells;
 }
 
 }  // namespace
@@ -156,37 +204,51 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
   std::vector<float> frequency(grid.size(), 1.0f);
   if (params.spacingBend == 0) return frequency;
   const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
-  const CoarseGrid coarse = coarseLines(lines, cells, ring);
+  const CoarseGrid coarse = coarseLines(lines, cells, ring, run);
   const std::vector<float> u = logFrequency(coarse, static_cast<float>(params.spacingBend), run);
 
-  // Bilinear between the unmasked coarse cells; e^u by its series, |u| <= 1/2.
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 20.0 * grid.nx), [&](int begin, int end) {
+  // Bilinear between the unmasked coarse cells, the same four for each four cells of a row; e^u by its series,
+  // |u| <= 1/2.
+  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 8.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        const Vec2f d = lines.direction[i];
-        if (d == Vec2f{} || (ring && cells.zone[i] == Zone::Ring)) continue;
-        const float gx = (static_cast<float>(x) + 0.5f) / kCoarsening - 0.5f;
-        const float gy = (static_cast<float>(y) + 0.5f) / kCoarsening - 0.5f;
-        const int x0 = static_cast<int>(std::floor(gx));
-        const int y0 = static_cast<int>(std::floor(gy));
-        float sum = 0;
-        float weights = 0;
+      const int y0 = (y + kCoarsening / 2) / kCoarsening - 1;
+      const float gy = (static_cast<float>(y) + 0.5f) / kCoarsening - 0.5f;
+      for (int x = -kCoarsening / 2; x < grid.nx; x += kCoarsening) {
+        const int x0 = (x + kCoarsening / 2) / kCoarsening - 1;
+        Vec2f d[kCoarsening] = {};
+        F4 dx = splat(0), dy = splat(0), gx = splat(0);
+        for (int k = 0; k < kCoarsening; ++k) {
+          gx[k] = (static_cast<float>(x + k) + 0.5f) / kCoarsening - 0.5f;
+          if (x + k < 0 || x + k >= grid.nx) continue;
+          d[k] = lines.direction[grid.index(x + k, y)];
+          dx[k] = d[k].x;
+          dy[k] = d[k].y;
+        }
+        F4 sum = splat(0);
+        F4 weights = splat(0);
         for (int k = 0; k < 4; ++k) {
           const int cx = x0 + (k & 1);
           const int cy = y0 + (k >> 1);
           const CoarseCell& cell = coarse.at(cx, cy);
-          const float agreement = dot(cell.direction, d);
-          if (agreement * agreement < kAlike * kAlike) continue;
-          const float weight =
-              (1 - std::abs(gx - static_cast<float>(cx))) * (1 - std::abs(gy - static_cast<float>(cy)));
-          sum += weight *
-                 u[static_cast<std::size_t>(cy) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(cx)];
-          weights += weight;
+          if (masked(cell)) continue;
+          const F4 agreement = splat(cell.direction.x) * dx + splat(cell.direction.y) * dy;
+          const F4 near =
+              (splat(1) - abs4(gx - splat(static_cast<float>(cx)))) * splat(1 - std::abs(gy - static_cast<float>(cy)));
+          const F4 weight = select4(agreement * agreement < splat(kAlike * kAlike), splat(0), near);
+          sum = sum + weight * splat(u[static_cast<std::size_t>(cy) * static_cast<std::size_t>(coarse.nx) +
+                                       static_cast<std::size_t>(cx)]);
+          weights = weights + weight;
         }
-        if (weights <= 0) continue;
-        const float v = sum / weights;
-        frequency[i] = 1 + v * (1 + v / 2 * (1 + v / 3 * (1 + v / 4 * (1 + v / 5))));
+        const F4 v = sum / weights;
+        const F4 e =
+            splat(1) +
+            v * (splat(1) +
+                 v / splat(2) * (splat(1) + v / splat(3) * (splat(1) + v / splat(4) * (splat(1) + v / splat(5)))));
+        for (int k = 0; k < kCoarsening; ++k) {
+          if (d[k] == Vec2f{} || weights[k] <= 0) continue;
+          const std::size_t i = grid.index(x + k, y);
+          if (!(ring && cells.zone[i] == Zone::Ring)) frequency[i] = e[k];
+        }
       }
     }
   });

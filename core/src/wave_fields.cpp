@@ -6,9 +6,10 @@
 namespace sillon {
 
 Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap& directions, const ModeMap& modes,
-                              Vec2 page, const ToolpathParams& params, const RunContext& run,
+                              Vec2 page, const ToolpathParams& params, WaveDetail detail, const RunContext& run,
                               const std::function<void()>& beforePhases) {
   constexpr int kGivingRounds = 3;  // of lines that give way and waves that are aligned anew
+  const bool preview = detail == WaveDetail::Preview;
   Result<CellConstraints> cells = cellConstraints(sdf, directions, modes, page, params, run);
   if (!cells) return cells.error();
   Result<LineField> lines = lineField(sdf, cells.value(), params, run);
@@ -17,8 +18,9 @@ Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap
   if (beforePhases) beforePhases();
   const Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
   if (!frequency) return frequency.error();
-  Result<SineField> waves = alignPhases(lines.value(), frequency.value(), sdf, cells.value(), params, run);
-  for (int round = 0; waves && params.lineGive > 0 && round < kGivingRounds; ++round) {
+  Result<SineField> waves =
+      alignPhases(lines.value(), frequency.value(), sdf, cells.value(), params, run, preview ? 1 : 0);
+  for (int round = 0; waves && !preview && params.lineGive > 0 && round < kGivingRounds; ++round) {
     const Result<GivenLines> given =
         giveLines(lines.value(), frequency.value(), waves.value(), cells.value(), params, run);
     if (!given) return given.error();

@@ -15,9 +15,13 @@ struct WaveFields {
   SineField waves;
 };
 
+/// Which waves: a plate's are aligned down to cells of tau/2, along lines that gave way where they may; a preview's
+/// down to cells of tau only (a quarter as many), along the lines as they are.
+enum class WaveDetail { Plate, Preview };
+
 /// \param beforePhases  called when the lines are done, for clocks. \return the errors of the steps.
 Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap& directions, const ModeMap& modes,
-                              Vec2 page, const ToolpathParams& params, const RunContext& run,
+                              Vec2 page, const ToolpathParams& params, WaveDetail detail, const RunContext& run,
                               const std::function<void()>& beforePhases = {});
 
 }  // namespace sillon

@@ -91,14 +91,16 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
   }
   job.input = std::move(input).value();
 
-  sillon::Result<sillon::Plate> plate = sillon::generateToolpath(job.input, job.project.toolpath, run);
+  // Measuring costs more than making: only if the report, the header of the G-code or the summary shows it.
+  const bool measure = !arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet;
+  sillon::Result<sillon::Plate> plate = sillon::generateToolpath(job.input, job.project.toolpath, run, measure);
   if (!plate) return plate.error();
   job.plate = std::move(plate).value();
 
-  // Measuring costs more than making: only if the report, the header of the G-code or the summary shows it.
-  if (!arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet) {
-    sillon::Result<sillon::Measures> measures = sillon::measureToolpath(
-        job.plate.toolpath, job.input.shape, job.input.directions, job.input.modes, job.project.toolpath, run);
+  if (measure) {
+    sillon::Result<sillon::Measures> measures =
+        sillon::measureToolpath(job.plate.toolpath, job.input.shape, job.input.directions, job.input.modes,
+                                job.project.toolpath, run, job.plate.dislocations);
     if (!measures) return measures.error();
     job.measures = std::move(measures).value();
   }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sillon/direction_map.hpp"
+#include "sillon/dislocations.hpp"
 #include "sillon/outline.hpp"
 #include "sillon/params.hpp"
 #include "sillon/result.hpp"
@@ -46,8 +48,10 @@ struct Measures {
 };
 
 /// Judges a toolpath as delivered. Costs more than making it: the area is rastered at tau/20.
+/// \param dislocations  of the waves that these arguments make, where they are known (Plate::dislocations).
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
-                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run);
+                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
+                                 const std::optional<Dislocations>& dislocations = std::nullopt);
 
 /// Pairs of non-consecutive segments that share a point, all cycles together, exact on integers of 1 µm.
 std::int64_t countCrossings(const Toolpath& toolpath);

@@ -27,9 +27,10 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
 
 /// Aligns all waves over the hierarchy. In mode Count the ring's phase is fixed so that the first bead lies half a bead
 /// inside the border; in mode Soft the border's wave joins the sum of ring cells as one more neighbour.
-/// \param frequency  of the wave per cell, from spacingField.
+/// \param frequency  of the wave per cell, from spacingField. \param depth  level of the pyramid to end with: 0 is the
+/// lines' own grid, each further one has cells of twice the side, and so has the result.
 Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
                               const SignedDistanceField& sdf, const CellConstraints& cells,
-                              const ToolpathParams& params, const RunContext& run);
+                              const ToolpathParams& params, const RunContext& run, int depth = 0);
 
 }  // namespace sillon

@@ -1,10 +1,12 @@
 // From shape and directions to the toolpath: the stages in order, no maths (Alg. 1).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sillon/direction_map.hpp"
+#include "sillon/dislocations.hpp"
 #include "sillon/params.hpp"
 #include "sillon/result.hpp"
 #include "sillon/run_context.hpp"
@@ -33,12 +35,15 @@ struct Plate {
   std::int64_t parts = 0;          ///< connected parts after bridging
   std::int64_t contourCycles = 0;  ///< closed curves before stitching
   double longestJointMm = 0;
-  int gapJoints = 0;            ///< joints that cross a gap between solids
-  std::vector<StageTime> time;  ///< in order; the sum is the total
+  int gapJoints = 0;                         ///< joints that cross a gap between solids
+  std::vector<StageTime> time;               ///< in order; the sum is the total
+  std::optional<Dislocations> dislocations;  ///< of the waves, where they were asked for; not in `time`
 };
 
+/// \param countDislocations  for measureToolpath, which else makes the waves anew.
 /// \return InvalidArgument (which field, its value, its range), EmptyShape, TooLarge or Cancelled.
-Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run);
+Result<Plate> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+                               bool countDislocations = false);
 
 /// The checks generateToolpath begins with, for forms and command lines. Empty string: all in range.
 std::string invalidParameter(const ToolpathParams& params);
