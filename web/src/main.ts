@@ -130,6 +130,9 @@ async function speak(language: Language): Promise<void> {
 }
 
 const restoreWithin = 1500; // [ms], after which the page begins with what it has; the plate may still come
+const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' storages never answer
+
+const elapsed = (time: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, time));
 
 /** The plate of the page's address, or the one that was left here. */
 async function restore(): Promise<void> {
@@ -137,12 +140,20 @@ async function restore(): Promise<void> {
   if (!framed) await restoreKept(keeper());
 }
 
-/** @returns whether there was work of an earlier visit, which is shown now */
-async function restoreKept(keeps: Autosave): Promise<boolean> {
+/** @param waited  whether somebody still waits for it
+ * @returns whether there was work of an earlier visit, which is shown now; what comes too late is offered instead */
+async function restoreKept(keeps: Autosave, waited: () => boolean = () => true): Promise<boolean> {
   autosave = keeps;
   const before = store.state.plate;
   const plate = await keeps.load();
-  if (plate === undefined || store.state.plate !== before) return false; // nothing was kept, or a hand was faster
+  if (plate === undefined) return false;
+  const inTime = waited() && store.state.plate === before; // else a hand was faster
+  if (inTime) showKept(plate);
+  else offerKept(plate);
+  return inTime;
+}
+
+function showKept(plate: Plate): void {
   show(plate);
   studio.notify(t('restore.done'), {
     label: t('restore.discard'),
@@ -150,7 +161,20 @@ async function restoreKept(keeps: Autosave): Promise<boolean> {
       studio.services.newPlate();
     },
   });
-  return true;
+}
+
+/** One step of undo brings it, too: it is not kept any more once the plate that is shown has changed. */
+function offerKept(plate: Plate): void {
+  const { plate: shown } = store.state;
+  store.settle();
+  store.change(() => plate);
+  store.change(() => shown);
+  studio.notify(t('restore.late'), {
+    label: t('restore.show'),
+    run: () => {
+      show(plate);
+    },
+  });
 }
 
 /** Of the files that the address names, on this page's own site. */
@@ -259,7 +283,10 @@ async function frame(): Promise<void> {
     onHost: async (origin) => {
       store.set({ host: origin === 'null' ? t('app.someHost') : origin });
       const { autosave: name } = asked.given;
-      return name === undefined || origin === 'null' ? false : restoreKept(keeper(`${origin} ${name}`));
+      if (name === undefined || origin === 'null') return false;
+      let waits = true;
+      const late = elapsed(hostWaits).then(() => (waits = false));
+      return Promise.race([restoreKept(keeper(`${origin} ${name}`), () => waits), late]);
     },
   });
 }
@@ -278,7 +305,7 @@ async function start(): Promise<void> {
   app.studio = studio;
   document.body.append(app);
   keepUp();
-  await Promise.race([restore(), new Promise((resolve) => setTimeout(resolve, restoreWithin))]);
+  await Promise.race([restore(), elapsed(restoreWithin)]);
   pipeline.start();
   if (framed) {
     await frame();

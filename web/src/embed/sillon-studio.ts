@@ -93,7 +93,9 @@ export class SillonStudioElement extends HTMLElement {
   readonly #waiters = new Map<number, Waiter>();
   #nextId = 1;
   #late: ReturnType<typeof setTimeout> | undefined;
-  #loadSoon = false;
+  /** Of the files that attributes name: done when the studio has them. */
+  #loading: Promise<void> = Promise.resolve();
+  #loads = 0;
 
   constructor() {
     super();
@@ -132,22 +134,24 @@ export class SillonStudioElement extends HTMLElement {
 
   /** Shows another plate. @throws StudioFrameError */
   async load(source: Source): Promise<void> {
-    await this.#load(source, false);
+    ++this.#loads;
+    this.#loading = Promise.resolve();
+    await this.#load(source);
   }
 
   /** The plate as a project of the command line (docs/project.md); its pictures are in `exportProject`. */
   async getProject(): Promise<object> {
-    return objectIn(await this.#ask('getProject'), 'project');
+    return objectIn(await this.#askOfPlate('getProject'), 'project');
   }
 
   /** Waits until the plate is whole and measured. @returns its report */
   async generate({ signal }: { signal?: AbortSignal } = {}): Promise<object> {
-    return objectIn(await this.#ask('generate', {}, signal), 'report');
+    return objectIn(await this.#askOfPlate('generate', {}, signal), 'report');
   }
 
   /** Of the plate that is shown; null while it is not whole. */
   async report(): Promise<object | null> {
-    const result = await this.#ask('report');
+    const result = await this.#askOfPlate('report');
     return isFields(result) && isFields(field(result, 'report')) ? objectIn(result, 'report') : null;
   }
 
@@ -319,8 +323,14 @@ export class SillonStudioElement extends HTMLElement {
     });
   }
 
+  /** Of the plate that the attributes name, once it is there. */
+  async #askOfPlate(method: Method, params: Fields = {}, signal?: AbortSignal): Promise<unknown> {
+    await this.#loading;
+    return this.#ask(method, params, signal);
+  }
+
   async #file(method: Method, params: Fields, signal?: AbortSignal): Promise<StudioFile> {
-    const file = fileFrom(await this.#ask(method, params, signal));
+    const file = fileFrom(await this.#askOfPlate(method, params, signal));
     if (file === undefined) throw new StudioFrameError('BadReply', 'The frame sent no file.', '');
     return { name: file.name, blob: new Blob([file.bytes], { type: file.type }) };
   }
@@ -329,22 +339,21 @@ export class SillonStudioElement extends HTMLElement {
 
   /** Once for all attributes that are set in one turn. */
   #loadAttributes(): void {
-    if (this.#loadSoon) return;
-    this.#loadSoon = true;
-    queueMicrotask(() => {
-      this.#loadSoon = false;
-      const asked = Object.entries(ofFiles).flatMap(([name, role]) => {
-        const url = this.getAttribute(name);
-        return url === null || url === '' ? [] : [{ url, role }];
-      });
-      if (asked.length === 0) return;
-      fetchFiles(asked, document.baseURI)
-        .then((files) => this.#send(files, {}, true))
-        .catch(this.#tellError);
-    });
+    const mine = ++this.#loads;
+    this.#loading = Promise.resolve()
+      .then(async () => {
+        const asked = Object.entries(ofFiles).flatMap(([name, role]) => {
+          const url = this.getAttribute(name);
+          return url === null || url === '' ? [] : [{ url, role }];
+        });
+        if (asked.length === 0 || mine !== this.#loads) return;
+        const files = await fetchFiles(asked, document.baseURI);
+        if (mine === this.#loads) await this.#send(files, {}, true); // else another plate was asked for meanwhile
+      })
+      .catch(this.#tellError);
   }
 
-  async #load(source: Source, initial: boolean): Promise<void> {
+  async #load(source: Source): Promise<void> {
     const list: readonly unknown[] = Array.isArray(source) ? source : [source];
     const files: Fetched[] = [];
     const projects: object[] = [];
@@ -358,7 +367,7 @@ export class SillonStudioElement extends HTMLElement {
     }
     const [project, another] = projects;
     if (another !== undefined) throw new StudioFrameError('BadRequest', 'load takes one project', '');
-    await this.#send(files, project === undefined ? {} : { project }, initial);
+    await this.#send(files, project === undefined ? {} : { project }, false);
   }
 
   async #send(files: Fetched[], params: Fields, initial: boolean): Promise<void> {

@@ -23,7 +23,8 @@ export interface Storage {
 }
 
 export interface Autosave {
-  /** @returns undefined where nothing, or nothing that can be used, was kept */
+  /** @returns undefined where nothing, or nothing that can be used, was kept; some storages never answer. Until it has
+   * answered, nothing is written over what was kept. */
   load(): Promise<Plate | undefined>;
   /** Soon, when no other has come. */
   save(plate: Plate): void;
@@ -76,22 +77,27 @@ async function recordedPlate(storage: Storage, record: unknown): Promise<Plate> 
   });
 }
 
-/** @param written  ids of the files that this page has put there; changed */
-async function write(storage: Storage, plate: Plate, written: Set<string>): Promise<void> {
-  const files = filesOf(plate);
-  const ids = files.map(({ id }) => id);
-  const entryOf = ({ id, bytes }: SourceFile): [string, unknown] => [fileKey(id), bytes];
-  const record = { version, files: ids, plate: plateData(plate, ({ id, name }) => ({ id, name })) };
-  // First of all, at once: a page that is being closed gets no answers any more.
-  await storage.setMany([...files.filter(({ id }) => !written.has(id)).map(entryOf), [recordKey, record]]);
-  written.clear();
-  for (const id of ids) written.add(id);
+const entryOf = ({ id, bytes }: SourceFile): [string, unknown] => [fileKey(id), bytes];
 
+/** @param known  whether a file is in the storage */
+async function write(storage: Storage, plate: Plate, known: (id: string) => boolean): Promise<void> {
+  const files = filesOf(plate);
+  const record = {
+    version,
+    files: files.map(({ id }) => id),
+    plate: plateData(plate, ({ id, name }) => ({ id, name })),
+  };
+  await storage.setMany([...files.filter(({ id }) => !known(id)).map(entryOf), [recordKey, record]]);
+}
+
+/** Exactly the files of the plate are to be there. @param stands  whether the plate is the last that was written */
+async function tidy(storage: Storage, plate: Plate, stands: () => boolean): Promise<void> {
+  const files = filesOf(plate);
   const there = await storage.keys();
   const lost = files.filter(({ id }) => !there.includes(fileKey(id))); // another tab has thrown them away
-  if (lost.length > 0) await storage.setMany(lost.map(entryOf));
-  const unused = there.filter((key) => key !== recordKey && !ids.some((id) => key === fileKey(id)));
-  if (unused.length > 0) await storage.delMany(unused);
+  if (lost.length > 0 && stands()) await storage.setMany(lost.map(entryOf));
+  const unused = there.filter((key) => key !== recordKey && !files.some(({ id }) => key === fileKey(id)));
+  if (unused.length > 0 && stands()) await storage.delMany(unused);
 }
 
 /** @param onProblem  is told once that work cannot be kept
@@ -105,18 +111,24 @@ export function createAutosave(
   const written = new Set<string>();
   let timer: ReturnType<typeof setTimeout> | undefined;
   let told = false;
-  let last = Promise.resolve(); // one after the other, so that the newest is what stays
+  let turn = 0; // of the last that was written or forgotten
+  /** Nothing is written before what was kept has been read, nor while it is being forgotten. */
+  let open: Promise<unknown> = Promise.resolve();
+  let last = Promise.resolve();
 
-  const attempt = (action: () => Promise<void>): Promise<void> => {
-    last = last.then(async () => {
-      try {
-        await inTime(action());
-      } catch (error) {
-        if (told) return;
-        told = true;
-        onProblem({ code: 'StorageFull', values: {}, detail: error instanceof Error ? error.message : String(error) });
-      }
+  const wrote = (plate: Plate): void => {
+    saved = plate;
+    written.clear();
+    for (const { id } of filesOf(plate)) written.add(id);
+  };
+
+  const attempt = (action: Promise<void>): Promise<void> => {
+    const done = inTime(action).catch((error: unknown) => {
+      if (told) return;
+      told = true;
+      onProblem({ code: 'StorageFull', values: {}, detail: error instanceof Error ? error.message : String(error) });
     });
+    last = last.then(() => done);
     return last;
   };
 
@@ -125,26 +137,38 @@ export function createAutosave(
     const plate = waiting;
     waiting = undefined;
     if (plate === undefined || plate === saved) return last;
-    return attempt(async () => {
-      await write(storage, plate, written);
-      saved = plate;
-    });
+    const mine = ++turn;
+    const stands = (): boolean => mine === turn;
+    return attempt(
+      // At once, also while an earlier plate is being written: the storage does one after the other, and a page that is
+      // being closed hears no answers any more.
+      open.then(async () => {
+        await write(storage, plate, (id) => written.has(id));
+        wrote(plate);
+        if (stands()) await tidy(storage, plate, stands);
+      }),
+    );
+  };
+
+  const read = async (): Promise<Plate | undefined> => {
+    try {
+      const [record] = await storage.getMany([recordKey]);
+      if (record === undefined) return undefined;
+      const plate = await recordedPlate(storage, record);
+      wrote(plate);
+      return plate;
+    } catch (error) {
+      // A broken record would be found broken for ever; of a storage that denies itself, `save` will tell.
+      if (error instanceof Unfit) await storage.delMany([recordKey]).catch(() => undefined);
+      return undefined;
+    }
   };
 
   return {
-    async load() {
-      let record: unknown;
-      try {
-        [record] = await inTime(storage.getMany([recordKey]));
-        if (record === undefined) return undefined;
-        saved = await inTime(recordedPlate(storage, record));
-        for (const { id } of filesOf(saved)) written.add(id);
-        return saved;
-      } catch (error) {
-        // A broken record would be found broken for ever; of a storage that does not answer, `save` will tell.
-        if (error instanceof Unfit) await inTime(storage.delMany([recordKey])).catch(() => undefined);
-        return undefined;
-      }
+    load() {
+      const kept = read();
+      open = kept;
+      return kept;
     },
     save(plate) {
       waiting = plate;
@@ -155,11 +179,14 @@ export function createAutosave(
     forget() {
       clearTimeout(timer);
       waiting = undefined;
-      saved = undefined;
-      written.clear();
-      return attempt(async () => {
+      ++turn;
+      const gone = open.then(async () => {
+        saved = undefined;
+        written.clear();
         await storage.delMany(await storage.keys());
       });
+      open = gone.catch(() => undefined);
+      return attempt(gone);
     },
   };
 }

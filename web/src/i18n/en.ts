@@ -665,6 +665,8 @@ export const en = {
   'link.opened': 'Opened from a link.',
   'restore.done': 'Your last plate is back.',
   'restore.discard': 'Begin anew',
+  'restore.late': 'An earlier plate of yours was found.',
+  'restore.show': 'Show it',
 
   'warning.backwards': 'The plate is mirrored but shown from above: writing on it reads backwards.',
   'warning.startTemperature': 'The start G-code leaves the nozzle at {hot} °C; the first layer is meant for {meant}.',

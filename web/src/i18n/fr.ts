@@ -685,6 +685,8 @@ export const fr: Dictionary = {
   'link.opened': 'Ouvert depuis un lien.',
   'restore.done': 'Votre dernière plaque est revenue.',
   'restore.discard': 'Recommencer à neuf',
+  'restore.late': 'Une de vos plaques précédentes a été retrouvée.',
+  'restore.show': 'La montrer',
 
   'warning.backwards': 'La plaque est en miroir mais montrée de dessus : un texte s’y lit à l’envers.',
   'warning.startTemperature':

@@ -13,6 +13,7 @@ import type { Plate } from '../../src/model/plate.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import type { Opened, Role } from '../../src/panels/shown.js';
 import { chances, fileOf, greyPicture } from './support/pictures.js';
+import { cpuTime } from './support/cpu.js';
 
 let engine: Engine;
 before(async () => {
@@ -64,10 +65,10 @@ test('the bytes tell what a file is, not its name', () => {
 });
 
 test('hostile beginnings are told apart at once', () => {
-  const begin = performance.now();
+  const begin = cpuTime();
   for (const piece of ['<!--', '<!-- -->', '<?', '<?a?>', '<!doctype', '<!DOCTYPE [>', ' ', '<', '<a:'])
     kindOf(Buffer.from(piece.repeat(20_000)), 'a.svg');
-  assert.ok(performance.now() - begin < 1000);
+  assert.ok(cpuTime() - begin < 1000);
 });
 
 test('equal bytes have one id, with and without the browser’s digest', async () => {

@@ -23,6 +23,7 @@ import type { Plate, SourceFile } from '../../src/model/plate.js';
 import { printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import { chances } from './support/pictures.js';
+import { cpuTime } from './support/cpu.js';
 
 const nativeProgram = resolve('build/release/sillon');
 const examples = resolve('examples');
@@ -348,15 +349,15 @@ function patched(zip: Uint8Array<ArrayBuffer>, offset: number, value: number): U
 }
 
 test('bombs are refused before they are unpacked', async () => {
-  const begin = performance.now();
+  const begin = cpuTime();
   const bomb = packed(' '.repeat(100e6));
-  const making = performance.now() - begin;
+  const making = cpuTime() - begin;
   assert.ok(bomb.length < 1e6);
-  const asked = performance.now();
+  const asked = cpuTime();
   await refused(bomb, 'BrokenProject', /100 MB; at most 16 MB/);
   await refused(patched(bomb, 24, 1000), 'BrokenProject', /larger than the archive says/);
   await refused(patched(bomb, 24, 15e6), 'BrokenProject', /larger than the archive says/);
-  assert.ok(performance.now() - asked < Math.max(2000, making), 'it was unpacked');
+  assert.ok(cpuTime() - asked < Math.max(2000, making), 'it was unpacked');
   const good = packed({ studio: 1, plate: newPlate() });
   await refused(patched(good, 24, 1e6), 'BrokenProject', /is incomplete/);
   await refused(patched(good, 16, 1), 'BrokenProject', /is damaged/);
@@ -405,14 +406,14 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
   for (let k = 0; k < 700; ++k) {
     const make = cases[k % cases.length];
     const bytes = make?.() ?? '';
-    const begin = performance.now();
+    const begin = cpuTime();
     try {
       await read(bytes);
       ++opened;
     } catch (error) {
       assert.ok(error instanceof StudioError, `case ${k}: ${String(error)}`);
     }
-    assert.ok(performance.now() - begin < 2000, `case ${k} took too long`);
+    assert.ok(cpuTime() - begin < 2000, `case ${k} took too long`);
   }
   assert.ok(opened > 10, `only ${opened} were harmless`);
 });
