@@ -265,9 +265,16 @@ TEST_CASE("the file carries the same plastic: constant width, growing width, flo
   // Ten mm at 0.4, then 0.4 to 0.6 over 2 mm, which 20 mm/s and K 0.04 allow (slope 0.1 against 0.375).
   job.toolpath.cycles = {{{{1, 1}, {11, 1}, {11, 3}, {11, 11}}, {0.4f, 0.4f, 0.6f, 0.6f}}};
   const ReadFile file = checkFile(job, job.write());
-  REQUIRE(lastPath(file).moves.size() == 4);
-  CHECK(lastPath(file).moves[0].e == 33260);
-  CHECK(lastPath(file).moves[1].e == 8315);
+  const std::vector<ReadMove>& moves = lastPath(file).moves;
+  REQUIRE(moves.size() == 1 + 10 + 1 + 10);  // a width step of 0.02 mm per move, and back over the last ten mm
+  CHECK(moves[0].e == 33260);
+  std::int64_t growing = 0;
+  for (std::size_t k = 1; k <= 10; ++k) {
+    growing += moves[k].e;
+    CHECK(moves[k].length() == Approx(0.2));
+    CHECK(double(moves[k].e) / 1e5 == Approx(extrusion(0.2, 0.39 + 0.02 * double(k), 0.2, 1.75, 1)).epsilon(1e-3));
+  }
+  CHECK(growing == 8315);
   job.params.flow = 0.95;
   CHECK(lastPath(checkFile(job, job.write())).moves[0].e == 31597);
 }
@@ -518,11 +525,51 @@ TEST_CASE("widths beyond 0.6 and 1.6 nozzle are held there and reported") {
   CHECK(job.write().result.value().clampedLengthMm == 0);
 }
 
-TEST_CASE("smooth widths stay bit for bit") {
+TEST_CASE("smooth widths stay bit for bit, and change in steps") {
   BeadPath path = pathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4, true);
   path.widths = {0.4, 0.5, 0.45, 0.3};
   const Motion motion = planMotion(path, 0, someLimits());
-  CHECK(motion.widths == std::vector<double>{0.4, 0.5, 0.45, 0.3, 0.4});
+  REQUIRE(motion.widths.size() == 1 + 5 + 3 + 8 + 5);
+  for (const auto& [point, width] :
+       std::vector<std::pair<std::size_t, double>>{{0, 0.4}, {5, 0.5}, {8, 0.45}, {16, 0.3}, {21, 0.4}})
+    CHECK(motion.widths[point] == width);
+  CHECK(motion.beads == motion.lengths.size());
+  for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+    CHECK(std::abs(motion.widths[i + 1] - motion.widths[i]) <= 0.02 + 1e-12);
+  }
+  CHECK(motion.points[1] == PointUm{2000, 0});
+}
+
+TEST_CASE("no move becomes shorter than 33 micrometres for its width, and plastic is kept") {
+  std::mt19937 random(5);
+  MotionLimits limits = someLimits();
+  limits.pressureAdvance = 0;
+  for (int round = 0; round < 30; ++round) {
+    const Cycle cycle = roughCircle(random, 2 + round % 5, 30 + 40 * round, 0.2, 0.8);
+    BeadPath path;
+    path.closed = round % 2 == 0;
+    for (std::size_t i = 0; i < cycle.points.size(); ++i) {
+      path.points.push_back(
+          {std::llround(double(cycle.points[i].x) * 1000), std::llround(double(cycle.points[i].y) * 1000)});
+      path.widths.push_back(double(cycle.widths[i]));
+    }
+    double volume = 0;
+    double shortest = 1e9;
+    const std::size_t segments = path.points.size() - (path.closed ? 0 : 1);
+    for (std::size_t i = 0; i < segments; ++i) {
+      const std::size_t next = (i + 1) % path.points.size();
+      const double length =
+          std::hypot(double(path.points[next].x - path.points[i].x), double(path.points[next].y - path.points[i].y)) /
+          1000;
+      volume += length * (path.widths[i] + path.widths[next]) / 2;
+      shortest = std::min(shortest, length);
+    }
+    const Motion motion = planMotion(path, 0, limits);
+    CHECK(motion.points.size() > segments + 1);
+    CHECK(volumeOf(motion.widths, motion.lengths) == Approx(volume).epsilon(1e-9));
+    for (const double length : motion.lengths) CHECK(length >= std::min(shortest, 0.033) - 0.0015);  // rounded ends
+    for (std::size_t i = 0; i + 1 < motion.points.size(); ++i) CHECK(motion.points[i] != motion.points[i + 1]);
+  }
 }
 
 TEST_CASE("rough widths are held to the slope of pressure advance and keep the plastic, wherever the seam is") {
@@ -571,7 +618,10 @@ TEST_CASE("the slope limit holds in the printed text") {
     const double reach = (moves[i].length() + moves[i + 1].length()) / 2;
     const double slope = std::abs(width(moves[i + 1]) - width(moves[i])) / reach;
     const double speed = double(std::max(moves[i].feedrate, moves[i + 1].feedrate)) / 60;
-    CHECK(slope <= 0.75 * std::max(width(moves[i]), width(moves[i + 1])) / (0.04 * speed) * 1.15 + 0.01);
+    // A digit of E more or less is much of a short move's width.
+    const auto digit = [&](const ReadMove& m) { return 1e-5 * kArea / (0.95 * 0.2 * m.length()); };
+    const double noise = (digit(moves[i]) + digit(moves[i + 1])) / reach;
+    CHECK(slope <= 0.75 * std::max(width(moves[i]), width(moves[i + 1])) / (0.04 * speed) * 1.15 + 0.01 + noise);
   }
 }
 
@@ -624,7 +674,7 @@ TEST_CASE("with constant flow the speed follows the width, as far as 1.5 times i
   for (const ReadMove& move : lastPath(file).moves) {
     const double width = double(move.e) / 1e5 * kArea / 0.2 / 0.95 / move.length();
     const double speed = double(move.feedrate) / 60;
-    if (width < 0.26) CHECK(speed == 60);
+    if (width < 0.26) CHECK(speed > 58);  // hysteresis
     if (width > 0.29) {
       even += std::abs(speed * width / 16 - 1) < 0.09 ? 1 : 0;  // whole mm/s, 2 mm/s of hysteresis
       ++checked;
@@ -805,10 +855,11 @@ TEST_CASE("short segments around corners go as their room allows") {
 
 TEST_CASE("width jumps slow the extruder as Klipper does") {
   std::vector<Vec2> points;
-  for (int k = 0; k <= 400; ++k) points.push_back({k * 0.5, 0});
+  for (int k = 0; k <= 4000; ++k) points.push_back({k * 0.03, 0});  // too short to be made several moves
   BeadPath path = pathOf(points, 0.4);
   MotionLimits limits = someLimits();
   limits.pressureAdvance = 0;
+  limits.maxSegmentsPerSecond = 1e6;
   const double even = planMotion(path, 0, limits).totalSeconds;
   // Means of neighbouring segments alternate when widths go 0.4 0.4 0.6 0.6; Klipper keeps 50 mm/s up to 0.24.
   const auto alternate = [&](double jump) {

@@ -14,49 +14,86 @@ namespace {
 constexpr float kThread =
     0.02f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
 
+constexpr float kWidthStep = 0.006f;  ///< of two points of which a move has to be the mean [mm]; see docs/quality.md
+constexpr int kRounds = 3;            ///< more change less than 0.02 points of coverage
+constexpr float kGrowth = 1.2f;       ///< at most, in one round
+
 constexpr int kOwnChain = 7;  ///< points tau/4 apart: a hairpin's legs do not count as neighbours of each other
 
-// The share of its width that a bead at p may keep so that no bead beside it is overlapped: both give way alike.
-float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, Vec2f p, float width, float reach,
-                  float allowed, int point, int first, int size) {
+// What beads may take of the room between them: see holdApart.
+struct Room {
+  float spacing;  ///< [mm]
+  float low;      ///< widths do not fall below it [mm]
+  float allowed;  ///< overlap [mm]
+};
+
+// How much wider the bead at p may be, as a share, before it meets another: both give way, or grow, alike. `width` and
+// `sortedWidth` are as wide as moves are that meet there.
+float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, Vec2f p, Vec2f tangent, float width,
+                  float reach, const Room& room, const OwnChain& chain) {
   const F4 px = splat(p.x);
   const F4 py = splat(p.y);
+  const F4 tx = splat(tangent.x);
+  const F4 ty = splat(tangent.y);
   const F4 half = splat(0.5f);
-  const F4 own = splat(0.5f * width - allowed);
-  const OwnChain chain(point, first, size, kOwnChain);
-  F4 least = splat(1);
+  const F4 own = splat(0.5f * width - room.allowed);
+  // Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
+  const F4 ahead2 = splat(room.spacing * room.spacing / 64);
+  F4 least = splat(kGrowth * kGrowth);
   grid.around(p, reach, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
       const F4 dx = load4(&grid.x[s]) - px;
       const F4 dy = load4(&grid.y[s]) - py;
-      const F4 room = max4(own + half * load4(&sortedWidth[s]), splat(1e-6f));
-      const F4 share2 = (dx * dx + dy * dy) / (room * room);
-      least = min4(least, select4(chain.holds(load4(&grid.id[s])), splat(1), share2));
+      const F4 along = tx * dx + ty * dy;
+      const F4 distance2 = dx * dx + dy * dy - min4(along * along, ahead2);
+      const F4 needed = max4(own + half * load4(&sortedWidth[s]), splat(1e-6f));
+      least = min4(least,
+                   select4(chain.holds(load4(&grid.id[s])), splat(kGrowth * kGrowth), distance2 / (needed * needed)));
     }
   });
   return std::sqrt(std::min(std::min(least[0], least[1]), std::min(least[2], least[3])));
 }
 
-// Narrows beads where two would overlap by more than `allowed` [mm].
-void narrowOverlaps(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, float spacing, float low,
-                    float allowed, std::vector<float>& width, const RunContext& run) {
-  const PointGrid grid(curves.points, 0.75f * spacing, run);
-  std::vector<float> sorted(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
-  for (std::size_t s = 0; s < static_cast<std::size_t>(grid.count()); ++s) {
-    sorted[s] = width[static_cast<std::size_t>(grid.id[s])];
-  }
-  const float widest = width.empty() ? 0 : *std::max_element(width.begin(), width.end());
-  parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
+// Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
+// point it is wider than its own end by up to half the step. Longer steps are written as several moves.
+std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<float>& width) {
+  std::vector<float> widths(width.size());
+  for (int c = 0; c < curves.count(); ++c) {
+    for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
-      const int c = curveOf[i];
-      const float reach = std::max(0.5f * (width[i] + widest) - allowed, 0.0f);
-      const float share = shareBeside(grid, sorted, curves.points[i], width[i], reach, allowed, k,
-                                      curves.begin[static_cast<std::size_t>(c)], curves.size(c));
-      width[i] = std::min(width[i], std::max(low, width[i] * share));
+      const float wider = std::max(width[static_cast<std::size_t>(previousOf(curves, c, k))],
+                                   width[static_cast<std::size_t>(nextOf(curves, c, k))]);
+      widths[i] = width[i] + 0.5f * std::clamp(wider - width[i], 0.0f, kWidthStep);
     }
-  });
+  }
+  return widths;
+}
+
+// Narrows beads where two would overlap by more than `allowed`, and lets them grow again where one has given way.
+void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const Room& room,
+               std::vector<float>& width, const RunContext& run) {
+  const PointGrid grid(curves.points, 0.75f * room.spacing, run);
+  const std::vector<float> wanted = width;
+  std::vector<float> sorted(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
+  for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
+    const std::vector<float> moves = movesWidths(curves, width);
+    for (std::size_t s = 0; s < static_cast<std::size_t>(grid.count()); ++s) {
+      sorted[s] = moves[static_cast<std::size_t>(grid.id[s])];
+    }
+    const float widest = moves.empty() ? 0 : *std::max_element(moves.begin(), moves.end());
+    parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const std::size_t i = static_cast<std::size_t>(k);
+        const int c = curveOf[i];
+        const OwnChain chain(k, curves.begin[static_cast<std::size_t>(c)], curves.size(c), kOwnChain);
+        const float reach = std::max(kGrowth * (0.5f * (moves[i] + widest) - room.allowed), 0.0f);
+        const float share =
+            shareBeside(grid, sorted, curves.points[i], tangentAt(curves, c, k), moves[i], reach, room, chain);
+        width[i] = std::min(wanted[i], std::max(std::min(room.low, width[i]), width[i] * share));
+      }
+    });
+  }
 }
 
 }  // namespace
@@ -92,7 +129,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& g
   });
   // What simplification may still move counts as overlap already.
   const float allowed = static_cast<float>(params.beadOverlap * params.spacing - params.simplifyTolerance);
-  narrowOverlaps(curves, curveOf, spacing, low, allowed, widths.width, run);
+  holdApart(curves, curveOf, {spacing, low, allowed}, widths.width, run);
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   return widths;
 }

@@ -11,8 +11,10 @@ namespace {
 // Segments per second are averaged over half of a small firmware's buffer of 16 moves: a single short segment between
 // long ones does no harm.
 constexpr std::size_t kSegmentWindow = 8;
+constexpr double kWidthStep = 0.02;           // [mm] between moves of a bead that changes its width
+constexpr double kShortest = 0.033;           // [mm], three of them in the quarter of a spacing that points lie apart
 constexpr double kSlopeShare = 0.75;          // of the slope at which pressure advance would pull filament back
-constexpr double kRounding = 1e-6;            // [mm/s], so that 14.9999999 is 15
+constexpr double kRounding = 1e-6;            // so that 14.9999999 is 15
 constexpr double kLeastCurveSpeed = 5;        // [mm/s], slower nozzles drop more than they lay
 constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed are not worth a visible step
 constexpr double kKlipperExtruderCorner = 1;  // [mm/s of filament], instantaneous_corner_velocity
@@ -75,6 +77,38 @@ void cutForCoast(Motion& motion, double coast, bool closed) {
     }
     return;
   }
+}
+
+// A written move has one width from end to end: a segment along which the width changes much becomes several. Together
+// they stay as long as it was, though their ends are rounded: that adds no plastic.
+void splitWidths(Motion& motion) {
+  Motion split;
+  split.beads = motion.beads;
+  for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+    const PointUm d = motion.points[i + 1] - motion.points[i];
+    const double change = motion.widths[i + 1] - motion.widths[i];
+    const double wanted =
+        std::min(std::ceil(std::abs(change) / kWidthStep - kRounding), std::floor(motion.lengths[i] / kShortest));
+    const int pieces = std::max(1, static_cast<int>(wanted));
+    const auto cut = [&](int k) {
+      const double share = static_cast<double>(k) / pieces;
+      return PointUm{std::llround(share * static_cast<double>(d.x)), std::llround(share * static_cast<double>(d.y))};
+    };
+    double sum = 0;
+    for (int k = 0; k < pieces; ++k) sum += lengthMm(cut(k + 1) - cut(k));
+    double along = 0;
+    for (int k = 0; k < pieces; ++k) {
+      const double length = lengthMm(cut(k + 1) - cut(k));
+      split.points.push_back(motion.points[i] + cut(k));
+      split.widths.push_back(motion.widths[i] + along / sum * change);
+      split.lengths.push_back(length * (motion.lengths[i] / sum));
+      along += length;
+    }
+    if (i < motion.beads) split.beads += static_cast<std::size_t>(pieces) - 1;
+  }
+  split.points.push_back(motion.points.back());
+  split.widths.push_back(motion.widths.back());
+  motion = std::move(split);
 }
 
 // Highest speed per segment such that no window of kSegmentWindow segments passes faster than the limit.
@@ -367,9 +401,10 @@ Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& l
   Motion motion;
   order(path, start, motion);
   cutForCoast(motion, limits.coast, path.closed);
+  splitWidths(motion);
   std::vector<double> speeds = segmentSpeeds(motion, limits);
-  limitSlope(motion, speeds, limits, path.closed);
   slowCurves(motion, limits, speeds);
+  limitSlope(motion, speeds, limits, path.closed);
   setFeedrates(motion, speeds, limits);
   setSeconds(motion, limits);
   return motion;

@@ -22,10 +22,10 @@ export const toolpathDefaults: Readonly<ToolpathParams> = {
   relaxationStrength: 0.1,
   relaxationSmoothing: 1,
   widthBalance: 1,
-  beadOverlap: 0.003,
+  beadOverlap: 0.004,
   minWidth: 0.5,
   maxWidth: 2,
-  simplifyTolerance: 0.002,
+  simplifyTolerance: 0.0015,
 };
 
 export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
