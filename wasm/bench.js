@@ -43,7 +43,9 @@ for (const threads of [1, 2]) {
   await engineSeconds(engine, opened);
   for (let k = 0; k < rounds; ++k) {
     native.push(nativeSeconds(threads, folder));
-    const seconds = await engineSeconds(engine, opened);
+    const { input, project } = opened;
+    const bridge = project.toolpath.spacing + k / 1e4; // another each time, so that the engine keeps nothing
+    const seconds = await engineSeconds(engine, { input, project: { toolpath: { ...project.toolpath, bridge } } });
     stages.push(seconds.stages);
     calls.push(seconds.call);
   }
