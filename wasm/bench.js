@@ -12,6 +12,7 @@ import { nativeProgram, openProject, publishedScenes, root } from './test/suppor
 
 const rounds = 9;
 const wave = join(publishedScenes, 'wave.json');
+const brain = join(publishedScenes, 'brain.json');
 const path = process.argv[2] ?? (existsSync(wave) ? wave : join(root, 'examples/noise.json'));
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -42,7 +43,9 @@ for (const threads of [1, 2]) {
   await engineSeconds(engine, opened);
   for (let k = 0; k < rounds; ++k) {
     native.push(nativeSeconds(threads, folder));
-    const seconds = await engineSeconds(engine, opened);
+    const { input, project } = opened;
+    const bridge = project.toolpath.spacing + k / 1e4; // another each time, so that the engine keeps nothing
+    const seconds = await engineSeconds(engine, { input, project: { toolpath: { ...project.toolpath, bridge } } });
     stages.push(seconds.stages);
     calls.push(seconds.call);
   }
@@ -53,6 +56,27 @@ for (const threads of [1, 2]) {
   engine.dispose();
 }
 rmSync(folder, { recursive: true });
+
+// What a slider does: each round another shape parameter, so that nothing is kept, then one that the waves depend on,
+// then one that only the path depends on.
+const live = existsSync(brain) ? brain : join(root, 'examples/logo.json');
+console.log(`\n${basename(live)}, medians of ${rounds} edits, stages`);
+console.log('threads   all anew   waves anew   path anew');
+for (const threads of [1, 2]) {
+  const engine = await createEngine({ threads: threads === 1 ? 'off' : threads });
+  const { input, project } = await openProject(engine, live);
+  const toolpath = { ...project.toolpath, bridge: 0.5 };
+  const rows = [[], [], []];
+  for (let k = 0; k < rounds + 1; ++k) {
+    for (const [row, edit] of ['bridge', 'borderPull', 'widthBalance'].entries()) {
+      toolpath[edit] = 0.5 + k / 1000;
+      const seconds = await engineSeconds(engine, { input, project: { toolpath } });
+      if (k > 0) rows[row].push(seconds.stages);
+    }
+  }
+  console.log(`${threads} (${engine.info.variant})   ${rows.map((row) => inMs(median(row))).join('     ')}`);
+  engine.dispose();
+}
 
 console.log('\nsizes                      raw     gzip   brotli');
 const dist = join(root, 'wasm/dist');

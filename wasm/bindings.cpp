@@ -22,6 +22,7 @@
 #include "sillon/printer_import.hpp"
 #include "sillon/project.hpp"
 #include "sillon/report.hpp"
+#include "sillon/session.hpp"
 #include "sillon/thumbnails.hpp"
 #include "sillon/toolpath_svg.hpp"
 #include "sillon/version.hpp"
@@ -36,8 +37,9 @@ using sillon::Error;
 using sillon::ErrorCode;
 using sillon::Result;
 
-// Lives as long as the module: its threads are started once, with it.
+// Both live as long as the module: threads are started once, with it, and what one plate leaves serves the next.
 std::unique_ptr<sillon::RunContext> context;
+sillon::Session session;
 
 /// Runs one call in a fresh state and turns whatever it throws into an error.
 template <class Body>
@@ -87,15 +89,15 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     const auto input = sillon::readPlateInput(project.value(), convert::reader(files));
     if (!input) return failure(input.error());
     const sillon::PlateInput& plateInput = input.value();
-    const auto plate = sillon::generateToolpath(plateInput, params, run);
+    const auto plate = session.generateToolpath(plateInput, params, run, measure);
     if (!plate) return failure(plate.error());
     const sillon::Toolpath& toolpath = plate.value().toolpath;
 
     std::optional<sillon::Measures> measures;
     if (measure) {
       tell(run, onProgress, kMakingShare, 1);
-      const auto measured =
-          sillon::measureToolpath(toolpath, plateInput.shape, plateInput.directions, plateInput.modes, params, run);
+      const auto measured = sillon::measureToolpath(toolpath, plateInput.shape, plateInput.directions, plateInput.modes,
+                                                    params, run, plate.value().dislocations);
       if (!measured) return failure(measured.error());
       measures = measured.value();
     }

@@ -94,7 +94,7 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
 // Rows four by four: lane l of the vector at step s of a band is cell (s - 2 l, 4 band + l). Where a cell is updated
 // after its neighbours to the left and in the row below it in the order of rows, all four lanes can be at once: what
 // lane l reads of lane l - 1 was written one step ago. The other way round, from the last step to the first, holds as
-// well. (Measured on 31,000 cells, 24 sweeps: 2 ms instead of 18, with the same bits as cell by cell.)
+// well. (Measured on 497,000 cells of the lines, interpolation by vectors included: 7 ms instead of 28, same bits.)
 struct SkewedRows {
   int bands;
   int steps;

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -88,6 +89,12 @@ bool load(const std::string& path, Loaded& out) {
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
+}
+
+double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 double totalOf(const Plate& plate) {
@@ -196,6 +203,22 @@ void times(const std::vector<std::string>& scenes) {
     std::printf("  %-12s %8.4f s  (least %.4f)\n", "1 thread", total, *std::min_element(totals.begin(), totals.end()));
     std::printf("  %-12s %8.4f s  (least %.4f), %.2f times faster (median of pairs)\n", "2 threads", median(totals2),
                 *std::min_element(totals2.begin(), totals2.end()), median(ratios));
+    // What a report adds: the count of dislocations while the plate is made, and the measures.
+    for (const RunContext* run : {&one, &two}) {
+      std::vector<double> adds;
+      for (int k = 0; k < 3; ++k) {
+        Plate plate;
+        const double making =
+            seconds([&] { plate = generateToolpath(scene.input, scene.project.toolpath, *run, true).value(); });
+        const double measuring = seconds([&] {
+          (void)measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
+                                scene.project.toolpath, *run, plate.dislocations);
+        });
+        adds.push_back(making - totalOf(plate) + measuring);
+      }
+      std::printf("  %-12s %8.4f s more with %d thread%s\n", "report", median(adds), run->threads(),
+                  run->threads() == 1 ? "" : "s");
+    }
   }
 }
 
@@ -214,12 +237,6 @@ PlateInput wavesOf(double millions) {
     }
   }
   return input;
-}
-
-double seconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 // Turns the directions within a disc of a tenth of the map, elsewhere each time: what a brush does.
@@ -247,26 +264,31 @@ void live(const std::vector<std::string>& scenes) {
     for (const int threads : {1, 2}) {
       const RunContext run(threads);
       sillon::Session session, previewed;
-      std::vector<double> kept, fresh, preview;
+      std::vector<double> kept, fresh, preview, processor;
       for (int k = 0; k < kWarmUps + kRuns; ++k) {
         brush(scene.input.directions, k);
+        std::clock_t used = 0;
         const double times[] = {
             seconds([&] { (void)session.generateToolpath(scene.input, scene.project.toolpath, run); }),
-            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); }),
-            seconds([&] { (void)previewed.previewWaves(scene.input, scene.project.toolpath, 1000, run); })};
+            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); }), seconds([&] {
+              used = std::clock();
+              (void)previewed.previewWaves(scene.input, scene.project.toolpath, 1000, run);
+              used = std::clock() - used;
+            })};
         if (k < kWarmUps) continue;
         kept.push_back(times[0]);
         fresh.push_back(times[1]);
         preview.push_back(times[2]);
+        processor.push_back(static_cast<double>(used) / CLOCKS_PER_SEC);
       }
       const auto least = [](const std::vector<double>& values) {
         return *std::min_element(values.begin(), values.end());
       };
       std::printf(
           "  %d thread%s  session %7.1f ms (%.1f)   from nothing %7.1f ms (%.1f)   preview, 1000 pixels %7.1f ms "
-          "(%.1f)\n",
+          "(%.1f), %.1f of processors\n",
           threads, threads == 1 ? " " : "s", 1e3 * median(kept), 1e3 * least(kept), 1e3 * median(fresh),
-          1e3 * least(fresh), 1e3 * median(preview), 1e3 * least(preview));
+          1e3 * least(fresh), 1e3 * median(preview), 1e3 * least(preview), 1e3 * median(processor));
     }
   }
 }

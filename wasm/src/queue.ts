@@ -109,11 +109,14 @@ export class Queue {
 
   async #perform(job: Job, threads: number): Promise<void> {
     let session: Session | undefined;
+    let kept = false;
     try {
       const call = (await this.platform.portable?.(job.call)) ?? job.call;
       session = await this.#openSession(threads);
       if (job.settled) return; // while the session started
       job.started = true;
+      kept = session.keeps;
+      session.keeps ||= call.name === 'generateToolpath';
       const value = await session.run(call, (message) => {
         this.#tell(job, message);
       });
@@ -122,10 +125,11 @@ export class Queue {
     } catch (problem) {
       const error = problem instanceof SillonError ? problem : new SillonError('Internal', messageOf(problem));
       if (fatal.includes(error.code)) this.#closeSession();
-      // One thread cannot wait for another in vain, and has more memory: what threads share has a lower limit.
+      // One thread cannot wait for another in vain, and has more memory: what threads share has a lower limit. A worker
+      // that keeps fields of the last plate has less than a new one.
       const silent = threads > 1 && session?.silent === true;
       if (silent) this.#useOneThread(error.message);
-      const again = silent || (threads > 1 && error.code === 'OutOfMemory');
+      const again = silent || ((threads > 1 || kept) && error.code === 'OutOfMemory');
       if (again && job.pieces === 0 && !job.settled) await this.#perform(job, 1);
       else job.reject(error);
     }

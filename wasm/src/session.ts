@@ -21,6 +21,8 @@ export class Session {
   version = '';
   /** Ended because it did not answer in time. */
   silent = false;
+  /** Has made a plate, and keeps fields of it for the next. */
+  keeps = false;
   #end: SillonError | undefined;
   #worker: EngineWorker | undefined;
   #cancelFlag: Uint8Array | undefined;

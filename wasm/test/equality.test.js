@@ -8,6 +8,7 @@ import { after, before, test } from 'node:test';
 
 import { createEngine } from 'sillon';
 
+import { atWork, turning } from './support/jobs.js';
 import { nativeProgram, openProject, projectPaths, publishedScenes, root } from './support/projects.js';
 
 const date = new Date(0);
@@ -79,6 +80,44 @@ test('packed G-code is that of the native program, and both read it', async () =
       pathMm: checked.pathMm,
     },
   );
+});
+
+test('after any edit, and after calls that were given up, a plate is that of a new engine', async () => {
+  const input = { shape: { builtin: 'rounded', size: [16, 12] }, directions: { angle: 20 } };
+  const params = { perimeterMode: 'soft' };
+  const edits = [
+    () => {},
+    () => (input.directions = { angle: 65 }),
+    () => (params.widthBalance = 0.3),
+    () => (params.borderPull = 1),
+    () => (input.directions = { file: turning(40, 30) }),
+    () => (input.modes = { mode: 'smoothest' }),
+    () => (params.lineGive = 4),
+    () => (input.shape = { builtin: 'disc', size: [14, 14] }),
+    () => (params.spacing = 0.5),
+    () => (params.perimeterMode = 'none'),
+  ];
+  for (const [k, edit] of edits.entries()) {
+    edit();
+    const fresh = await createEngine({ threads: 'off' });
+    const expected = await fresh.generateToolpath(input, params);
+    fresh.dispose();
+    for (const engine of engines) {
+      const { running, onProgress } = atWork();
+      const stop = new AbortController();
+      const other = { ...input, directions: { angle: 3 * k } };
+      const given = engine.generateToolpath(other, params, { signal: stop.signal, onProgress });
+      await running;
+      stop.abort();
+      await given.catch(() => {});
+      for (const what of ['after a call that was given up', 'again']) {
+        const { toolpath, report } = await engine.generateToolpath(input, params);
+        assert.deepEqual(toolpath, expected.toolpath, `edit ${k}, ${what}`);
+        assert.deepEqual(plateOf(report), plateOf(expected.report), `edit ${k}, ${what}`);
+        if (what === 'again') assert.ok(!('distance' in report.time) && !('phases' in report.time), `edit ${k}`);
+      }
+    }
+  }
 });
 
 for (const path of projectPaths()) {

@@ -152,6 +152,20 @@ describe('memory', { timeout: 60_000 }, () => {
     });
   });
 
+  test('that the fields of the last plate take is given back where a call needs it', async () => {
+    // As if there were room for one plate, but not for what it leaves and the next one.
+    const after = `let calls = 0;
+      const real = module.generateToolpath;
+      module.generateToolpath = (...call) =>
+        ++calls > 1 ? { error: { code: 'OutOfMemory', message: 'full' } } : real(...call);`;
+    await withCopy({ 'sillon-st.js': wrapped('st', { after }) }, { threads: 1 }, async (engine) => {
+      const workers = countWorkers();
+      for (let k = 0; k < 3; ++k) assert.equal(await digestOf(engine.generateToolpath(...small)), digest);
+      workers.stop();
+      assert.equal(workers.count.started, 2); // one for each call after the first
+    });
+  });
+
   test('that threads share may have a low limit; beyond it one thread does the call', async () => {
     await withCopy({ 'sillon-mt.js': wrapped('mt', { before: cautious }) }, { threads: 2 }, async (engine) => {
       assert.equal(engine.info.threads, 2, engine.info.reason);
