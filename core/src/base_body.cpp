@@ -1,10 +1,10 @@
 #include "sillon/base_body.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "gcode_checks.hpp"
@@ -23,7 +23,6 @@ using Rings = std::vector<std::vector<std::uint32_t>>;
 struct Edge {
   PointUm a;
   PointUm b;
-  friend bool operator==(const Edge&, const Edge&) = default;
 };
 
 bool less(PointUm a, PointUm b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -194,7 +193,12 @@ std::string writeStl(const Mesh& mesh) {
   std::string out = "base body by Sillon, mm";  // must not begin with "solid", the other kind's first word
   out.resize(80, ' ');
   append(out, mesh.triangles.size(), 4);
-  const auto number = [&](double value) { append(out, std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4); };
+  const auto number = [&](double value) {
+    const auto narrow = static_cast<float>(value);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &narrow, sizeof bits);
+    append(out, bits, 4);
+  };
   for (const auto& triangle : mesh.triangles) {
     for (const double value : normal(mesh, triangle)) number(value);
     for (const std::uint32_t k : triangle) {
