@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Tools that know no stage. They may include each other only.
-foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check gcode_grammar qoi preset_data"
+foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check gcode_grammar qoi preset_data stored_zip triangulate"
 
 # file: the stages it may include, besides the foundation and its own header.
 stages="
@@ -50,6 +50,7 @@ gcode_template: gcode gcode_job
 gcode_job: gcode gcode_checks measure bed_fit turned base_layers offset_loops motion bed gcode_template gcode_check
 gcode: shape outline motion gcode_job chunked_output bed dialect
 gcode_archive: inflate
+base_body: shape outline gcode gcode_job gcode_checks turned
 presets: gcode
 preview: image_io
 thumbnails: gcode preview image_io

@@ -237,6 +237,17 @@ TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are r
   checkRefused(folder, "check b.gcode.3mf", "the .gcode.3mf is cut off");
 }
 
+TEST_CASE("the base is written as a solid, STL or 3MF by its name") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--body a.stl").code == 0);
+  REQUIRE(folder.run(std::string(kDisc) + "--body a.3mf").code == 0);
+  const std::string stl = readAll(folder.at("a.stl"));
+  CHECK(stl.starts_with("base body by Sillon"));
+  CHECK(stl.size() % 50 == 84 % 50);
+  CHECK(readAll(folder.at("a.3mf")).starts_with("PK"));
+  checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "base is 0; it must be at least 1");
+}
+
 TEST_CASE("a printer is imported from G-code and prints") {
   const Folder folder;
   REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode").code == 0);

@@ -223,6 +223,7 @@ inline val toJs(const sillon::GcodeCheck& check) {
   out.set("travelMm", check.travelMm);
   out.set("retractions", static_cast<double>(check.retractions));
   out.set("fastest", check.fastest);
+  out.set("slowedMm", check.slowedMm);
   out.set("mostFlow", check.mostFlow);
   out.set("mostMoves", check.mostMoves);
   out.set("printer", val(check.printer));

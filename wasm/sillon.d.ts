@@ -408,6 +408,8 @@ export interface GcodeCheck {
   retractions: number;
   /** Of beads. */
   fastest: number;
+  /** Of oriented beads slower than the fastest of their layer. */
+  slowedMm: number;
   /** mm³/s. */
   mostFlow: number;
   /** Moves per second over any 8. */

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "inflate.hpp"
+#include "stored_zip.hpp"
 
 namespace sillon {
 namespace {
@@ -15,26 +16,6 @@ namespace {
 constexpr std::size_t kMostPacked = std::size_t{1} << 30;
 constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
 constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
-
-std::uint32_t crc32(std::string_view bytes) {
-  std::array<std::uint32_t, 256> table;
-  for (std::uint32_t k = 0; k < 256; ++k) {
-    std::uint32_t rest = k;
-    for (int bit = 0; bit < 8; ++bit) rest = (rest >> 1) ^ ((rest & 1) != 0 ? 0xEDB88320U : 0);
-    table[k] = rest;
-  }
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const char c : bytes) crc = (crc >> 8) ^ table[(crc ^ static_cast<std::uint8_t>(c)) & 0xFFU];
-  return ~crc;
-}
-
-// Lowest byte first; more than 8 bytes end in zeros.
-void append(std::string& out, std::uint64_t value, int bytes) {
-  for (int k = 0; k < bytes; ++k) {
-    out += static_cast<char>(value & 0xFF);
-    value >>= 8;
-  }
-}
 
 // RFC 1321, in upper case.
 std::string md5(std::string_view text) {
@@ -94,52 +75,6 @@ std::string md5(std::string_view text) {
   }
   return hex;
 }
-
-// A zip of stored entries: G-code is sent once, over a local network, and the same bytes everywhere are worth more.
-class Zip {
- public:
-  void add(std::string_view name, std::string_view bytes) {
-    std::string common;
-    append(common, 10, 2);  // version 1.0
-    append(common, 0, 2);
-    append(common, 0, 2);           // stored
-    append(common, 0x00210000, 4);  // midnight of 1980-01-01
-    append(common, crc32(bytes), 4);
-    append(common, bytes.size(), 4);
-    append(common, bytes.size(), 4);
-    append(common, name.size(), 2);
-    append(common, 0, 2);
-    append(directory_, 0x02014b50, 4);
-    append(directory_, 10, 2);
-    directory_ += common;
-    append(directory_, 0, 10);  // no comment, first disk, no attributes
-    append(directory_, out_.size(), 4);
-    directory_ += name;
-    ++count_;
-    append(out_, 0x04034b50, 4);
-    out_ += common;
-    out_ += name;
-    out_ += bytes;
-  }
-
-  std::string finish() {
-    const std::size_t begin = out_.size();
-    out_ += directory_;
-    append(out_, 0x06054b50, 4);
-    append(out_, 0, 4);
-    append(out_, count_, 2);
-    append(out_, count_, 2);
-    append(out_, directory_.size(), 4);
-    append(out_, begin, 4);
-    append(out_, 0, 2);
-    return std::move(out_);
-  }
-
- private:
-  std::string out_;
-  std::string directory_;
-  std::uint64_t count_ = 0;
-};
 
 // What follows a key in the comments of the first or the last part of the file; letters, digits and a little more.
 std::string told(std::string_view gcode, std::string_view key) {
@@ -207,8 +142,6 @@ std::string picture(std::string_view gcode) {
   return bytes.starts_with("\x89PNG") ? bytes : "";
 }
 
-constexpr const char* kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-
 std::string metadata(std::string_view key, const std::string& value) {
   return "    <metadata key=\"" + std::string(key) + "\" value=\"" + value + "\"/>\n";
 }
@@ -242,19 +175,9 @@ Result<std::string> packGcode(std::string_view gcode) {
   }
   const std::string png = picture(gcode);
   Zip zip;
-  zip.add(
-      "[Content_Types].xml",
-      std::string(kXml) +
-          "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
-          " <Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
-          " <Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n"
-          " <Default Extension=\"png\" ContentType=\"image/png\"/>\n"
-          " <Default Extension=\"gcode\" ContentType=\"text/x.gcode\"/>\n</Types>\n");
-  zip.add("_rels/.rels",
-          std::string(kXml) +
-              "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
-              " <Relationship Target=\"/3D/3dmodel.model\" Id=\"rel-1\" "
-              "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n");
+  addPackageParts(zip,
+                  " <Default Extension=\"png\" ContentType=\"image/png\"/>\n"
+                  " <Default Extension=\"gcode\" ContentType=\"text/x.gcode\"/>\n");
   zip.add("3D/3dmodel.model",
           std::string(kXml) +
               "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"

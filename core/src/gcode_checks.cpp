@@ -223,12 +223,16 @@ std::optional<Error> checkToolpath(const Toolpath& toolpath, const Printer& prin
 
 }  // namespace
 
+std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params) {
+  if (auto error = checkNumbers(printer, params)) return error;
+  return checkShape(shape);
+}
+
 std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
                                      const PrintParams& params) {
   if (auto error = checkText(printer, params)) return error;
-  if (auto error = checkNumbers(printer, params)) return error;
+  if (auto error = checkPlateInput(shape, printer, params)) return error;
   if (auto error = checkThumbnails(params)) return error;
-  if (auto error = checkShape(shape)) return error;
   return checkToolpath(toolpath, printer, params);
 }
 

@@ -12,4 +12,7 @@ namespace sillon {
 std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
                                      const PrintParams& params);
 
+/// The part of it that needs no toolpath.
+std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params);
+
 }  // namespace sillon

@@ -39,27 +39,6 @@ Vec2 copyStep(const Bounds& box, const Printer& printer, const PrintParams& para
   return box.size() + Vec2{around, around};
 }
 
-// Where the first page's origin lies on the bed, on the grid of the file, so that the path keeps its own rounding.
-PointUm placement(const Bounds& box, const Printer& printer, const PrintParams& params) {
-  if (params.place) return rounded(*params.place);
-  const Vec2 step = copyStep(box, printer, params);
-  const Vec2 others{(params.copies.x - 1) * step.x, (params.copies.y - 1) * step.y};
-  return rounded(0.5 * (printer.bedMin + printer.bedMax) - 0.5 * (box.min + box.max) - 0.5 * others);
-}
-
-// Row by row, every second one backwards: short ways over plates that are done.
-void placeCopies(GcodeJob& job, const Bounds& box, const Printer& printer, const PrintParams& params) {
-  const Vec2 step = copyStep(box, printer, params);
-  const int columns = static_cast<int>(params.copies.x);
-  job.copies.clear();
-  for (int row = 0; row < static_cast<int>(params.copies.y); ++row) {
-    for (int k = 0; k < columns; ++k) {
-      const int column = row % 2 == 0 ? k : columns - 1 - k;
-      job.copies.push_back(rounded({column * step.x, row * step.y}));
-    }
-  }
-}
-
 BeadPath placed(const Polyline& line, PointUm offset, double width, bool closed) {
   BeadPath path;
   path.closed = closed;
@@ -567,6 +546,26 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& print
 
 }  // namespace
 
+PointUm placement(const Bounds& box, const Printer& printer, const PrintParams& params) {
+  if (params.place) return rounded(*params.place);
+  const Vec2 step = copyStep(box, printer, params);
+  const Vec2 others{(params.copies.x - 1) * step.x, (params.copies.y - 1) * step.y};
+  return rounded(0.5 * (printer.bedMin + printer.bedMax) - 0.5 * (box.min + box.max) - 0.5 * others);
+}
+
+std::vector<PointUm> copyPlaces(const Bounds& box, const Printer& printer, const PrintParams& params) {
+  const Vec2 step = copyStep(box, printer, params);
+  const int columns = static_cast<int>(params.copies.x);
+  std::vector<PointUm> places;
+  for (int row = 0; row < static_cast<int>(params.copies.y); ++row) {
+    for (int k = 0; k < columns; ++k) {
+      const int column = row % 2 == 0 ? k : columns - 1 - k;
+      places.push_back(rounded({column * step.x, row * step.y}));
+    }
+  }
+  return places;
+}
+
 Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape, const Printer& printer,
                                  const PrintParams& params) {
   if (auto error = checkGcodeInput(given, givenShape, printer, params)) return *error;
@@ -582,7 +581,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   job.spacing = toolpath.spacing;
   job.plate = shapeBox.size();
   const PointUm offset = placement(shapeBox, printer, params);
-  placeCopies(job, shapeBox, printer, params);
+  job.copies = copyPlaces(shapeBox, printer, params);
   PlacedCycles cycles;
   if (auto error = placeCycles(toolpath, offset, printer.nozzle, cycles)) return *error;
   job.cycles = std::move(cycles.paths);

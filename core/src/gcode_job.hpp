@@ -32,6 +32,13 @@ struct GcodeJob {
 Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
                                  const PrintParams& params);
 
+/// Where the first page's origin lies on the bed, on the grid of the file, so that the path keeps its own rounding.
+/// \param box  around the turned shape.
+PointUm placement(const Bounds& box, const Printer& printer, const PrintParams& params);
+
+/// Where each plate stands, from the first: row by row, every second one backwards, for short ways over what is done.
+std::vector<PointUm> copyPlaces(const Bounds& box, const Printer& printer, const PrintParams& params);
+
 /// Height of the first layer, which has a default [mm].
 inline double firstLayerHeight(const PrintParams& params) {
   return params.firstLayerHeight > 0 ? params.firstLayerHeight : params.layerHeight;

@@ -449,6 +449,8 @@ void addOutputs(Options& options, Arguments& arguments) {
                  return [](Project&) { return std::string(); };
                });
   options.output("--view", "picture of directions for <sillon-view> on web pages, PNG", arguments.outputs.view);
+  options.output("--body", "base layers as a solid for a slicer, STL, or 3MF if F ends in .3mf",
+                 arguments.outputs.body);
   options.output("--project", "everything needed to repeat the plate, JSON", arguments.outputs.project);
 }
 

@@ -20,6 +20,7 @@ struct OutputPaths {
   int previewWidth = 1600;  ///< of each panel [pixels]
   std::string project;
   std::string view;
+  std::string body;
 };
 
 /// What may be done to a plate that does not fit the bed where it is.

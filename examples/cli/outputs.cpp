@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "assemble.hpp"
+#include "sillon/base_body.hpp"
 #include "sillon/gcode_archive.hpp"
 #include "sillon/image_io.hpp"
 #include "sillon/preview.hpp"
@@ -126,7 +127,7 @@ Result<std::string> runDate() {
 std::vector<std::string> outputNames(const OutputPaths& paths) {
   std::vector<std::string> names;
   for (const std::string* path :
-       {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.view, &paths.project}) {
+       {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.view, &paths.body, &paths.project}) {
     if (!path->empty()) names.push_back(*path);
   }
   return names;
@@ -154,6 +155,12 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     const auto view = sillon::viewFile(job.plate.toolpath, job.input.shape.page, {});
     if (!view) return view.error();
     files.push_back({paths.view, std::string(view.value().begin(), view.value().end())});
+  }
+  if (!paths.body.empty()) {
+    const auto mesh = sillon::baseBody(job.input.shape, job.project.printer, job.project.print);
+    if (!mesh) return mesh.error();
+    const bool zipped = paths.body.ends_with(".3mf");
+    files.push_back({paths.body, zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value())});
   }
   if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
   // Last, so that the peak holds all that came before.

@@ -66,6 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                         &printer.firstLayerSpeed,
                         &printer.acceleration,
                         &printer.cornerSpeed,
+                        &printer.machineCornerSpeed,
+                        &printer.machineAcceleration,
+                        &printer.curveAcceleration,
                         &printer.maxFlow,
                         &printer.maxSegmentsPerSecond,
                         &printer.pressureAdvance,
@@ -88,6 +91,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   params.basePattern = static_cast<BasePattern>(bytes.byte() % 3);
   params.showSide = static_cast<ShowSide>(bytes.byte() % 3);
   params.constantFlow = bytes.byte() % 2 == 1;
+  params.strict = bytes.byte() % 4 == 1;
+  printer.setPressureAdvance = bytes.byte() % 4 == 1;
   Toolpath toolpath;
   toolpath.spacing = bytes.number(0.4);
   toolpath.cycles.resize(1);

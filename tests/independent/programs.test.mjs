@@ -138,6 +138,7 @@ const missing = Object.entries(needs).filter(([program, args]) =>
   args === null ? spawnSync(program).error !== undefined : !has(program, args.length > 0 ? args : undefined),
 );
 const noEnglish = spawnSync('locale', ['-a'], { encoding: 'utf8' }).stdout?.includes('en_US.utf8') !== true;
+const noSlicer = has('prusa-slicer', ['--help']) ? false : 'PrusaSlicer is not installed';
 const noViewer =
   missing.length > 0
     ? `no ${missing.map(([program]) => packages[program] ?? program).join(', ')} here; install the Debian packages`
@@ -163,6 +164,28 @@ test("PrusaSlicer's viewer shows roles, widths, filament and a time within 3 %",
     const amounts = [...shown.matchAll(/% +([\d.]+) ?m/g)].map(([, value]) => Number(value.replace('.', '')) / 100);
     const metres = amounts.reduce((sum, value) => sum + value, 0);
     close(metres, filament / 1000, 0.016, `${name}: filament, ${shown}`);
+  }
+});
+
+test('PrusaSlicer reads the base body, STL and 3MF, as one closed solid of its size', { skip: noSlicer }, () => {
+  for (const name of ['logo', 'islands', 'qr']) {
+    for (const kind of ['stl', '3mf']) {
+      const path = join(folder, `${name}.${kind}`);
+      run(nativeProgram, ['generate', join(root, 'examples', `${name}.json`), '--body', path, '--quiet']);
+      const read = run('prusa-slicer', ['--info', path]);
+      const value = (key) => Number(read.match(new RegExp(`${key} = *([\\d.]+)`))[1]);
+      assert.match(read, /manifold = yes/, `${path}: ${read}`);
+      const { check, text } = plates[name];
+      const [, height] = text.match(/^; layer_height = (.*)$/m);
+      const base = Number(text.match(/base layers = (\d+)/)[1]);
+      close(value('size_z'), base * Number(height), 1e-5, `${path}: height`);
+      const [, width, depth] = text.match(/^; plate = ([\d.]+)x([\d.]+) mm/m).map(Number);
+      close(value('size_x'), width, 0.051, `${path}: width`);
+      close(value('size_y'), depth, 0.051, `${path}: depth`);
+      // The skirt lies around it evenly.
+      close(value('min_x') + value('max_x'), check.box.min[0] + check.box.max[0], 0.5, `${path}: place`);
+      assert.ok(value('volume') <= value('size_x') * value('size_y') * value('size_z'), `${path}: ${read}`);
+    }
   }
 });
 

@@ -425,10 +425,10 @@ export const fr: Dictionary = {
   'help.printer.cornerSpeed': 'Le « square corner velocity » de Klipper ; la moitié du « jerk » de Marlin.',
   'setting.printer.machineCornerSpeed': 'Vitesse dans les angles ensuite',
   'help.printer.machineCornerSpeed':
-    'Celle de l’imprimante, rétablie à la fin. 0 : la vitesse dans les angles n’est pas réglée.',
+    'Celle de l’imprimante, rétablie à la fin. 0 : la vitesse dans les angles n’est pas réglée.',
   'setting.printer.curveAcceleration': 'Accélération dans les courbes',
   'help.printer.curveAcceleration':
-    'Moins rend les demi-tours plus lents et plus nets. 0 : les courbes vont aussi vite que les lignes droites.',
+    'Moins rend les demi-tours plus lents et plus nets. 0 : les courbes vont aussi vite que les lignes droites.',
   'setting.printer.maxFlow': 'Débit maximal',
   'help.printer.maxFlow': 'Ce que la tête peut fondre ; les cordons larges sont ralentis pour s’y tenir.',
   'setting.printer.maxSegmentsPerSecond': 'Mouvements par seconde',

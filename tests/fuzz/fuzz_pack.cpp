@@ -1,0 +1,19 @@
+// Any bytes as G-code to pack and as .gcode.3mf to unpack: what was packed comes back, what is damaged is an error.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "sillon/gcode_archive.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sillon;
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const auto packed = packGcode(bytes);
+  if (!packed) std::abort();  // only sizes are refused
+  const auto back = unpackGcode(packed.value());
+  if (!back || back.value() != bytes) std::abort();
+  const auto unpacked = unpackGcode(bytes);
+  if (!unpacked && unpacked.error().message.empty()) std::abort();
+  return 0;
+}
