@@ -50,7 +50,7 @@ export const withoutGraphics = ['--disable-3d-apis'];
 /**
  * Starts a browser with a fresh profile. Its `attempt` opens a page, has it do a task by the page's function of the same name
  * and gives what came of it: { value } or { error }.
- * @param {{ graphics?: boolean }} [options]  without graphics there is no WebGL; of WebKit it cannot be taken
+ * @param {{ graphics?: boolean }} [options]  without graphics there is no WebGL
  * @returns {Promise<{attempt(url: string, task: string, args: object): Promise<object>, close(): Promise<void>}>}
  */
 export const launch = (name, options = {}) =>
@@ -197,8 +197,20 @@ async function launchFirefox({ graphics = true }) {
   };
 }
 
+const miniBrowser = firstProgram(
+  ['4.1', '4.0'].map(
+    (version) =>
+      `/usr/lib/${process.arch === 'arm64' ? 'aarch64' : 'x86_64'}-linux-gnu/webkit2gtk-${version}/MiniBrowser`,
+  ),
+);
+/** WebKit's capabilities; where its browser lies elsewhere, it has graphics. */
+const withoutWebGl =
+  miniBrowser === undefined
+    ? {}
+    : { 'webkitgtk:browserOptions': { binary: miniBrowser, args: ['--automation', '--enable-webgl=false'] } };
+
 /** By WebDriver, whose commands are a few requests. */
-async function launchWebKit() {
+async function launchWebKit({ graphics = true }) {
   const port = await freePort();
   const screen = process.env.DISPLAY === undefined ? ['xvfb-run', '-a'] : []; // it has no headless mode
   const [program, ...list] = [...screen, programs.WebKit, `--port=${port}`, '--host=127.0.0.1'];
@@ -229,7 +241,7 @@ async function launchWebKit() {
   const begin = async () => {
     for (let attempt = 0; ; ++attempt) {
       try {
-        return await ask('POST', '/session', { capabilities: {} });
+        return await ask('POST', '/session', { capabilities: { alwaysMatch: graphics ? {} : withoutWebGl } });
       } catch (problem) {
         if (attempt > 40 || !(problem instanceof TypeError)) throw problem; // TypeError: it does not listen yet
         await new Promise((resolve) => setTimeout(resolve, 100));
