@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sillon/presets.hpp"
+#include "support/damaged.hpp"
 
 using namespace sillon;
 
@@ -288,21 +289,10 @@ TEST_CASE("hostile files end quickly in an error or a printer") {
         std::string::npos);
   CHECK(problem("start_gcode = " + std::string(70000, 'M')) != "");
 
-  unsigned state = 3;
+  scenes::Random random(3);
   for (const std::string& whole : {kBundle, kDonor, writePrinter({})}) {
     for (int round = 0; round < 1500; ++round) {
-      std::string text = whole;
-      for (int k = 0; k < 4; ++k) {
-        state = state * 1664525u + 1013904223u;
-        const std::size_t at = (state >> 8) % text.size();
-        state = state * 1664525u + 1013904223u;
-        if (state >> 31 != 0) {
-          text[at] = static_cast<char>(state >> 16);
-        } else {
-          text.erase(at, (state >> 20) % 16);
-        }
-      }
-      const Result<ImportedPrinter> result = importPrinter(text);
+      const Result<ImportedPrinter> result = importPrinter(scenes::damaged(whole, random, 4, 16));
       CHECK((result.ok() || !result.error().message.empty()));
     }
   }

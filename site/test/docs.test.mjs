@@ -16,7 +16,7 @@ const commands = [...all].flatMap(([page, { commands }]) => commands.map((line) 
 const run = async (line, cwd = root) => {
   const { stdout, stderr } = await promisify(execFile)('bash', ['-euo', 'pipefail', '-c', line], {
     cwd,
-    timeout: 120e3,
+    timeout: 600e3,
   });
   return stdout + stderr;
 };

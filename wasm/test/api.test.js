@@ -300,7 +300,7 @@ describe('inputs', () => {
   });
 });
 
-test('the package works in a thread of Node', { timeout: 20_000 }, async () => {
+test('the package works in a thread of Node', { timeout: 300_000 }, async () => {
   const worker = new Worker(new URL('./support/thread.js', import.meta.url));
   const inThread = await new Promise((resolve, reject) => {
     worker.on('message', resolve);

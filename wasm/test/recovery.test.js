@@ -36,7 +36,7 @@ async function withCopy(changes, options, body) {
   }
 }
 
-describe('a worker that breaks', { timeout: 60_000 }, () => {
+describe('a worker that breaks', { timeout: 600_000 }, () => {
   const breaks = {
     'by a trap': `module.writeSvg = () => { throw new WebAssembly.RuntimeError('unreachable'); };`,
     'by an uncaught C++ exception': `module.writeSvg = () => { throw 5247392; };`,
@@ -123,7 +123,7 @@ describe('a worker that breaks', { timeout: 60_000 }, () => {
   });
 });
 
-describe('memory', { timeout: 60_000 }, () => {
+describe('memory', { timeout: 600_000 }, () => {
   // As on a phone: growth is refused beyond 64 MiB.
   const stingy = `
     const grow = WebAssembly.Memory.prototype.grow;
@@ -213,7 +213,7 @@ describe('memory', { timeout: 60_000 }, () => {
   }
 });
 
-describe('rest', { timeout: 60_000 }, () => {
+describe('rest', { timeout: 600_000 }, () => {
   for (const threads of [1, 2]) {
     test(`an idle worker ends and comes back, with ${threads} threads`, async () => {
       const workers = countWorkers();
@@ -240,7 +240,7 @@ describe('rest', { timeout: 60_000 }, () => {
 
   test('a process ends by itself, though nobody disposed of its engines', async () => {
     const script = fileURLToPath(new URL('./support/no-dispose.js', import.meta.url));
-    const { stdout, stderr } = await run(process.execPath, [script], { timeout: 20_000 });
+    const { stdout, stderr } = await run(process.execPath, [script], { timeout: 300_000 });
     assert.equal(stdout, `${digest} ${digest}\n`);
     assert.equal(stderr, '');
   });

@@ -134,23 +134,23 @@ const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' s
 
 const elapsed = (time: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, time));
 
-/** The plate of the page's address, or the one that was left here. */
+/** The plate of the page's address, or the one that was left here, which is offered beside the other. */
 async function restore(): Promise<void> {
-  if ((await openLink()) || (await openAddress())) return;
-  if (!framed) await restoreKept(keeper());
+  const opened = (await openLink()) || (await openAddress());
+  if (!framed) await restoreKept(keeper(), () => !opened);
 }
 
-/** @param waited  whether somebody still waits for it
+/** @param wanted  whether it is still to be shown
  * @returns whether there was work of an earlier visit, which is shown now; what comes too late is offered instead */
-async function restoreKept(keeps: Autosave, waited: () => boolean = () => true): Promise<boolean> {
+async function restoreKept(keeps: Autosave, wanted: () => boolean = () => true): Promise<boolean> {
   autosave = keeps;
   const before = store.state.plate;
   const plate = await keeps.load();
   if (plate === undefined) return false;
-  const inTime = waited() && store.state.plate === before; // else a hand was faster
-  if (inTime) showKept(plate);
+  const shows = wanted() && store.state.plate === before; // else a hand was faster
+  if (shows) showKept(plate);
   else offerKept(plate);
-  return inTime;
+  return shows;
 }
 
 function showKept(plate: Plate): void {

@@ -111,7 +111,7 @@ test('HEAD has no body, other methods are refused', async () => {
 });
 
 test('wrong arguments are named, with what to do', () => {
-  const run = (...list) => spawnSync(process.execPath, [program, ...list], { encoding: 'utf8', timeout: 10_000 });
+  const run = (...list) => spawnSync(process.execPath, [program, ...list], { encoding: 'utf8', timeout: 120_000 });
   const { port } = new URL(site.origin);
   const cases = [
     [['--port', 'x'], /--port is x; it must be 0 to 65535/],

@@ -6,7 +6,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
 
-const patience = 60; // [s] for one task
+const patience = 180; // [s] for one task: far more than a slow machine that is busy with other things takes
 
 function firstProgram(candidates) {
   const folders = (process.env.PATH ?? '').split(delimiter);
@@ -44,12 +44,17 @@ function inTime(promise, what) {
   return Promise.race([promise, late]).finally(() => clearTimeout(timer));
 }
 
+/** For `startChromium`. */
+export const withoutGraphics = ['--disable-3d-apis'];
+
 /**
  * Starts a browser with a fresh profile. Its `attempt` opens a page, has it do a task by the page's function of the same name
  * and gives what came of it: { value } or { error }.
+ * @param {{ graphics?: boolean }} [options]  without graphics there is no WebGL
  * @returns {Promise<{attempt(url: string, task: string, args: object): Promise<object>, close(): Promise<void>}>}
  */
-export const launch = (name) => ({ Firefox: launchFirefox, WebKit: launchWebKit })[name]?.() ?? launchChromium();
+export const launch = (name, options = {}) =>
+  ({ Chromium: launchChromium, Firefox: launchFirefox, WebKit: launchWebKit })[name](options);
 
 /** Playwright's Chromium, for tests that look at pages of other kinds. @param more  arguments of the program */
 export async function startChromium(more = []) {
@@ -69,11 +74,12 @@ export async function startChromium(more = []) {
   });
 }
 
-/** Has `cpuSeconds` besides. */
-async function launchChromium() {
-  const browser = await startChromium();
+/** Has `cpuSeconds` and `playwright`, its browser, besides. */
+async function launchChromium({ graphics = true }) {
+  const browser = await startChromium(graphics ? [] : withoutGraphics);
   const session = await browser.newBrowserCDPSession();
   return {
+    playwright: browser,
     /** @param whileOpen  asked when the task is done, while its page is there */
     async attempt(url, task, args, whileOpen) {
       const context = await browser.newContext({ reducedMotion: 'reduce' }); // pictures are drawn in software
@@ -119,7 +125,7 @@ const relayPage = `<!doctype html><meta charset="utf-8" /><title>relay</title><s
  * a thousand otherwise). Instead the test page finds its task in its address, and goes on with the outcome in the address of
  * a page that fetches the next.
  */
-async function launchFirefox() {
+async function launchFirefox({ graphics = true }) {
   let finishTask = () => {};
   let cameBack = () => {};
   let asking; // the relay page's request for a task, to be answered
@@ -141,7 +147,7 @@ async function launchFirefox() {
   const relay = `http://localhost:${server.address().port}/`;
 
   const profile = mkdtempSync(join(tmpdir(), 'sillon-firefox-'));
-  writeFileSync(join(profile, 'user.js'), quietFirefox);
+  writeFileSync(join(profile, 'user.js'), `${quietFirefox}user_pref("webgl.disabled", ${!graphics});\n`);
   const firefox = spawn(programs.Firefox, ['--headless', '--no-remote', '--profile', profile, relay], {
     stdio: 'ignore',
     detached: true, // its processes are a group, to be ended together
@@ -191,8 +197,20 @@ async function launchFirefox() {
   };
 }
 
+const miniBrowser = firstProgram(
+  ['4.1', '4.0'].map(
+    (version) =>
+      `/usr/lib/${process.arch === 'arm64' ? 'aarch64' : 'x86_64'}-linux-gnu/webkit2gtk-${version}/MiniBrowser`,
+  ),
+);
+/** WebKit's capabilities; where its browser lies elsewhere, it has graphics. */
+const withoutWebGl =
+  miniBrowser === undefined
+    ? {}
+    : { 'webkitgtk:browserOptions': { binary: miniBrowser, args: ['--automation', '--enable-webgl=false'] } };
+
 /** By WebDriver, whose commands are a few requests. */
-async function launchWebKit() {
+async function launchWebKit({ graphics = true }) {
   const port = await freePort();
   const screen = process.env.DISPLAY === undefined ? ['xvfb-run', '-a'] : []; // it has no headless mode
   const [program, ...list] = [...screen, programs.WebKit, `--port=${port}`, '--host=127.0.0.1'];
@@ -223,7 +241,7 @@ async function launchWebKit() {
   const begin = async () => {
     for (let attempt = 0; ; ++attempt) {
       try {
-        return await ask('POST', '/session', { capabilities: {} });
+        return await ask('POST', '/session', { capabilities: { alwaysMatch: graphics ? {} : withoutWebGl } });
       } catch (problem) {
         if (attempt > 40 || !(problem instanceof TypeError)) throw problem; // TypeError: it does not listen yet
         await new Promise((resolve) => setTimeout(resolve, 100));

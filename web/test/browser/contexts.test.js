@@ -6,7 +6,7 @@ import { availableParallelism } from 'node:os';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-import { lacking, launch, startChromium } from '../../../wasm/test/support/browsers.js';
+import { lacking, launch, startChromium, withoutGraphics } from '../../../wasm/test/support/browsers.js';
 import { serve as serveWith } from '../../../wasm/test/support/server.js';
 import { isolation } from '../../headers.js';
 import { serve } from '../../serve.js';
@@ -84,6 +84,7 @@ const contexts = [
   { name: 'a studio without headers', host: 'plain', studio: 'bare', task: 'plate', threads: [1, 1, 1] },
 ];
 const browsers = ['Chromium', 'Firefox', 'WebKit'];
+const plain = { graphics: false }; // else most of the time would go into pictures, drawn in software, that nobody looks at
 
 const sites = {};
 let expected;
@@ -97,7 +98,7 @@ before(async () => {
     sites[name] = await serveWith({ '/': pages }, headers(sites.studio.origin));
   }
   if (lacking('Chromium')) return;
-  const browser = await launch('Chromium');
+  const browser = await launch('Chromium', plain);
   try {
     const { value } = await browser.attempt(hostPage('plain'), 'plate', {
       studio: studioAt('studio'),
@@ -123,7 +124,7 @@ browsers.forEach((name, k) => {
   describe(name, { skip: lacking('Chromium') || lacking(name) }, () => {
     let browser;
     before(async () => {
-      browser = await launch(name);
+      browser = await launch(name, plain);
     });
     after(() => browser?.close());
 
@@ -146,7 +147,7 @@ browsers.forEach((name, k) => {
 describe('Chromium', { skip: lacking('Chromium') }, () => {
   let browser;
   before(async () => {
-    browser = await startChromium();
+    browser = await startChromium(withoutGraphics);
   });
   after(() => browser?.close());
 

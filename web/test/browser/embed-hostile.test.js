@@ -1,7 +1,7 @@
 // Pages and frames that mean harm: neither side may run script in the other, command it without leave, or read what is not
 // its own.
 import assert from 'node:assert/strict';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 
 import { lacking } from '../../../wasm/test/support/browsers.js';
 import { serve as servePlain } from '../../../wasm/test/support/server.js';
@@ -9,27 +9,21 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { project, startHosts } from './support/hosts.js';
+import { sharedBench } from './support/shared.js';
+import { smallPlate } from './support/small.js';
+import { keptPlate, until } from './support/waits.js';
 
 const skip = lacking('Chromium');
-let hosts, visit;
-
-before(async () => {
-  if (!skip) hosts = await startHosts();
-});
-after(() => hosts?.close());
-afterEach(async () => {
-  await visit?.context.close();
-  visit = undefined;
-});
+const hosts = sharedBench(skip, startHosts);
 
 /** A frame that has said hello in the page of a host; `talk` connects to it. */
 async function greeted(options) {
-  visit = await hosts.open(options);
+  const visit = await hosts.open(options);
   const { page } = visit;
   await page.evaluate(async (studio) => {
     globalThis.greeted = await globalThis.frameOf({ studio });
   }, hosts.studio);
-  return { page, frame: page.frames().find((one) => one.url().includes('embed.html')) };
+  return { ...visit, frame: page.frames().find((one) => one.url().includes('embed.html')) };
 }
 const connected = async (page) =>
   page.evaluate(async () => {
@@ -41,8 +35,9 @@ const ask = (page, method, params) =>
 
 test('nothing is done before the handshake', { skip }, async () => {
   const { page } = await greeted();
-  const answers = await page.evaluate(async () => {
+  await page.evaluate(() => {
     const heard = [];
+    globalThis.heard = heard;
     addEventListener('message', ({ data }) => heard.push(data));
     const { frame } = globalThis.greeted;
     const { port1, port2 } = new MessageChannel();
@@ -64,35 +59,35 @@ test('nothing is done before the handshake', { skip }, async () => {
       frame.contentWindow.postMessage(greeting, '*', [channel.port2]);
     }
     frame.contentWindow.postMessage({ sillon: 'connect', v: 1 }, '*'); // without a port
-    await new Promise((resolve) => setTimeout(resolve, 1500));
-    return heard;
   });
-  assert.deepEqual(answers, []);
-  await connected(page); // and none of it was taken for the host
+  await connected(page); // none of it was taken for the host, and all of it has been read by now
+  assert.equal((await ask(page, 'report')).error, undefined);
+  assert.deepEqual(await page.evaluate(() => globalThis.heard), []);
 });
 
 test('only the page around it is taken for the host, and only once', { skip }, async () => {
   const { page } = await greeted();
   // A neighbour in the same page.
-  const neighbour = await page.evaluate(async () => {
+  await page.evaluate(async () => {
     const frame = document.createElement('iframe');
     frame.src = 'host.html';
     document.body.append(frame);
     await new Promise((resolve) => (frame.onload = resolve));
     const heard = [];
+    globalThis.heard = heard;
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = ({ data }) => heard.push(data);
     globalThis.port2 = port2;
     // By the neighbour's own hand: it is the source.
     frame.contentWindow.eval(`parent.frames[0].postMessage({ sillon: 'connect', v: 1 }, '*', [parent.port2])`);
-    await new Promise((resolve) => setTimeout(resolve, 1500));
-    return heard;
   });
-  assert.deepEqual(neighbour, []);
-  await connected(page);
+  await connected(page); // what the neighbour said has been read by now
+  assert.equal((await ask(page, 'report')).error, undefined);
+  assert.deepEqual(await page.evaluate(() => globalThis.heard), []);
   const second = await page.evaluate(async () => {
     const other = globalThis.connect(globalThis.greeted);
-    await new Promise((resolve) => setTimeout(resolve, 1000));
+    await globalThis.host.ask('generate'); // it has had time
+    await new Promise((resolve) => setTimeout(resolve, 300));
     return other.messages;
   });
   assert.deepEqual(second, []);
@@ -115,19 +110,19 @@ test('a studio that lists its hosts obeys no other', { skip }, async () => {
     [`${origin}.evil.example`, false],
     [`https://shop.example ${origin}`, true],
   ]) {
-    const { page } = await greeted({ prepare: listing(list) });
-    const messages = await page.evaluate(async () => {
+    const { page, context } = await greeted({ prepare: listing(list) });
+    const messages = await page.evaluate(async (obeys) => {
       const host = globalThis.connect(globalThis.greeted);
-      await Promise.race([host.ready, new Promise((resolve) => setTimeout(resolve, 5000))]);
+      await (obeys ? host.ready : new Promise((resolve) => setTimeout(resolve, 1500)));
       return host.messages.length;
-    });
+    }, obeys);
     assert.equal(messages > 0, obeys, list);
-    await visit.context.close();
+    await context.close();
   }
 });
 
 test('requests of wrong forms are refused in words or dropped, and the studio goes on', { skip }, async () => {
-  const { page } = await greeted();
+  const { page, problems } = await greeted();
   await connected(page);
   const code = async (method, params) => (await ask(page, method, params)).error?.code;
   for (const method of ['constructor', '__proto__', 'toString', 'hasOwnProperty', '', 'close', 'exportGcode ']) {
@@ -183,7 +178,7 @@ test('requests of wrong forms are refused in words or dropped, and the studio go
   assert.deepEqual(dropped, { count: 2, loop: 'BadRequest', polluted: null, version: 'Version' });
   assert.equal((await ask(page, 'load', { project })).error, undefined);
   assert.equal((await ask(page, 'generate', {})).result.report.toolpaths, 1);
-  assert.deepEqual(visit.problems, []);
+  assert.deepEqual(problems, []);
 });
 
 test('too much is refused: files, bytes, text, and requests that wait', { skip }, async () => {
@@ -206,8 +201,8 @@ test('too much is refused: files, bytes, text, and requests that wait', { skip }
     for (let k = 0; k < 40; ++k)
       void ask('generate').then(({ error }) => (found.busy += error?.code === 'Busy' ? 1 : 0));
     const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-    for (let k = 0; k < 300 && found.busy < 8; ++k) await pause(100); // a busy frame reads its messages late
-    await pause(1000);
+    while (found.busy < 8) await pause(50); // a busy frame reads its messages late
+    await pause(1000); // too many would come now
     return found;
   });
   const { busy, ...rest } = codes;
@@ -237,34 +232,27 @@ test('script in names and drawings does not run in the studio', { skip }, async 
 });
 
 test('a host reads nothing of what the visitor keeps in the studio itself', { skip }, async () => {
-  const own = await hosts.browser.newContext({ reducedMotion: 'reduce' });
-  try {
-    const studio = await own.newPage();
-    await studio.goto(hosts.studio);
-    await studio.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.made !== undefined);
-    await studio.evaluate(() =>
-      document
-        .querySelector('sillon-app')
-        .studio.change((plate) => ({ ...plate, name: 'Secret', width: 33, height: 33 })),
+  // A host of the same site, whose frames share the studio's storage.
+  const { page, context } = await hosts.open({ site: 'localhost' });
+  const studio = await context.newPage();
+  await studio.goto(`${hosts.studio}${smallPlate}`);
+  await studio.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.made !== undefined);
+  await studio.evaluate(() =>
+    document
+      .querySelector('sillon-app')
+      .studio.change((plate) => ({ ...plate, name: 'Secret', width: 33, height: 33 })),
+  );
+  await until(async () => (await keptPlate(studio))?.name === 'Secret', 'the work in the storage');
+  for (const query of ['', '?autosave=', '?autosave=plate']) {
+    const told = await page.evaluate(
+      async ({ studio, query }) => {
+        const { ask, ready } = globalThis.connect(await globalThis.frameOf({ studio, path: `embed.html${query}` }));
+        await ready;
+        return JSON.stringify([await ask('getProject'), (await ask('exportSvg')).result.name]);
+      },
+      { studio: hosts.studio, query },
     );
-    await studio.waitForTimeout(1500);
-    // A host of the same site, whose frames share the studio's storage.
-    const page = await own.newPage();
-    await page.goto(hosts.host.replace('127.0.0.1', 'localhost') + 'host.html');
-    await page.waitForFunction(() => globalThis.attempt !== undefined);
-    for (const query of ['', '?autosave=', '?autosave=plate']) {
-      const told = await page.evaluate(
-        async ({ studio, query }) => {
-          const { ask, ready } = globalThis.connect(await globalThis.frameOf({ studio, path: `embed.html${query}` }));
-          await ready;
-          return JSON.stringify([await ask('getProject'), (await ask('exportSvg')).result.name]);
-        },
-        { studio: hosts.studio, query },
-      );
-      assert.doesNotMatch(told, /Secret|\b33\b/, query);
-    }
-  } finally {
-    await own.close();
+    assert.doesNotMatch(told, /Secret|\b33\b/, query);
   }
 });
 
@@ -283,10 +271,11 @@ async function impostor(script, run) {
   }
 }
 
-/** The element, with another base, and all that it tells within a moment. */
-const heardFrom = (page, base) =>
+/** The element, with another base, and all that it tells.
+ * @param last  an event that it tells at the end; none: what it tells at once */
+const heardFrom = (page, base, last) =>
   page.evaluate(
-    async ({ studio, base }) => {
+    async ({ studio, base, last }) => {
       await import(`${studio}embed/sillon-studio.js`);
       const element = document.createElement('sillon-studio');
       const heard = [];
@@ -298,14 +287,16 @@ const heardFrom = (page, base) =>
       });
       element.setAttribute('base', base);
       document.body.append(element);
-      await new Promise((resolve) => setTimeout(resolve, 1500));
+      while (last !== undefined && !heard.some(([name]) => name === last))
+        await new Promise((resolve) => setTimeout(resolve, 20));
+      await new Promise((resolve) => setTimeout(resolve, 300)); // for what must not come
       return { heard, src: element.shadowRoot.querySelector('iframe').src, ran: globalThis.ran };
     },
-    { studio: hosts.studio, base },
+    { studio: hosts.studio, base, last },
   );
 
 test('what a hostile frame says is dropped or made harmless', { skip }, async () => {
-  visit = await hosts.open();
+  const visit = await hosts.open();
   const script = `
     addEventListener('message', ({ ports: [port] }) => {
       const tell = (event, detail) => port.postMessage({ v: 1, event, detail });
@@ -315,26 +306,37 @@ test('what a hostile frame says is dropped or made harmless', { skip }, async ()
       port.postMessage(null); port.postMessage('<script>');
       tell('export', { name: '../../<img onerror=ran=1>.html', type: 'text/html', bytes: new ArrayBuffer(3) });
       tell('export', { name: 'a.html', type: 'text/html', bytes: 'no bytes' });
+      tell('change', {});
     });
     parent.postMessage({ sillon: 'hello', v: 1 }, '*');`;
-  const { heard, ran } = await impostor(script, (base) => heardFrom(visit.page, base));
+  const { heard, ran } = await impostor(script, (base) => heardFrom(visit.page, base, 'change'));
   assert.equal(ran, undefined);
   assert.deepEqual(heard, [
     ['export', '_.._img onerror=ran=1_.html', 'application/octet-stream', 'application/octet-stream'],
+    ['change', {}],
   ]);
 });
 
 test('a frame that goes to another site gets no port', { skip }, async () => {
-  visit = await hosts.open();
+  const visit = await hosts.open();
   const gone = `
     addEventListener('message', () => parent.postMessage({ got: 'a port' }, '*'));
     parent.postMessage({ sillon: 'hello', v: 1 }, '*');`;
   const got = await impostor(gone, (elsewhere) =>
     impostor(`location.replace('${elsewhere}embed.html')`, async (base) => {
-      await visit.page.evaluate(() =>
-        addEventListener('message', ({ data }) => data.got && (globalThis.got = data.got)),
-      );
+      await visit.page.evaluate(() => {
+        globalThis.hello = new Promise((resolve) => {
+          addEventListener('message', ({ data }) => {
+            if (data.got) globalThis.got = data.got;
+            if (data.sillon === 'hello') resolve();
+          });
+        });
+      });
       await heardFrom(visit.page, base);
+      await visit.page.evaluate(async () => {
+        await globalThis.hello; // from the other site
+        await new Promise((resolve) => setTimeout(resolve, 300));
+      });
       return visit.page.evaluate(() => globalThis.got);
     }),
   );
@@ -342,7 +344,7 @@ test('a frame that goes to another site gets no port', { skip }, async () => {
 });
 
 test('addresses of script and data are neither framed nor fetched', { skip }, async () => {
-  visit = await hosts.open();
+  const visit = await hosts.open();
   for (const base of [
     'javascript:globalThis.ran=1//',
     'data:text/html,<script>parent.ran=1</script>',
@@ -373,7 +375,7 @@ test('addresses of script and data are neither framed nor fetched', { skip }, as
 });
 
 test('the studio’s address fetches nothing from other sites', { skip }, async () => {
-  visit = await hosts.open();
+  const visit = await hosts.open();
   const { page } = visit;
   const asked = [];
   page.on('request', (request) => asked.push(request.url()));

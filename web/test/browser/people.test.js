@@ -2,21 +2,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 
+import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
+import { settled, until } from './support/waits.js';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-let bench, visit;
-
-before(async () => {
-  if (!skip) bench = await start();
-});
-after(() => bench?.close());
-afterEach(async () => {
-  await visit?.close();
-  visit = undefined;
-});
+const bench = sharedBench(skip, start);
 
 async function violations(page) {
   const found = await page.evaluate(`(async () => {
@@ -28,18 +21,18 @@ async function violations(page) {
 }
 
 for (const colorScheme of ['light', 'dark']) {
-  test(`axe finds nothing in any section, view and dialog, ${colorScheme}`, { skip, timeout: 300_000 }, async () => {
-    visit = await bench.open({ colorScheme });
+  test(`axe finds nothing in any section, view and dialog, ${colorScheme}`, { skip }, async () => {
+    const visit = await bench.open({ colorScheme, small: true });
     await visit.idle();
     const { page } = visit;
     for (const view of ['Directions', 'Toolpath', 'Appearance', 'Quality']) {
       await visit.view(view);
-      await page.waitForTimeout(300);
+      await settled(page);
       assert.deepEqual(await violations(page), [], view);
     }
     for (const section of ['Shape', 'Toolpath', 'Print', 'Quality', 'Directions']) {
       await visit.section(section);
-      await page.waitForTimeout(300);
+      await settled(page);
       assert.deepEqual(await violations(page), [], section);
     }
     for (const source of ['Text', 'QR code', 'Noise', 'Rays']) {
@@ -50,7 +43,7 @@ for (const colorScheme of ['light', 'dark']) {
     for (const dialog of ['Examples', 'Share', 'Help']) {
       await visit.button(dialog).click();
       await page.getByRole('dialog').waitFor();
-      await page.waitForTimeout(500);
+      await settled(page);
       assert.deepEqual(await violations(page), [], dialog);
       await page.keyboard.press('Escape');
     }
@@ -70,7 +63,7 @@ const focused = (page) =>
   });
 
 test('keys alone reach everything that the plate needs', { skip }, async () => {
-  visit = await bench.open();
+  const visit = await bench.open({ small: true });
   await visit.idle();
   const { page } = visit;
   await page.keyboard.press('Tab');
@@ -117,14 +110,19 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
 });
 
 test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, async () => {
-  visit = await bench.open({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  const visit = await bench.open({
+    small: true,
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+  });
   await visit.idle();
   const { page } = visit;
   const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
   assert.equal(await wide(), 360);
   for (const section of ['Shape', 'Directions', 'Toolpath', 'Print', 'Quality']) {
     await page.locator('nav').getByRole('button', { name: section, exact: true }).tap();
-    await page.waitForTimeout(200);
+    await settled(page);
     assert.equal(await wide(), 360, section);
     // What is in the panel keeps inside of it.
     const outside = await page.evaluate(() => {
@@ -153,7 +151,7 @@ test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, as
 });
 
 test('French, from the browser or from the menu, and it stays', { skip }, async () => {
-  visit = await bench.open({ locale: 'fr-FR' });
+  const visit = await bench.open({ small: true, locale: 'fr-FR' });
   await visit.idle();
   assert.equal(await visit.page.evaluate(() => document.documentElement.lang), 'fr');
   assert.ok(await visit.button('Exemples').isVisible());
@@ -166,23 +164,21 @@ test('French, from the browser or from the menu, and it stays', { skip }, async 
 });
 
 test('the light keeps still for people who ask for less motion, and moves for others', { skip }, async () => {
-  const azimuths = async (reducedMotion) => {
-    visit = await bench.open({ reducedMotion });
-    await visit.until((state) => state.made !== undefined);
-    const light = (state) => state.light.azimuth;
-    const first = await visit.state(light);
-    await visit.page.waitForTimeout(900);
-    const moved = (await visit.state(light)) !== first;
-    await visit.close();
-    visit = undefined;
-    return moved;
-  };
-  assert.equal(await azimuths('reduce'), false);
-  assert.equal(await azimuths('no-preference'), true);
+  const azimuth = (state) => state.light.azimuth;
+  const calm = await bench.open({ small: true, reducedMotion: 'reduce' });
+  await calm.until((state) => state.made !== undefined);
+  const first = await calm.state(azimuth);
+  await calm.page.waitForTimeout(900);
+  assert.equal(await calm.state(azimuth), first);
+  await calm.close();
+  const lively = await bench.open({ small: true, reducedMotion: 'no-preference' });
+  await lively.until((state) => state.made !== undefined);
+  const before = await lively.state(azimuth);
+  await until(async () => (await lively.state(azimuth)) !== before, 'the light’s move');
 });
 
 test('the page can be used before the engine is there', { skip }, async () => {
-  visit = await bench.open({ path: '/404' });
+  const visit = await bench.open({ path: '/404' });
   await visit.page.route('**/engine/**', () => undefined); // never answered
   await visit.page.goto(bench.origin);
   await visit.section('Toolpath');

@@ -5,7 +5,7 @@ import { inputOf, makePlate } from '/support/plate.js';
 const large = [{ shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } }, { spacing: 0.2 }];
 const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { measure: false }];
 
-const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, longestTask };
+const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, work };
 
 /** A task's value, or what is to be seen of its error: errors lose their fields on the way out of a page. */
 globalThis.attempt = async (name, args) => {
@@ -61,7 +61,7 @@ async function coldPlate({ options, project }) {
   return { started, finished };
 }
 
-/** Milliseconds from the abort of a large job to its rejection, and to the answer of the next call. */
+/** Aborts two large jobs; tells whether the first was rejected within the task that aborted it. */
 async function abort({ options }) {
   const engine = await start({ options });
   const controller = new AbortController();
@@ -72,15 +72,15 @@ async function abort({ options }) {
   });
   await Promise.race([atWork, running]);
 
-  const before = performance.now();
+  let later = false;
+  setTimeout(() => (later = true));
   controller.abort();
   const outcome = await running.then(
     () => 'finished',
     (problem) => problem.name,
   );
-  const rejected = performance.now() - before;
+  const atOnce = !later;
   const { report } = await engine.generateToolpath(...small);
-  const answered = performance.now() - before;
 
   // A job that nothing follows: whether its work has ended, the browser's CPU time tells.
   const last = new AbortController();
@@ -91,36 +91,16 @@ async function abort({ options }) {
   });
   await unfinished.catch(() => undefined);
   globalThis.kept = engine;
-  return { ...engine.info, outcome, rejected, answered, digest: report.digest };
+  return { ...engine.info, outcome, atOnce, digest: report.digest };
 }
 
-/** The longest this thread was busy [ms]: at making a plate, and as a proof of the measure at 200 ms of waiting. */
-async function longestTask({ options }) {
-  let longest = 0;
-  const observer = new PerformanceObserver((list) => {
-    for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
-  });
-  observer.observe({ type: 'longtask' });
-  const seen = async () => {
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    const value = longest;
-    longest = 0;
-    return value;
-  };
-
+/** A large job, to its end. */
+async function work({ options }) {
   const engine = await start({ options });
   const { toolpath, report } = await engine.generateToolpath(...large, { measure: false });
   const { summary } = await engine.writeGcode(toolpath);
-  const atWork = await seen();
-  engine.dispose();
-
-  await new Promise((resolve) => {
-    setTimeout(() => {
-      for (const end = performance.now() + 200; performance.now() < end;);
-      resolve();
-    });
-  });
-  return { atWork, atWaiting: await seen(), points: report.points, bytes: summary.bytes };
+  globalThis.kept = engine;
+  return { points: report.points, bytes: summary.bytes };
 }
 
 /** `plate` in a worker that this page starts. */

@@ -10,7 +10,7 @@ globalThis.attempt = async (name, args) => {
   }
 };
 
-const inTime = (promise, what, patience = 55_000) =>
+const inTime = (promise, what, patience = 170_000) =>
   Promise.race([
     promise,
     new Promise((_, reject) => setTimeout(() => reject(new Error(`${what} never came`)), patience)),

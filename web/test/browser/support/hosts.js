@@ -4,6 +4,8 @@ import { fileURLToPath } from 'node:url';
 import { startChromium } from '../../../../wasm/test/support/browsers.js';
 import { serve as servePlain } from '../../../../wasm/test/support/server.js';
 import { serve } from '../../../serve.js';
+import { smallPlate } from './small.js';
+import { patience } from './waits.js';
 
 const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
 const pages = fileURLToPath(new URL('../pages/', import.meta.url));
@@ -18,11 +20,18 @@ export async function startHosts() {
     browser,
     studio: `${studio.origin}/`,
     host: `${host.origin.replace('localhost', '127.0.0.1')}/`,
-    /** A page of the hosts' site, or another. @param prepare  is given the page before it goes there */
-    async open({ path = 'host.html', site = '127.0.0.1', prepare, ...options } = {}) {
+    /** A page of the hosts' site, or another. @param prepare  is given the page before it goes there
+     * @param small  frames begin with a small plate, but for those whose address names files */
+    async open({ path = 'host.html', site = '127.0.0.1', small = true, prepare, ...options } = {}) {
       const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US', ...options });
+      const begin = (hash) => {
+        const { pathname, search } = globalThis.location;
+        if (pathname.endsWith('/embed.html') && !/[?&](?:src|project|shape|image)=/.test(search))
+          globalThis.history.replaceState(null, '', pathname + search + hash);
+      };
+      if (small) await context.addInitScript(begin, smallPlate);
       const page = await context.newPage();
-      page.setDefaultTimeout(60_000);
+      page.setDefaultTimeout(patience);
       const problems = [];
       page.on('pageerror', (error) => problems.push(String(error)));
       await prepare?.(page);

@@ -6,12 +6,12 @@ import { fileURLToPath } from 'node:url';
 
 import { lacking, startChromium } from '../../../../wasm/test/support/browsers.js';
 import { serve } from '../../../serve.js';
+import { smallPlate } from './small.js';
+import { patience, until } from './waits.js';
 
 const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
 export const inputs = fileURLToPath(new URL('../../../../examples/inputs', import.meta.url));
 export const skip = lacking('Chromium');
-
-const patience = 60_000; // [ms] for a plate; software draws the pictures here
 
 const types = { '.png': 'image/png', '.svg': 'image/svg+xml', '.jpg': 'image/jpeg', '.json': 'application/json' };
 
@@ -31,8 +31,9 @@ export async function start() {
   return {
     browser,
     origin: site.origin,
-    /** @param options  of the browser's context; `path` of the page; `keep`: a context to open it in */
-    async open({ path = '/', keep, ...options } = {}) {
+    /** @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `keep`: a
+     * context to open it in */
+    async open({ small = false, path = small ? `/${smallPlate}` : '/', keep, ...options } = {}) {
       const context =
         keep ??
         (await browser.newContext({
@@ -86,11 +87,7 @@ class Visit {
 
   /** Waits until a function of the state gives true. */
   async until(read) {
-    const end = Date.now() + patience;
-    while (!(await this.state(read))) {
-      assert.ok(Date.now() < end, `never came: ${read}`);
-      await this.page.waitForTimeout(50);
-    }
+    await until(() => this.state(read), read);
   }
 
   /** What the line below the plate says. */
