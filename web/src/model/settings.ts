@@ -194,7 +194,7 @@ export const settings: readonly Setting[] = [
   number('toolpath', 'bridge', advanced, { unit: 'mm', min: 0, max: 10000, step: 0.05, usual: [0, 5], nullable }),
   number('toolpath', 'spacingBend', advanced, { min: 0, max: 0.5, step: 0.05 }),
   choice('toolpath', 'mapFilter', advanced, ['average', 'nearest']),
-  number('toolpath', 'simplifyTolerance', advanced, { unit: 'mm', min: 0, max: 1, step: 0.001, usual: [0, 0.05] }),
+  number('toolpath', 'simplifyTolerance', advanced, { unit: 'mm', min: 0, max: 1, step: 0.0005, usual: [0, 0.05] }),
 
   number('print', 'layers', basic, { min: 1, max: 1000, step: 1, usual: [1, 10], integer }),
   number('print', 'base', basic, { min: 0, max: 1000, step: 1, usual: [0, 10], integer }),
