@@ -15,8 +15,9 @@ constexpr float kThread =
     0.02f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
 
 constexpr float kWidthStep = 0.006f;  ///< of two points of which a move has to be the mean [mm]; see docs/quality.md
-constexpr int kRounds = 3;            ///< more change less than 0.02 points of coverage
+constexpr int kRounds = 3;            ///< one to give way, two to grow; more gain less than 0.02 points of coverage
 constexpr float kGrowth = 1.2f;       ///< at most, in one round
+constexpr float kYielding = 0.995f;   ///< less is not worth another look: half of the time of this stage
 
 constexpr int kOwnChain = 7;  ///< points tau/4 apart: a hairpin's legs do not count as neighbours of each other
 
@@ -25,11 +26,17 @@ struct Room {
   float spacing;  ///< [mm]
   float low;      ///< widths do not fall below it [mm]
   float allowed;  ///< overlap [mm]
+  float growth;   ///< widths grow by no more than this factor
 };
 
-// How much wider the bead at p may be, as a share, before it meets another: both give way, or grow, alike. `width` and
-// `sortedWidth` are as wide as moves are that meet there.
-float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, Vec2f p, Vec2f tangent, float width,
+// How much wider a bead may be before it meets another.
+struct Share {
+  float factor;  // both give way, or grow, alike
+  int beside;    // the point it would meet first; -1: none
+};
+
+// `width` and `sortedWidth` are as wide as moves are that meet there.
+Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, Vec2f p, Vec2f tangent, float width,
                   float reach, const Room& room, const OwnChain& chain) {
   const F4 px = splat(p.x);
   const F4 py = splat(p.y);
@@ -39,7 +46,8 @@ float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, 
   const F4 own = splat(0.5f * width - room.allowed);
   // Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
   const F4 ahead2 = splat(room.spacing * room.spacing / 64);
-  F4 least = splat(kGrowth * kGrowth);
+  F4 least = splat(room.growth * room.growth);
+  I4 beside = splatInt(-1);
   grid.around(p, reach, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
@@ -48,11 +56,15 @@ float shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, 
       const F4 along = tx * dx + ty * dy;
       const F4 distance2 = dx * dx + dy * dy - min4(along * along, ahead2);
       const F4 needed = max4(own + half * load4(&sortedWidth[s]), splat(1e-6f));
-      least = min4(least,
-                   select4(chain.holds(load4(&grid.id[s])), splat(kGrowth * kGrowth), distance2 / (needed * needed)));
+      const I4 id = load4(&grid.id[s]);
+      const F4 share2 = select4(chain.holds(id), splat(room.growth * room.growth), distance2 / (needed * needed));
+      beside = beside + ((share2 < least) & (id - beside));
+      least = min4(least, share2);
     }
   });
-  return std::sqrt(std::min(std::min(least[0], least[1]), std::min(least[2], least[3])));
+  int lane = 0;
+  for (int k = 1; k < 4; ++k) lane = least[k] < least[lane] ? k : lane;
+  return {std::sqrt(least[lane]), beside[lane]};
 }
 
 // Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
@@ -70,11 +82,14 @@ std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<flo
   return widths;
 }
 
-// Narrows beads where two would overlap by more than `allowed`, and lets them grow again where one has given way.
-void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const Room& room,
+// Narrows beads where two would overlap by more than `allowed`. Then they grow again where a neighbour has given way to
+// another: those that touch grow alike, so that none meets one that stays as it is.
+void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, Room room,
                std::vector<float>& width, const RunContext& run) {
   const PointGrid grid(curves.points, 0.75f * room.spacing, run);
   const std::vector<float> wanted = width;
+  std::vector<Share> shares(width.size(), {1, -1});
+  std::vector<char> open(width.size(), 1);          // whether the width may still change; all at first, later a few
   std::vector<float> sorted(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const std::vector<float> moves = movesWidths(curves, width);
@@ -85,14 +100,24 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
     parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(k);
+        if (open[i] == 0) continue;
         const int c = curveOf[i];
         const OwnChain chain(k, curves.begin[static_cast<std::size_t>(c)], curves.size(c), kOwnChain);
-        const float reach = std::max(kGrowth * (0.5f * (moves[i] + widest) - room.allowed), 0.0f);
-        const float share =
-            shareBeside(grid, sorted, curves.points[i], tangentAt(curves, c, k), moves[i], reach, room, chain);
-        width[i] = std::min(wanted[i], std::max(std::min(room.low, width[i]), width[i] * share));
+        const float reach = std::max(room.growth * (0.5f * (moves[i] + widest) - room.allowed), 0.0f);
+        shares[i] = shareBeside(grid, sorted, curves.points[i], tangentAt(curves, c, k), moves[i], reach, room, chain);
+        width[i] = std::min(wanted[i], std::max(std::min(room.low, width[i]), width[i] * shares[i].factor));
       }
     });
+    parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const std::size_t i = static_cast<std::size_t>(k);
+        const int beside = shares[i].beside;
+        const bool gaveWay =  // to another, so that there is room now
+            beside >= 0 && shares[static_cast<std::size_t>(beside)].factor < kYielding * shares[i].factor;
+        open[i] = static_cast<char>(open[i] != 0 && width[i] < wanted[i] && (round > 0 || gaveWay));
+      }
+    });
+    room.growth = kGrowth;
   }
 }
 
@@ -129,7 +154,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& g
   });
   // What simplification may still move counts as overlap already.
   const float allowed = static_cast<float>(params.beadOverlap * params.spacing - params.simplifyTolerance);
-  holdApart(curves, curveOf, {spacing, low, allowed}, widths.width, run);
+  holdApart(curves, curveOf, {spacing, low, allowed, 1}, widths.width, run);
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   return widths;
 }
