@@ -141,8 +141,6 @@ test('a download goes to the host, or to the visitor where the host lets it', { 
   await load(page);
   await page.evaluate(() => globalThis.element.generate());
   const svg = async () => {
-    // Words lie over the button for a while.
-    await frame.evaluate(() => document.querySelector('sillon-app').studio.store.set({ notices: [] }));
     await frame.locator('[popovertarget=export]').click();
     await frame.locator('#export').getByRole('button', { name: 'Drawing (SVG)' }).click();
   };
