@@ -204,6 +204,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
       const value = this.getAttribute(name);
       if (value !== null) address.searchParams.set(name, value);
     }
+    if (Object.keys(ofFiles).some((name) => this.getAttribute(name))) address.searchParams.set('waits', '');
     this.#frame.allow = permissions;
     this.#frame.title = 'Sillon Studio';
     const sandbox = this.getAttribute('sandbox');
