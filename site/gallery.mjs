@@ -76,7 +76,7 @@ ${wordsOf(name)}
 <dl>
 <div><dt>Size</dt><dd>${size}</dd></div>
 <div><dt>Spacing</dt><dd>${spacing} mm</dd></div>
-<div><dt>Toolpath</dt><dd>${path}, ${decimal(lengthMm / 1000, 1)} m, coverage ${decimal(coverage, 1)} %</dd></div>
+<div><dt>Toolpath</dt><dd>${path}, ${decimal(lengthMm / 1000, 1)}&nbsp;m, coverage ${decimal(coverage, 1)}&nbsp;%</dd></div>
 <div><dt>Set</dt><dd>${escaped(settingsOf(name))}</dd></div>
 </dl>
 <p><a href="../#open=gallery/${name}.zip">Open ${name} in the studio</a>, or <a href="${name}.zip" download>download the project</a>

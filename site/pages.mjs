@@ -75,7 +75,7 @@ export function pageOf(address, title, body, { wide = false } = {}) {
 <body>
 <a class="skip" href="#main">To the text</a>
 <header>
-<a class="name" href="${link('index.html')}">Sillon</a>
+<a class="name" href="${link('index.html')}"><img src="${link('icon.svg')}" alt="" width="28" height="28" />Sillon</a>
 <nav aria-label="Site">
 <a href="${link('index.html')}">Studio</a>
 <a href="${link('docs/index.html')}"${current('docs/index.html')}>Documentation</a>

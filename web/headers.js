@@ -9,15 +9,31 @@ export const isolation = {
   'Cross-Origin-Resource-Policy': 'cross-origin',
 };
 
-/** Nothing comes from elsewhere, nothing goes elsewhere. Blobs are pictures, videos and files of the visitor's own. */
+/** Where the engine's files lie if not beside the studio: SILLON_ENGINE, of the build and of our own server. Never of an
+ * address that visitors follow: whoever names the engine runs as the studio. */
+export const engineBase = checkedBase(process.env.SILLON_ENGINE);
+
+function checkedBase(text) {
+  if (text === undefined || text === '') return undefined;
+  // As a policy and an attribute hold it: a folder, and no word more.
+  if (!/^https?:\/\/[\w.:-]+\/([\w.@~%+-]+\/)*$/.test(text))
+    throw new Error(
+      `SILLON_ENGINE is "${text}"; it must be the http or https address of a folder, with a slash at its end`,
+    );
+  return text;
+}
+
+const elsewhere = engineBase === undefined ? '' : ` ${engineBase}`;
+
+/** Nothing comes from elsewhere but the engine that the builder named, nothing goes elsewhere. Blobs are pictures, videos and files of the visitor's own. */
 export const contentSecurityPolicy = [
   "default-src 'self'",
-  "script-src 'self' 'wasm-unsafe-eval'",
+  `script-src 'self' 'wasm-unsafe-eval'${elsewhere}`,
   "worker-src 'self' blob:",
   "style-src 'self'",
   "img-src 'self' blob: data:",
   "media-src 'self' blob:",
-  "connect-src 'self' blob:",
+  `connect-src 'self' blob:${elsewhere}`,
   "object-src 'none'",
   "base-uri 'none'",
   "form-action 'none'",

@@ -4,18 +4,21 @@ import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { contentSecurityPolicy, headers, isolation } from './headers.js';
+import { contentSecurityPolicy, engineBase, headers, isolation } from './headers.js';
 import { filesOf } from './serve.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 const engine = at('../wasm/dist/engine');
 const inputs = at('../examples/inputs');
-const dist = at('dist');
+let dist = at('dist'); // or --outDir
 
-/** The engine's files lie as they are in /engine/: no bundler may touch them. */
+/** The engine's files lie as they are in /engine/, or elsewhere (headers.js): no bundler may touch them. */
 const engineFiles = {
   name: 'studio-engine-files',
   enforce: 'pre',
+  configResolved({ build: { outDir } }) {
+    dist = outDir;
+  },
   // The package names them beside itself, too; the studio always says where they are, so they must not be copied twice.
   transform(code, id) {
     if (!/wasm[\\/]dist[\\/]platform-browser\.js$/.test(id)) return undefined;
@@ -33,6 +36,7 @@ const engineFiles = {
     );
   },
   writeBundle() {
+    if (engineBase !== undefined) return;
     // node-worker.js is for Node alone.
     cpSync(engine, join(dist, 'engine'), { recursive: true, filter: (path) => !path.endsWith('node-worker.js') });
   },
@@ -57,6 +61,15 @@ const exampleFiles = {
   },
 };
 
+/** What both pages have in their heads. */
+const head = {
+  name: 'studio-head',
+  transformIndexHtml: {
+    order: 'pre',
+    handler: (html) => html.replace('<!-- src/head.html -->', () => readFileSync(at('src/head.html'), 'utf8').trim()),
+  },
+};
+
 /** For hosts that send no headers. Not while developing, where Vite puts styles into the page. */
 const policy = {
   name: 'studio-policy',
@@ -67,6 +80,9 @@ const policy = {
       attrs: { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy },
       injectTo: 'head-prepend',
     },
+    ...(engineBase === undefined
+      ? []
+      : [{ tag: 'meta', attrs: { name: 'sillon-engine', content: engineBase }, injectTo: 'head' }]),
   ],
 };
 
@@ -99,7 +115,7 @@ const offline = {
 export default {
   root: at('.'),
   base: './',
-  plugins: [engineFiles, exampleFiles, policy, offline],
+  plugins: [head, engineFiles, exampleFiles, policy, offline],
   server: { headers: isolation },
   preview: { headers },
   worker: { format: 'iife' }, // sandboxed frames start no modules

@@ -51,9 +51,19 @@ test('it holds what is to be published and nothing else', () => {
       .filter((name) => name.endsWith('.ts'))
       .map((name) => `dist/${path}${name.replace(/ts$/, 'js')}`);
   const engine = ['mt.js', 'mt.wasm', 'mt.worker.js', 'st.js', 'st.wasm'].map((name) => `dist/engine/sillon-${name}`);
+  const elements = ['index', 'react', 'vue'].map((name) => `elements/${name}.d.ts`);
   assert.deepEqual(
     packed.files.map(({ path }) => path).sort(),
-    ['LICENSE', 'README.md', 'package.json', 'sillon.d.ts', ...compiled(''), ...compiled('engine/'), ...engine].sort(),
+    [
+      'LICENSE',
+      'README.md',
+      'package.json',
+      'sillon.d.ts',
+      ...elements,
+      ...compiled(''),
+      ...compiled('engine/'),
+      ...engine,
+    ].sort(),
   );
 });
 

@@ -256,14 +256,27 @@ function firstPanel(): string {
   return mode === 'edit' ? 'directions' : mode === 'customize' ? 'own' : '';
 }
 
+let begun = false;
+
+/** From now on plates are made. */
+function begin(): void {
+  if (begun) return;
+  begun = true;
+  pipeline.start();
+}
+
 async function frame(): Promise<void> {
   const { waitForHost } = await import('./embed/frame.js');
   const hosts = document.querySelector<HTMLMetaElement>('meta[name="sillon-hosts"]')?.content.split(/\s+/) ?? [];
   waitForHost(hosts, studio, {
     load: async (openings) => {
-      await opener.load(openings);
-      usePrinter(asked.given.printer);
-      store.forgetSteps();
+      try {
+        await opener.load(openings);
+        usePrinter(asked.given.printer);
+        store.forgetSteps();
+      } finally {
+        begin();
+      }
     },
     configure: async (textOf) => {
       const { given, wrong } = guestSettings(textOf);
@@ -286,7 +299,9 @@ async function frame(): Promise<void> {
       if (name === undefined || origin === 'null') return false;
       let waits = true;
       const late = elapsed(hostWaits).then(() => (waits = false));
-      return Promise.race([restoreKept(keeper(`${origin} ${name}`), () => waits), late]);
+      const restored = await Promise.race([restoreKept(keeper(`${origin} ${name}`), () => waits), late]);
+      if (restored) begin();
+      return restored;
     },
   });
 }
@@ -306,7 +321,9 @@ async function start(): Promise<void> {
   document.body.append(app);
   keepUp();
   await Promise.race([restore(), elapsed(restoreWithin)]);
-  pipeline.start();
+  // Nobody wants to see another plate first, nor its figures, where the host's is on its way.
+  if (framed && asked.waits) void elapsed(hostWaits).then(begin);
+  else begin();
   if (framed) {
     await frame();
     return; // other pages work as they work without a network

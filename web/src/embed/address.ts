@@ -10,6 +10,8 @@ export interface Addressed {
   given: Partial<GuestSettings>;
   wrong: Unfit[];
   files: Asked[];
+  /** The host is about to load a plate. */
+  waits: boolean;
 }
 
 export function addressed(search: string): Addressed {
@@ -18,5 +20,5 @@ export function addressed(search: string): Addressed {
     const url = query.get(name);
     return url === null || url === '' ? [] : [{ url, role }];
   });
-  return { ...guestSettings((name) => query.get(name) ?? undefined), files };
+  return { ...guestSettings((name) => query.get(name) ?? undefined), files, waits: query.has('waits') };
 }

@@ -1,5 +1,7 @@
 // <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
 // into events and promises. No dependencies: one file for a script tag.
+import type { Project, Report } from 'sillon';
+import type { StudioFile, StudioMethods, StudioSource } from 'sillon/elements';
 import { download } from '../files/download.js';
 import { fetchFiles, type Fetched } from './fetching.js';
 import {
@@ -36,11 +38,6 @@ const words = {
   fr: { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' },
 };
 
-export interface StudioFile {
-  name: string;
-  blob: Blob;
-}
-
 /** What went wrong, for people and programs: docs/embedding.md lists the codes. */
 export class StudioFrameError extends Error {
   override readonly name = 'StudioFrameError';
@@ -57,9 +54,6 @@ interface Waiter {
   resolve: (result: unknown) => void;
   reject: (error: unknown) => void;
 }
-
-/** Files, their addresses, or a project as plain JSON. */
-export type Source = Blob | string | URL | readonly (Blob | string | URL)[] | object;
 
 const style = `
   :host { display: block; position: relative; height: 640px; overflow: hidden; }
@@ -82,7 +76,7 @@ function styleSheet(): CSSStyleSheet {
   return sheet;
 }
 
-export class SillonStudioElement extends HTMLElement {
+export class SillonStudioElement extends HTMLElement implements StudioMethods {
   static readonly observedAttributes = attributes;
 
   readonly #frame = document.createElement('iframe');
@@ -133,26 +127,26 @@ export class SillonStudioElement extends HTMLElement {
   // --- What a page may ask for ----------------------------------------------------------------------------------------------
 
   /** Shows another plate. @throws StudioFrameError */
-  async load(source: Source): Promise<void> {
+  async load(source: StudioSource): Promise<void> {
     ++this.#loads;
     this.#loading = Promise.resolve();
     await this.#load(source);
   }
 
   /** The plate as a project of the command line (docs/project.md); its pictures are in `exportProject`. */
-  async getProject(): Promise<object> {
-    return objectIn(await this.#askOfPlate('getProject'), 'project');
+  async getProject(): Promise<Project> {
+    return objectIn(await this.#askOfPlate('getProject'), 'project') as Project;
   }
 
   /** Waits until the plate is whole and measured. @returns its report */
-  async generate({ signal }: { signal?: AbortSignal } = {}): Promise<object> {
-    return objectIn(await this.#askOfPlate('generate', {}, signal), 'report');
+  async generate({ signal }: { signal?: AbortSignal } = {}): Promise<Report> {
+    return objectIn(await this.#askOfPlate('generate', {}, signal), 'report') as Report;
   }
 
   /** Of the plate that is shown; null while it is not whole. */
-  async report(): Promise<object | null> {
+  async report(): Promise<Report | null> {
     const result = await this.#askOfPlate('report');
-    return isFields(result) && isFields(field(result, 'report')) ? objectIn(result, 'report') : null;
+    return isFields(result) && isFields(field(result, 'report')) ? (objectIn(result, 'report') as Report) : null;
   }
 
   exportGcode({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
@@ -210,6 +204,7 @@ export class SillonStudioElement extends HTMLElement {
       const value = this.getAttribute(name);
       if (value !== null) address.searchParams.set(name, value);
     }
+    if (Object.keys(ofFiles).some((name) => this.getAttribute(name))) address.searchParams.set('waits', '');
     this.#frame.allow = permissions;
     this.#frame.title = 'Sillon Studio';
     const sandbox = this.getAttribute('sandbox');
@@ -353,7 +348,7 @@ export class SillonStudioElement extends HTMLElement {
       .catch(this.#tellError);
   }
 
-  async #load(source: Source): Promise<void> {
+  async #load(source: StudioSource): Promise<void> {
     const list: readonly unknown[] = Array.isArray(source) ? source : [source];
     const files: Fetched[] = [];
     const projects: object[] = [];
@@ -378,6 +373,7 @@ export class SillonStudioElement extends HTMLElement {
 
 const errorText = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
+/** What the studio gave: from where this script is, too, so taken at its word. */
 function objectIn(result: unknown, name: string): object {
   const value = isFields(result) ? field(result, name) : undefined;
   if (!isFields(value)) throw new StudioFrameError('BadReply', `The frame sent no ${name}.`, '');

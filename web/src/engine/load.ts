@@ -15,5 +15,7 @@ function afterPaint(): Promise<void> {
 export async function loadEngine(threads: 'auto' | 'off' | number): Promise<Engine> {
   await afterPaint();
   const { createEngine } = await import('sillon');
-  return createEngine({ threads, assetBase: new URL('engine/', document.baseURI) });
+  // Set by the build, not by any address (headers.js).
+  const elsewhere = document.querySelector<HTMLMetaElement>('meta[name="sillon-engine"]')?.content;
+  return createEngine({ threads, assetBase: new URL(elsewhere ?? 'engine/', document.baseURI) });
 }

@@ -7,7 +7,6 @@ import './directions-panel.js';
 import { StudioElement } from './element.js';
 import './header.js';
 import { icon, type IconName } from './icons.js';
-import './notices.js';
 import './print-panel.js';
 import './quality-panel.js';
 import './shape-panel.js';
@@ -134,11 +133,10 @@ export class App extends StudioElement {
         .panel {
           grid-row: 2;
           width: auto;
-          height: min(46dvh, 420px);
+          height: min(46dvh, 420px, 100dvh - 228px); /* the rest: head, sections, status, and a word */
           border-right: 0;
           border-top: 1px solid var(--line);
           border-radius: 14px 14px 0 0;
-          margin-top: -12px;
           position: relative;
           z-index: 2;
           box-shadow: 0 -6px 20px var(--shade);
@@ -183,8 +181,7 @@ export class App extends StudioElement {
   override render(): TemplateResult {
     const { panel, dropping, mode } = this.state;
     if (mode === 'view') {
-      return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>
-        <sillon-notices .studio=${this.studio}></sillon-notices>`;
+      return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>`;
     }
     return html`
       <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
@@ -218,7 +215,6 @@ export class App extends StudioElement {
         </aside>
         <sillon-stage role="main" .studio=${this.studio}></sillon-stage>
       </div>
-      <sillon-notices .studio=${this.studio}></sillon-notices>
       ${this.#dialog()}
       ${
         dropping

@@ -10,7 +10,7 @@ import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/l
 import { createRenderer } from '../views/renderer.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from './element.js';
-import { drawOverlay, type Cursor } from './overlay.js';
+import { drawOverlay, rulerWidth, type Cursor } from './overlay.js';
 import { Gestures } from './gestures.js';
 import type { Shown } from './shown.js';
 import type { Stage } from './studio.js';
@@ -306,10 +306,18 @@ export class PlateCanvas extends StudioElement implements Stage {
     const room = Math.min(margin, width * 0.08);
     const tools = width > 560 ? toolsWidth : 0; // they lie over the left side
     const across = Math.max(1, width - tools - 2 * room);
-    const scale = Math.max(0.01, Math.min(across / shown, (height - 2 * room - 2 * margin) / page[1]));
-    this.#camera = { x: shown / 2 - tools / 2 / scale, y: page[1] / 2, scale: scale * devicePixelRatio };
+    const [above, below] = this.#margins(height, room);
+    const scale = Math.max(0.01, Math.min(across / shown, (height - above - below) / page[1]));
+    const y = page[1] / 2 + (above - below) / 2 / scale;
+    this.#camera = { x: shown / 2 - tools / 2 / scale, y, scale: scale * devicePixelRatio };
     this.#fitted = true;
     this.#redraw();
+  }
+
+  /** What a low bench leaves out (the stage's style) need not be kept free. */
+  #margins(height: number, room: number): [above: number, below: number] {
+    if (height > 340) return [room + margin, room + margin];
+    return height <= 170 || this.studio.store.state.mode === 'view' ? [rulerWidth + 8, 8] : [rulerWidth + 64, 12];
   }
 
   zoom(factor: number): void {

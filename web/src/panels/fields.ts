@@ -192,9 +192,12 @@ function radios<Value extends string>(field: ChoiceField<Value>, size: number): 
   );
 }
 
-/** A few short words side by side. */
-export const segments = <Value extends string>(field: ChoiceField<Value>, legend = true): TemplateResult =>
-  html`<div class="field">
+/** A few short words side by side; in two rows where they would not fit into one. */
+export const segments = <Value extends string>(field: ChoiceField<Value>, legend = true): TemplateResult => {
+  const { length: count } = field.options;
+  const letters = field.options.reduce((sum, { label }) => sum + label.length, 0);
+  const columns = count > 4 && letters > 30 ? Math.ceil(count / 2) : count;
+  return html`<div class="field">
     ${
       legend
         ? html`<span class="name"
@@ -205,6 +208,7 @@ export const segments = <Value extends string>(field: ChoiceField<Value>, legend
     }
     <div
       class="segments wide"
+      .style=${`--columns: ${columns}`}
       role="radiogroup"
       aria-label=${legend ? nothing : field.label}
       aria-labelledby=${legend ? `${field.id}-name` : nothing}
@@ -213,6 +217,7 @@ export const segments = <Value extends string>(field: ChoiceField<Value>, legend
     </div>
     ${helpText(field.id, field.help ?? '')}
   </div>`;
+};
 
 /** Things to choose from, each with a picture. */
 export const cards = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>

@@ -15,11 +15,13 @@ export class Gallery extends DialogElement {
       }
       .plates {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(148px, 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(140px, 1fr));
         gap: 10px;
       }
       .plates button {
         display: grid;
+        grid-template: auto 1fr / 1fr;
+        align-items: start;
         gap: 6px;
         width: 100%;
         height: 100%;
@@ -31,15 +33,14 @@ export class Gallery extends DialogElement {
       .plates button:hover {
         background: var(--hover);
       }
+      .plates .picture {
+        aspect-ratio: 1; /* also before the picture is there, which takes no room then */
+      }
       .plates img {
         display: block;
         width: 100%;
-        height: auto;
-        aspect-ratio: 1;
+        height: 100%;
         object-fit: contain;
-      }
-      .plates span {
-        align-self: end;
       }
     `,
   ];
@@ -57,7 +58,9 @@ export class Gallery extends DialogElement {
                 void this.#open(example);
               }}
             >
-              <img src="gallery/${example.id}.webp" alt="" width="320" height="320" loading="lazy" />
+              <span class="picture"
+                ><img src="gallery/${example.id}.webp" alt="" width="320" height="320" loading="lazy"
+              /></span>
               <span>${t(`example.${example.id}`)}</span>
             </button>
           </li>`,

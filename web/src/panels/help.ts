@@ -37,6 +37,7 @@ export class Help extends DialogElement {
         border-bottom: 1px solid var(--line);
       }
       dd {
+        flex: none;
         display: flex;
         gap: 4px;
         white-space: nowrap;

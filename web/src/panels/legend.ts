@@ -63,7 +63,7 @@ export class Legend extends StudioElement {
     }
     if (view === 'directions' || colourBy === 'direction') {
       return html`<canvas class="fan" width="112" height="60" aria-hidden="true"></canvas>
-        <span>${t('legend.direction')}</span>`;
+        ${view === 'directions' ? html`<span>${t('legend.direction')}</span>` : nothing}`; // else it says "by" beside it
     }
     const spacing = made?.toolpath.spacing ?? this.state.plate.toolpath.spacing;
     const { speed } = this.state.plate.printer;

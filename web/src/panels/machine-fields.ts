@@ -39,15 +39,6 @@ export const swatchStyle = css`
     outline: 3px solid var(--ink);
     outline-offset: 3px;
   }
-  .swatches input {
-    position: absolute;
-    inset: 0;
-    width: 100%;
-    height: 100%;
-    margin: 0;
-    opacity: 0;
-    cursor: pointer;
-  }
 `;
 
 export function printerField(studio: Studio): TemplateResult {

@@ -15,17 +15,16 @@ export class Notices extends StudioElement {
     ...StudioElement.styles,
     css`
       :host {
-        position: fixed;
-        z-index: 8;
-        right: 12px;
-        bottom: 64px;
-        display: grid;
-        justify-items: end;
-        gap: 8px;
-        width: min(400px, calc(100vw - 24px));
+        position: relative; /* before the plate */
+        display: block;
+        justify-self: end;
+        width: min(424px, 100%);
+        overflow: auto; /* where there is little room */
+        scrollbar-width: thin;
         pointer-events: none;
       }
       .notice {
+        margin: 4px 12px 8px;
         display: grid;
         grid-template-columns: auto 1fr auto;
         align-items: start;
@@ -34,7 +33,7 @@ export class Notices extends StudioElement {
         border: 1px solid var(--line);
         border-radius: var(--radius-large);
         background: var(--raised);
-        box-shadow: var(--lift);
+        box-shadow: 0 1px 4px var(--shade);
         pointer-events: auto;
         overflow-wrap: anywhere;
       }
@@ -70,13 +69,10 @@ export class Notices extends StudioElement {
       }
       @media (max-width: 720px) {
         :host {
-          right: 8px;
-          left: 8px;
-          bottom: 116px;
-          width: auto;
+          width: 100%;
         }
         .notice {
-          width: 100%;
+          margin: 4px 6px 6px;
         }
       }
     `,
@@ -84,10 +80,7 @@ export class Notices extends StudioElement {
 
   override render(): TemplateResult {
     const { notices, problem } = this.state;
-    return html`<div role="status">
-        ${notices.filter((notice) => notice.problem === undefined).map((notice) => this.#word(notice))}
-      </div>
-      <div role="alert">
+    return html`<div role="alert">
         ${
           problem === undefined
             ? nothing
@@ -110,6 +103,9 @@ export class Notices extends StudioElement {
                 false,
               ),
         )}
+      </div>
+      <div role="status">
+        ${notices.filter((notice) => notice.problem === undefined).map((notice) => this.#word(notice))}
       </div>`;
   }
 

@@ -13,6 +13,11 @@ export const panelStyle = css`
   section:last-of-type {
     border-bottom: 0;
   }
+  @media (max-width: 720px) {
+    section:first-of-type {
+      padding-top: 4px; /* below the sheet's grip */
+    }
+  }
   .buttons {
     display: flex;
     flex-wrap: wrap;

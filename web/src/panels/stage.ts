@@ -8,6 +8,7 @@ import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import './legend.js';
 import './light-control.js';
+import './notices.js';
 import './player.js';
 import { offers } from './shown.js';
 import './status-bar.js';
@@ -24,20 +25,30 @@ export class StageElement extends StudioElement {
   static override styles = [
     ...StudioElement.styles,
     css`
+      /* Words have a row of their own, so that they never lie over a button; the plate goes on behind them, and stays. */
       :host {
         display: grid;
-        grid-template-rows: minmax(0, 1fr) auto;
+        grid-template: minmax(0, 1fr) minmax(0, auto) auto / minmax(0, 1fr);
         min-width: 0;
         min-height: 0;
       }
-      .bench {
-        position: relative;
-        min-height: 0;
-        container-type: size;
-      }
       sillon-canvas {
-        position: absolute;
-        inset: 0;
+        grid-area: 1 / 1 / 3 / 2;
+      }
+      .bench {
+        grid-area: 1 / 1;
+        position: relative;
+        container-type: size;
+        pointer-events: none;
+      }
+      .bench > :not(.bottom, .captions) {
+        pointer-events: auto;
+      }
+      sillon-notices {
+        grid-area: 2 / 1;
+      }
+      sillon-status {
+        grid-area: 3 / 1;
       }
       .views,
       .actions,
@@ -95,7 +106,6 @@ export class StageElement extends StudioElement {
         align-items: end;
         justify-content: space-between;
         gap: 8px;
-        pointer-events: none;
       }
       .bottom > * {
         pointer-events: auto;
@@ -156,7 +166,7 @@ export class StageElement extends StudioElement {
           padding: 0;
         }
       }
-      @media (max-width: 720px) {
+      @container (width < 420px) {
         .views {
           top: 26px;
           left: 26px;
@@ -184,7 +194,7 @@ export class StageElement extends StudioElement {
         }
       }
       /* Beside the tools, where the middle is too near to them. */
-      @container (min-width: 420px) and (max-width: 640px) {
+      @container (420px <= width <= 640px) {
         .views {
           left: 86px;
           transform: none;
@@ -194,10 +204,21 @@ export class StageElement extends StudioElement {
         }
       }
       /* A low bench is for the plate. */
-      @container (max-height: 340px) {
+      @container (width <= 640px) and (height <= 450px) {
+        .colour,
+        sillon-legend {
+          display: none;
+        }
+      }
+      @container (height <= 340px) {
         sillon-tools,
         .actions,
         .bottom {
+          display: none;
+        }
+      }
+      @container (height <= 170px) {
+        .views {
           display: none;
         }
       }
@@ -207,14 +228,15 @@ export class StageElement extends StudioElement {
   override render(): TemplateResult {
     const { view, compare, mode } = this.state;
     if (mode === 'view') {
-      return html`<div class="bench">
-        <sillon-canvas .studio=${this.studio}></sillon-canvas>
-        <div class="bottom"><sillon-light class="light" .studio=${this.studio}></sillon-light></div>
-      </div>`;
+      return html`<sillon-canvas .studio=${this.studio}></sillon-canvas>
+        <div class="bench">
+          <div class="bottom"><sillon-light class="light" .studio=${this.studio}></sillon-light></div>
+        </div>
+        <sillon-notices .studio=${this.studio}></sillon-notices>`;
     }
     return html`
+      <sillon-canvas .studio=${this.studio}></sillon-canvas>
       <div class="bench">
-        <sillon-canvas .studio=${this.studio}></sillon-canvas>
         <div class="views" role="tablist" aria-label=${t('view.title')} @keydown=${this.#onTabKey}>
           ${views.map(
             (name, k) =>
@@ -252,6 +274,7 @@ export class StageElement extends StudioElement {
             : nothing
         }
       </div>
+      <sillon-notices .studio=${this.studio}></sillon-notices>
       <sillon-status .studio=${this.studio}></sillon-status>
     `;
   }

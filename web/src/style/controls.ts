@@ -330,8 +330,7 @@ export const controls = css`
   /* One of a few. */
   .segments {
     display: grid;
-    grid-auto-flow: column;
-    grid-auto-columns: 1fr;
+    grid-template-columns: repeat(var(--columns), 1fr);
     gap: 2px;
     padding: 2px;
     border-radius: calc(var(--radius) + 2px);
@@ -355,7 +354,8 @@ export const controls = css`
     line-height: 1.15;
   }
   .segments input,
-  .cards input {
+  .cards input,
+  .swatches input {
     position: absolute;
     inset: 0;
     width: 100%;

@@ -1,8 +1,10 @@
 // The studio in frames of all kinds of pages, and on all kinds of hosts: as many threads as it can have there, and in every
 // one the native program's bytes. docs/embedding.md has the table.
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -14,6 +16,9 @@ import { natively } from './support/native.js';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const pages = fileURLToPath(new URL('pages/', import.meta.url));
+const web = fileURLToPath(new URL('../..', import.meta.url));
+const vite = fileURLToPath(new URL('../../../node_modules/vite/bin/vite.js', import.meta.url));
+const enginePath = fileURLToPath(new URL('../../../wasm/dist/engine/', import.meta.url));
 const all = Math.min(8, availableParallelism());
 
 /** A plate with all that a project can have but files. */
@@ -187,6 +192,52 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
 
   test('the studio’s own page, with headers by its service worker', async () => {
     assert.equal(await studioPage(await browser.newContext(), studioAt('bare'), () => crossOriginIsolated), all);
+  });
+
+  test('a studio whose engine lies on another site', async () => {
+    const outDir = mkdtempSync(join(tmpdir(), 'sillon-engine-'));
+    // As of a CDN: other sites may read the files, nothing more.
+    const cdn = await serveWith({ '/engine/': enginePath }, { 'Access-Control-Allow-Origin': '*' });
+    const page = await browser.newPage();
+    try {
+      const engine = `${cdn.origin.replace('localhost', '127.0.0.1')}/engine/`;
+      execFileSync(process.execPath, [vite, 'build', '--logLevel', 'warn', '--outDir', outDir], {
+        cwd: web,
+        env: { ...process.env, SILLON_ENGINE: engine },
+      });
+      assert.ok(!existsSync(join(outDir, 'engine')));
+      const site = await serveWith({ '/': `${outDir}/` }, { ...isolation, 'Access-Control-Allow-Origin': '*' });
+      sites.apart = site;
+      const asked = [];
+      page.on('request', (request) => asked.push(request.url()));
+      await page.goto(hostPage('plain'));
+      // Whoever writes the frame's address cannot send it elsewhere.
+      const address = {
+        studio: studioAt('apart'),
+        path: `embed.html?engine=${encodeURIComponent('https://evil.example/')}`,
+      };
+      const { value, error } = await page.evaluate((asked) => globalThis.attempt('raw', asked), {
+        ...address,
+        project,
+      });
+      assert.equal(error, undefined);
+      const { threads, length, hash } = value;
+      assert.deepEqual({ threads, length, hash }, { threads: all, ...expected });
+      assert.ok(asked.some((url) => url.startsWith(`${engine}sillon-mt`)));
+      assert.deepEqual(
+        asked.filter(
+          (url) =>
+            !['blob:', engine, hostPage('plain').replace('host.html', ''), studioAt('apart')].some((from) =>
+              url.startsWith(from),
+            ),
+        ),
+        [],
+      );
+    } finally {
+      await page.close();
+      cdn.close();
+      rmSync(outDir, { recursive: true });
+    }
   });
 
   test('storage denied', async () => {

@@ -136,13 +136,40 @@ test('files are fetched by the host’s page, and a project brings what it names
   );
 });
 
+test('no other plate is made while the one of the attributes is on its way', { skip }, async () => {
+  let arrive;
+  const arrived = new Promise((resolve) => (arrive = resolve));
+  const prepare = (page) =>
+    page.route('**/stress_17.json', async (route) => {
+      await arrived;
+      await route.continue();
+    });
+  const opened = element({ project: 'examples/stress_17.json' }, { prepare });
+  const frame = await until(() =>
+    hosts.browser
+      .contexts()
+      .flatMap((context) => context.pages().flatMap((page) => page.frames()))
+      .find((one) => one.url().includes('waits')),
+  );
+  await stateIs(frame, (state) => state.plate !== undefined);
+  await new Promise((resolve) => setTimeout(resolve, 1500)); // else it would begin at once
+  assert.deepEqual(await state(frame, ({ made, progress }) => [made === undefined, progress === undefined]), [
+    true,
+    true,
+  ]);
+  arrive();
+  const { page } = await opened;
+  await page.evaluate(() => globalThis.element.generate());
+  const results = await page.evaluate(() => globalThis.heard.filter(({ name }) => name === 'result').length);
+  assert.equal(results, 1);
+  assert.equal(await state(frame, (state) => state.plate.name), 'stress_17');
+});
+
 test('a download goes to the host, or to the visitor where the host lets it', { skip }, async () => {
   const { page, frame } = await element({ mode: 'customize', controls: 'size download' });
   await load(page);
   await page.evaluate(() => globalThis.element.generate());
   const svg = async () => {
-    // Words lie over the button for a while.
-    await frame.evaluate(() => document.querySelector('sillon-app').studio.store.set({ notices: [] }));
     await frame.locator('[popovertarget=export]').click();
     await frame.locator('#export').getByRole('button', { name: 'Drawing (SVG)' }).click();
   };

@@ -1,0 +1,99 @@
+// Types of <sillon-studio> and <sillon-view>, the elements for other people's pages; docs/embedding.md says what each name
+// does. Types alone: the elements themselves are scripts of the place where the studio is served.
+import type { Project, Report } from '../sillon.js';
+
+/** Attributes, and properties of the same names: '' where there is none. */
+export interface StudioAttributes {
+  src: string;
+  shape: string;
+  image: string;
+  project: string;
+  printer: string;
+  mode: string;
+  controls: string;
+  lang: string;
+  theme: string;
+  units: string;
+  threads: string;
+  autosave: string;
+  base: string;
+  sandbox: string;
+}
+
+export interface StudioFile {
+  name: string;
+  blob: Blob;
+}
+
+/** What the promises of a studio reject with, but for AbortError after `signal`. */
+export interface StudioFrameError extends Error {
+  readonly code: string;
+  readonly hint: string;
+}
+
+/** Files, their addresses, or a project as plain data. */
+export type StudioSource = Blob | string | URL | readonly (Blob | string | URL | object)[] | object;
+
+export interface StudioMethods {
+  load(source: StudioSource): Promise<void>;
+  getProject(): Promise<Project>;
+  generate(options?: { signal?: AbortSignal }): Promise<Report>;
+  report(): Promise<Report | null>;
+  exportGcode(options?: { signal?: AbortSignal }): Promise<StudioFile>;
+  exportSvg(options?: { signal?: AbortSignal }): Promise<StudioFile>;
+  exportProject(options?: { signal?: AbortSignal }): Promise<StudioFile>;
+  exportView(options?: { signal?: AbortSignal }): Promise<StudioFile>;
+  /** @param options  `width` in pixels, `seconds` of a video */
+  capture(options?: { type?: 'image' | 'video'; width?: number; seconds?: number }): Promise<StudioFile>;
+}
+
+/** By name of the event. */
+export interface StudioEventMap {
+  ready: CustomEvent<{ threads: number; why: string; version: string }>;
+  progress: CustomEvent<{ stage: string; fraction: number; etaMs: number | null }>;
+  result: CustomEvent<{ report: Report }>;
+  /** Width and height in mm. */
+  change: CustomEvent<{ name: string; width: number; height: number }>;
+  /** `preventDefault()`: the file is the page's, else it becomes a download. */
+  export: CustomEvent<{ name: string; type: string; blob: Blob }>;
+  error: CustomEvent<{ code: string; message: string; hint: string }>;
+}
+
+export interface ViewAttributes {
+  src: string;
+  poster: string;
+  alt: string;
+  light: string;
+  azimuth: string;
+  elevation: string;
+  colour: string;
+}
+
+export interface ViewEventMap {
+  load: CustomEvent<null>;
+  error: CustomEvent<{ code: string; message: string }>;
+}
+
+/** `addEventListener` that knows the element's own events. */
+interface Listens<Events> {
+  addEventListener<Name extends keyof Events>(
+    type: Name,
+    listener: (event: Events[Name]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+}
+
+export type SillonStudioElement = Listens<StudioEventMap> & HTMLElement & StudioAttributes & StudioMethods;
+export type SillonViewElement = Listens<ViewEventMap> & HTMLElement & ViewAttributes;
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'sillon-studio': SillonStudioElement;
+    'sillon-view': SillonViewElement;
+  }
+}
