@@ -374,10 +374,8 @@ std::vector<Candidate> findCandidates(const Joining& state, const PointGrid& gri
   return candidates;
 }
 
-}  // namespace
-
-Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
-                              const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                            const Parts& parts, const ToolpathParams& params, bool anyGap, const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
   Joining joining(curves, lines, border, params);
   const std::size_t count = static_cast<std::size_t>(curves.count());
@@ -440,9 +438,9 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     if (joined > 0) continue;
     // First the nearest partners, then all of them, then across gaps, then from further away and across wider gaps.
     if (thorough && outside) {
-      if (reach > diagonal) break;
+      if (reach > diagonal && (!anyGap || gap > diagonal)) break;
       reach *= 2;
-      alternatives *= 4;
+      alternatives = std::min(4 * alternatives, curves.points.size());
       gap *= 2;  // facing tips are nearer to each other than the beads in them; the part is one all the same
     }
     outside = thorough;
@@ -450,6 +448,31 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   joining.finish(stitched);
+  return stitched;
+}
+
+}  // namespace
+
+Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                              const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+  bool anyGap = false;
+  Result<Stitched> stitched = stitchOnce(curves, lines, border, parts, params, anyGap, run);
+  // Tiny cycles may use up their points, and joints may stand between others: paths as they are now are curves again.
+  // Where that does not help the neck between two solids is long, and threads go along it as they can.
+  while (stitched && stitched.value().curves.count() > stitched.value().parts) {
+    const Stitched& last = stitched.value();
+    const ClosedCurves paths = resampledSimply(last.curves, static_cast<float>(0.25 * params.spacing), run);
+    Result<Stitched> more = stitchOnce(paths, lines, border, parts, params, anyGap, run);
+    if (!more) return more;
+    if (more.value().curves.count() == paths.count()) {
+      if (anyGap) break;
+      anyGap = true;
+      continue;
+    }
+    more.value().longestJoint = std::max(more.value().longestJoint, last.longestJoint);
+    more.value().gapJoints += last.gapJoints;
+    stitched = std::move(more);
+  }
   return stitched;
 }
 
