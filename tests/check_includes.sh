@@ -24,7 +24,8 @@ contour:
 parts: sdf
 stitch: line_field parts sdf
 neighbour_gaps: sdf
-relaxation: neighbour_gaps sdf
+kinks: sdf
+relaxation: neighbour_gaps kinks sdf
 bead_width: neighbour_gaps sdf
 simplify: bead_width
 line_give: constraints line_field phase_field

@@ -9,6 +9,24 @@
 
 using namespace sillon;
 
+TEST_CASE("tiny cycles whose points are all used, and joints that stand between cycles, leave one path per part") {
+  // Four and eight points that joined each other first (1924, 550, 956, 1534, 1667), a path whose near end is a joint
+  // (1609), and one that only a used piece faces (1116).
+  const RunContext run(2);
+  for (const std::uint64_t seed : {1116, 1609, 1924, 550, 956, 1534, 1667}) {
+    const scenes::RandomPlate plate = scenes::randomPlate(seed);
+    CAPTURE(seed);
+    const auto result = generateToolpath(plate.input, plate.params, run);
+    REQUIRE(result.ok());
+    CHECK(static_cast<int>(result.value().toolpath.cycles.size()) == result.value().parts);
+    const Measures m = measureToolpath(result.value().toolpath, plate.input.shape, plate.input.directions,
+                                       plate.input.modes, plate.params, run)
+                           .value();
+    CHECK(m.crossings == 0);
+    CHECK(m.spill <= scenes::spillAllowed(plate, result.value()));
+  }
+}
+
 TEST_CASE("320 random plates keep the promises") {
   const RunContext run(2);
   int made = 0;

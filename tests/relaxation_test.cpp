@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "curves.hpp"
+#include "kinks.hpp"
 #include "sillon/bead_width.hpp"
 #include "sillon/simplify.hpp"
 #include "support/scenes.hpp"
@@ -50,6 +51,31 @@ double middleHeight(const ClosedCurves& curves, double guess) {
     ++count;
   }
   return count > 0 ? sum / count : -1;
+}
+
+ClosedCurves closed(const std::vector<std::vector<Vec2f>>& corners) {
+  ClosedCurves curves;
+  for (const std::vector<Vec2f>& curve : corners) {
+    curves.begin.push_back(static_cast<int>(curves.points.size()));
+    curves.points.insert(curves.points.end(), curve.begin(), curve.end());
+  }
+  curves.begin.push_back(static_cast<int>(curves.points.size()));
+  return curves;
+}
+
+// Turns by 60 degrees and more within a quarter of a spacing of 0.4, as they are measured.
+int kinksOf(const ClosedCurves& curves) {
+  const ClosedCurves fine = resampled(curves, 0.05f, RunContext(1));
+  int kinks = 0;
+  for (int c = 0; c < fine.count(); ++c) {
+    for (int k = 0; k < fine.size(c); ++k) {
+      Vec2f p[4];
+      for (int n = 0; n < 4; ++n)
+        p[n] = fine.points[static_cast<std::size_t>(fine.begin[static_cast<std::size_t>(c)] + (k + n) % fine.size(c))];
+      kinks += dot(p[1] - p[0], p[3] - p[2]) <= 0.5f * length(p[1] - p[0]) * length(p[3] - p[2]) ? 1 : 0;
+    }
+  }
+  return kinks;
 }
 
 }  // namespace
@@ -112,6 +138,58 @@ TEST_CASE("a path that would be pushed through itself stays simple") {
   const auto relaxed = relaxSpacing(rows(heights, 20), farBorder(), params, RunContext(1));
   REQUIRE(relaxed.ok());
   CHECK(findCrossings(relaxed.value().curves, RunContext(1)).empty());
+}
+
+TEST_CASE("kinks are rounded, and only what lies within a spacing of one moves") {
+  const ClosedCurves corners = rows({10, 10.4, 10.8, 11.2}, 20);
+  const ClosedCurves before = resampled(corners, 0.1f, RunContext(1));
+  ClosedCurves after = before;
+  roundKinks(after, farBorder(), 0.4, RunContext(1));
+  CHECK(kinksOf(before) >= 10);
+  CHECK(kinksOf(after) == 0);
+  CHECK(findCrossings(after, RunContext(1)).empty());
+  CHECK(after.begin == before.begin);
+  for (std::size_t k = 0; k < before.points.size(); ++k) {
+    float near = 1e9f;
+    for (const Vec2f corner : corners.points) near = std::min(near, length(before.points[k] - corner));
+    CHECK(length(after.points[k] - before.points[k]) <= (near > 0.4f ? 0.0f : 0.2f));
+  }
+}
+
+TEST_CASE("a kink stays where another path lies in its corner") {
+  for (const bool there : {false, true}) {
+    std::vector<std::vector<Vec2f>> corners = {{{20, 10}, {10, 20}, {10, 10}}};
+    if (there) corners.push_back({{19.985f, 10.004f}, {19, 10.45f}, {19, 10.3f}});
+    ClosedCurves curves = resampledSimply(closed(corners), 0.1f, RunContext(1));
+    REQUIRE(findCrossings(curves, RunContext(1)).empty());
+    roundKinks(curves, farBorder(), 0.4, RunContext(1));
+    CHECK(findCrossings(curves, RunContext(1)).empty());
+    float tip = 0;
+    for (const Vec2f p : curves.points) tip = std::max(tip, p.x);
+    CHECK((tip == 20) == there);
+  }
+}
+
+TEST_CASE("a kink round a corner of the shape comes no nearer to it") {
+  // An L whose inner corner lies at (10, 10), and paths so far from it.
+  const Shape shape = scenes::shapeOf({{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}}, {20, 20});
+  const Outline outline = resolveOutline(shape).value();
+  const BorderIndex border = buildBorderIndex(outline, makeGrid(outline.bounds, 0.4), RunContext(1)).value();
+  const auto nearest = [&](const ClosedCurves& curves) {
+    float distance = -1e9f;
+    for (const Vec2f p : curves.points)
+      distance = std::max(distance, border.nearest({static_cast<double>(p.x), static_cast<double>(p.y)}).distance);
+    return distance;
+  };
+  for (const float away : {0.05f, 0.2f}) {
+    const float inner = 10 - away;
+    const ClosedCurves before =
+        resampled(closed({{{2, 2}, {18, 2}, {18, inner}, {inner, inner}, {inner, 18}, {2, 18}}}), 0.1f, RunContext(1));
+    ClosedCurves after = before;
+    roundKinks(after, border, 0.4, RunContext(1));
+    CHECK(kinksOf(after) < kinksOf(before));  // the outer corners
+    CHECK(nearest(after) <= std::max(nearest(before), -0.1f) + 1e-6f);
+  }
 }
 
 TEST_CASE("widths of parallel rows: twice the smaller half gap without balance, the mean of both with it") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "curves.hpp"
+#include "kinks.hpp"
 #include "parallel_for.hpp"
 
 namespace sillon {
@@ -127,6 +128,8 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
       const ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
       // Equal steps may cut corners where strands lie near to each other, however little was moved.
       ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);
+      // Not before the last round: smoothing points hairpins anew.
+      if (round + 1 == params.relaxationRounds) roundKinks(next, border, params.spacing, run);
       NeighbourGaps nextGaps = neighbourGaps(next, border, params.spacing, kCap * spacing, run);
       const auto crossings = findCrossings(next, run, nextGaps.tight);
       if (crossings.empty()) {

@@ -293,6 +293,16 @@ int partOf(const Parts& parts, Vec2f p) {
   return part;
 }
 
+// Around the points of a set.
+struct Box {
+  Vec2f min{1e30f, 1e30f};
+  Vec2f max{-1e30f, -1e30f};
+
+  [[nodiscard]] bool isWithin(float reach, Vec2f p) const {
+    return p.x > min.x - reach && p.x < max.x + reach && p.y > min.y - reach && p.y < max.y + reach;
+  }
+};
+
 struct Search {
   const std::vector<int>& setOfCurve;
   const std::vector<int>& partOfCurve;
@@ -300,9 +310,23 @@ struct Search {
   const std::vector<char>& wanted;  ///< curves whose points look for partners
   int stride;                       ///< every how many points
   float reach;
-  std::size_t alternatives;  ///< most partners per point
-  bool thorough;             ///< not only the nearest partner on either side, and shorter pieces too
+  std::size_t alternatives;          ///< most partners per point
+  bool thorough;                     ///< not only the nearest partner on either side, and shorter pieces too
+  const std::vector<Box>& boxOfSet;  ///< where the search is thorough
 };
+
+// A wide search costs all points within reach, most of them of the own set: only what may lie near another looks round.
+bool mayHavePartners(const Joining& state, const Search& search, int i) {
+  if (!search.thorough) return true;
+  const std::size_t c = static_cast<std::size_t>(state.curveOf(i));
+  for (std::size_t set = 0; set < search.boxOfSet.size(); ++set) {
+    if (static_cast<int>(set) != search.setOfCurve[c] && search.partOfCurve[set] == search.partOfCurve[c] &&
+        search.boxOfSet[set].isWithin(search.reach, state.at(i))) {
+      return true;
+    }
+  }
+  return false;
+}
 
 struct Partner {
   float distance2;
@@ -357,6 +381,7 @@ std::vector<Candidate> findCandidates(const Joining& state, const PointGrid& gri
     for (int i = begin; i < end; ++i) {
       const std::size_t c = static_cast<std::size_t>(state.curveOf(i));
       if (!search.wanted[c] || (i - curves.begin[c]) % search.stride != 0 || state.used(i)) continue;
+      if (!mayHavePartners(state, search, i)) continue;
       findPartners(state, grid, curves, search, i, partners);
       for (const Partner& partner : partners) {
         for (int span = kSpan; span >= (search.thorough ? 1 : kSpan); span /= 2) {
@@ -374,10 +399,8 @@ std::vector<Candidate> findCandidates(const Joining& state, const PointGrid& gri
   return candidates;
 }
 
-}  // namespace
-
-Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
-                              const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                            const Parts& parts, const ToolpathParams& params, bool anyGap, const RunContext& run) {
   const float spacing = static_cast<float>(params.spacing);
   Joining joining(curves, lines, border, params);
   const std::size_t count = static_cast<std::size_t>(curves.count());
@@ -430,7 +453,17 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
       any = any || wanted[c];
     }
     if (!any) break;
-    const Search search{setOfCurve, partOfCurve, curveAt, wanted, round == 0 ? 4 : 1, reach, alternatives, thorough};
+    std::vector<Box> boxOfSet(thorough ? count : 0);
+    for (std::size_t c = 0; c < boxOfSet.size(); ++c) {
+      Box& box = boxOfSet[static_cast<std::size_t>(setOfCurve[c])];
+      for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
+        const Vec2f p = curves.points[static_cast<std::size_t>(k)];
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+      }
+    }
+    const Search search{setOfCurve, partOfCurve,  curveAt,  wanted,  round == 0 ? 4 : 1,
+                        reach,      alternatives, thorough, boxOfSet};
     int joined = 0;
     const std::vector<Candidate> candidates = findCandidates(joining, grid, curves, search, run);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -440,9 +473,9 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     if (joined > 0) continue;
     // First the nearest partners, then all of them, then across gaps, then from further away and across wider gaps.
     if (thorough && outside) {
-      if (reach > diagonal) break;
+      if (reach > diagonal && (!anyGap || gap > diagonal)) break;
       reach *= 2;
-      alternatives *= 4;
+      alternatives = std::min(4 * alternatives, curves.points.size());
       gap *= 2;  // facing tips are nearer to each other than the beads in them; the part is one all the same
     }
     outside = thorough;
@@ -450,6 +483,31 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   joining.finish(stitched);
+  return stitched;
+}
+
+}  // namespace
+
+Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                              const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+  bool anyGap = false;
+  Result<Stitched> stitched = stitchOnce(curves, lines, border, parts, params, anyGap, run);
+  // Tiny cycles may use up their points, and joints may stand between others: paths as they are now are curves again.
+  // Where that does not help the neck between two solids is long, and threads go along it as they can.
+  while (stitched && stitched.value().curves.count() > stitched.value().parts) {
+    const Stitched& last = stitched.value();
+    const ClosedCurves paths = resampledSimply(last.curves, static_cast<float>(0.25 * params.spacing), run);
+    Result<Stitched> more = stitchOnce(paths, lines, border, parts, params, anyGap, run);
+    if (!more) return more;
+    if (more.value().curves.count() == paths.count()) {
+      if (anyGap) break;
+      anyGap = true;
+      continue;
+    }
+    more.value().longestJoint = std::max(more.value().longestJoint, last.longestJoint);
+    more.value().gapJoints += last.gapJoints;
+    stitched = std::move(more);
+  }
   return stitched;
 }
 

@@ -19,7 +19,7 @@ struct Relaxed {
 /// beside the border and where the difference is above a quarter of tau; at most 0.15 tau), smooths the moves along the
 /// path, pulls each point towards the middle of its neighbours and resamples at tau/4. Where a round would make the
 /// path meet itself, its moves are halved there, to nothing in the end: a simple path stays simple (checked exactly on
-/// 1 µm). The published repulsion pushes apart only what is nearer than tau/2.
+/// 1 µm). The last round ends with `roundKinks`. The published repulsion pushes apart only what is nearer than tau/2.
 Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, const ToolpathParams& params,
                              const RunContext& run);
 
