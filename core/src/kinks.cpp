@@ -84,6 +84,7 @@ class Rounding {
       std::reverse(ids.begin(), ids.end());
       while (static_cast<int>(ids.size()) < count) ids.push_back(nextOf(curves_, curve, ids.back()));
       std::vector<Vec2f> before;
+      before.reserve(ids.size());
       for (const int id : ids) before.push_back(at(id));
       if (!hasKink(before, spacing_)) return;
       std::vector<Vec2f> after = before;
