@@ -59,8 +59,17 @@ const endings: Record<Product, string> = {
   project: '.sillon.zip',
 };
 
-const fileName = (plate: Plate, product: string): string =>
-  `${plate.name.replace(/[^\p{L}\p{N}._ -]+/gu, '').trim() || 'plate'}${product}`;
+const plain = (text: string): string => text.replace(/[^\p{L}\p{N}._ -]+/gu, '').trim();
+const fileName = (plate: Plate, product: string): string => `${plain(plate.name) || 'plate'}${product}`;
+
+/** What tells one G-code file from another on a printer's screen: `_0.4mm_PLA_1h05m`. */
+function gcodeMark({ printer }: Plate, seconds: number): string {
+  const minutes = Math.max(1, Math.round(seconds / 60));
+  const hours = Math.floor(minutes / 60);
+  const time = hours > 0 ? `${hours}h${String(minutes % 60).padStart(2, '0')}m` : `${minutes}m`;
+  const words = [`${Number(printer.nozzle.toFixed(2))}mm`, plain(printer.filamentType), time];
+  return words.map((word) => (word === '' ? '' : `_${word}`)).join('');
+}
 
 /** Phones ask their owner, and only after a touch; computers have no tilt to tell. */
 async function mayTilt(): Promise<boolean> {
@@ -245,8 +254,10 @@ export class Studio {
   /** A file of the plate as it is now. */
   async make(product: Product): Promise<{ blob: Blob; name: string }> {
     const { plate } = this.store.state;
-    const name = fileName(plate, isPacked(product, plate) ? '.gcode.3mf' : endings[product]);
-    return { blob: await this.#make(product, plate), name };
+    const blob = await this.#make(product, plate);
+    const { summary } = this.store.state;
+    const mark = product === 'gcode' && summary !== undefined ? gcodeMark(plate, summary.seconds) : '';
+    return { blob, name: fileName(plate, mark + (isPacked(product, plate) ? '.gcode.3mf' : endings[product])) };
   }
 
   async #gcode(plate: Plate): Promise<Blob> {

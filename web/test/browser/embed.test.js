@@ -69,7 +69,8 @@ test('methods give the plate that was loaded, as project, report and files', { s
   assert.deepEqual(made.again, made.report);
   assert.deepEqual(JSON.parse(Buffer.from(unzipSync(Uint8Array.from(made.zip))['project.json'])), made.told);
   const { exportGcode, exportSvg, exportProject, capture } = made.files;
-  assert.deepEqual([exportGcode.name, exportGcode.type], ['project.gcode', 'text/x-gcode']);
+  assert.match(exportGcode.name, /^project_0\.4mm_PLA_\d+m\.gcode$/);
+  assert.equal(exportGcode.type, 'text/x-gcode');
   assert.ok(exportGcode.size > 10_000);
   assert.deepEqual([exportSvg.name, exportSvg.type], ['project.svg', 'image/svg+xml']);
   assert.deepEqual([exportProject.name, exportProject.head], ['project.sillon.zip', [0x50, 0x4b, 3, 4]]);

@@ -97,7 +97,7 @@ test(
     const visit = await bench.open();
     await visit.idle();
     const { name, bytes } = await visit.download('G-code');
-    assert.equal(name, 'plate.gcode');
+    assert.match(name, /^plate_0\.4mm_PLA_(\d+h)?\d+m\.gcode$/);
     const text = bytes.toString('utf8');
     const moves = await movesOf(text);
     assert.ok(moves.length > 1000, `only ${moves.length} moves`);
