@@ -235,22 +235,28 @@ TEST_CASE("beads that would overlap give way in proportion, by no more than need
   }
 }
 
+// Of beads that may not overlap at all.
+std::vector<float> widthsHeldApart(const ClosedCurves& path, const NeighbourGaps& gaps) {
+  ToolpathParams params;
+  params.simplifyTolerance = 0;
+  params.beadOverlap = 0;
+  const auto widths = beadWidths(path, gaps, farBorder(), params, RunContext(1));
+  REQUIRE(widths.ok());
+  return widths.value().width;
+}
+
 TEST_CASE("a bead grows again where its neighbour gave way to another") {
   // 0.4 mm wide, but for the second row: pressed by the first, it leaves room for the third.
   const ClosedCurves path = resampled(rows({10, 10.3, 10.65, 11.15}, 20), 0.1f, RunContext(1));
   NeighbourGaps gaps;
   gaps.left.assign(path.points.size(), 0.4f);
   gaps.right = gaps.left;
-  ToolpathParams params;
-  params.simplifyTolerance = 0;
-  params.beadOverlap = 0;
-  const auto widths = beadWidths(path, gaps, farBorder(), params, RunContext(1));
-  REQUIRE(widths.ok());
+  const std::vector<float> w = widthsHeldApart(path, gaps);
   int checked = 0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     const Vec2f p = path.points[i];
     if (p.x < 15 || p.x > 25) continue;
-    const float width = widths.value().width[i];
+    const float width = w[i];
     if (std::abs(p.y - 10.3f) < 0.01f) CHECK(width == doctest::Approx(0.3).epsilon(0.02));
     // Its own share of the 0.35 mm was 0.35.
     if (std::abs(p.y - 10.65f) < 0.01f) CHECK(width > 0.38f);
@@ -264,12 +270,7 @@ TEST_CASE("where widths change, beads leave room for moves, which have one width
   NeighbourGaps gaps;
   for (const Vec2f p : path.points) gaps.left.push_back(std::min(0.43f, 0.37f + 0.005f * std::abs(p.x - 20)));
   gaps.right = gaps.left;
-  ToolpathParams params;
-  params.simplifyTolerance = 0;
-  params.beadOverlap = 0;
-  const auto widths = beadWidths(path, gaps, farBorder(), params, RunContext(1));
-  REQUIRE(widths.ok());
-  const std::vector<float>& w = widths.value().width;
+  const std::vector<float> w = widthsHeldApart(path, gaps);
   for (std::size_t i = 1; i + 1 < path.points.size(); ++i) {
     const Vec2f p = path.points[i];
     if (p.x < 11 || p.x > 29) continue;
