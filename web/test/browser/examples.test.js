@@ -89,7 +89,7 @@ async function open(address) {
 test('embed-page: a shop takes the order’s G-code', { skip }, async () => {
   const problems = await open('embed-page/index.html');
   await page.locator('#order:not([disabled])').click();
-  await page.getByText(/plate\.gcode: \d+ bytes for the printer/).waitFor();
+  await page.getByText(/^plate_0\.4mm_PLA_\d+m\.gcode: \d+ bytes for the printer$/).waitFor();
   await page.locator('sillon-view').scrollIntoViewIfNeeded();
   await page.locator('sillon-view canvas:not([hidden])').waitFor();
   assert.deepEqual(problems, []);

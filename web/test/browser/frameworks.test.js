@@ -141,7 +141,8 @@ for (const [name, { file, language, main, checker, wrong, plugins }] of Object.e
       const problems = [];
       visit.on('pageerror', (error) => problems.push(String(error)));
       await visit.goto(`${site.origin.replace('localhost', '127.0.0.1')}/index.html`);
-      await visit.getByRole('button', { name: 'Order' }).click(); // once it can be
+      // Found once it can be clicked: retried clicks scroll the page first, and may then land in the frame above.
+      await visit.getByRole('button', { name: 'Order', disabled: false }).click();
       const gcode = /^text\/x-gcode of \d{5,} bytes$/;
       await until(async () => gcode.test(await visit.title()), 'the ordered file');
       await visit.evaluate(() => (document.title = ''));
