@@ -8,6 +8,7 @@
 #include "curves.hpp"
 #include "sillon/bead_width.hpp"
 #include "sillon/contour.hpp"
+#include "sillon/narrow_places.hpp"
 #include "sillon/parts.hpp"
 #include "sillon/relaxation.hpp"
 #include "sillon/sdf.hpp"
@@ -179,6 +180,7 @@ Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& f
     if (!values) return values.error();
     release(keep, fields.waves);
     keepThinParts(shape.parts, shape.sdf, params.spacing, values.value());
+    fillNarrowPlaces(nodes, distance.value(), params.spacing, values.value());
     release(keep, shape.sdf);
     Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
     if (!contour) return contour.error();

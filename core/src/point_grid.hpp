@@ -104,27 +104,38 @@ class PointGrid {
 };
 
 /// Which points are the same stretch of path as one of them: of its curve, and fewer than `reach` points away round it.
+/// They are one run of indices, or two where it passes the curve's first point.
 class OwnChain {
  public:
-  OwnChain(int point, int first, int size, int reach)
-      : point_(splatInt(point)),
-        begin_(splatInt(first)),
-        end_(splatInt(first + size)),
-        near_(splatInt(reach)),
-        minusNear_(splatInt(-reach)),
-        wrapped_(splatInt(size - reach)),
-        minusWrapped_(splatInt(reach - size)) {}
-
-  /// \return all bits set where `id` is one of them.
-  [[nodiscard]] I4 holds(I4 id) const {
-    const I4 apart = id - point_;
-    const I4 sameCurve = ((id < begin_) == splatInt(0)) & (id < end_);
-    const I4 close = ((apart > minusNear_) & (apart < near_)) | (apart > wrapped_) | (apart < minusWrapped_);
-    return sameCurve & close;
+  OwnChain(int point, int first, int size, int reach) {
+    const int end = first + size;
+    int from = point - reach + 1;
+    int to = point + reach;
+    int from2 = 0;
+    int to2 = 0;
+    if (size < 2 * reach) {
+      from = first;
+      to = end;
+    } else if (from < first) {
+      from2 = from + size;
+      to2 = end;
+      from = first;
+    } else if (to > end) {
+      from2 = first;
+      to2 = to - size;
+      to = end;
+    }
+    before_ = splatInt(from - 1);
+    end_ = splatInt(to);
+    before2_ = splatInt(from2 - 1);
+    end2_ = splatInt(to2);
   }
 
+  /// \return all bits set where `id` is one of them.
+  [[nodiscard]] I4 holds(I4 id) const { return ((id > before_) & (id < end_)) | ((id > before2_) & (id < end2_)); }
+
  private:
-  I4 point_, begin_, end_, near_, minusNear_, wrapped_, minusWrapped_;
+  I4 before_, end_, before2_, end2_;
 };
 
 }  // namespace sillon

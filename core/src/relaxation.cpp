@@ -14,10 +14,11 @@ constexpr float kCap =
 constexpr float kMaxMove = 0.15f;  ///< per round [tau]
 // Small differences are drift of the spacing, and evening them out tilts beads over long stretches: wave loses 0.0019
 // of alignment per round at a strength of 0.25. What is larger is room that a hairpin left, worth filling at once.
-constexpr float kDrift = 0.25f;          ///< [tau]
-constexpr float kVoidStrength = 0.32f;   ///< of the difference beyond kDrift
-constexpr float kBorderStrength = 0.3f;  ///< at least, nearer to the border than one spacing, where hairpins lie
+constexpr float kDrift = 0.24f;          ///< [tau]
+constexpr float kVoidStrength = 0.7f;    ///< of the difference beyond kDrift
+constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where hairpins lie
 constexpr int kAttempts = 8;
+constexpr float kDot = 0.25f;  ///< length of a cycle [tau]
 
 int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
 
@@ -62,6 +63,20 @@ Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, float spacing)
   if (after <= -least) return to;
   const float before = border.nearest({static_cast<double>(from.x), static_cast<double>(from.y)}).distance;
   return after <= before ? to : from;
+}
+
+// How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
+// keeps them from vanishing.
+std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
+  std::vector<float> share(curves.points.size(), 1.0f);
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const float step =
+        length(curves.points[static_cast<std::size_t>(first) + 1] - curves.points[static_cast<std::size_t>(first)]);
+    if (step * static_cast<float>(curves.size(c)) < kDot * spacing)
+      std::fill_n(share.begin() + first, curves.size(c), 0.0f);
+  }
+  return share;
 }
 
 // Moves and smooths, both scaled per point by `share`.
@@ -123,7 +138,7 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
   NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);
-    std::vector<float> share(path.points.size(), 1.0f);
+    std::vector<float> share = sharesOf(path, spacing);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
       const ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
       // Equal steps may cut corners where strands lie near to each other, however little was moved.
@@ -131,7 +146,8 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
       // Not before the last round: smoothing points hairpins anew.
       if (round + 1 == params.relaxationRounds) roundKinks(next, border, params.spacing, run);
       NeighbourGaps nextGaps = neighbourGaps(next, border, params.spacing, kCap * spacing, run);
-      const auto crossings = findCrossings(next, run, nextGaps.tight);
+      // Equal steps meet where points lie near to each other; other segments may be longer.
+      const auto crossings = attempt == 0 ? findCrossings(next, run, nextGaps.tight) : findCrossings(next, run);
       if (crossings.empty()) {
         path = std::move(next);
         gaps = std::move(nextGaps);

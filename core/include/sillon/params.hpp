@@ -38,14 +38,14 @@ struct ToolpathParams {
   double lineGive = 0;           ///< beads may run up to so far off the lines where that saves U-turns [degrees], 0..30
   double waveReach = 1;          ///< over which the waves of cells are averaged: three sigma of Eq. 13 [tau], 0.45..1.5
   double borderPull = 1;         ///< soft border: weight of the border's wave against a neighbour's, 0..100
-  double stitchAlignment = 0.8;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
+  double stitchAlignment = 1.1;  ///< cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
   int relaxationRounds = 2;      ///< rounds of spacing relaxation, 0..100
-  double relaxationStrength = 0.1;  ///< move towards the wider side per round, of the gaps' difference, 0..0.5
-  double relaxationSmoothing = 1;   ///< pull towards the neighbours' middle per round, 0..1
-  double widthBalance = 1;     ///< 0: the nearer neighbour bounds a bead on both sides (Eq. 16); 1: the room does, 0..1
-  double beadOverlap = 0.004;  ///< how far beads may overlap [tau], 0..1; 1: they are not held apart
-  double minWidth = 0.5;       ///< narrowest bead [tau], 0.1..1
-  double maxWidth = 2;         ///< widest bead [tau], 1..4
+  double relaxationStrength = 0.08;   ///< move towards the wider side per round, of the gaps' difference, 0..0.5
+  double relaxationSmoothing = 0.65;  ///< pull towards the neighbours' middle per round, 0..1
+  double widthBalance = 1;  ///< 0: the nearer neighbour bounds a bead on both sides (Eq. 16); 1: the room does, 0..1
+  double beadOverlap = 0.0024;        ///< how far beads may overlap [tau], 0..1; 1: they are not held apart
+  double minWidth = 0.5;              ///< narrowest bead [tau], 0.1..1
+  double maxWidth = 2;                ///< widest bead [tau], 1..4
   double simplifyTolerance = 0.0015;  ///< largest change of position and width by leaving out points [mm], 0..1
 
   friend bool operator==(const ToolpathParams&, const ToolpathParams&) = default;

@@ -188,7 +188,7 @@ export const settings: readonly Setting[] = [
   number('toolpath', 'waveReach', advanced, { unit: 'spacing', min: 0.45, max: 1.5, step: 0.05 }),
   number('toolpath', 'borderPull', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
   number('toolpath', 'widthBalance', advanced, { min: 0, max: 1, step: 0.05 }),
-  number('toolpath', 'beadOverlap', advanced, { unit: 'spacing', min: 0, max: 1, step: 0.001, usual: [0, 0.05] }),
+  number('toolpath', 'beadOverlap', advanced, { unit: 'spacing', min: 0, max: 1, step: 0.0001, usual: [0, 0.05] }),
   number('toolpath', 'minWidth', advanced, { unit: 'spacing', min: 0.1, max: 1, step: 0.05 }),
   number('toolpath', 'maxWidth', advanced, { unit: 'spacing', min: 1, max: 4, step: 0.05 }),
   number('toolpath', 'bridge', advanced, { unit: 'mm', min: 0, max: 10000, step: 0.05, usual: [0, 5], nullable }),
