@@ -79,7 +79,7 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
   segments.reserve(total);
   for (std::vector<Segment>& part : found) {
     segments.insert(segments.end(), part.begin(), part.end());
-    part = {};
+    part = std::vector<Segment>();  // {} would keep its memory
   }
   return segments;
 }

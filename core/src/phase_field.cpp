@@ -401,12 +401,13 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
   return s > 0 ? along : kPi - along;  // opposed lines run backwards
 }
 
-Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
-                              const SignedDistanceField& sdf, const CellConstraints& cells,
-                              const ToolpathParams& params, const RunContext& run, int depth) {
+Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequency, const SignedDistanceField& sdf,
+                              const CellConstraints& cells, const ToolpathParams& params, const RunContext& run,
+                              int depth) {
   const Jitter jitter(params.seed, static_cast<float>(params.jitter));
   std::vector<PhaseLevel> levels;
   levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter, run));
+  frequency = std::vector<float>();  // memory peaks in the finest sweeps; {} would keep it
   while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));
   const std::size_t last = std::min(static_cast<std::size_t>(depth), levels.size() - 1);
   for (std::size_t k = levels.size() - 1; k-- > last;) {

@@ -14,17 +14,18 @@ Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap
   if (!cells) return cells.error();
   Result<LineField> lines = lineField(sdf, cells.value(), params, run);
   if (!lines) return lines.error();
-  cells.value().mapLine = {};  // memory peaks in the alignment
+  cells.value().mapLine = std::vector<Vec2f>();  // memory peaks in the alignment; {} would keep it
   if (beforePhases) beforePhases();
-  const Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
+  Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
   if (!frequency) return frequency.error();
+  const bool gives = !preview && params.lineGive > 0;
   Result<SineField> waves =
-      alignPhases(lines.value(), frequency.value(), sdf, cells.value(), params, run, preview ? 1 : 0);
-  for (int round = 0; waves && !preview && params.lineGive > 0 && round < kGivingRounds; ++round) {
-    const Result<GivenLines> given =
-        giveLines(lines.value(), frequency.value(), waves.value(), cells.value(), params, run);
+      alignPhases(lines.value(), gives ? std::vector<float>(frequency.value()) : std::move(frequency).value(), sdf,
+                  cells.value(), params, run, preview ? 1 : 0);
+  for (int round = 0; waves && gives && round < kGivingRounds; ++round) {
+    Result<GivenLines> given = giveLines(lines.value(), frequency.value(), waves.value(), cells.value(), params, run);
     if (!given) return given.error();
-    waves = alignPhases(given.value().lines, given.value().frequency, sdf, cells.value(), params, run);
+    waves = alignPhases(given.value().lines, std::move(given.value().frequency), sdf, cells.value(), params, run);
   }
   if (!waves) return waves.error();
   return WaveFields{std::move(cells).value(), std::move(lines).value(), std::move(waves).value()};

@@ -29,8 +29,8 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
 /// inside the border; in mode Soft the border's wave joins the sum of ring cells as one more neighbour.
 /// \param frequency  of the wave per cell, from spacingField. \param depth  level of the pyramid to end with: 0 is the
 /// lines' own grid, each further one has cells of twice the side, and so has the result.
-Result<SineField> alignPhases(const LineField& lines, const std::vector<float>& frequency,
-                              const SignedDistanceField& sdf, const CellConstraints& cells,
-                              const ToolpathParams& params, const RunContext& run, int depth = 0);
+Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequency, const SignedDistanceField& sdf,
+                              const CellConstraints& cells, const ToolpathParams& params, const RunContext& run,
+                              int depth = 0);
 
 }  // namespace sillon
