@@ -108,11 +108,34 @@ Layer layerAt(const PrintParams& params, int copy, int index) {
   return layer;
 }
 
+// Plans motions, and keeps the longest one: planned for the estimate, it is written without being planned again, which
+// takes a third of the time of writing.
+class Plans {
+ public:
+  /// \return valid until the next call.
+  const Motion& of(const BeadPath& path, std::size_t start, const MotionLimits& limits) {
+    if (path_ == &path && start_ == start && limits_ == limits) return longest_;
+    Motion motion = planMotion(path, start, limits);
+    if (motion.points.size() <= longest_.points.size()) return other_ = std::move(motion);
+    path_ = &path;
+    start_ = start;
+    limits_ = limits;
+    return longest_ = std::move(motion);
+  }
+
+ private:
+  const BeadPath* path_ = nullptr;
+  std::size_t start_ = 0;
+  MotionLimits limits_;
+  Motion longest_;
+  Motion other_;
+};
+
 // Follows the nozzle through the layers: text, filament and time. All times are from rest to rest between paths.
 class Writer {
  public:
-  Writer(const GcodeJob& job, const Printer& printer, const PrintParams& params, const GcodeSink* sink)
-      : job_(job), printer_(printer), params_(params), out_(sink), silent_(sink == nullptr) {}
+  Writer(const GcodeJob& job, const Printer& printer, const PrintParams& params, Plans& plans, const GcodeSink* sink)
+      : job_(job), printer_(printer), params_(params), plans_(plans), out_(sink), silent_(sink == nullptr) {}
 
   void header(double estimate);
   void thumbnail(const Thumbnail& thumbnail);
@@ -147,6 +170,7 @@ class Writer {
   const GcodeJob& job_;
   const Printer& printer_;
   const PrintParams& params_;
+  Plans& plans_;
   ChunkedOutput out_;
   bool silent_;
   double expected_ = 0;  // [s], for the progress
@@ -303,9 +327,9 @@ void Writer::leave(const Motion& motion, double speed, double top) {
   double left = kWipeLength;
   std::vector<PointUm> wipe{at_};
   for (std::size_t i = motion.lengths.size(); i-- > 0 && left > 0;) {
-    PointUm target = motion.points[i];
+    PointUm target = motion.points[i] + shift_;
     if (motion.lengths[i] > left) {
-      const PointUm from = motion.points[i + 1];
+      const PointUm from = motion.points[i + 1] + shift_;
       const double share = left / motion.lengths[i];
       target = {from.x + std::llround(share * static_cast<double>(target.x - from.x)),
                 from.y + std::llround(share * static_cast<double>(target.y - from.y))};
@@ -326,9 +350,10 @@ void Writer::bead(const Motion& motion, double flow, double height) {
     filament_ += perMm * (motion.widths[i] + motion.widths[i + 1]) * motion.lengths[i];
     if (silent_) continue;
     const std::int64_t due = std::llround(filament_ * 1e5);
+    const PointUm to = motion.points[i + 1] + shift_;
     out_ << "G1 X";
-    out_.scaled(motion.points[i + 1].x, 3) << " Y";
-    out_.scaled(motion.points[i + 1].y, 3) << " E";
+    out_.scaled(to.x, 3) << " Y";
+    out_.scaled(to.y, 3) << " E";
     extrude(due - filamentWritten_);
     filamentWritten_ = due;
     feedrate(motion.feedrates[i]);
@@ -337,14 +362,15 @@ void Writer::bead(const Motion& motion, double flow, double height) {
     if (out_.failed()) return;
   }
   for (std::size_t i = motion.beads; i < motion.lengths.size() && !silent_; ++i) {
+    const PointUm to = motion.points[i + 1] + shift_;
     out_ << "G1 X";
-    out_.scaled(motion.points[i + 1].x, 3) << " Y";
-    out_.scaled(motion.points[i + 1].y, 3);
+    out_.scaled(to.x, 3) << " Y";
+    out_.scaled(to.y, 3);
     feedrate(motion.feedrates[i]);
     seconds_ += motion.seconds[i];
   }
   if (silent_) seconds_ += motion.totalSeconds;
-  at_ = motion.points.back();
+  at_ = motion.points.back() + shift_;
 }
 
 void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer) {
@@ -374,9 +400,8 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
       const std::size_t chosen = static_cast<std::size_t>(layer.turn) * step % count;
       start = path.seams.empty() ? chosen : path.seams[chosen];
     }
-    Motion motion = planMotion(path, start, limits);
-    for (PointUm& p : motion.points) p = p + shift_;
-    approach(motion.points.front(), layer.top);
+    const Motion& motion = plans_.of(path, start, limits);
+    approach(motion.points.front() + shift_, layer.top);
     bead(motion, flow, layer.height);
     if (out_.failed()) return;
     leave(motion, limits.speed, layer.top);
@@ -528,9 +553,9 @@ GcodeSummary Writer::finish() {
 
 // Time for all copies without writing them. Layers of one kind differ by the seam only, so one of each is planned: the
 // first layer of the first copy and of others, further base layers in both directions, oriented layers.
-double estimateSeconds(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+double estimateSeconds(const GcodeJob& job, const Printer& printer, const PrintParams& params, Plans& plans) {
   std::array<double, 6> known{-1, -1, -1, -1, -1, -1};
-  Writer silent(job, printer, params, nullptr);
+  Writer silent(job, printer, params, plans, nullptr);
   double total = 0;
   for (int copy = 0; copy < static_cast<int>(job.copies.size()); ++copy) {
     for (int i = 0; i < layerCount(params); ++i) {
@@ -574,8 +599,9 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
   hold("firstLayerSpeed", printer.firstLayerSpeed);
   hold("travelSpeed", printer.travelSpeed);
 
-  Writer writer(job, printer, params, &sink);
-  writer.header(estimateSeconds(job, printer, params));
+  Plans plans;
+  Writer writer(job, printer, params, plans, &sink);
+  writer.header(estimateSeconds(job, printer, params, plans));
   writer.startBlock();
   for (int copy = 0; copy < static_cast<int>(job.copies.size()); ++copy) {
     for (int i = 0; i < layerCount(params) && !writer.failed(); ++i) writer.layer(layerAt(params, copy, i));

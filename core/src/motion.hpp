@@ -35,6 +35,8 @@ struct MotionLimits {
   double pressureAdvance = 0;    ///< [s]
   double evenFlow = 0;           ///< speed times width [mm²/s]; 0: the same speed for every width
   double coast = 0;              ///< [mm] at the end of a closed path without extrusion
+
+  bool operator==(const MotionLimits&) const = default;
 };
 
 /// One path in printing order. Segment i leads from point i to point i + 1.

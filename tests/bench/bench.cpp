@@ -219,6 +219,28 @@ void times(const std::vector<std::string>& scenes) {
       std::printf("  %-12s %8.4f s more with %d thread%s\n", "report", median(adds), run->threads(),
                   run->threads() == 1 ? "" : "s");
     }
+    const auto plate = generateToolpath(scene.input, scene.project.toolpath, two);
+    std::vector<double> writes;
+    std::size_t bytes = 0;
+    std::string error;
+    for (int k = 0; plate && k < kWarmUps + kRuns; ++k) {
+      bytes = 0;
+      const double took = seconds([&] {
+        const auto written = writeGcode(plate.value().toolpath, scene.input.shape, scene.project.printer,
+                                        scene.project.print, [&](std::string_view piece) {
+                                          bytes += piece.size();
+                                          return true;
+                                        });
+        if (!written) error = written.error().message;
+      });
+      if (k >= kWarmUps) writes.push_back(took);
+    }
+    if (!error.empty()) {
+      std::printf("  %-12s not written: %s\n", "G-code", error.c_str());
+    } else if (!writes.empty()) {
+      std::printf("  %-12s %8.4f s  (least %.4f), %.1f MB\n", "G-code", median(writes),
+                  *std::min_element(writes.begin(), writes.end()), static_cast<double>(bytes) / 1e6);
+    }
   }
 }
 
