@@ -179,13 +179,19 @@ export class StageElement extends StudioElement {
           padding: 0 4px;
           font-size: var(--note);
         }
+        /* In a row: a column would lie over the plate. */
         sillon-tools {
           top: 78px;
           left: 26px;
+          flex-direction: row;
         }
         .actions {
           top: 78px;
           right: 6px;
+        }
+        .light {
+          flex: 1;
+          width: auto;
         }
         .bottom {
           left: 26px;
