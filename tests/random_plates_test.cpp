@@ -11,10 +11,11 @@ using namespace sillon;
 
 TEST_CASE("plates that once came out wrong keep the promises") {
   // Cycles whose few points were used up by joints among themselves (550, 956, 1534, 1667, 1924), a path whose near end
-  // is a joint (1609), one that only a used piece faces (1116), long segments that relaxation let cross (867), and a
-  // cycle that shrank to nothing (11599).
+  // is a joint (1609), one that only a used piece faces (1116), tiny cycles that a joint turned inside out (20526,
+  // 21949), segments that relaxation let cross, long ones (867) and the second next (1193), and a cycle that shrank to
+  // nothing (11599).
   const RunContext run(2);
-  for (const std::uint64_t seed : {550, 867, 956, 1116, 1534, 1609, 1667, 1924, 11599}) {
+  for (const std::uint64_t seed : {550, 867, 956, 1116, 1193, 1534, 1609, 1667, 1924, 11599, 20526, 21949}) {
     const scenes::RandomPlate plate = scenes::randomPlate(seed);
     CAPTURE(seed);
     const auto result = generateToolpath(plate.input, plate.params, run);

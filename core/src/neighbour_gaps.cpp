@@ -65,6 +65,24 @@ bool turnsBack(const ClosedCurves& curves, int curve, int point) {
   return back;
 }
 
+// A segment that turns back meets one of those that follow: both are tight.
+void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    int left = 0;
+    for (int k = std::max(0, n - kOwnChain - 1); k < 2 * n; ++k) {  // from before the first point on
+      const std::size_t i = static_cast<std::size_t>(first + (k < n ? k : k - n));
+      if (tight[i] == 1) {
+        left = kOwnChain + 1;
+      } else if (left > 0) {
+        tight[i] = 2;
+        --left;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
@@ -105,6 +123,7 @@ NeighbourGaps neighbourGaps(const ClosedCurves& curves, const BorderIndex& borde
       gaps.right[i] = 1 / nearest.right;
     }
   });
+  markFollowing(curves, gaps.tight);
   return gaps;
 }
 

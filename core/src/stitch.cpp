@@ -87,7 +87,10 @@ class Joining {
     if (segmentsMeet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
     markUsed(a);
     markUsed(b);  // taken out, so that the new edges may pass over them
-    if (meetsLiveEdge(e, f, grid) || meetsLiveEdge(f, e, grid)) {
+    // The middle too: where nearly all of a tiny cycle is taken out, the edges may pass round what is left of it, which
+    // turns the cycle inside out, and then no joint fits it any more.
+    const Edge middle{candidate.i, candidate.j};
+    if (meetsLiveEdge(e, f, grid) || meetsLiveEdge(f, e, grid) || meetsLiveEdge(middle, middle, grid)) {
       unmark(a);
       unmark(b);
       return false;

@@ -15,7 +15,7 @@ namespace sillon {
 struct NeighbourGaps {
   std::vector<float> left;  ///< [mm], at most the cap
   std::vector<float> right;
-  std::vector<char> tight;  ///< 1 where the path may meet itself: another piece within 0.3 spacings, or a sharp turn
+  std::vector<char> tight;  ///< not 0 where the path may meet itself: another piece within 0.3 spacings, a sharp turn
 };
 
 /// Points of the same curve nearer than one spacing along it are not neighbours. Further ones are, so that a hairpin's

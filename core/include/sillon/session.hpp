@@ -8,7 +8,7 @@
 
 namespace sillon {
 
-/// Keeps the fields that depend on the shape (some 30 bytes a cell), those of its waves (some 30 more) and the
+/// Keeps the fields that depend on the shape (some 17 bytes a cell), those of its waves (some 27 more) and the
 /// preview's waves (4) from one call to the next, with copies of the inputs they were made of. Whatever changed is made
 /// anew, so that results are those of generateToolpath, to the byte. Of a plate with more than 0.4 of the most cells
 /// nothing is kept. One call at a time.
