@@ -19,11 +19,11 @@ Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap
   Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
   if (!frequency) return frequency.error();
   const bool gives = !preview && params.lineGive > 0;
+  const std::vector<float> kept = gives ? frequency.value() : std::vector<float>();
   Result<SineField> waves =
-      alignPhases(lines.value(), gives ? std::vector<float>(frequency.value()) : std::move(frequency).value(), sdf,
-                  cells.value(), params, run, preview ? 1 : 0);
+      alignPhases(lines.value(), std::move(frequency).value(), sdf, cells.value(), params, run, preview ? 1 : 0);
   for (int round = 0; waves && gives && round < kGivingRounds; ++round) {
-    Result<GivenLines> given = giveLines(lines.value(), frequency.value(), waves.value(), cells.value(), params, run);
+    Result<GivenLines> given = giveLines(lines.value(), kept, waves.value(), cells.value(), params, run);
     if (!given) return given.error();
     waves = alignPhases(given.value().lines, std::move(given.value().frequency), sdf, cells.value(), params, run);
   }
