@@ -15,7 +15,8 @@ TEST_CASE("plates that once came out wrong keep the promises") {
   // 21949), segments that relaxation let cross, long ones (867) and the second next (1193), and a cycle that shrank to
   // nothing (11599).
   const RunContext run(2);
-  for (const std::uint64_t seed : {550, 867, 956, 1116, 1193, 1534, 1609, 1667, 1924, 11599, 20526, 21949}) {
+  constexpr std::uint64_t kSeeds[] = {550, 867, 956, 1116, 1193, 1534, 1609, 1667, 1924, 11599, 20526, 21949};
+  for (const std::uint64_t seed : kSeeds) {
     const scenes::RandomPlate plate = scenes::randomPlate(seed);
     CAPTURE(seed);
     const auto result = generateToolpath(plate.input, plate.params, run);
