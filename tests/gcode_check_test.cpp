@@ -145,6 +145,13 @@ TEST_CASE("coverage is the share of the base that an oriented layer fills") {
   REQUIRE(shares.size() == 5);
   CHECK(shares[3] == Approx(0.8).epsilon(0.01));
   CHECK(shares[4] == -1);
+  // A bead that comes from far away and goes on, further than an int counts cells, covers what it passes.
+  beads.clear();
+  lines(25, 0.4F, true, 1, 0.2F);
+  beads.push_back({{-1e9F, 5}, {1e9F, 5}, 2, false, 2, 0.4F});
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 1);
+  CHECK(shares[0] == Approx(0.2).epsilon(0.03));
   // Hostile files: wide beads over and over, far apart and in many stacks, end soon.
   beads.clear();
   for (int k = 0; k < 20000; ++k) {

@@ -34,7 +34,10 @@ struct Raster {
     const double reach = bead.width / 2;
     const double along = dot(d, d);
     const std::uint8_t kind = bead.base ? kBase : kOriented;
-    const auto index = [&](double at, int count) { return std::clamp(static_cast<int>(at / cell), 0, count - 1); };
+    // Beads of a hostile file lie anywhere, further away than an int counts.
+    const auto index = [&](double at, int count) {
+      return at > 0 ? static_cast<int>(std::min(at / cell, count - 1.0)) : 0;
+    };
     const int firstRow = index(std::min(a.y, a.y + d.y) - reach, rows);
     const int lastRow = index(std::max(a.y, a.y + d.y) + reach, rows);
     const int firstColumn = index(std::min(a.x, a.x + d.x) - reach, columns);
