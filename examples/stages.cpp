@@ -20,6 +20,7 @@
 #include "sillon/image_io.hpp"
 #include "sillon/line_field.hpp"
 #include "sillon/measure.hpp"
+#include "sillon/narrow_places.hpp"
 #include "sillon/parts.hpp"
 #include "sillon/phase_field.hpp"
 #include "sillon/pipeline.hpp"
@@ -275,6 +276,7 @@ int main(int count, char** arguments) {
   std::vector<float> values = need(sillon::evaluateSineField(waves, nodeDistance, params, run));
   const sillon::Parts parts = sillon::labelParts(sdf, border, spacing, params.bridge.value_or(spacing));
   sillon::keepThinParts(parts, sdf, spacing, values);
+  sillon::fillNarrowPlaces(nodes, nodeDistance, spacing, values);
   Picture field(page);
   field.fill([&](Vec2 p) {
     const double u = std::clamp((p.x - nodes.origin.x) / nodes.cell - 0.5, 0.0, nodes.nx - 1.001);

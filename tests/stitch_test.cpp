@@ -4,6 +4,7 @@
 
 #include "curves.hpp"
 #include "sillon/contour.hpp"
+#include "sillon/narrow_places.hpp"
 #include "sillon/sine_field.hpp"
 #include "support/scenes.hpp"
 
@@ -33,6 +34,7 @@ Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {}
   std::vector<float> values = evaluateSineField(waves, distance, params, run).value();
   const Parts parts = labelParts(sdf, border, params.spacing, params.bridge.value_or(params.spacing));
   keepThinParts(parts, sdf, params.spacing, values);
+  fillNarrowPlaces(nodes, distance, params.spacing, values);
   const ClosedCurves contour = contourCycles(nodes, values, distance, params.spacing, run).value();
   Stitching s;
   s.before = resampledSimply(contour, 0.25f * spacing, run);

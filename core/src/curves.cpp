@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "parallel_for.hpp"
+#include "release.hpp"
 
 namespace sillon {
 namespace {
@@ -79,7 +80,7 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
   segments.reserve(total);
   for (std::vector<Segment>& part : found) {
     segments.insert(segments.end(), part.begin(), part.end());
-    part = std::vector<Segment>();  // {} would keep its memory
+    release(part);
   }
   return segments;
 }

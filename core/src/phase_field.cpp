@@ -7,6 +7,7 @@
 #include "hierarchy.hpp"
 #include "lines.hpp"
 #include "parallel_for.hpp"
+#include "release.hpp"
 #include "simd.hpp"
 
 namespace sillon {
@@ -407,7 +408,7 @@ Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequen
   const Jitter jitter(params.seed, static_cast<float>(params.jitter));
   std::vector<PhaseLevel> levels;
   levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter, run));
-  frequency = std::vector<float>();  // memory peaks in the finest sweeps; {} would keep it
+  release(frequency);  // memory peaks in the finest sweeps
   while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));
   const std::size_t last = std::min(static_cast<std::size_t>(depth), levels.size() - 1);
   for (std::size_t k = levels.size() - 1; k-- > last;) {
@@ -425,7 +426,7 @@ Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequen
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
 
   PhaseLevel& finest = levels[last];
-  finest.edges = {};  // the largest part of it; memory peaks in here
+  release(finest.edges);  // the largest part of it; memory peaks in here
   const LevelShape& shape = finest.shape;
   const Grid grid{lines.grid.origin, lines.grid.cell * (1 << last), shape.nx, shape.ny};
   SineField field{grid, params.spacing, std::vector<Vec2f>(grid.size()), std::vector<Vec2f>(grid.size())};

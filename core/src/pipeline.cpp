@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "curves.hpp"
+#include "release.hpp"
 #include "sillon/bead_width.hpp"
 #include "sillon/contour.hpp"
 #include "sillon/narrow_places.hpp"
@@ -152,10 +153,10 @@ Result<WaveFields> timedWaves(const PlateInput& input, const ShapeFields& shape,
                     [&] { clock.start("phases", 0.35); });
 }
 
-// Frees what is not needed any more where nothing is kept: the peak of memory is what limits a plate's size.
+// Frees what is not needed any more where nothing is kept.
 template <class T>
 void release(bool keep, T& fields) {
-  if (!keep) fields = T{};
+  if (!keep) sillon::release(fields);
 }
 
 // From the fields to the path; they are emptied on the way unless they are kept.
@@ -196,7 +197,7 @@ Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& f
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
   Result<Stitched> stitched = stitchCycles(cycles, fields.lines, shape.border, shape.parts, params, run);
   if (!stitched) return stitched.error();
-  cycles = {};
+  sillon::release(cycles);
   release(keep, fields.lines);
   release(keep, shape.parts);
   plate.parts = stitched.value().parts;
@@ -211,7 +212,7 @@ Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& f
   clock.start("width", 0.95);
   const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, shape.border, params, run);
   if (!widths) return widths.error();
-  relaxed.value().gaps = {};
+  sillon::release(relaxed.value().gaps);
 
   clock.start("simplify", 1);
   Result<Toolpath> toolpath = finishToolpath(path, widths.value(), params, run);

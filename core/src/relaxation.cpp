@@ -5,6 +5,7 @@
 #include "curves.hpp"
 #include "kinks.hpp"
 #include "parallel_for.hpp"
+#include "release.hpp"
 
 namespace sillon {
 namespace {
@@ -134,7 +135,7 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
   const float smoothing = static_cast<float>(params.relaxationSmoothing);
   const float strength = static_cast<float>(params.relaxationStrength);
   ClosedCurves path = resampledSimply(curves, step, run);
-  curves = {};  // memory peaks in here
+  release(curves);  // memory peaks in here
   NeighbourGaps gaps = neighbourGaps(path, border, params.spacing, kCap * spacing, run);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);

@@ -1,5 +1,6 @@
 #include "wave_fields.hpp"
 
+#include "release.hpp"
 #include "sillon/line_give.hpp"
 #include "sillon/spacing_field.hpp"
 
@@ -14,7 +15,7 @@ Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap
   if (!cells) return cells.error();
   Result<LineField> lines = lineField(sdf, cells.value(), params, run);
   if (!lines) return lines.error();
-  cells.value().mapLine = std::vector<Vec2f>();  // memory peaks in the alignment; {} would keep it
+  release(cells.value().mapLine);  // memory peaks in the alignment
   if (beforePhases) beforePhases();
   Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
   if (!frequency) return frequency.error();
