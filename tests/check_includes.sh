@@ -23,6 +23,7 @@ sine_field: phase_field
 contour:
 parts: sdf
 narrow_places: grid
+tiny_cycles: sdf
 stitch: line_field parts sdf
 neighbour_gaps: sdf
 kinks: sdf
@@ -31,7 +32,7 @@ bead_width: neighbour_gaps sdf
 simplify: bead_width
 line_give: constraints line_field phase_field
 wave_fields: constraints direction_map sdf line_field spacing_field phase_field line_give
-pipeline: shape direction_map dislocations sdf parts narrow_places wave_fields sine_field contour stitch relaxation bead_width simplify session wave_preview
+pipeline: shape direction_map dislocations sdf parts narrow_places tiny_cycles wave_fields sine_field contour stitch relaxation bead_width simplify session wave_preview
 session: pipeline preview
 wave_preview: phase_field sdf preview
 dislocations: constraints line_field phase_field

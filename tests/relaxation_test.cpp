@@ -156,6 +156,21 @@ TEST_CASE("kinks are rounded, and only what lies within a spacing of one moves")
   }
 }
 
+TEST_CASE("a hairpin whose legs lie too near to each other is pulled back to where it can turn") {
+  // A wedge of 2 mm, from legs 0.6 mm apart to a point.
+  ClosedCurves curves = resampled(closed({{{10, 10}, {12, 9.7f}, {12, 8}, {20, 8}, {20, 12}, {12, 12}, {12, 10.3f}}}),
+                                  0.1f, RunContext(1));
+  const int before = kinksOf(curves);
+  roundKinks(curves, farBorder(), 0.4, RunContext(1));
+  CHECK(before >= 5);
+  CHECK(kinksOf(curves) == 0);
+  CHECK(findCrossings(curves, RunContext(1)).empty());
+  float tip = 1e9f;
+  for (const Vec2f p : curves.points) tip = std::min(tip, p.x);
+  CHECK(tip > 10.2f);
+  CHECK(tip < 12.0f);
+}
+
 TEST_CASE("a kink stays where another path lies in its corner") {
   for (const bool there : {false, true}) {
     std::vector<std::vector<Vec2f>> corners = {{{20, 10}, {10, 20}, {10, 10}}};

@@ -12,7 +12,7 @@ namespace sillon {
 namespace {
 
 constexpr float kThread =
-    0.02f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
+    0.002f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
 
 constexpr float kWidthStep = 0.006f;  ///< of two points of which a move has to be the mean [mm]; see docs/quality.md
 constexpr int kRounds = 3;            ///< one to give way, two to grow; more gain less than 0.02 points of coverage
@@ -140,11 +140,14 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const NeighbourGaps& g
       const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
       if (border.blockDistance(p) < spacing || border.outside(p)) {
         // Half-way to the neighbours too: round a reflex corner the bead's straight segments pass nearer than its
-        // points.
+        // points. And at a neighbour that lies outside: what reaches out to it is a thread from here on.
         float distance = border.nearest(p).distance;
         for (const int neighbour : {previousOf(curves, curveOf[i], k), nextOf(curves, curveOf[i], k)}) {
-          const Vec2f q = (curves.points[i] + curves.points[static_cast<std::size_t>(neighbour)]) * 0.5f;
+          const Vec2f end = curves.points[static_cast<std::size_t>(neighbour)];
+          const Vec2f q = (curves.points[i] + end) * 0.5f;
           distance = std::max(distance, border.nearest({static_cast<double>(q.x), static_cast<double>(q.y)}).distance);
+          if (distance > -0.25f * spacing && border.outside({static_cast<double>(end.x), static_cast<double>(end.y)}))
+            distance = 0;
         }
         widths.limit[i] = std::max(-2 * distance, kThread * spacing);
         width = std::min(width, widths.limit[i]);

@@ -18,6 +18,7 @@
 #include "sillon/sine_field.hpp"
 #include "sillon/stitch.hpp"
 #include "text.hpp"
+#include "tiny_cycles.hpp"
 #include "wave_fields.hpp"
 #include "wave_preview.hpp"
 
@@ -195,6 +196,7 @@ Result<Plate> plateOf(const PlateInput& input, ShapeFields& shape, WaveFields& f
 
   clock.start("stitch", 0.65);
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
+  cycles = settleTinyCycles(cycles, shape.border, params.spacing, run);
   Result<Stitched> stitched = stitchCycles(cycles, fields.lines, shape.border, shape.parts, params, run);
   if (!stitched) return stitched.error();
   sillon::release(cycles);

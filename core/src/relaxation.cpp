@@ -19,7 +19,7 @@ constexpr float kDrift = 0.24f;          ///< [tau]
 constexpr float kVoidStrength = 0.7f;    ///< of the difference beyond kDrift
 constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where hairpins lie
 constexpr int kAttempts = 8;
-constexpr float kDot = 0.25f;  ///< length of a cycle [tau]
+constexpr float kDot = 1.8f;  ///< length of a cycle [tau]
 
 int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
 
@@ -66,8 +66,8 @@ Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, float spacing)
   return after <= before ? to : from;
 }
 
-// How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
-// keeps them from vanishing.
+// How much of its move each point makes: of cycles that are hardly more than a dot none: nothing inside of them
+// keeps them from vanishing, and they are as round as they can be.
 std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   std::vector<float> share(curves.points.size(), 1.0f);
   for (int c = 0; c < curves.count(); ++c) {
