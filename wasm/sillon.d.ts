@@ -233,6 +233,7 @@ export interface PrintParams {
   copies: [number, number];
   copyGap: number;
   layerHeight: number;
+  startHeight: number;
   firstLayerHeight: number;
   flow: number;
   baseFlow: number;

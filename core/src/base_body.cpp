@@ -173,7 +173,7 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
     return Error{ErrorCode::InvalidFile, "the outline does not close at 0.001 mm; there is no body of it"};
   }
   const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // oriented layers on the bed
-  const double bottom = below == 0 ? 0 : layerTop(params, below - 1);
+  const double bottom = below == 0 ? params.startHeight : layerTop(params, below - 1);
   const double top = layerTop(params, below + params.base - 1);
   Mesh mesh;
   const auto count = static_cast<std::uint32_t>(points.size());

@@ -190,6 +190,7 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.point("copies", p.print.copies, 1, 20, "");
   v.number("copyGap", p.print.copyGap, 1, 100, "mm");
   v.number("layerHeight", p.print.layerHeight, 0.05, kMaxLayerHeight, "mm");
+  v.number("startHeight", p.print.startHeight, 0, 5000, "mm");
   v.number("firstLayerHeight", p.print.firstLayerHeight, 0, kMaxLayerHeight, "mm");
   v.number("flow", p.print.flow, 0.01, 2, "");
   v.number("baseFlow", p.print.baseFlow, 0.01, 2, "");
