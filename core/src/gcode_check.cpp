@@ -702,9 +702,16 @@ GcodeCheck Reader::finish() {
     whole("totals", ours_,
           "it says it has " + std::to_string(fileLayers_) + " layers; " + std::to_string(layers_) + " are marked");
   }
-  std::stable_sort(check_.findings.begin(), check_.findings.end(), [](const GcodeFinding& a, const GcodeFinding& b) {
-    return a.error != b.error ? a.error : a.line < b.line;
-  });
+  // Those of lines came in their order, those of the file as a whole behind them.
+  std::vector<GcodeFinding> sorted;
+  for (const bool error : {true, false}) {
+    for (const bool ofFile : {true, false}) {
+      for (const GcodeFinding& finding : check_.findings) {
+        if (finding.error == error && (finding.line == 0) == ofFile) sorted.push_back(finding);
+      }
+    }
+  }
+  check_.findings = std::move(sorted);
   return std::move(check_);
 }
 
