@@ -635,12 +635,18 @@ export const en = {
 
   // --- Out ------------------------------------------------------------------------------------------------------------
   'export.gcode': 'G-code',
+  'export.body': 'Base for your slicer (3MF)',
   'export.svg': 'Drawing (SVG)',
   'export.png': 'Picture (PNG)',
   'export.view': 'Shimmer for web pages',
   'export.project': 'Project with its files',
   'export.link': 'Copy link',
   'export.gcode.help': 'For the printer.',
+  'export.body.help': 'The base layers as a solid, to print elsewhere.',
+  'export.body.rest':
+    '{name} is in your downloads. The layers that shimmer can be printed above it, from {height} mm on.',
+  'export.body.set': 'Set that',
+  'export.body.none': 'This plate has no base layers.',
   'export.svg.help': 'The beads as vector strokes.',
   'export.png.help': 'The appearance under the light as it is now.',
   'export.view.help': 'A small file that <sillon-view> shows under moving light.',

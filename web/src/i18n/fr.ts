@@ -655,12 +655,18 @@ export const fr: Dictionary = {
 
   // --- Sorties --------------------------------------------------------------------------------------------------------
   'export.gcode': 'G-code',
+  'export.body': 'Base pour votre trancheur (3MF)',
   'export.svg': 'Dessin (SVG)',
   'export.png': 'Image (PNG)',
   'export.view': 'Reflets pour pages web',
   'export.project': 'Projet avec ses fichiers',
   'export.link': 'Copier le lien',
   'export.gcode.help': 'Pour l’imprimante.',
+  'export.body.help': 'Les couches de base en solide, à imprimer ailleurs.',
+  'export.body.rest':
+    '{name} est dans vos téléchargements. Les couches chatoyantes peuvent s’imprimer au-dessus, à partir de {height} mm.',
+  'export.body.set': 'Régler ainsi',
+  'export.body.none': 'Cette plaque n’a pas de couches de base.',
   'export.svg.help': 'Les cordons en traits vectoriels.',
   'export.png.help': 'L’apparence sous la lumière actuelle.',
   'export.view.help': 'Un petit fichier que <sillon-view> montre sous une lumière qui bouge.',
