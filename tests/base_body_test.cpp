@@ -223,6 +223,10 @@ TEST_CASE("the body stands where the base layers do: below, above or between, in
   params.showSide = ShowSide::Bed;
   CHECK(heights(bodyOf(shape, params)).first == Approx(0.5));
   CHECK(heights(bodyOf(shape, params)).second == Approx(1.1));
+  params.showSide = ShowSide::Up;
+  params.startHeight = 5;  // the base layers lie above a print, and the first of them is as high as all
+  CHECK(heights(bodyOf(shape, params)).first == 5);
+  CHECK(heights(bodyOf(shape, params)).second == Approx(5.6));
   params = {};
   params.copies = {2, 2};
   params.rotate = 90;

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Tools that know no stage. They may include each other only.
-foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check gcode_grammar qoi preset_data stored_zip triangulate release"
+foundation="types result run_context params version grid parallel_for fast_math simd hierarchy lines point_grid curves text direction_colour toolpath_check gcode_grammar qoi preset_data stored_zip sort_key triangulate release"
 
 # file: the stages it may include, besides the foundation and its own header.
 stages="

@@ -463,6 +463,7 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--layers 1.5", "--layers is \"1.5\"; it must be a whole number");
   refused("--layers -99999999999", "--layers is");
   refused("--layer-height 9", "print.layerHeight is 9 mm");
+  refused("--start-height -1", "print.startHeight is -1 mm; it must be 0 to 5000");
   refused("--flow -1", "print.flow is -1");
   refused("--nozzle 0", "printer.nozzle is 0 mm");
   refused("--perimeters some", "--perimeters is \"some\"; it must be none, soft or");

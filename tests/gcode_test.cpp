@@ -972,6 +972,148 @@ TEST_CASE("a skirt that does not fit is left out with a warning, and a purge lin
   CHECK(contains(tight.result.value().warnings, "no room for a purge line"));
 }
 
+// ---- above a print
+
+TEST_CASE("above a print all layers are ordinary ones, and nothing moves below its height") {
+  Job job = plate(30, 20, 1.3);
+  job.params.startHeight = 5.05;
+  job.params.base = 1;
+  job.params.layers = 2;
+  // Of what only layers on the bed have, nothing is heeded.
+  job.params.firstLayerHeight = 0.3;
+  job.params.brim = 3;
+  job.params.skirt = 2;
+  job.params.elephantFoot = 0.3;
+  const Written written = job.write();
+  REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+  const std::string& text = written.text;
+  CHECK(grammarError(text) == "");
+  CHECK(checkGcode(text, job.printer).findings.empty());
+  CHECK(checkGcode(text).findings.empty());
+  CHECK(checkGcode(text).lowest == 5.25);
+  const ReadFile file = readGcode(text);
+  CHECK_MESSAGE(file.faults.empty(), file.faults.front());
+
+  const std::int64_t tops[] = {5250, 5450, 5650};
+  REQUIRE(file.paths.size() > 2);
+  CHECK(file.paths.front().role == "Solid infill");
+  for (const ReadPath& path : file.paths) {
+    CHECK(path.role != "Skirt/Brim");
+    std::int64_t fastest = 0;
+    for (const ReadMove& move : path.moves) {
+      CHECK(move.z == tops[path.layer - 1]);
+      fastest = std::max(fastest, move.feedrate);
+    }
+    if (path.moves.size() > 9) CHECK(fastest == 3000);  // 50 mm/s on the first layer, too
+  }
+  for (const ReadMove& move : file.travels) CHECK(move.z >= 5250);
+  CHECK(text.find("G28\nM190 S60\nM109 S215\n") != std::string::npos);
+  CHECK(text.find("S220") == std::string::npos);  // of a first layer on the bed
+  CHECK(text.find("M106 S0\n") == std::string::npos);
+  CHECK(text.find("M106 S255\nM104 S215\n;TYPE:Solid infill\n") != std::string::npos);
+  CHECK(text.find("\nM104 S215\n;TYPE:Top solid") == std::string::npos);  // once
+  CHECK(text.find(
+            "M109 S215\nG21\nG90\nM83\nG92 E0\n;BEFORE_LAYER_CHANGE\n;5.25\n;LAYER_CHANGE\n;Z:5.25\n;HEIGHT:0.2\n") !=
+        std::string::npos);
+  CHECK(text.find("\n;Z:5.65\n;HEIGHT:0.2\n") != std::string::npos);
+  CHECK(valueOf(text, "; max_z_height: ") == "5.65");
+  CHECK(valueOf(text, "; total layers count = ") == "3");
+  CHECK(valueOf(text, "; start height = ") ==
+        "5.05 mm, of a print on the bed that homing and probing (G28, G29) must not touch");
+  CHECK(contains(written.result.value().warnings, "a print of 5.05 mm stands on the bed while the start block homes"));
+  CHECK(contains(written.result.value().warnings, "the nozzle is not primed"));
+
+  // The same layers as on the bed, but for its height, and but for what only the bed has.
+  Job plain = job;
+  plain.params.startHeight = 0;
+  plain.params.firstLayerHeight = 0;
+  plain.params.elephantFoot = 0;
+  plain.params.brim = plain.params.skirt = 0;
+  plain.printer.firstLayerSpeed = plain.printer.speed;
+  plain.printer.bedMax = {30.5, 20.5};  // no room for a purge line
+  job.printer.bedMax = plain.printer.bedMax;
+  const ReadFile high = readGcode(job.write().text);
+  const ReadFile low = readGcode(plain.write().text);
+  CHECK(high.filament == low.filament);
+  REQUIRE(high.paths.size() == low.paths.size());
+  for (std::size_t k = 0; k < high.paths.size(); ++k) {
+    REQUIRE(high.paths[k].moves.size() == low.paths[k].moves.size());
+    for (std::size_t i = 0; i < high.paths[k].moves.size(); ++i) {
+      const ReadMove& a = high.paths[k].moves[i];
+      const ReadMove& b = low.paths[k].moves[i];
+      if (a.x1 != b.x1 || a.y1 != b.y1 || a.e != b.e || a.feedrate != b.feedrate || a.z != b.z + 5050) FAIL_CHECK(k);
+    }
+  }
+  CHECK(job.write().result.value().seconds == Approx(plain.write().result.value().seconds).epsilon(1e-3));
+}
+
+TEST_CASE("above a print the oriented layers may be all there is, in constant flow from the first bead") {
+  Job job = plate(30, 20, 1.3);
+  job.params.base = 0;
+  job.params.startHeight = 0.4;
+  job.params.constantFlow = true;
+  for (float& width : job.toolpath.cycles[0].widths) width = 0.32f;
+  const ReadFile file = readGcode(job.write().text);
+  REQUIRE(file.paths.size() == 1);
+  CHECK(file.paths[0].moves[0].z == 600);
+  double fastest = 0;
+  for (const ReadMove& move : file.paths[0].moves) fastest = std::max(fastest, double(move.feedrate) / 60);
+  CHECK(fastest == Approx(50 * 0.4 / 0.32).epsilon(0.02));
+}
+
+TEST_CASE("copies above a print: their own layers must be low, and travels pass above those that are done") {
+  Job job = plate(30, 20, 1.3);
+  job.params.startHeight = 40;
+  job.params.copies = {2, 1};
+  job.params.brim = 2;
+  const std::string text = job.write().text;
+  CHECK(checkGcode(text, job.printer).errors() == 0);
+  for (const ReadMove& move : readGcode(text).travels) {
+    if (move.length() > 30 && move.x0 != 0) CHECK(move.z >= 40600);
+  }
+  CHECK(checkGcode(text).lowest == 40.2);
+  // Brims keep their room, so that the copies stand where those of the base's file do.
+  Job below = job;
+  below.params.startHeight = 0;
+  const auto starts = [](const ReadFile& file) {
+    std::vector<std::int64_t> at;
+    for (const ReadPath& path : file.paths) {
+      if (path.role == "Top solid infill") at.push_back(path.moves[0].x0);
+    }
+    return at;
+  };
+  CHECK(starts(readGcode(text)) == starts(readGcode(below.write().text)));
+  job.params.base = 20;
+  CHECK(job.write().result.error().message.find("the plates are 4.2 mm high; several on one bed") == 0);
+}
+
+TEST_CASE("blocks that go down to where a print stands are pointed out") {
+  Job job = plate(30, 20, 1.3);
+  job.params.startHeight = 5;
+  const std::string start = "G28\nM190 S60\nM109 S[first_layer_temperature]\n";
+  const auto warned = [&](const std::string& block, const char* part) {
+    job.printer.startGcode = start + block;
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    CHECK(written.text.find("M109 S215\n") != std::string::npos);
+    CHECK(!contains(written.result.value().warnings, "not primed"));  // the block's matter
+    return contains(written.result.value().warnings, part);
+  };
+  const char* low = "startGcode moves along the bed at Z 0.3; what stands there is 5 mm high";
+  CHECK(warned("G1 Z9 F600\nG1 X60 F3000\nG1 Z0.3\nG1 X90 E9\nG1 Z9", low));
+  CHECK(!warned("G1 Z9 F600\nG1 X60 E9 F3000", "startGcode moves"));
+  CHECK(!warned("G1 Z0.3 F600\nG1 Z9\nG1 X60 F3000", "startGcode moves"));         // not along the bed
+  CHECK(!warned("G1 X60 Y60 F3000\nG91\nG1 Z1\nG1 X1\nG90", "startGcode moves"));  // how high is not told
+  CHECK(warned("G1 Z0.3 F600\nG28\nG1 X60 F3000\nG1 X70 Z2", "startGcode moves along the bed at Z 2;"));
+  job.printer.endGcode = "M104 S0\nM140 S0\nG1 Z5.5 F600\nG1 X0 F3000";
+  CHECK(warned("", "endGcode moves along the bed at Z 5.5; what stands there is 5.6 mm high"));
+  job.printer.endGcode = "M104 S0\nM140 S0\nG91\nG1 Z5 F600\nG90\nG1 X0 F3000";
+  CHECK(!warned("", "endGcode moves"));
+  job.params.startHeight = 0;
+  job.printer.startGcode = start + "G1 Z0.3 F600\nG1 X60 E9 F3000";
+  CHECK(job.write().result.value().warnings.empty());
+}
+
 // ---- the stack
 
 TEST_CASE("loops lie at their distances from the border, inside and outside") {
@@ -1720,6 +1862,20 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"nozzle is not a number", [](Job& j) { j.printer.nozzle = kNan; }},
       {"filamentDiameter", [](Job& j) { j.printer.filamentDiameter = 0; }},
       {"filamentDensity", [](Job& j) { j.printer.filamentDensity = -1; }},
+      {"startHeight is -1 mm; it must be 0 to 200", [](Job& j) { j.params.startHeight = -1; }},
+      {"startHeight is 201 mm", [](Job& j) { j.params.startHeight = 201; }},
+      {"startHeight is not a number", [](Job& j) { j.params.startHeight = kNan; }},
+      {"the job is 200.6 mm high with the lift", [](Job& j) { j.params.startHeight = 199.6; }, ErrorCode::DoesNotFit},
+      {"startHeight is 5 mm; it must be 0 where showSide is not up",
+       [](Job& j) {
+         j.params.startHeight = 5;
+         j.params.showSide = ShowSide::Bed;
+       }},
+      {"startHeight is 5 mm; it must be 0 where showSide is not up",
+       [](Job& j) {
+         j.params.startHeight = 5;
+         j.params.showSide = ShowSide::Both;
+       }},
       {"layerHeight is 0.33 mm; it must be 0.05 to 0.32", [](Job& j) { j.params.layerHeight = 0.33; }},
       {"layerHeight is 0.04 mm", [](Job& j) { j.params.layerHeight = 0.04; }},
       {"layerHeight is not a number", [](Job& j) { j.params.layerHeight = kNan; }},

@@ -78,6 +78,7 @@ Project unusualProject() {
   p.print.copyGap = 8;
   p.print.strict = true;
   p.print.layerHeight = 0.15;
+  p.print.startHeight = 4.5;
   p.print.firstLayerHeight = 0.25;
   p.print.flow = 0.9;
   p.print.baseFlow = 1.01;

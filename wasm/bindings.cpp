@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "sillon/base_body.hpp"
 #include "sillon/gcode_archive.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/measure.hpp"
@@ -135,11 +136,25 @@ val writeGcode(const val& toolpath, const std::string& projectJson, const std::s
   });
 }
 
+val file(const std::string& bytes) {
+  return success(convert::copied(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+}
+
+val writeBaseBody(const val& shape, const std::string& projectJson, bool stl) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    const auto mesh = sillon::baseBody(convert::shapeFrom(shape), project.value().printer, project.value().print);
+    if (!mesh) return failure(mesh.error());
+    return file(stl ? sillon::writeStl(mesh.value()) : sillon::write3mf(mesh.value()));
+  });
+}
+
 val writeSvg(const val& toolpath) {
   return guarded([&](sillon::RunContext&) {
     const auto svg = sillon::toolpathSvg(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page);
     if (!svg) return failure(svg.error());
-    return success(convert::copied(reinterpret_cast<const std::uint8_t*>(svg.value().data()), svg.value().size()));
+    return file(svg.value());
   });
 }
 
@@ -251,12 +266,11 @@ val checkGcode(const val& file, const std::string& projectJson) {
   });
 }
 
-val packGcode(const val& file) {
+val packGcode(const val& gcode) {
   return guarded([&](sillon::RunContext&) {
-    const auto archive = sillon::packGcode(convert::bytes(file));
+    const auto archive = sillon::packGcode(convert::bytes(gcode));
     if (!archive) return failure(archive.error());
-    const std::string& zip = archive.value();
-    return success(convert::copied(reinterpret_cast<const std::uint8_t*>(zip.data()), zip.size()));
+    return file(archive.value());
   });
 }
 
@@ -266,6 +280,7 @@ EMSCRIPTEN_BINDINGS(sillon) {
   emscripten::function("start", &start);
   emscripten::function("generateToolpath", &generateToolpath);
   emscripten::function("writeGcode", &writeGcode);
+  emscripten::function("writeBaseBody", &writeBaseBody);
   emscripten::function("writeSvg", &writeSvg);
   emscripten::function("renderPreview", &renderPreview);
   emscripten::function("writeView", &writeView);

@@ -41,6 +41,16 @@ export interface Engine {
     print?: Partial<PrintParams>,
     options?: GcodeOptions,
   ): Promise<Gcode>;
+  /** The base layers as a solid that other slicers print: the shape as high as they are, where writeGcode has them; no
+   * elephant's foot is taken off, and whether it fits the bed is not looked at. `print.startHeight` then prints the rest.
+   * @param shape of a toolpath, or from readShape. @returns model/3mf, or binary model/stl.
+   * @throws `InvalidArgument` (also where `print.base` is 0), `DoesNotFit` (in height), `EmptyShape`, `TooLarge`. */
+  writeBaseBody(
+    shape: Shape,
+    printer?: Partial<Printer>,
+    print?: Partial<PrintParams>,
+    options?: BodyOptions,
+  ): Promise<Blob>;
   /** The beads as strokes coloured by direction, and the nozzle's closed line above them. */
   writeSvg(toolpath: Toolpath, options?: RunOptions): Promise<Blob>;
   /** A small picture of directions, from which `<sillon-view>` draws the plate's shimmer on web pages. */
@@ -92,6 +102,11 @@ export interface GenerateOptions extends RunOptions {
 export interface GcodeOptions extends RunOptions {
   /** Receives the file in pieces of UTF-8, in order, as they are written; then `blob` is empty. */
   onChunk?: (chunk: Uint8Array) => void;
+}
+
+export interface BodyOptions extends RunOptions {
+  /** Default '3mf', which says that its numbers are millimetres. */
+  format?: '3mf' | 'stl';
 }
 
 // --- What goes in ------------------------------------------------------------------------------------------------------
@@ -233,6 +248,7 @@ export interface PrintParams {
   copies: [number, number];
   copyGap: number;
   layerHeight: number;
+  startHeight: number;
   firstLayerHeight: number;
   flow: number;
   baseFlow: number;

@@ -10,6 +10,7 @@
 #include "gcode_checks.hpp"
 #include "gcode_job.hpp"
 #include "sillon/outline.hpp"
+#include "sort_key.hpp"
 #include "stored_zip.hpp"
 #include "text.hpp"
 #include "triangulate.hpp"
@@ -35,40 +36,36 @@ bool comesBefore(PointUm a, PointUm b, PointUm c) {
 
 // Border pieces on the grid of the file. What lies on each other in opposite directions there bounds nothing.
 std::vector<Edge> edgesOf(const Outline& outline, PointUm offset) {
-  std::vector<Edge> edges;
+  const auto rounded = [&](Vec2 p) { return PointUm{std::llround(p.x * 1000), std::llround(p.y * 1000)} + offset; };
+  const auto key = [](PointUm a, PointUm b, bool back) { return SortKey{{a.x, a.y, b.x, b.y}, back ? 1U : 0U}; };
+  std::vector<SortKey> pieces;  // all the same way, and whether that is back
   for (const BorderSegment& piece : outline.segments) {
-    const auto rounded = [&](Vec2 p) { return PointUm{std::llround(p.x * 1000), std::llround(p.y * 1000)} + offset; };
-    const Edge edge{rounded(piece.a), rounded(piece.b)};
-    if (edge.a != edge.b) edges.push_back(edge);
+    const PointUm a = rounded(piece.a);
+    const PointUm b = rounded(piece.b);
+    if (a != b) pieces.push_back(less(a, b) ? key(a, b, false) : key(b, a, true));
   }
-  const auto key = [](const Edge& e) { return less(e.a, e.b) ? std::pair(e.a, e.b) : std::pair(e.b, e.a); };
-  const auto before = [&](const Edge& e, const Edge& f) {
-    const auto [e0, e1] = key(e);
-    const auto [f0, f1] = key(f);
-    if (e0 != f0) return less(e0, f0);
-    if (e1 != f1) return less(e1, f1);
-    return less(e.a, f.a);
-  };
-  std::sort(edges.begin(), edges.end(), before);
-  std::vector<Edge> kept;
-  for (std::size_t i = 0; i < edges.size();) {
+  std::sort(pieces.begin(), pieces.end());
+  std::vector<SortKey> kept;
+  for (std::size_t i = 0; i < pieces.size();) {
+    const auto& [x0, y0, x1, y1] = pieces[i].first;
     int sum = 0;
     std::size_t k = i;
-    for (; k < edges.size() && key(edges[k]) == key(edges[i]); ++k) sum += edges[k].a == edges[i].a ? 1 : -1;
-    const Edge forth = edges[i];
-    for (; sum > 0; --sum) kept.push_back(forth);
-    for (; sum < 0; ++sum) kept.push_back({forth.b, forth.a});
+    for (; k < pieces.size() && pieces[k].first == pieces[i].first; ++k) sum += pieces[k].second == 0 ? 1 : -1;
+    for (; sum > 0; --sum) kept.push_back(key({x0, y0}, {x1, y1}, false));
+    for (; sum < 0; ++sum) kept.push_back(key({x1, y1}, {x0, y0}, false));
     i = k;
   }
-  std::sort(kept.begin(), kept.end(), [](const Edge& e, const Edge& f) { return less(e.a, f.a); });
-  return kept;
+  std::sort(kept.begin(), kept.end());
+  std::vector<Edge> edges;
+  for (const auto& [ends, back] : kept) edges.push_back({{ends[0], ends[1]}, {ends[2], ends[3]}});
+  return edges;
 }
 
 // Rings of edges with the inside on the left. Where several meet in a point, each goes on with the edge that bounds the
 // same corner of the inside. What does not come back is left out.
 Rings ringsOf(const std::vector<Edge>& edges, std::vector<PointUm>& points) {
   Rings rings;
-  std::vector<bool> used(edges.size(), false);
+  std::vector<char> used(edges.size(), 0);
   const auto from = [&](PointUm p) {
     const auto at =
         std::lower_bound(edges.begin(), edges.end(), p, [](const Edge& e, PointUm q) { return less(e.a, q); });
@@ -79,7 +76,7 @@ Rings ringsOf(const std::vector<Edge>& edges, std::vector<PointUm>& points) {
     std::vector<PointUm> ring;
     std::size_t edge = first;
     for (;;) {
-      used[edge] = true;
+      used[edge] = 1;
       ring.push_back(edges[edge].a);
       const PointUm here = edges[edge].b;
       if (here == edges[first].a) break;
@@ -173,7 +170,7 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
     return Error{ErrorCode::InvalidFile, "the outline does not close at 0.001 mm; there is no body of it"};
   }
   const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // oriented layers on the bed
-  const double bottom = below == 0 ? 0 : layerTop(params, below - 1);
+  const double bottom = below == 0 ? params.startHeight : layerTop(params, below - 1);
   const double top = layerTop(params, below + params.base - 1);
   Mesh mesh;
   const auto count = static_cast<std::uint32_t>(points.size());

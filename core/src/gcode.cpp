@@ -88,8 +88,9 @@ std::string bedShape(const Printer& printer) {
 struct Layer {
   int index = 0;
   int copy = 0;
-  double top = 0;     // [mm]
-  double height = 0;  // [mm]
+  double top = 0;      // [mm]
+  double height = 0;   // [mm]
+  bool first = false;  // upon the bed itself: slower, hotter, without fan
   bool oriented = false;
   bool onBed = false;  // oriented, below the base
   int turn = 0;        // among its kind
@@ -101,6 +102,7 @@ Layer layerAt(const PrintParams& params, int copy, int index) {
   layer.copy = copy;
   layer.top = layerTop(params, index);
   layer.height = index == 0 ? firstLayerHeight(params) : params.layerHeight;
+  layer.first = index == 0 && beginsOnBed(params);
   layer.oriented = isOriented(params, index);
   layer.onBed = params.showSide == ShowSide::Both && index < params.layers;
   const int below = params.showSide == ShowSide::Up ? params.base : params.layers;  // where the other kind begins
@@ -202,6 +204,10 @@ void Writer::header(double estimate) {
        << ", base layers = " << std::to_string(params_.base) << ", flow = " << fixed(params_.flow, 2)
        << ", fill ratio = " << fixed(job_.fillRatio, 3) << ", copies = " << std::to_string(job_.copies.size()) << "\n";
   for (const std::string& note : params_.notes) out_ << "; " << plain(note) << "\n";
+  if (!beginsOnBed(params_)) {
+    out_ << "; start height = " << decimal(params_.startHeight, 3)
+         << " mm, of a print on the bed that homing and probing (G28, G29) must not touch\n";
+  }
   out_ << "; external perimeters extrusion width = " << fixed(shown, 2) << "mm\n";
   out_ << "; max_z_height: " << fixed(layerTop(params_, layers - 1), 2) << "\n";
   out_ << "; total layer number: " << std::to_string(marks()) << "\n\n";
@@ -379,12 +385,12 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
   limits.layerHeight = layer.height;
   limits.flow = flow;
   limits.filamentArea = filamentArea(printer_.filamentDiameter);
-  limits.speed = layer.index == 0 ? std::min(printer_.firstLayerSpeed, printer_.speed) : printer_.speed;
+  limits.speed = layer.first ? std::min(printer_.firstLayerSpeed, printer_.speed) : printer_.speed;
   limits.maxFlow = printer_.maxFlow;
   limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
   limits.pressureAdvance = printer_.pressureAdvance;
   limits.curveAcceleration = printer_.curveAcceleration;
-  if (params_.constantFlow && layer.oriented && layer.index > 0) {
+  if (params_.constantFlow && layer.oriented && !layer.first) {
     limits.evenFlow = limits.speed * job_.spacing;
     limits.speed *= kFastest;
     if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
@@ -432,13 +438,13 @@ void Writer::layer(const Layer& layer) {
   if (layer.index == 0) {
     beginObject(layer.copy);
     shift_ = job_.copies[static_cast<std::size_t>(layer.copy)];
-    out_ << "M106 S0\n";
-    if (layer.copy > 0) {
-      clearance_ = layerTop(params_, layerCount(params_) - 1);
-      out_ << "M104 S" << whole(printer_.firstLayerNozzleTemperature) << "\n";
-    }
+    if (layer.copy > 0) clearance_ = layerTop(params_, layerCount(params_) - 1);
   }
-  if (layer.index == 1) {
+  if (layer.first) {
+    out_ << "M106 S0\n";
+    if (layer.copy > 0) out_ << "M104 S" << whole(printer_.firstLayerNozzleTemperature) << "\n";
+  }
+  if (layer.index == (beginsOnBed(params_) ? 1 : 0)) {
     // PLA wants all the air it can get, PETG and its kin lose their bond between layers then.
     out_ << (printer_.filamentType == "PLA" ? "M106 S255\n" : "M106 S128\n");
     out_ << "M104 S" << whole(printer_.nozzleTemperature) << "\n";
@@ -592,6 +598,7 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
   };
   const bool tooFast = given.machineAcceleration > 0 && given.acceleration > given.machineAcceleration;
   if (tooFast) printer.acceleration = given.machineAcceleration;
+  if (!beginsOnBed(params)) printer.firstLayerNozzleTemperature = printer.nozzleTemperature;
   Result<GcodeJob> prepared = prepareGcodeJob(toolpath, shape, printer, params);
   if (!prepared) return prepared.error();
   const GcodeJob& job = prepared.value();

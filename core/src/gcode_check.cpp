@@ -180,6 +180,8 @@ class Reader {
   bool inches_ = false;
   Vec2 at_;
   double z_ = 0;
+  bool zKnown_ = false;     // told since the last homing
+  double startHeight_ = 0;  // of a print on the bed, in files of ours
   double e_ = 0;
   double speed_ = 0;  // [mm/s]
   bool endMacro_ = false;
@@ -257,6 +259,7 @@ void Reader::comment(std::string_view text) {
     base_ = role == "Solid infill" || role == "Internal solid infill";
   }
   if (text.starts_with("printer_model = ")) check_.printer = std::string(text.substr(16, 60));
+  if (ours_ && layers_ == 0) startHeight_ = numberAfter(text, "start height =").value_or(startHeight_);
   if (const auto value = numberAfter(text, "HEIGHT:")) layerHeight_ = *value;
   if (const std::size_t at = text.find(", flow = "); ours_ && layers_ == 0 && at != std::string_view::npos) {
     flow_ = std::clamp(numberAfter(text.substr(at + 2), "flow =").value_or(1), 0.01, 2.0);
@@ -369,6 +372,7 @@ void Reader::command(std::string_view text) {
     if (code == 28) {
       check_.homes = true;
       at_ = {};
+      zKnown_ = false;
     }
     if (code == 90 || code == 91) absolute_ = absoluteE_ = code == 90;
     if (code == 92 && words(rest, w)) {
@@ -471,6 +475,8 @@ void Reader::move(int code, const Words& w) {
     e = absoluteE_ ? w.at(Letter::E) * unit - e_ : w.at(Letter::E) * unit;
     e_ = absoluteE_ ? w.at(Letter::E) * unit : e_ + e;
   }
+  const double low = zKnown_ ? std::min(zFrom, z_) : z_;
+  zKnown_ = zKnown_ || (absolute_ && w.has(Letter::Z));
   if (z_ != zFrom) {
     endPath();
     if (machine_.maxZ > 0 && z_ > machine_.maxZ + kRounding) {
@@ -495,6 +501,10 @@ void Reader::move(int code, const Words& w) {
           centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)},
           "an arc");
     }
+  }
+  if (zKnown_ && (w.has(Letter::X) || w.has(Letter::Y))) {  // from where is not told in a block by itself
+    check_.lowest = std::min(check_.lowest, low);
+    if (low < startHeight_) found("height", !block(), "moves below the print on the bed", ": Z " + decimal(low, 3));
   }
   if (!check_.homes && (span > 0 || z_ != zFrom)) found("homing", true, "moves before it homes", " (G28)");
   if (span > 0) {
@@ -692,9 +702,16 @@ GcodeCheck Reader::finish() {
     whole("totals", ours_,
           "it says it has " + std::to_string(fileLayers_) + " layers; " + std::to_string(layers_) + " are marked");
   }
-  std::stable_sort(check_.findings.begin(), check_.findings.end(), [](const GcodeFinding& a, const GcodeFinding& b) {
-    return a.error != b.error ? a.error : a.line < b.line;
-  });
+  // Those of lines came in their order, those of the file as a whole behind them.
+  std::vector<GcodeFinding> sorted;
+  for (const bool error : {true, false}) {
+    for (const bool ofFile : {true, false}) {
+      for (const GcodeFinding& finding : check_.findings) {
+        if (finding.error == error && (finding.line == 0) == ofFile) sorted.push_back(finding);
+      }
+    }
+  }
+  check_.findings = std::move(sorted);
   return std::move(check_);
 }
 

@@ -108,6 +108,7 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
       {"copies.x", params.copies.x, "", 1, 20},
       {"copies.y", params.copies.y, "", 1, 20},
       {"copyGap", params.copyGap, " mm", 1, 100},
+      {"startHeight", params.startHeight, " mm", 0, printer.maxZ},
       {"layerHeight", params.layerHeight, " mm", 0.05, 0.8 * printer.nozzle},
       {"firstLayerHeight", firstLayerHeight(params), " mm", 0.05, 0.8 * printer.nozzle},
       {"flow", params.flow, "", 0.01, 2},
@@ -131,6 +132,10 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
     return invalid("firstLayerHeight is " + decimal(params.firstLayerHeight, 6) +
                    " mm; it must be 0.05 to 0.8 nozzle, or 0 for the height of the others");
   }
+  if (!beginsOnBed(params) && params.showSide != ShowSide::Up) {
+    return invalid("startHeight is " + decimal(params.startHeight, 3) +
+                   " mm; it must be 0 where showSide is not up, as that side lies on the bed");
+  }
   const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
   if (top > printer.maxZ) {
     return Error{ErrorCode::DoesNotFit, "the job is " + decimal(top, 3) +
@@ -141,8 +146,9 @@ std::optional<Error> checkNumbers(const Printer& printer, const PrintParams& par
   if (copies.x != std::floor(copies.x) || copies.y != std::floor(copies.y)) {
     return invalid("copies is " + decimal(copies.x, 3) + " x " + decimal(copies.y, 3) + "; both must be whole");
   }
-  if (copies.x * copies.y > 1 && top - printer.lift > kTallestCopy) {
-    return invalid("the plates are " + decimal(top - printer.lift, 3) +
+  const double stack = top - printer.lift - params.startHeight;
+  if (copies.x * copies.y > 1 && stack > kTallestCopy) {
+    return invalid("the plates are " + decimal(stack, 3) +
                    " mm high; several on one bed, printed one after the other, must be at most " +
                    decimal(kTallestCopy, 0) + ", or the print head would touch them");
   }

@@ -363,6 +363,16 @@ void addSkirt(GcodeJob& job, const Bounds& box, const Printer& printer, int loop
   if (job.skirt.empty()) addPurgeLine(job, box, printer);
 }
 
+// Nothing goes down to the bed where a print stands: no skirt, no purge line. Homing does, and is not ours to change.
+void warnAbovePrint(GcodeJob& job, const Printer& printer, double height) {
+  job.warnings.push_back(
+      "a print of " + decimal(height, 3) +
+      " mm stands on the bed while the start block homes; G28 and G29 must not come down on it on this printer");
+  if (printer.startGcode.empty()) {
+    job.warnings.emplace_back("nothing is printed beside a print that stands on the bed; the nozzle is not primed");
+  }
+}
+
 struct BasePaths {
   std::vector<BeadPath> paths;
   double areaMm2 = 0;
@@ -417,7 +427,7 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
     job.warnings.push_back("the base layers cover only " + fixed(100 * least, 0) +
                            " % of the shape; what is thinner than their lines has nothing below it");
   }
-  if (params.elephantFoot > 0 && params.showSide == ShowSide::Up) {
+  if (params.elephantFoot > 0 && params.showSide == ShowSide::Up && beginsOnBed(params)) {
     Result<BasePaths> first = basePaths(shape, offset, printer, params.basePattern, 0, params.elephantFoot);
     if (!first) return first.error();
     job.firstBase = std::move(first).value().paths;
@@ -428,7 +438,7 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
 // Loops around the outside of the plate, the outermost first; holes stay free.
 std::optional<Error> addBrim(GcodeJob& job, const Shape& shape, PointUm offset, const Printer& printer,
                              const PrintParams& params) {
-  if (params.brim == 0) return std::nullopt;
+  if (params.brim == 0 || !beginsOnBed(params)) return std::nullopt;
   const double inset = params.base > 0 && params.showSide == ShowSide::Up ? params.elephantFoot : 0;
   const Result<std::vector<Polyline>> loops =
       offsetLoops(shape, printer.nozzle / 2 - inset, printer.nozzle, params.brim);
@@ -497,8 +507,16 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   }
 }
 
+// \param height  of what stands on the bed while the block runs [mm].
+void warnLow(GcodeJob& job, const char* block, const GcodeCheck& check, double height) {
+  if (check.lowest >= height) return;
+  job.warnings.push_back(std::string(block) + " moves along the bed at Z " + decimal(check.lowest, 3) +
+                         "; what stands there is " + decimal(height, 3) + " mm high");
+}
+
 // A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
-std::optional<Error> checkStart(const std::string& block, const Printer& printer, GcodeJob& job) {
+std::optional<Error> checkStart(const std::string& block, const Printer& printer, const PrintParams& params,
+                                GcodeJob& job) {
   // Makers of Bambu machines wipe far off the bed, in code that is theirs.
   const bool trusted = printer.flavor == GcodeFlavor::Bambu;
   const GcodeCheck check = checkGcode(block, printer);
@@ -514,6 +532,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     job.warnings.push_back("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
                            " degrees; the first layer is meant for " + decimal(printer.firstLayerNozzleTemperature, 0));
   }
+  warnLow(job, "startGcode", check, params.startHeight);
   for (const GcodeFinding& finding : check.findings) {
     if (finding.line == 0) continue;  // of whole files
     const std::string place = "line " + std::to_string(finding.line) + " of startGcode: " + finding.message;
@@ -537,8 +556,9 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& print
   Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");
   if (!end) return end.error();
   if (!printer.startGcode.empty()) {
-    if (auto error = checkStart(start.value(), printer, job)) return error;
+    if (auto error = checkStart(start.value(), printer, params, job)) return error;
   }
+  warnLow(job, "endGcode", checkGcode(end.value(), printer), layerTop(params, layerCount(params) - 1));
   job.startBlock = std::move(start).value();
   job.endBlock = std::move(end).value();
   return std::nullopt;
@@ -629,7 +649,11 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   markSeams(job.cycles, offset, shape, inside, job.spacing);
   markSeams(job.bedCycles, offset, shape, inside, job.spacing);
   if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
-  addSkirt(job, box, printer, params.skirt);
+  if (beginsOnBed(params)) {
+    addSkirt(job, box, printer, params.skirt);
+  } else {
+    warnAbovePrint(job, printer, params.startHeight);
+  }
   if (auto error = addBlocks(job, box, printer, params)) return *error;
   addWarnings(job, printer, params);
   return job;

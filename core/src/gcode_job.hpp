@@ -12,7 +12,7 @@ namespace sillon {
 
 /// A job that is known to be printable, on the bed [µm].
 struct GcodeJob {
-  std::vector<BeadPath> skirt;                 ///< first layer only; a purge line where no skirt fits
+  std::vector<BeadPath> skirt;                 ///< layer on the bed only; a purge line where no skirt fits
   std::vector<BeadPath> brim;                  ///< first layer of each copy
   std::vector<BeadPath> firstBase;             ///< the first layer, where it is a base layer
   std::array<std::vector<BeadPath>, 2> bases;  ///< of the other base layers, taking turns
@@ -39,9 +39,12 @@ PointUm placement(const Bounds& box, const Printer& printer, const PrintParams& 
 /// Where each plate stands, from the first: row by row, every second one backwards, for short ways over what is done.
 std::vector<PointUm> copyPlaces(const Bounds& box, const Printer& printer, const PrintParams& params);
 
+/// Whether the first layer lies on the bed and not on a print that stands there: only then is it a special one.
+inline bool beginsOnBed(const PrintParams& params) { return !(params.startHeight > 0); }
+
 /// Height of the first layer, which has a default [mm].
 inline double firstLayerHeight(const PrintParams& params) {
-  return params.firstLayerHeight > 0 ? params.firstLayerHeight : params.layerHeight;
+  return params.firstLayerHeight > 0 && beginsOnBed(params) ? params.firstLayerHeight : params.layerHeight;
 }
 
 /// Of one plate.
@@ -58,7 +61,7 @@ inline bool isOriented(const PrintParams& params, int layer) {
 
 /// Top of a layer, counted from 0 [mm].
 inline double layerTop(const PrintParams& params, int layer) {
-  return firstLayerHeight(params) + layer * params.layerHeight;
+  return params.startHeight + firstLayerHeight(params) + layer * params.layerHeight;
 }
 
 }  // namespace sillon

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "sort_key.hpp"
+
 namespace sillon {
 namespace {
 
@@ -231,12 +233,11 @@ std::vector<BorderSegment> piecesOf(const std::vector<Edge>& edges, const std::v
 
 // Pieces drawn twice would count twice: keep the first of each pair of ends.
 void dropDuplicates(std::vector<BorderSegment>& segments) {
-  using Key = std::array<std::int64_t, 4>;
   const auto keyOf = [](const BorderSegment& s) {
     const auto snap = [](double v) { return static_cast<std::int64_t>(std::llround(v * 1e5)); };
-    return Key{snap(s.a.x), snap(s.a.y), snap(s.b.x), snap(s.b.y)};
+    return SortKey::first_type{snap(s.a.x), snap(s.a.y), snap(s.b.x), snap(s.b.y)};
   };
-  std::vector<std::pair<Key, std::size_t>> order;
+  std::vector<SortKey> order;
   order.reserve(segments.size());
   for (std::size_t k = 0; k < segments.size(); ++k) order.emplace_back(keyOf(segments[k]), k);
   std::sort(order.begin(), order.end());

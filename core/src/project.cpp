@@ -190,6 +190,7 @@ void visitProject(Visitor& v, AnyProject& p) {
   v.point("copies", p.print.copies, 1, 20, "");
   v.number("copyGap", p.print.copyGap, 1, 100, "mm");
   v.number("layerHeight", p.print.layerHeight, 0.05, kMaxLayerHeight, "mm");
+  v.number("startHeight", p.print.startHeight, 0, 5000, "mm");
   v.number("firstLayerHeight", p.print.firstLayerHeight, 0, kMaxLayerHeight, "mm");
   v.number("flow", p.print.flow, 0.01, 2, "");
   v.number("baseFlow", p.print.baseFlow, 0.01, 2, "");
@@ -267,18 +268,18 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 /// "did you mean ..." with the nearest three, or all there are if none is near.
 std::string suggestion(std::string_view key, const std::vector<std::string>& known) {
   constexpr std::size_t kNear = 3;
-  std::vector<std::pair<std::size_t, std::string>> near;
-  for (const std::string& name : known) {
-    const std::size_t distance = editDistance(key.substr(0, 64), name);
-    if (distance <= kNear && distance < name.size()) near.emplace_back(distance, name);
+  std::vector<std::string> near;
+  for (std::size_t distance = 0; distance <= kNear; ++distance) {
+    for (const std::string& name : known) {
+      if (near.size() == 3 || distance >= name.size()) continue;
+      if (editDistance(key.substr(0, 64), name) == distance) near.push_back(name);
+    }
   }
-  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  if (near.size() > 3) near.resize(3);
   std::string out = near.empty() ? "known are " : "did you mean ";
   if (near.empty()) {
     for (std::size_t k = 0; k < known.size(); ++k) out += (k == 0 ? "" : ", ") + known[k];
   } else {
-    for (std::size_t k = 0; k < near.size(); ++k) out += (k == 0 ? "" : " or ") + inQuotes(near[k].second);
+    for (std::size_t k = 0; k < near.size(); ++k) out += (k == 0 ? "" : " or ") + inQuotes(near[k]);
     out += "?";
   }
   return out;

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "sort_key.hpp"
+
 namespace sillon {
 namespace {
 
@@ -51,7 +53,7 @@ class Ears {
   const std::vector<Point>& points_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> dents_;  // nodes that are no convex corner, by x
-  std::vector<bool> gone_;
+  std::vector<char> gone_;
   std::uint64_t work_ = 0;
 };
 
@@ -74,9 +76,9 @@ bool Ears::bridge(std::uint32_t hole) {
   // The nearest edge to the left that has the inside on its right hand side as seen from there: one that runs down.
   double nearest = -std::numeric_limits<double>::infinity();
   std::uint32_t best = from;
-  std::vector<bool> own(nodes_.size(), false);
-  own[hole] = true;
-  for (std::uint32_t k = nodes_[hole].after; k != hole; k = nodes_[k].after) own[k] = true;
+  std::vector<char> own(nodes_.size(), 0);
+  own[hole] = 1;
+  for (std::uint32_t k = nodes_[hole].after; k != hole; k = nodes_[k].after) own[k] = 1;
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
     const Point a = at(k);
     const Point b = at(nodes_[k].after);
@@ -165,12 +167,14 @@ bool Ears::isEar(std::uint32_t node) {
 }
 
 bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& triangles) {
-  gone_.assign(nodes_.size(), false);
+  gone_.assign(nodes_.size(), 0);
   // A convex corner stays one while its neighbours are cut off, so that none is missing here later.
+  std::vector<SortKey> byX;
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
-    if (turn(at(nodes_[k].before), at(k), at(nodes_[k].after)) <= 0) dents_.push_back(k);
+    if (turn(at(nodes_[k].before), at(k), at(nodes_[k].after)) <= 0) byX.push_back({{at(k).x, 0, 0, 0}, k});
   }
-  std::stable_sort(dents_.begin(), dents_.end(), [&](std::uint32_t a, std::uint32_t b) { return at(a).x < at(b).x; });
+  std::sort(byX.begin(), byX.end());
+  for (const auto& [x, k] : byX) dents_.push_back(static_cast<std::uint32_t>(k));
   for (const std::uint32_t start : starts) {
     std::uint32_t node = start;
     std::size_t left = 1;
@@ -191,7 +195,7 @@ bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& 
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
       nodes_[before].after = after;
       nodes_[after].before = before;
-      gone_[node] = true;
+      gone_[node] = 1;
       --left;
       refused = 0;
       node = nodes_[after].after;  // the one after next: fewer slivers
@@ -205,11 +209,7 @@ bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& 
 Triangulation triangulate(const std::vector<Point>& points, const std::vector<std::vector<std::uint32_t>>& rings) {
   Triangulation result;
   Ears ears(points);
-  struct Hole {
-    Point tip;
-    std::size_t ring;
-  };
-  std::vector<Hole> holes;
+  std::vector<SortKey> holes;  // by their leftmost points
   std::vector<std::uint32_t> starts;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     double area = 0;
@@ -224,15 +224,13 @@ Triangulation triangulate(const std::vector<Point>& points, const std::vector<st
       starts.push_back(ears.addRing(rings[r]));
       result.rings.push_back(rings[r]);
     } else if (area < 0) {
-      holes.push_back({tip, r});
+      holes.push_back({{tip.x, tip.y, 0, 0}, r});
     }
   }
   // From the left, so that what a hole is joined to is joined already.
-  std::stable_sort(holes.begin(), holes.end(), [](const Hole& a, const Hole& b) {
-    return a.tip.x != b.tip.x ? a.tip.x < b.tip.x : a.tip.y < b.tip.y;
-  });
-  for (const Hole& hole : holes) {
-    if (ears.bridge(ears.addRing(rings[hole.ring]))) result.rings.push_back(rings[hole.ring]);
+  std::sort(holes.begin(), holes.end());
+  for (const auto& [tip, ring] : holes) {
+    if (ears.bridge(ears.addRing(rings[ring]))) result.rings.push_back(rings[ring]);
   }
   result.complete = ears.cut(starts, result.triangles);
   return result;

@@ -375,6 +375,9 @@ void addPrint(Options& options, Arguments& arguments) {
   options.number(
       "--layer-height", "MM", "height of a layer", [](Project & p) -> auto& { return p.print.layerHeight; });
   options.number(
+      "--start-height", "MM", "layers lie above a print of this height on the bed [0]",
+      [](Project & p) -> auto& { return p.print.startHeight; });
+  options.number(
       "--flow", "F", "flow of the oriented layers", [](Project & p) -> auto& { return p.print.flow; });
   options.word("--printer", "ID", "a printer that sillon printers lists", [](const std::string& text) {
     return [text](Project& project) {

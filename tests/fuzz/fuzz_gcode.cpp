@@ -75,6 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                         &printer.retractLength,
                         &printer.lift,
                         &params.layerHeight,
+                        &params.startHeight,
                         &params.firstLayerHeight,
                         &params.flow,
                         &params.elephantFoot,

@@ -40,6 +40,7 @@ export interface StudioMethods {
   generate(options?: { signal?: AbortSignal }): Promise<Report>;
   report(): Promise<Report | null>;
   exportGcode(options?: { signal?: AbortSignal }): Promise<StudioFile>;
+  exportBody(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportSvg(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportProject(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportView(options?: { signal?: AbortSignal }): Promise<StudioFile>;

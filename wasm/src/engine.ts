@@ -52,6 +52,20 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await run(call, checked)) as api.Gcode;
     },
 
+    async writeBaseBody(shape, printer, print, options) {
+      const checked = input.callOptions(options, ['format']);
+      const call: Call = {
+        name: 'writeBaseBody',
+        shape: input.shape(shape, 'shape'),
+        project: input.projectText({
+          print: { ...input.section(print, 'print'), date: undefined },
+          printer: input.section(printer, 'printer'),
+        }),
+        format: input.bodyFormat(checked.format),
+      };
+      return (await run(call, checked)) as Blob;
+    },
+
     async writeSvg(toolpath, options) {
       const checked = input.callOptions(options);
       return (await run({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;

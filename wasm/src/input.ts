@@ -12,7 +12,7 @@ export interface EngineSettings {
   idleTimeout: number;
 }
 
-export type CallOptions = api.GenerateOptions & api.GcodeOptions;
+export type CallOptions = api.GenerateOptions & api.GcodeOptions & api.BodyOptions;
 
 const fileKinds = 'SVG text, bytes (an ArrayBuffer or a view of one), a Blob or a Picture';
 const fileHint =
@@ -184,7 +184,7 @@ export function engineOptions(value: unknown): EngineSettings {
 }
 
 /** @param special  what this call takes besides. */
-export function callOptions(value: unknown, special: readonly ('measure' | 'onChunk')[] = []): CallOptions {
+export function callOptions(value: unknown, special: readonly ('measure' | 'onChunk' | 'format')[] = []): CallOptions {
   const options = optionalFields(value, 'options');
   refuseUnknown(options, 'options', ['signal', 'onProgress', ...special]);
   const { signal, onProgress, onChunk, measure } = options;
@@ -278,14 +278,24 @@ export function viewParams(value: unknown): api.ViewParams {
 
 /** Types only: values are checked by the engine. */
 export function toolpath(value: unknown): api.Toolpath {
-  const { spacing, cycles, shape, notes } = fieldsOf(value, 'toolpath');
-  const { page, paths } = fieldsOf(shape, 'toolpath.shape');
+  const { spacing, cycles, shape: filled, notes } = fieldsOf(value, 'toolpath');
   return {
+    shape: shape(filled, 'toolpath.shape'),
     spacing: finite(spacing, 'toolpath.spacing'),
     cycles: listOf(cycles, 'toolpath.cycles', cycle),
-    shape: { page: pair(page, 'toolpath.shape.page'), paths: listOf(paths, 'toolpath.shape.paths', filledPath) },
     notes: listOf(notes, 'toolpath.notes', text),
   };
+}
+
+/** Types only, as of a toolpath. */
+export function shape(value: unknown, path: string): api.Shape {
+  const { page, paths } = fieldsOf(value, path);
+  return { page: pair(page, `${path}.page`), paths: listOf(paths, `${path}.paths`, filledPath) };
+}
+
+export function bodyFormat(value: unknown = '3mf'): 'stl' | '3mf' {
+  if (value !== 'stl' && value !== '3mf') throw mustBe('format', value, '"stl" or "3mf"');
+  return value;
 }
 
 function cycle(value: unknown, path: string): api.Cycle {

@@ -21,6 +21,7 @@ export type Files = Record<string, Uint8Array | Blob | api.Picture>;
 export type Call =
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean }
   | { name: 'writeGcode'; toolpath: api.Toolpath; project: string; date: string; inPieces: boolean }
+  | { name: 'writeBaseBody'; shape: api.Shape; project: string; format: 'stl' | '3mf' }
   | { name: 'writeSvg'; toolpath: api.Toolpath }
   | { name: 'writeView'; toolpath: api.Toolpath; params: api.ViewParams }
   | { name: 'renderPreview'; toolpath: api.Toolpath; params: api.PreviewParams }

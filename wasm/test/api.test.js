@@ -176,6 +176,23 @@ describe('results', () => {
     await assert.rejects(st.writeView(toolpath, { slopes: [0, 10] }), /0\.1 to 45/);
   });
 
+  test('a base body is 3MF unless it is asked for as STL, and as high as the base layers', async () => {
+    const shape = await st.readShape({ builtin: 'rectangle', size: [20, 10] });
+    const print = { base: 3, layerHeight: 0.25, startHeight: 2, date: new Date(NaN) };
+    const solid = await st.writeBaseBody(shape, {}, print);
+    assert.equal(solid.type, 'model/3mf');
+    assert.equal((await bytesOf(solid)).toString('latin1', 0, 4), 'PK\x03\x04');
+    const stl = await bytesOf(await st.writeBaseBody(shape, {}, print, { format: 'stl' }));
+    const count = stl.readUInt32LE(80);
+    assert.equal(count, 12);
+    assert.equal(stl.length, 84 + 50 * count);
+    const heights = new Set();
+    for (let k = 0; k < count; ++k) {
+      for (let corner = 1; corner <= 3; ++corner) heights.add(stl.readFloatLE(84 + 50 * k + 12 * corner + 8));
+    }
+    assert.deepEqual([...heights].sort(), [2, 2.75]);
+  });
+
   test('a shape is polygons', async () => {
     const shape = await st.readShape({ file: svg });
     assert.deepEqual(shape, {

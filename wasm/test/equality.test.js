@@ -82,6 +82,26 @@ test('packed G-code is that of the native program, and both read it', async () =
   );
 });
 
+test('the base body is that of the native program, as 3MF and as STL, wherever the plate stands', async () => {
+  for (const name of ['logo', 'strokes']) {
+    const path = join(root, `examples/${name}.json`);
+    const { input, project } = await openProject(engines[0], path);
+    const print = { ...project.print, base: 3, rotate: 30, copies: [1, 2] };
+    const shape = await engines[0].readShape(input.shape, input.directions);
+    for (const format of ['3mf', 'stl']) {
+      const file = join(folder, `body.${format}`);
+      const args = ['generate', path, '--base', '3', '--rotate', '30', '--copies', '1x2', '--body', file, '--quiet'];
+      const { status, stderr } = spawnSync(nativeProgram, args, { encoding: 'utf8' });
+      assert.equal(status, 0, stderr);
+      for (const engine of engines) {
+        const body = await engine.writeBaseBody(shape, project.printer, print, { format });
+        assert.equal(body.type, `model/${format}`);
+        assert.ok(readFileSync(file).equals(Buffer.from(await body.arrayBuffer())), `${name}.${format}`);
+      }
+    }
+  }
+});
+
 test('after any edit, and after calls that were given up, a plate is that of a new engine', async () => {
   const input = { shape: { builtin: 'rounded', size: [16, 12] }, directions: { angle: 20 } };
   const params = { perimeterMode: 'soft' };

@@ -26,6 +26,10 @@ const detached = (bytes) => {
   return bytes;
 };
 const disc = { builtin: 'disc', size: [10, 10] };
+const square = {
+  page: [9, 9],
+  paths: [{ fillRule: 'nonzero', rings: [Float64Array.from([0, 0, 9, 0, 9, 9, 0, 9])] }],
+};
 const picture = turning(8, 8);
 const goodPng = png(8, 8, 1, picture.samples);
 const noise = Uint8Array.from({ length: 300 }, (_, k) => (k * k * 31 + 7) & 255);
@@ -171,6 +175,11 @@ const cases = {
     [() => engine.importPrinter('a.ini'), 'InvalidArgument', /^file is "a\.ini"/],
     [() => engine.checkGcode(7), 'InvalidArgument', /^file is 7/],
     [() => engine.packGcode(7), 'InvalidArgument', /^file is 7/],
+    [() => engine.writeBaseBody(square, {}, { base: 0 }), 'InvalidArgument', /^base is 0; it must be at least 1/],
+    [() => engine.writeBaseBody(square, {}, { layerHeight: 9 }), 'InvalidArgument', /^print\.layerHeight is 9 mm/],
+    [() => engine.writeBaseBody(square, {}, {}, { format: 'obj' }), 'InvalidArgument', /^format is "obj"; .*"stl"/],
+    [() => engine.writeBaseBody({ page: [1, 1] }), 'InvalidArgument', /^shape\.paths is undefined/],
+    [() => engine.writeBaseBody({ page: [1, 1], paths: [] }), 'EmptyShape', /no points/],
     [() => engine.checkGcode(Buffer.from('PK\x03\x04')), 'InvalidFile', /^the \.gcode\.3mf is cut off/],
     [() => engine.checkGcode(noise, { preset: 'mk4' }), 'InvalidArgument', /printer\.preset is "mk4"/],
     [() => engine.decodePicture(noise), 'InvalidFile', /file/],

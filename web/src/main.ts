@@ -83,6 +83,7 @@ studio.services = {
   },
   gcode: () => pipeline.gcode(),
   pack: async (gcode) => (await engine.engine()).packGcode(gcode),
+  body: () => pipeline.body(),
   svg: () => pipeline.svg(),
   view: () => pipeline.view(),
   project: async (plate) => {

@@ -97,6 +97,11 @@ export class Pipeline {
     return written.gcode;
   }
 
+  async body(): Promise<Blob> {
+    await this.directions();
+    return this.engine.body(this.store.state.plate);
+  }
+
   async svg(): Promise<Blob> {
     await this.directions();
     return this.engine.svg();

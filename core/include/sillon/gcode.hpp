@@ -94,6 +94,7 @@ struct PrintParams {
   Vec2 copies{1, 1};            ///< plates in a row and in a column, one printed after the other, 1..20 each
   double copyGap = 10;          ///< between their boxes, brims included [mm], 1..100
   double layerHeight = 0.2;     ///< 0.05..0.8 nozzle
+  double startHeight = 0;       ///< of a print that stands on the bed, above which all layers lie [mm], 0..maxZ
   double firstLayerHeight = 0;  ///< 0: same as layerHeight
   double flow = 0.95;           ///< of oriented layers, 0.01..2
   double baseFlow = 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,9 +35,10 @@ struct GcodeCheck {
   std::int64_t closed = 0;  ///< paths whose end is their beginning
   std::int64_t open = 0;
   std::int64_t retractions = 0;
-  Bounds box;            ///< of those beads' middles; start and end blocks left out where they are marked
-  double top = 0;        ///< highest bead
-  double fastest = 0;    ///< of beads
+  Bounds box;      ///< of those beads' middles; start and end blocks left out where they are marked
+  double top = 0;  ///< highest bead
+  double lowest = std::numeric_limits<double>::infinity();  ///< move along the bed, where a Z was told since homing
+  double fastest = 0;                                       ///< of beads
   double slowedMm = 0;   ///< of oriented beads slower than the fastest of their layer
   double mostFlow = 0;   ///< [mm³/s]
   double mostMoves = 0;  ///< [1/s], over any 8 moves

@@ -22,6 +22,7 @@ interface SillonModule {
     date: string,
     onChunk: (bytes: CopiedBytes) => boolean,
   ): Outcome<api.GcodeSummary>;
+  writeBaseBody(shape: api.Shape, project: string, stl: boolean): Outcome<CopiedBytes>;
   writeSvg(toolpath: api.Toolpath): Outcome<CopiedBytes>;
   writeView(toolpath: api.Toolpath, colour: number[], slopeAlong: number, slopeAcross: number): Outcome<CopiedBytes>;
   renderPreview(
@@ -328,6 +329,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       if (call.project !== '') completed(call.project, module);
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return valueOf(module.checkGcode(file, call.project));
+    }
+    case 'writeBaseBody': {
+      const body = valueOf(module.writeBaseBody(call.shape, call.project, call.format === 'stl'));
+      return new Blob([body], { type: `model/${call.format}` });
     }
     case 'packGcode': {
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;

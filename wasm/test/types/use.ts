@@ -100,6 +100,7 @@ await engine.writeGcode(plate);
 
 const blobs: Blob[] = [
   await engine.writeSvg(toolpath),
+  await engine.writeBaseBody(toolpath.shape, { preset: 'prusa-mk4s' }, { base: 3 }, { format: 'stl' }),
   await engine.writeView(toolpath, { colour: [1, 2, 3] }),
   await engine.renderPreview(toolpath, { width: 800 }),
 ];

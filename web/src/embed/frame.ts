@@ -137,6 +137,7 @@ class Host {
     ['getProject', async () => ({ result: { project: await this.services.project() } })],
     ['generate', async () => ({ result: { report: (await this.services.finished()).report } })],
     ['exportGcode', async () => sent(await this.services.make('gcode'))],
+    ['exportBody', async () => sent(await this.services.make('body'))],
     ['exportSvg', async () => sent(await this.services.make('svg'))],
     ['exportView', async () => sent(await this.services.make('view'))],
     ['exportProject', async () => sent(await this.services.make('project'))],

@@ -63,6 +63,7 @@ export const methods = [
   'getProject',
   'generate',
   'exportGcode',
+  'exportBody',
   'exportSvg',
   'exportProject',
   'exportView',
@@ -144,6 +145,7 @@ export interface FileMessage {
 /** The kinds that the studio writes; a stranger's type could make a link run script. */
 const types = [
   'text/x-gcode',
+  'model/3mf',
   'image/svg+xml',
   'image/png',
   'application/zip',

@@ -153,6 +153,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     return this.#file('exportGcode', {}, signal);
   }
 
+  /** The base layers as a solid for other slicers, 3MF. */
+  exportBody({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+    return this.#file('exportBody', {}, signal);
+  }
+
   exportSvg({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportSvg', {}, signal);
   }

@@ -123,6 +123,13 @@ export class StudioEngine {
     });
   }
 
+  /** The base layers as a solid. @param plate  whose printer and layers count */
+  async body({ printer, print }: Plate): Promise<Blob> {
+    return this.#export((engine, { toolpath }, signal) =>
+      engine.writeBaseBody(toolpath.shape, printer, print, { signal }),
+    );
+  }
+
   async svg(): Promise<Blob> {
     return this.#export((engine, { toolpath }, signal) => engine.writeSvg(toolpath, { signal }));
   }

@@ -359,6 +359,9 @@ export const en = {
   'setting.print.place': 'Place on the bed',
   'help.print.place': 'Lower left corner of the plate.',
   'null.print.place': 'Centred',
+  'setting.print.startHeight': 'Above a print of',
+  'help.print.startHeight':
+    'Its height, where one stands on the bed already: all layers lie above it. The printer must home without touching it. 0 is the bed.',
   'setting.print.firstLayerHeight': 'Height of the first layer',
   'help.print.firstLayerHeight': '0 is the same as the others.',
   'setting.print.flow': 'Flow, shimmering layers',
@@ -632,12 +635,18 @@ export const en = {
 
   // --- Out ------------------------------------------------------------------------------------------------------------
   'export.gcode': 'G-code',
+  'export.body': 'Base for your slicer (3MF)',
   'export.svg': 'Drawing (SVG)',
   'export.png': 'Picture (PNG)',
   'export.view': 'Shimmer for web pages',
   'export.project': 'Project with its files',
   'export.link': 'Copy link',
   'export.gcode.help': 'For the printer.',
+  'export.body.help': 'The base layers as a solid, to print elsewhere.',
+  'export.body.rest':
+    '{name} is in your downloads. The layers that shimmer can be printed above it, from {height} mm on.',
+  'export.body.set': 'Set that',
+  'export.body.none': 'This plate has no base layers.',
   'export.svg.help': 'The beads as vector strokes.',
   'export.png.help': 'The appearance under the light as it is now.',
   'export.view.help': 'A small file that <sillon-view> shows under moving light.',
@@ -697,6 +706,11 @@ export const en = {
   'warning.speed': 'A speed of {asked} mm/s is more than the machine’s own; it is held at {held}.',
   'warning.acceleration': 'Acceleration is {asked} mm/s²; it is held at the machine’s {held}.',
   'warning.purge': 'The plate leaves no room for a purge line, so the nozzle is not primed before the first bead.',
+  'warning.above':
+    'A print of {height} mm stands on the bed while the printer homes: homing and bed probing must not come down on it.',
+  'warning.unprimed':
+    'Nothing is printed beside a print that stands on the bed, so the nozzle is not primed. A base layer of this file hides that.',
+  'warning.low': '{block} moves along the bed at a height of {z} mm; what stands there is {height} mm high.',
   'warning.skirt': 'The skirt does not fit the bed and was left out.',
   'warning.base': 'The base layers cover only {percent}% of the shape; thinner parts have nothing below them.',
   'warning.diameter': 'Filament diameter is {value} mm; filament is sold with 1.75 and 2.85 mm.',

@@ -368,6 +368,9 @@ export const fr: Dictionary = {
   'setting.print.place': 'Place sur le plateau',
   'help.print.place': 'Coin inférieur gauche de la plaque.',
   'null.print.place': 'Centrée',
+  'setting.print.startHeight': 'Au-dessus d’une pièce de',
+  'help.print.startHeight':
+    'Sa hauteur, s’il y en a déjà une sur le plateau : toutes les couches viennent au-dessus. L’imprimante doit prendre ses origines sans la toucher. 0 : le plateau.',
   'setting.print.firstLayerHeight': 'Hauteur de la première couche',
   'help.print.firstLayerHeight': '0 : comme les autres.',
   'setting.print.flow': 'Débit, couches chatoyantes',
@@ -652,12 +655,18 @@ export const fr: Dictionary = {
 
   // --- Sorties --------------------------------------------------------------------------------------------------------
   'export.gcode': 'G-code',
+  'export.body': 'Base pour votre trancheur (3MF)',
   'export.svg': 'Dessin (SVG)',
   'export.png': 'Image (PNG)',
   'export.view': 'Reflets pour pages web',
   'export.project': 'Projet avec ses fichiers',
   'export.link': 'Copier le lien',
   'export.gcode.help': 'Pour l’imprimante.',
+  'export.body.help': 'Les couches de base en solide, à imprimer ailleurs.',
+  'export.body.rest':
+    '{name} est dans vos téléchargements. Les couches chatoyantes peuvent s’imprimer au-dessus, à partir de {height} mm.',
+  'export.body.set': 'Régler ainsi',
+  'export.body.none': 'Cette plaque n’a pas de couches de base.',
   'export.svg.help': 'Les cordons en traits vectoriels.',
   'export.png.help': 'L’apparence sous la lumière actuelle.',
   'export.view.help': 'Un petit fichier que <sillon-view> montre sous une lumière qui bouge.',
@@ -719,6 +728,11 @@ export const fr: Dictionary = {
   'warning.acceleration': 'L’accélération est de {asked} mm/s² ; elle est ramenée à celle de la machine, {held}.',
   'warning.purge':
     'La plaque ne laisse pas de place pour une ligne de purge : la buse n’est pas amorcée avant le premier cordon.',
+  'warning.above':
+    'Une pièce de {height} mm est sur le plateau pendant la prise d’origine : ni celle-ci ni le palpage du plateau ne doivent descendre dessus.',
+  'warning.unprimed':
+    'Rien n’est imprimé à côté d’une pièce déjà sur le plateau : la buse n’est pas amorcée. Une couche de base de ce fichier le cache.',
+  'warning.low': '{block} : la buse passe à {z} mm au-dessus du plateau, où se dresse une pièce de {height} mm.',
   'warning.skirt': 'La jupe ne tient pas sur le plateau et a été omise.',
   'warning.base':
     'Les couches de base ne couvrent que {percent} % de la forme ; les parties plus fines n’ont rien au-dessous.',

@@ -130,6 +130,17 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
     ([line = '', what = '']) => t('warning.startLine', { line: Number(line), what }),
   ],
   [/^the plate leaves no room for a purge line/, () => t('warning.purge')],
+  [/^a print of (\S+) mm stands on the bed/, ([height]) => t('warning.above', { height: Number(height) })],
+  [/^nothing is printed beside a print/, () => t('warning.unprimed')],
+  [
+    /^(startGcode|endGcode) moves along the bed at Z (\S+); what stands there is (\S+) mm high/,
+    ([block, z, height]) =>
+      t('warning.low', {
+        block: t(block === 'endGcode' ? 'setting.printer.endGcode' : 'setting.printer.startGcode'),
+        z: Number(z),
+        height: Number(height),
+      }),
+  ],
   [/^the skirt does not fit the bed/, () => t('warning.skirt')],
   [/^the base layers cover only (\S+) %/, ([percent]) => t('warning.base', { percent: Number(percent) })],
   [/^filamentDiameter is (\S+) mm/, ([value]) => t('warning.diameter', { value: Number(value) })],

@@ -42,6 +42,7 @@ export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
   copies: [1, 1],
   copyGap: 10,
   layerHeight: 0.2,
+  startHeight: 0,
   firstLayerHeight: 0,
   flow: 0.95,
   baseFlow: 1,

@@ -206,6 +206,7 @@ export const settings: readonly Setting[] = [
   flag('print', 'mirror', basic),
   number('print', 'rotate', basic, { unit: '°', min: -360, max: 360, step: 1, usual: [-180, 180] }),
   pair('print', 'place', basic, { unit: 'mm', min: -10000, max: 10000, step: 1, nullable }),
+  number('print', 'startHeight', advanced, { unit: 'mm', min: 0, max: 5000, step: 0.05, usual: [0, 20] }),
   number('print', 'firstLayerHeight', advanced, { unit: 'mm', min: 0, max: 1.6, step: 0.01, usual: [0, 0.6] }),
   number('print', 'flow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
   number('print', 'baseFlow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),

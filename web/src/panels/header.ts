@@ -11,6 +11,7 @@ import type { Product } from './studio.js';
 
 const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
+  ['body', 'body'],
   ['svg', 'toolpath'],
   ['png', 'camera'],
   ['view', 'sun'],
@@ -104,6 +105,9 @@ export class Header extends StudioElement {
       [popover] button .icon {
         grid-row: span 2;
         color: var(--accent);
+      }
+      [popover] button:disabled .icon {
+        color: inherit;
       }
       [popover] hr {
         margin: 6px 10px;
@@ -254,10 +258,17 @@ export class Header extends StudioElement {
     for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
   }
 
-  #item(name: IconName, label: string, help: string, run: () => void, where = ''): TemplateResult {
+  #item(
+    name: IconName,
+    label: string,
+    help: string,
+    run: () => void,
+    { where = '', disabled = false }: { where?: string; disabled?: boolean } = {},
+  ): TemplateResult {
     return html`<button
       type="button"
       class=${where}
+      ?disabled=${disabled}
       @click=${() => {
         this.#hide();
         run();
@@ -269,11 +280,12 @@ export class Header extends StudioElement {
 
   #exports(): TemplateResult {
     return html`<div id="export" popover role="group" aria-label=${t('section.export')}>
-      ${products.map(([product, name]) =>
-        this.#item(name, t(`export.${product}`), t(`export.${product}.help`), () => {
-          void this.studio.save(product);
-        }),
-      )}
+      ${products.map(([product, name]) => {
+        const missing = product === 'body' && this.state.plate.print.base === 0;
+        const help = t(missing ? 'export.body.none' : `export.${product}.help`);
+        const save = (): void => void this.studio.save(product);
+        return this.#item(name, t(`export.${product}`), help, save, { disabled: missing });
+      })}
       <hr />
       ${this.#item('share', t('verb.share'), t('export.link.help'), () => {
         this.studio.show('share');
@@ -294,7 +306,7 @@ export class Header extends StudioElement {
         () => {
           this.studio.show('gallery');
         },
-        'narrow',
+        { where: 'narrow' },
       )}
       ${this.#item(
         'open',
@@ -303,7 +315,7 @@ export class Header extends StudioElement {
         () => {
           void this.#open();
         },
-        'narrow',
+        { where: 'narrow' },
       )}
       ${this.#item(
         'share',
@@ -312,7 +324,7 @@ export class Header extends StudioElement {
         () => {
           this.studio.show('share');
         },
-        'narrow',
+        { where: 'narrow' },
       )}
       ${this.#item('help', t('help.title'), '', () => {
         this.studio.show('help');

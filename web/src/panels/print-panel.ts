@@ -105,7 +105,9 @@ export class PrintPanel extends StudioElement {
   #summary(): TemplateResult {
     const { summary, plate } = this.state;
     const { print } = plate;
-    const tall = (print.layers + print.base - 1) * print.layerHeight + (print.firstLayerHeight || print.layerHeight);
+    const { layerHeight, startHeight, firstLayerHeight } = print;
+    const upper = print.layers * (print.showSide === 'both' ? 2 : 1) + print.base - 1;
+    const tall = upper * layerHeight + ((startHeight === 0 && firstLayerHeight) || layerHeight);
     const value = (label: string, text: string): TemplateResult =>
       html`<div>
         <dt>${label}</dt>

@@ -11,7 +11,7 @@ import type { Light, ViewName } from '../views/scene.js';
 import type { Example } from './examples.js';
 import type { Dialog, LightMode, Notice, Role, Shown } from './shown.js';
 
-export type Product = 'gcode' | 'svg' | 'png' | 'view' | 'project';
+export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
 
 /** What reaches beyond the page's thread; each may reject. */
 export interface Services {
@@ -20,6 +20,8 @@ export interface Services {
   gcode(): Promise<Gcode>;
   /** G-code in the zip that Bambu printers take. */
   pack(gcode: Blob): Promise<Blob>;
+  /** The base layers as a solid, 3MF. */
+  body(): Promise<Blob>;
   svg(): Promise<Blob>;
   view(): Promise<Blob>;
   project(plate: Plate): Promise<Blob>;
@@ -53,6 +55,7 @@ const noticeFor = 7000; // [ms]
 const isPacked = (product: Product, plate: Plate): boolean => product === 'gcode' && plate.printer.flavor === 'bambu';
 const endings: Record<Product, string> = {
   gcode: '.gcode',
+  body: '.base.3mf',
   svg: '.svg',
   png: '.png',
   view: '.view.png',
@@ -247,7 +250,26 @@ export class Studio {
     await this.attempt(async () => {
       const { blob, name } = await this.make(product);
       this.deliver(blob, name);
+      if (product === 'body') this.#offerRest(name);
+      else this.notify(t('export.done', { name }));
+    });
+  }
+
+  /** Whoever prints the base elsewhere mostly wants the rest above it next. */
+  #offerRest(name: string): void {
+    const { plate, mode } = this.store.state;
+    if (plate.print.showSide !== 'up' || mode !== 'edit') {
       this.notify(t('export.done', { name }));
+      return;
+    }
+    const { base, startHeight, layerHeight, firstLayerHeight } = plate.print;
+    const first = (startHeight === 0 && firstLayerHeight) || layerHeight;
+    const height = Number((startHeight + first + (base - 1) * layerHeight).toFixed(3));
+    this.notify(t('export.body.rest', { name, height }), {
+      label: t('export.body.set'),
+      run: () => {
+        this.change((now) => ({ ...now, print: { ...now.print, base: 0, startHeight: height } }));
+      },
     });
   }
 
@@ -269,6 +291,8 @@ export class Studio {
     switch (product) {
       case 'gcode':
         return this.#gcode(plate);
+      case 'body':
+        return this.services.body();
       case 'svg':
         return this.services.svg();
       case 'view':

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 
 import Toolpath from 'gcode-toolpath';
 
-import { natively } from './support/native.js';
+import { bodyNatively, natively } from './support/native.js';
 import { sharedBench } from './support/shared.js';
 import { fileAt, inputs, skip, start } from './support/studio.js';
 import { settled, until } from './support/waits.js';
@@ -189,6 +189,28 @@ test('drawings and pictures download', { skip }, async () => {
   const [width, height] = [png.bytes.readUInt32BE(16), png.bytes.readUInt32BE(20)];
   assert.equal(width, 2400);
   assert.ok(height > 2000 && height < 2800, `${width} × ${height}`);
+});
+
+test('the base goes to another slicer, the native program’s to the byte, and the rest above it', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const body = await visit.download('Base for your slicer (3MF)');
+  assert.equal(body.name, 'plate.base.3mf');
+  const project = await visit.download('Project with its files');
+  assert.ok(body.bytes.equals(bodyNatively(project.bytes)), 'another body than the native program’s');
+  await visit.button('Set that').click();
+  await visit.until((state) => state.plate.print.base === 0 && state.plate.print.startHeight === 0.4);
+  const { bytes } = await visit.download('G-code');
+  const heights = [...bytes.toString('utf8').matchAll(/^;Z:(.*)$/gm)].map(([, z]) => z);
+  assert.deepEqual(heights, ['0.6']);
+  await visit.section('Print');
+  await visit.page.getByText('A print of 0.4 mm stands on the bed while the printer homes').waitFor();
+  // There is no base any more.
+  await visit.page.locator('[popovertarget=export]').click();
+  const entry = visit.page.locator('#export').getByRole('button', { name: 'Base for your slicer' });
+  assert.equal(await entry.isDisabled(), true);
+  assert.match(await entry.innerText(), /This plate has no base layers/);
+  assert.deepEqual(visit.problems, []);
 });
 
 test('the printer comes from the owner’s own G-code, and a file that tells none is refused', { skip }, async () => {

@@ -116,6 +116,8 @@ class Bench {
           resolve({ blob: new Blob(['G28']), summary: {} });
         }, 50);
       }),
+    writeBaseBody: (shape: Toolpath['shape'], printer: unknown, print: unknown) =>
+      Promise.resolve(new Blob([JSON.stringify([shape, printer, print])])),
     checkGcode: () => Promise.resolve({ findings: [], errors: 0 }),
     dispose: () => {
       ++this.disposed;
@@ -346,6 +348,16 @@ test('G-code waits for the whole, measured path and takes the printer of now', a
   assert.equal(await gcode.blob.text(), 'G28');
   assert.equal(made.measured, true);
   assert.equal(bench.progress.at(-1), undefined);
+});
+
+test('the base body is of the shape that is filled, and takes the layers of now', async () => {
+  const plate = plateOf(200);
+  bench.studio.update(plate, raster);
+  const printing = { ...plate, print: { ...plate.print, base: 7 } };
+  const done = bench.studio.body(printing);
+  await bench.finishAll();
+  const told: unknown = JSON.parse(await (await done).text());
+  assert.deepEqual(told, JSON.parse(JSON.stringify([{ page: [1, 1], paths: [] }, plate.printer, printing.print])));
 });
 
 test('G-code of a plate that cannot be made rejects with its problem', async () => {

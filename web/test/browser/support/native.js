@@ -10,23 +10,31 @@ import { unzipSync } from 'fflate';
 
 const program = fileURLToPath(new URL('../../../../build/release/sillon', import.meta.url));
 
-/** The G-code that the native program makes from the project file, with the same date. */
-export function natively(project, gcode) {
+/** A file that the native program makes from the project file. @param epoch  its date [s] */
+function madeOf(project, option, name, epoch) {
   const folder = mkdtempSync(join(tmpdir(), 'sillon-flow-'));
   try {
     for (const [name, bytes] of Object.entries(unzipSync(project))) {
       mkdirSync(dirname(join(folder, name)), { recursive: true });
       writeFileSync(join(folder, name), bytes);
     }
-    const date = /(\d{4}-\d\d-\d\d) at (\d\d:\d\d:\d\d) UTC/.exec(gcode);
-    assert.ok(date, 'the file tells no date');
-    const epoch = String(Date.parse(`${date[1]}T${date[2]}Z`) / 1000);
-    const out = join(folder, 'native.gcode');
-    execFileSync(program, ['generate', join(folder, 'project.json'), '--gcode', out], {
-      env: { ...process.env, SOURCE_DATE_EPOCH: epoch },
+    const out = join(folder, name);
+    execFileSync(program, ['generate', join(folder, 'project.json'), option, out], {
+      env: { ...process.env, SOURCE_DATE_EPOCH: String(epoch) },
     });
-    return readFileSync(out, 'utf8');
+    return readFileSync(out);
   } finally {
     rmSync(folder, { recursive: true });
   }
 }
+
+/** The G-code that the native program makes from the project file, with the same date. */
+export function natively(project, gcode) {
+  const date = /(\d{4}-\d\d-\d\d) at (\d\d:\d\d:\d\d) UTC/.exec(gcode);
+  assert.ok(date, 'the file tells no date');
+  const epoch = Date.parse(`${date[1]}T${date[2]}Z`) / 1000;
+  return madeOf(project, '--gcode', 'native.gcode', epoch).toString('utf8');
+}
+
+/** The base layers as a solid. */
+export const bodyNatively = (project) => madeOf(project, '--body', 'native.3mf', 0);
