@@ -22,6 +22,7 @@ constexpr double kMinWidth = 0.6;          // [nozzle], thinner beads tear
 constexpr double kMaxWidth = 1.6;          // [nozzle], wider beads do not reach their sides
 constexpr double kMinFlowSpeed = 5;        // [mm/s], slower than this the hot end is the wrong one
 constexpr double kOutsideTolerance = 0.1;  // [mm]
+constexpr double kColdest = 170;           // [degrees Celsius]
 constexpr double kEdge = 5;                // [mm] from the bed's edge to the purge line
 constexpr double kPurgeLength = 60;        // [mm]
 constexpr double kSlack = 1e-6;            // [mm], widths and points are floats
@@ -497,6 +498,11 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   }
 }
 
+// Of a block that may be printed with all the same.
+bool isWorthALook(const GcodeFinding& finding) {
+  return finding.rule == "bounds" || finding.rule == "settings" || finding.rule == "modes";
+}
+
 // A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
 std::optional<Error> checkStart(const std::string& block, const Printer& printer, GcodeJob& job) {
   // Makers of Bambu machines wipe far off the bed, in code that is theirs.
@@ -510,6 +516,10 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   if (!check.heatsBed && printer.bedTemperature > 0) {
     return invalid("startGcode does not wait for a hot bed; it must have M190 or a start macro with its temperature");
   }
+  if (check.nozzleTarget < kColdest) {
+    return invalid("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
+                   " degrees; it must leave it at 170 or more");
+  }
   if (std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > 20) {
     job.warnings.push_back("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
                            " degrees; the first layer is meant for " + decimal(printer.firstLayerNozzleTemperature, 0));
@@ -518,13 +528,32 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     if (finding.line == 0) continue;  // of whole files
     const std::string place = "line " + std::to_string(finding.line) + " of startGcode: " + finding.message;
     if (finding.error && !trusted) return invalid(place);
-    if (finding.rule == "bounds") job.warnings.push_back(place);
+    if (isWorthALook(finding)) job.warnings.push_back(place);
   }
   return std::nullopt;
 }
 
-/// \param beads  box around all plates; the skirt is added here.
-std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& printer, const PrintParams& params) {
+// The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
+std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height, const Printer& printer,
+                              GcodeJob& job) {
+  const std::string before = "G28\nM190 S60\nM109 S200\nG1 X" + fixed(from.x, 3) + " Y" + fixed(from.y, 3) + " Z" +
+                             fixed(height, 3) + " F300\nG91\nG1 X0.1 E0.0002\nG90\nG92 E0\n" +
+                             (printer.absoluteE ? "M82\n" : "M83\n");
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  for (const GcodeFinding& finding : checkGcode(before + block, printer).findings) {
+    if (finding.rule == "end") job.warnings.push_back("endGcode: " + finding.message);
+    if (finding.line <= lines) continue;
+    const std::string place = "line " + std::to_string(finding.line - lines) + " of endGcode: " + finding.message;
+    const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
+    if (fault && printer.flavor != GcodeFlavor::Bambu) return invalid(place);
+    if (finding.error || isWorthALook(finding)) job.warnings.push_back(place);
+  }
+  return std::nullopt;
+}
+
+/// \param beads  box around all plates; the skirt is added here. \param last  middle of the last plate.
+std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Printer& printer,
+                               const PrintParams& params) {
   if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
     return invalid(
         "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
@@ -538,6 +567,10 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& print
   if (!end) return end.error();
   if (!printer.startGcode.empty()) {
     if (auto error = checkStart(start.value(), printer, job)) return error;
+  }
+  if (!printer.endGcode.empty()) {
+    const double top = layerTop(params, layerCount(params) - 1) + printer.lift + kParkLift;
+    if (auto error = checkEnd(end.value(), last, std::min(top, printer.maxZ), printer, job)) return error;
   }
   job.startBlock = std::move(start).value();
   job.endBlock = std::move(end).value();
@@ -630,7 +663,8 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   markSeams(job.bedCycles, offset, shape, inside, job.spacing);
   if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
   addSkirt(job, box, printer, params.skirt);
-  if (auto error = addBlocks(job, box, printer, params)) return *error;
+  const Vec2 last = 0.5 * (first.min + first.max) + mm(job.copies.back());
+  if (auto error = addBlocks(job, box, last, printer, params)) return *error;
   addWarnings(job, printer, params);
   return job;
 }
