@@ -540,14 +540,16 @@ std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height
                              fixed(height, 3) + " F300\nG91\nG1 X0.1 E0.0002\nG90\nG92 E0\n" +
                              (printer.absoluteE ? "M82\n" : "M83\n");
   const auto lines = std::count(before.begin(), before.end(), '\n');
+  bool hot = false;
   for (const GcodeFinding& finding : checkGcode(before + block, printer).findings) {
-    if (finding.rule == "end") job.warnings.push_back("endGcode: " + finding.message);
+    hot = hot || finding.rule == "end";
     if (finding.line <= lines) continue;
     const std::string place = "line " + std::to_string(finding.line - lines) + " of endGcode: " + finding.message;
     const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
     if (fault && printer.flavor != GcodeFlavor::Bambu) return invalid(place);
     if (finding.error || isWorthALook(finding)) job.warnings.push_back(place);
   }
+  if (hot) job.warnings.emplace_back("endGcode leaves the nozzle or the bed hot; M104 S0 and M140 S0 turn them off");
   return std::nullopt;
 }
 

@@ -54,7 +54,8 @@ export interface ProblemWords {
 }
 
 export const problemWords = ({ code, values, detail }: Problem): ProblemWords => ({
-  message: t(`problem.${code}`, values),
+  message:
+    code === 'InvalidFile' && 'name' in values ? t('file.unreadable', values) : t(`problem.${code}`, values),
   hint: t(`hint.${code}`, values),
   detail,
 });
@@ -129,6 +130,8 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
     /^line (\d+) of startGcode: (.*)$/,
     ([line = '', what = '']) => t('warning.startLine', { line: Number(line), what }),
   ],
+  [/^line (\d+) of endGcode: (.*)$/, ([line = '', what = '']) => t('warning.endLine', { line: Number(line), what })],
+  [/^endGcode leaves the nozzle or the bed hot/, () => t('warning.endHot')],
   [/^the plate leaves no room for a purge line/, () => t('warning.purge')],
   [/^the skirt does not fit the bed/, () => t('warning.skirt')],
   [/^the base layers cover only (\S+) %/, ([percent]) => t('warning.base', { percent: Number(percent) })],
@@ -153,6 +156,7 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
 ];
 
 const findingRules = [
+  'layers',
   'grammar',
   'homing',
   'heating',
