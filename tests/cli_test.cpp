@@ -403,6 +403,22 @@ TEST_CASE("odd but good input is accepted") {
   }
 }
 
+TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
+  const Folder folder;
+  folder.write(
+      "a.svg",
+      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><text>a</text><image width="3" height="3"/></svg>)");
+  folder.picture("l.png", 8, 8, [](int, int) { return 255; });
+  const std::string coarse = " --spacing 2 --nozzle 1";
+  const Run drawn = folder.run("generate --shape a.svg" + coarse);
+  CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; --size sets its width\n"));
+  CHECK(has(drawn.out, "\nnote       the drawing has 1 <text>, which is left out; convert it to paths in the program"));
+  CHECK(has(drawn.out, "\nnote       the drawing has 1 <image>, which is left out"));
+  CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));
+  CHECK(has(folder.run("generate --shape l.png" + coarse).out, "\nnote       no size is given, so it is 80 mm wide"));
+  CHECK_FALSE(has(folder.run("generate --shape l.png --size 20" + coarse).out, "note"));
+}
+
 TEST_CASE("files that are not what they claim are refused") {
   const Folder folder;
   folder.write("empty", "");
@@ -436,7 +452,7 @@ TEST_CASE("files that are not what they claim are refused") {
   checkRefused(folder, "generate --lines wide.png" + kOutputs, "40000");
   checkRefused(folder, "generate --modes cut.png --shape disc --size 9" + kOutputs, "cut.png");
   checkRefused(folder, "generate --shape wide.png --size 20" + kOutputs, "40000");
-  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "");
+  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "shape \"black.png\": The mask is empty");
   checkRefused(folder, "generate --shape text.png --size 20" + kOutputs, "text.png");
   checkRefused(folder, "generate --shape flat.svg" + kOutputs, "flat.svg");
   checkRefused(folder, "generate --shape broken.svg" + kOutputs, "broken.svg");
@@ -454,13 +470,14 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--spacing 0x1p-1", "it must be a number");
   refused("--spacing 1,5", "--spacing is \"1,5\"; it must be a number");
   refused("--spacing 1e9", "spacing is");
+  refused("--spacing 1e-7", "spacing is above 0, below 0.000001 mm; it must be 0.05 to 20 mm");
   refused("--spacing 15", "spacing is 15 mm");  // wider than the disc
   refused("--angle inf", "--angle is \"inf\"");
   refused("--bridge -1", "bridge is -1 mm");
   refused("--seed -1", "--seed is \"-1\"");
   refused("--seed 99999999999999999999", "--seed is");
   refused("--layers 0", "print.layers is 0; it must be 1 to 1000");
-  refused("--layers 1.5", "--layers is \"1.5\"; it must be a whole number");
+  refused("--layers 1.5", "--layers is \"1.5\"; it must be a whole number\n");
   refused("--layers -99999999999", "--layers is");
   refused("--layer-height 9", "print.layerHeight is 9 mm");
   refused("--start-height -1", "print.startHeight is -1 mm; it must be 0 to 5000");
@@ -502,6 +519,10 @@ TEST_CASE("command lines that make no sense are refused") {
   checkRefused(folder, "generate --shape disc --gcode --quiet", "--gcode");
   checkRefused(folder, "generate --lines l.png --angle 3" + kOutputs, "--lines");
   checkRefused(folder, "generate --shape disc --svg x --gcode x", "named for two outputs");
+  checkRefused(folder, "generate --shape disc --svg x --gcode ./x", "named for two outputs");
+  checkRefused(folder, "generate --shape disc --svg x --gcode ../work/x", "named for two outputs");
+  checkRefused(folder, "generate --shape disc --gcode -", "the output \"-\" is no file");
+  checkRefused(folder, "frobnicate", "\"frobnicate\" is no command; it must be generate, check, import, printers or");
   checkRefused(folder, "generate --lines l.png --gcode l.png", "also an input");
   checkRefused(folder, "generate keep.json --shape disc --size 9 --project keep.json", "also an input");
   CHECK(readAll(folder.at("keep.json")) == R"({"sillon": 1})");
@@ -515,6 +536,7 @@ TEST_CASE("a folder that takes no files stops the run before anything is written
   checkRefused(folder, kDisc + std::string("--svg a.svg --gcode file/a.gcode"), "file");
   checkRefused(folder, kDisc + std::string("--svg a.svg --gcode folder"), "is a folder");
   checkRefused(folder, kDisc + std::string("--svg a.svg --gcode /dev/null"), "device");
+  checkRefused(folder, kDisc + std::string("--svg a.svg --gcode ") + std::string(300, 'x'), "cannot be written: ");
   fs::permissions(folder.at("folder"), fs::perms::owner_read | fs::perms::owner_exec);
   if (::geteuid() == 0) {
     MESSAGE("root may write anywhere; the read-only folder is skipped");
@@ -534,6 +556,18 @@ TEST_CASE("a disk that fills up on the way leaves old files as they were and no 
   CHECK(has(run.err, "\"a.png\" cannot be written: "));
   CHECK(readAll(folder.at("a.json")) == "old");
   CHECK(folder.files().size() == 1);
+}
+
+TEST_CASE("an answer that is lost is a failure") {
+  if (!fs::exists("/dev/full")) return;
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--gcode a.gcode").code == 0);
+  for (const char* command : {"--help", "printers", "printers prusa-mini", "check a.gcode", "import a.gcode"}) {
+    CAPTURE(command);
+    const Run run = folder.run(command, R"(sh -c '"$0" "$@" >/dev/full')");
+    CHECK(run.code == 2);
+    CHECK(has(run.err, "sillon: stdout cannot be written: "));
+  }
 }
 
 TEST_CASE("a date that is none is refused") {

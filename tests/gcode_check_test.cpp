@@ -215,6 +215,7 @@ TEST_CASE("each fault is found by its rule, in its line") {
       {"grammar", true, with("G1 Xnan"), "no number after a letter"},
       {"grammar", true, with("G1 X51 X52 E0.03"), "a letter given twice"},
       {"grammar", true, with("G1 (51)"), "not a word: \"(51)\""},
+      {"grammar", false, with("%"), "no command: \"%\""},
       {"grammar", false, with("G1X51Y50E0.03326"), "words without spaces"},
       {"grammar", false, with("g1 x51 E0.03326"), "lower case letters"},
       {"grammar", false, with("N5 G1 X51 E0.03326*57"), "line numbers"},
@@ -316,6 +317,33 @@ TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros hom
   CHECK(rules(checkGcode(macro, printer)) == "");
   CHECK(checkGcode(macro).nozzleTarget == 215);
   CHECK_FALSE(checkGcode("EXCLUDE_OBJECT_START NAME=PLATE_1\nTIMELAPSE_START\n").homes);
+}
+
+TEST_CASE("layers are known by the marks of each slicer, once where there are two") {
+  const auto marked = [](const std::string& mark, bool twice = false) {
+    std::string square = kSquare;
+    return kStart + mark + square.replace(0, 14, twice ? "" : ";") + mark + "G1 X60 E0.33260\n" + kEnd;
+  };
+  for (const char* mark : {";LAYER_CHANGE\n", ";LAYER:0\n", "; CHANGE_LAYER\n", "; layer 1, Z = 0.200\n",
+                           ";LAYER_CHANGE\n; CHANGE_LAYER\n"}) {
+    CAPTURE(mark);
+    const GcodeCheck check = checkGcode(marked(mark));
+    CHECK(check.layers == 2);
+    CHECK(rules(check) == "");
+    CHECK(check.box.max.x == 60);
+    Printer small;
+    small.bedMax = {55, 100};
+    CHECK(finding(checkGcode(marked(mark), small), "bounds").error);
+  }
+  const GcodeCheck unmarked = checkGcode(marked(""));
+  CHECK(unmarked.layers == 0);
+  CHECK(finding(unmarked, "layers").message.find("no layer is marked") == 0);
+  CHECK_FALSE(finding(unmarked, "layers").error);
+}
+
+TEST_CASE("what is for another tool, or a tool's setting, changes nothing") {
+  CHECK(rules(checkGcode(kStart + "M104 S0 T1\nG10 P0 S215 R170\n" + kSquare + kEnd)) == "");
+  CHECK(finding(checkGcode(kStart + "G10\n" + kSquare + kEnd), "retraction").error);
 }
 
 TEST_CASE("any bytes end in findings") {

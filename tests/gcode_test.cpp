@@ -1545,6 +1545,28 @@ TEST_CASE("the user's blocks replace ours, and modes are restated after them") {
   CHECK(refusal("G28\nM190 S60\nM109 S220\nG1 X300 F3000").find("line 4 of startGcode: a move over the bed's edge") ==
         0);
   CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of startGcode: moves before it homes") == 0);
+  CHECK(refusal("G28\nM190 S60\nM109 S220\nM104 S0") ==
+        "startGcode leaves the nozzle at 0 degrees; it must leave it at 170 or more");
+  const auto endRefusal = [&](const char* end) {
+    Job bad = job;
+    bad.printer.endGcode = end;
+    const Written written = bad.write();
+    CHECK(written.text.empty());
+    return written.result ? "" : written.result.error().message;
+  };
+  CHECK(endRefusal("M104 S0\nG1 X300 F3000").find("line 2 of endGcode: a move over the bed's edge at (300, ") == 0);
+  CHECK(endRefusal("G1 X1,5").find("line 1 of endGcode: no plain number: \"X1,5\"") == 0);
+  Job own = job;
+  own.printer.endGcode = "G91\nG1 E-2 X5 Y-5 F3000\nG1 Z5\nG90\nG1 X0\nM500";
+  const std::vector<std::string> warnings = own.write().result.value().warnings;
+  CHECK(contains(warnings, "line 6 of endGcode: M500 outlives the print"));
+  CHECK(contains(warnings, "endGcode leaves the nozzle or the bed hot"));
+  CHECK(warnings.size() == 2);
+  own.printer.endGcode = "PRINT_END";
+  CHECK(own.write().result.value().warnings.empty());
+  own.printer.startGcode = "G28\nM190 S60\nM109 S220\nG92 X10\nM500";
+  CHECK(contains(own.write().result.value().warnings, "line 4 of startGcode: G92 moves the origin"));
+  CHECK(contains(own.write().result.value().warnings, "line 5 of startGcode: M500 outlives the print"));
   Job wipe = job;
   wipe.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 Z5 F600\nG1 Y-3 F3000";
   CHECK(contains(wipe.write().result.value().warnings, "line 5 of startGcode: the start or end block goes over"));
@@ -1579,6 +1601,8 @@ TEST_CASE("absolute E carries the same plastic and starts anew with every layer"
     e = now;
   }
   CHECK(resets == 1 + 3);
+  job.printer.endGcode = "G1 E-2 F600\nM104 S0\nM140 S0";  // draws back by 2 mm, in either mode
+  CHECK(job.write().text.find("\nG92 E0\nG1 E-2 F600\n") != std::string::npos);
   CHECK(static_cast<double>(sum) / 1e5 == Approx(relative.filament).epsilon(1e-9));
 }
 
@@ -1966,11 +1990,8 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"vertex 5 of cycle 0 (from 0) is 0 mm wide", [](Job& j) { j.toolpath.cycles[0].widths[5] = 0; }},
       {"vertex 5 of cycle 0 (from 0) is not a number mm wide",
        [](Job& j) { j.toolpath.cycles[0].widths[5] = static_cast<float>(kNan); }},
-      {"Klipper takes at most 4 nozzle2 = 0.64",
-       [](Job& j) {
-         j.printer.flavor = GcodeFlavor::Klipper;
-         j.toolpath.cycles[0].widths[5] = 3.3f;
-       }},
+      {"vertex 5 of cycle 0 (from 0) has a bead of 3.3 x 0.2 mm = 0.66 mm2; it must be at most 4 nozzle2 = 0.64 mm2",
+       [](Job& j) { j.toolpath.cycles[0].widths[5] = 3.3f; }},
       {"the shape has a point at (infinite, ", [](Job& j) { j.shape.paths[0].rings[0][1].x = kInfinity; }},
       {"the shape is too thin for lines of 0.4 mm",
        [](Job& j) {

@@ -117,7 +117,7 @@ TEST_CASE("settings are split at the first equal sign") {
   CHECK(read.printer.nozzle == 0.6);
   CHECK(read.source == "PrusaSlicer settings");
   CHECK(read.read == std::vector<std::string>{"nozzle_diameter", "start_gcode"});
-  CHECK(read.notRead.empty());
+  CHECK(read.notRead == std::vector<std::string>{"the file does not tell the bed; 220 x 220 mm is taken"});
 }
 
 TEST_CASE("a bundle gives its active printer and filament with all they inherit") {
@@ -254,10 +254,14 @@ TEST_CASE("a donor file gives the blocks that were printed, re-aimed, and its se
 
 TEST_CASE("Cura's and Bambu's files are donors too") {
   const ImportedPrinter cura = imported(
-      ";FLAVOR:Marlin\nM140 S60\nG28\nM190 S60\nM109 S205\n;LAYER_COUNT:3\n;LAYER:0\nG1 X5 Y5 E1\nG1 X6 E2\n"
+      ";FLAVOR:Marlin\n;TARGET_MACHINE.NAME:Ender-3\nM140 S60\nG28\nM190 S60\nM109 S205\nG1 F2700 "
+      "E-5\n;LAYER_COUNT:3\n;LAYER:0\nG1 X5 Y5 E1\nG1 X6 E2\n"
       "G1 F2700 E-3\nG92 E0\nG91\nG1 E-2 F2700\nG1 Z10\nG90\nG1 X0 Y220\nM104 S0\nM84\n"
-      ";SETTING_3 {\"global_quality\": \"[values]\\\\nmaterial_bed_temperature = 55\\\n"
+      ";SETTING_3 {\"global_quality\": \"name = Fine\\\\n[values]\\\\nmaterial_bed_temperature = 55\\\n"
       ";SETTING_3 \\nretraction_amount = 6.5\\\\n\"}\n");
+  CHECK(cura.printer.name == "Ender-3");
+  CHECK(notes(cura, "the file does not tell the bed; 220 x 220 mm is taken"));
+  // Drawn back for the way to the first bead, which ours would not make up for.
   CHECK(cura.printer.startGcode == "M140 S60\nG28\nM190 S60\nM109 S205\n");
   // Without a mark of the end block: what finishes the last bead is left out.
   CHECK(cura.printer.endGcode == "G91\nG1 E-2 F2700\nG1 Z10\nG90\nG1 X0 Y220\nM104 S0\nM84\n");

@@ -456,6 +456,15 @@ TEST_CASE("half a copy is refused") {
         "print.copies is [1.5, 1]; it must be two whole numbers");
 }
 
+TEST_CASE("a fraction where a whole number must be is refused with the range of its key") {
+  CHECK(problem(R"({"sillon": 1, "print": {"layers": 1.5}})") ==
+        "print.layers is 1.5; it must be a whole number from 1 to 1000");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"perimeters": 1.5}})") ==
+        "toolpath.perimeters is 1.5; it must be a whole number");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"seed": -1}})") ==
+        "toolpath.seed is -1; it must be a whole number from 0 to 18446744073709551615");
+}
+
 TEST_CASE("versions and kinds of file are told apart") {
   CHECK(problem(R"({"sillon": 2})") == "sillon is 2; this program reads version 1");
   CHECK(has(problem(R"({"toolpath": {}})"), "\"sillon\": 1"));
@@ -467,7 +476,8 @@ TEST_CASE("versions and kinds of file are told apart") {
 
 TEST_CASE("what is no JSON is told with its line") {
   CHECK(has(problem(""), "line 1"));
-  CHECK(has(problem("{\"sillon\": 1,\n\"print\": {\n\"layers\": nan}}"), "line 3"));
+  CHECK(has(problem("{\"sillon\": 1,\n\"print\": {\n\"layers\": nan}}"), "line 3, column 12;"));
+  CHECK(has(problem("{\"sillon\": 1, \"angle\": 1,5}"), "line 1, column 26;"));
   CHECK(has(problem("{\"sillon\": 1,}"), "not JSON"));
   CHECK(has(problem("{\"sillon\": 1} x"), "not JSON"));
   CHECK(has(problem("{\"sillon\": 1e999}"), "not JSON"));

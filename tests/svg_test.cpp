@@ -625,6 +625,25 @@ TEST_CASE("drawings without area are empty shapes") {
   CHECK(ringCount(readPath("M10 10L20 20V10L10 20z")) == 1);
 }
 
+TEST_CASE("what a drawing leaves open, and what is not read of it, is told") {
+  const auto facts = [](const std::string& root, const std::string& content, bool mm = false) {
+    const Result<Shape> shape = readSvg("<svg " + root + "><rect width='9' height='9'/>" + content + "</svg>", {mm});
+    REQUIRE(shape.ok());
+    return shape.value().drawing;
+  };
+  CHECK(facts("width='10mm' height='10mm'", "") == DrawingFacts{true, false, 0, 0});
+  for (const char* pixels : {"width='10px' height='10px'", "width='10' height='10'", "viewBox='0 0 10 10'",
+                             "width='100%' height='100%' viewBox='0 0 10 10'"}) {
+    CAPTURE(pixels);
+    CHECK(facts(pixels, "").pixels);
+  }
+  CHECK_FALSE(facts("width='10' height='10'", "", true).pixels);
+  const std::string shown = "<g><text x='1'>a<tspan>b</tspan></text><image width='1' height='1'/></g><text>c</text>";
+  CHECK(facts("viewBox='0 0 10 10'", shown) == DrawingFacts{true, true, 2, 1});
+  CHECK(facts("viewBox='0 0 10 10'", "<defs>" + shown + "</defs><text style='display:none'>d</text>").texts == 0);
+  CHECK(makeDisc(5).value().drawing == DrawingFacts{});
+}
+
 TEST_CASE("use that shows itself is refused") {
   for (const char* body :
        {"<use id=\"a\" href=\"#a\"/>", "<g id=\"a\"><use href=\"#a\"/></g>",

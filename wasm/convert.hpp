@@ -68,6 +68,8 @@ inline val toJs(const sillon::Shape& shape) {
   val out = val::object();
   out.set("page", toJs(shape.page));
   out.set("paths", paths);
+  out.set("texts", shape.drawing.texts);
+  out.set("images", shape.drawing.images);
   return out;
 }
 

@@ -331,6 +331,9 @@ export interface Cycle {
 export interface Shape {
   page: [number, number];
   paths: { fillRule: 'nonzero' | 'evenodd'; rings: Float64Array[] }[];
+  /** Of the drawing, and not in the shape: text and pictures are not read. */
+  texts?: number;
+  images?: number;
 }
 
 /** docs/report.md. Everything from `lengthMm` on but `time` and `digest` only where the plate was measured. */

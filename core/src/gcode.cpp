@@ -19,7 +19,6 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kWipeLength = 3;  // [mm]
 constexpr double kLiftSpeed = 10;  // [mm/s], what Z axes take without complaint
-constexpr double kParkLift = 10;   // [mm]
 constexpr double kFastest = 1.5;   // [speed], of narrow beads with constantFlow
 constexpr double kManyMoves = 2e6;
 constexpr double kManyBytes = 100e6;
@@ -488,6 +487,7 @@ void Writer::endBlock() {
   if (printer_.machineAcceleration > 0) out_ << accelerationCommand(printer_.flavor, printer_.machineAcceleration);
   if (printer_.machineCornerSpeed > 0) out_ << cornerSpeedCommand(printer_.flavor, printer_.machineCornerSpeed);
   if (!job_.endBlock.empty()) {
+    if (printer_.absoluteE) out_ << "G92 E0\n";  // a block's "G1 E-2" draws back 2 mm, wherever the axis stood
     out_ << job_.endBlock << "M73 P100 R0\n";
     return;
   }

@@ -30,8 +30,8 @@ constexpr std::size_t kMostBeads = 4000000;  // whose coverage is judged, in 100
 constexpr double kTotalSlack = 0.006;        // [mm], two decimals
 constexpr double kForeignTotalSlack = 0.02;  // of other programs, who count their start block or do not
 
-enum class Letter { E, F, I, J, R, S, X, Y, Z, Count };
-constexpr std::string_view kLetters = "EFIJRSXYZ";
+enum class Letter { E, F, I, J, P, R, S, T, X, Y, Z, Count };
+constexpr std::string_view kLetters = "EFIJPRSTXYZ";
 
 struct Words {
   std::array<double, static_cast<std::size_t>(Letter::Count)> values{};
@@ -79,6 +79,15 @@ bool isMacro(std::string_view line, std::string_view what) {
   const std::string_view head = line.substr(0, line.find(' '));
   return contains(head, what) && contains(head, "PRINT") &&
          head.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
+}
+
+// PrusaSlicer, Cura and Orca; Orca and Bambu Studio for Bambu's printers; Simplify3D.
+enum class LayerMark { None, Usual, Bambu, Simplify };
+
+LayerMark layerMark(std::string_view comment) {
+  if (comment == "LAYER_CHANGE" || comment.starts_with("LAYER:")) return LayerMark::Usual;
+  if (comment == "CHANGE_LAYER") return LayerMark::Bambu;
+  return comment.starts_with("layer ") && contains(comment, ", Z = ") ? LayerMark::Simplify : LayerMark::None;
 }
 
 // What the comments of any slicer say of the machine, where the caller does not.
@@ -190,6 +199,7 @@ class Reader {
   bool firmwareRetracted_ = false;
 
   int layers_ = 0;
+  LayerMark layerMark_ = LayerMark::None;
   bool custom_ = false;
   bool oriented_ = false;
   bool inPath_ = false;
@@ -245,8 +255,10 @@ void Reader::line(std::string_view raw) {
 }
 
 void Reader::comment(std::string_view text) {
-  const bool layer = text == "LAYER_CHANGE" || text.starts_with("LAYER:");
-  if (layer) {
+  // Ours for Bambu's printers have two marks for each layer: the kind that comes first counts.
+  const LayerMark mark = layerMark(text);
+  if (layerMark_ == LayerMark::None) layerMark_ = mark;
+  if (mark != LayerMark::None && mark == layerMark_) {
     endPath();
     endLayer();
     ++layers_;
@@ -351,6 +363,9 @@ void Reader::command(std::string_view text) {
     text = trimmed(text.substr(0, text.rfind('*')));
     if (text.empty()) return;
   }
+  if (!((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z') || text[0] == '_')) {
+    return found("grammar", false, "no command: ", shown(text));
+  }
   const char letter = text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 'a' + 'A') : text[0];
   double number = 0;
   const std::size_t digits = readNumber(text.substr(1), number);
@@ -363,7 +378,10 @@ void Reader::command(std::string_view text) {
       if (words(rest, w)) move(code, w);
       return;
     }
-    if (code == 10 || code == 11) firmwareRetracted_ = code == 10, endPath();
+    if ((code == 10 || code == 11) && words(rest, w) && !w.has(Letter::P)) {  // G10 P is RepRapFirmware's tool setting
+      firmwareRetracted_ = code == 10;
+      endPath();
+    }
     if (code == 20 || code == 21) {
       inches_ = code == 20;
       if (inches_ && !block())
@@ -395,7 +413,7 @@ void Reader::command(std::string_view text) {
     case 109:
     case 140:
     case 190: {
-      if (!words(rest, w)) break;
+      if (!words(rest, w) || w.at(Letter::T) != 0) break;  // other tools are not ours to follow
       const double target = w.at(Letter::S, w.at(Letter::R, -1));
       if (target < 0) break;
       (code == 104 || code == 109 ? check_.nozzleTarget : check_.bedTarget) = target;
@@ -543,7 +561,7 @@ void Reader::bead(Vec2 from, Vec2 to, double length, double e) {
     trail_.clear();
     if (oriented_) follow(from);
   } else if (coasted_ > 0) {
-    found("cycle", ours_ && pathOriented_, "a gap of travel inside a path", "");
+    if (!block()) found("cycle", ours_ && pathOriented_, "a gap of travel inside a path", "");
   }
   coasted_ = 0;
   pathEnd_ = to;
@@ -690,6 +708,12 @@ GcodeCheck Reader::finish() {
     check_.findings.push_back({rule, error, 0, 1, message});
   };
   if (check_.moves == 0) whole("extrusion", true, "there is no move in it");
+  if (moved_ && layers_ == 0) {
+    whole(
+        "layers", false,
+        "no layer is marked (;LAYER_CHANGE, ;LAYER:0 or ; CHANGE_LAYER), so all of it counts as a start block: it may "
+        "reach 10 mm over the bed's edge, and beads are not measured");
+  }
   if (check_.moves > 0 && !moved_) whole("extrusion", false, "it moves but lays no bead");
   if (moved_ && check_.nozzleTarget > 0 && !endMacro_) whole("end", ours_, "the nozzle stays hot at the end");
   if (moved_ && check_.bedTarget > 0 && !endMacro_) whole("end", false, "the bed stays hot at the end");

@@ -32,7 +32,7 @@ std::optional<Error> outOfRange(const Range& range) {
   if (highEnough && range.value <= range.high) return std::nullopt;
   const std::string limits = range.above ? "above " + decimal(range.low, 6) + " and at most " + decimal(range.high, 6)
                                          : decimal(range.low, 6) + " to " + decimal(range.high, 6);
-  return invalid(std::string(range.name) + " is " + decimal(range.value, 6) + range.unit + "; it must be " + limits);
+  return invalid(std::string(range.name) + " is " + shownNumber(range.value) + range.unit + "; it must be " + limits);
 }
 
 bool matches(std::string_view text, std::string_view pattern) {  // '0' stands for any digit
@@ -217,10 +217,12 @@ std::optional<Error> checkToolpath(const Toolpath& toolpath, const Printer& prin
         return invalid(vertexName(c, i) + " is " + decimal(width, 6) +
                        " mm wide; widths must be above 0 and at most 100000");
       }
-      // Klipper stops in mid-print beyond this (max_extrude_cross_section); widths like that are a mistake anyway.
-      if (printer.flavor == GcodeFlavor::Klipper && height * width > maxArea) {
-        return invalid(vertexName(c, i) + " has a bead of " + decimal(height * width, 3) +
-                       " mm2; Klipper takes at most 4 nozzle2 = " + decimal(maxArea, 3));
+      // Klipper stops in mid-print beyond this (max_extrude_cross_section); elsewhere such beads would be held at a
+      // fraction of their width and leave most of the plate bare.
+      if (height * width > maxArea) {
+        return invalid(vertexName(c, i) + " has a bead of " + decimal(width, 3) + " x " + decimal(height, 3) +
+                       " mm = " + decimal(height * width, 3) + " mm2; it must be at most 4 nozzle2 = " +
+                       decimal(maxArea, 3) + " mm2, or the spacing is too wide for the nozzle");
       }
     }
   }

@@ -22,6 +22,7 @@ constexpr double kMinWidth = 0.6;          // [nozzle], thinner beads tear
 constexpr double kMaxWidth = 1.6;          // [nozzle], wider beads do not reach their sides
 constexpr double kMinFlowSpeed = 5;        // [mm/s], slower than this the hot end is the wrong one
 constexpr double kOutsideTolerance = 0.1;  // [mm]
+constexpr double kColdest = 170;           // [degrees Celsius]
 constexpr double kEdge = 5;                // [mm] from the bed's edge to the purge line
 constexpr double kPurgeLength = 60;        // [mm]
 constexpr double kSlack = 1e-6;            // [mm], widths and points are floats
@@ -514,6 +515,11 @@ void warnLow(GcodeJob& job, const char* block, const GcodeCheck& check, double h
                          "; what stands there is " + decimal(height, 3) + " mm high");
 }
 
+// Of a block that may be printed with all the same.
+bool isWorthALook(const GcodeFinding& finding) {
+  return finding.rule == "bounds" || finding.rule == "settings" || finding.rule == "modes";
+}
+
 // A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
 std::optional<Error> checkStart(const std::string& block, const Printer& printer, const PrintParams& params,
                                 GcodeJob& job) {
@@ -528,6 +534,10 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   if (!check.heatsBed && printer.bedTemperature > 0) {
     return invalid("startGcode does not wait for a hot bed; it must have M190 or a start macro with its temperature");
   }
+  if (check.nozzleTarget < kColdest) {
+    return invalid("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
+                   " degrees; it must leave it at 170 or more");
+  }
   if (std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > 20) {
     job.warnings.push_back("startGcode leaves the nozzle at " + decimal(check.nozzleTarget, 0) +
                            " degrees; the first layer is meant for " + decimal(printer.firstLayerNozzleTemperature, 0));
@@ -537,13 +547,34 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     if (finding.line == 0) continue;  // of whole files
     const std::string place = "line " + std::to_string(finding.line) + " of startGcode: " + finding.message;
     if (finding.error && !trusted) return invalid(place);
-    if (finding.rule == "bounds") job.warnings.push_back(place);
+    if (isWorthALook(finding)) job.warnings.push_back(place);
   }
   return std::nullopt;
 }
 
-/// \param beads  box around all plates; the skirt is added here.
-std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& printer, const PrintParams& params) {
+// The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
+std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height, const Printer& printer,
+                              GcodeJob& job) {
+  const std::string before = "G28\nM190 S60\nM109 S200\nG1 X" + fixed(from.x, 3) + " Y" + fixed(from.y, 3) + " Z" +
+                             fixed(height, 3) + " F300\nG91\nG1 X0.1 E0.0002\nG90\nG92 E0\n" +
+                             (printer.absoluteE ? "M82\n" : "M83\n");
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  bool hot = false;
+  for (const GcodeFinding& finding : checkGcode(before + block, printer).findings) {
+    hot = hot || finding.rule == "end";
+    if (finding.line <= lines) continue;
+    const std::string place = "line " + std::to_string(finding.line - lines) + " of endGcode: " + finding.message;
+    const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
+    if (fault && printer.flavor != GcodeFlavor::Bambu) return invalid(place);
+    if (finding.error || isWorthALook(finding)) job.warnings.push_back(place);
+  }
+  if (hot) job.warnings.emplace_back("endGcode leaves the nozzle or the bed hot; M104 S0 and M140 S0 turn them off");
+  return std::nullopt;
+}
+
+/// \param beads  box around all plates; the skirt is added here. \param last  middle of the last plate.
+std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Printer& printer,
+                               const PrintParams& params) {
   if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
     return invalid(
         "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
@@ -559,6 +590,10 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, const Printer& print
     if (auto error = checkStart(start.value(), printer, params, job)) return error;
   }
   warnLow(job, "endGcode", checkGcode(end.value(), printer), layerTop(params, layerCount(params) - 1));
+  if (!printer.endGcode.empty()) {
+    const double top = layerTop(params, layerCount(params) - 1) + printer.lift + kParkLift;
+    if (auto error = checkEnd(end.value(), last, std::min(top, printer.maxZ), printer, job)) return error;
+  }
   job.startBlock = std::move(start).value();
   job.endBlock = std::move(end).value();
   return std::nullopt;
@@ -654,7 +689,8 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   } else {
     warnAbovePrint(job, printer, params.startHeight);
   }
-  if (auto error = addBlocks(job, box, printer, params)) return *error;
+  const Vec2 last = 0.5 * (first.min + first.max) + mm(job.copies.back());
+  if (auto error = addBlocks(job, box, last, printer, params)) return *error;
   addWarnings(job, printer, params);
   return job;
 }

@@ -10,6 +10,8 @@
 
 namespace sillon {
 
+constexpr double kParkLift = 10;  ///< [mm], above the finished plate, before the end block
+
 /// A job that is known to be printable, on the bed [µm].
 struct GcodeJob {
   std::vector<BeadPath> skirt;                 ///< layer on the bed only; a purge line where no skirt fits

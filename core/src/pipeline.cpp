@@ -58,7 +58,7 @@ class StageClock {
 };
 
 std::string outOfRange(const char* field, double value, const char* unit, const char* range) {
-  const std::string text = std::isfinite(value) ? decimal(value, 6) : "not a number";
+  const std::string text = std::isfinite(value) ? shownNumber(value) : "not a number";
   return std::string(field) + " is " + text + unit + "; it must be " + range;
 }
 

@@ -37,13 +37,17 @@ Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
     SvgOptions options;
     options.unitlessIsMm = project.unitlessIsMm;
     Result<Shape> shape = readSvg(*text, options);
-    if (!shape) return Error{shape.error().code, "shape \"" + project.shapeFile + "\": " + shape.error().message};
-    if (project.pageWidth == 0) return shape;
-    return scaledToWidth(shape.value(), project.pageWidth);
+    return shape && project.pageWidth != 0 ? scaledToWidth(shape.value(), project.pageWidth) : shape;
   }
   const Result<Image> mask = picture(std::move(file).value(), project.shapeFile);
   if (!mask) return mask.error();
   return shapeFromMask(mask.value(), project.pageWidth == 0 ? kDefaultWidth : project.pageWidth);
+}
+
+// The stages know no files; whoever has many needs to know which one is meant.
+Error named(const char* what, const std::string& file, const Error& error) {
+  const bool known = file.empty() || error.message.find(file) != std::string::npos;
+  return known ? error : Error{error.code, what + (" \"" + file + "\": ") + error.message};
 }
 
 /// \param lines  picture of the directions, if there is one: it lends its proportions where no height is given.
@@ -77,19 +81,19 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read)
     lines = std::move(decoded).value();
   }
   auto directions = lines ? directionMap(*lines, project.encoding) : uniformDirection(project.angle);
-  if (!directions) return directions.error();
+  if (!directions) return named("direction picture", project.directionFile, directions.error());
 
   ModeMap modes = uniformMode(project.mode);
   if (!project.modeFile.empty()) {
     const Result<Image> decoded = readPicture(read, project.modeFile, "mode picture");
     if (!decoded) return decoded.error();
     Result<ModeMap> map = modeMap(decoded.value());
-    if (!map) return map.error();
+    if (!map) return named("mode picture", project.modeFile, map.error());
     modes = std::move(map).value();
   }
 
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, lines) : shapeFromFile(project, read);
-  if (!shape) return shape.error();
+  if (!shape) return named("shape", project.shapeFile, shape.error());
   return PlateInput{std::move(shape).value(), std::move(directions).value(), std::move(modes)};
 }
 

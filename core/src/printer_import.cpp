@@ -117,6 +117,10 @@ class Taker {
   void all() {
     names();
     bed();
+    if (find({"bed_shape", "printable_area"}) == nullptr) {
+      out_.notRead.push_back("the file does not tell the bed; " + decimal(out_.printer.bedMax.x, 0) + " x " +
+                             decimal(out_.printer.bedMax.y, 0) + " mm is taken");
+    }
     numbers();
     flavor();  // after the name
     cornerSpeed();
@@ -485,6 +489,17 @@ bool isOfOldPrint(std::string_view line) {
          line.starts_with("SET_PRINT_STATS_INFO");
 }
 
+// The donor drew its filament back for the way to its first bead, and pushed it forward there; ours begins primed.
+void dropRetraction(std::string& block) {
+  while (!block.empty()) {
+    const std::size_t line = block.rfind('\n', block.size() - 2) + 1;  // npos + 1 is 0
+    const std::string_view last = std::string_view(block).substr(line, block.size() - line - 1);
+    const bool still = !hasWord(last, 'X') && !hasWord(last, 'Y') && !hasWord(last, 'Z');
+    if (!isMove(last) || !still || last.find(" E-") == std::string_view::npos) return;
+    block.resize(line);
+  }
+}
+
 std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
 
 class Donor {
@@ -510,6 +525,8 @@ class Donor {
 void Donor::comment(std::string_view line) {
   constexpr std::string_view kCura = ";SETTING_3 ";
   if (line.starts_with(kCura) && cura_.size() < kMaxSettingsBytes) cura_ += line.substr(kCura.size());
+  constexpr std::string_view kMachine = ";TARGET_MACHINE.NAME:";
+  if (line.starts_with(kMachine)) settings_.insert_or_assign("printer_model", line.substr(kMachine.size()));
   if (line.starts_with(";FLAVOR:")) settings_.insert_or_assign("gcode_flavor", std::string(line.substr(8)));
   std::string_view key;
   std::string_view value;
@@ -586,7 +603,9 @@ std::optional<Error> Donor::read(std::string_view text) {
     while (!lines.empty()) {
       std::string_view key;
       std::string_view value;
-      if (splitSetting(trimmed(nextLine(lines)), key, value)) settings_.emplace(std::string(key), std::string(value));
+      if (!splitSetting(trimmed(nextLine(lines)), key, value) || key == "name")
+        continue;  // of a quality, not a printer
+      settings_.emplace(std::string(key), std::string(value));
     }
   }
   Taker(settings_, out_).all();
@@ -598,6 +617,7 @@ std::optional<Error> Donor::read(std::string_view text) {
     if (out_.printer.startGcode.size() > kMaxBlockBytes)
       return invalidFile("the start block is longer than 65536 bytes");
   }
+  dropRetraction(out_.printer.startGcode);
   rest = text.substr(lastBead);
   bool begun =
       rest.find(";TYPE:Custom") == std::string_view::npos && rest.find("; FEATURE: Custom") == std::string_view::npos;

@@ -311,8 +311,11 @@ class Inspector : public nlohmann::json_sax<Json> {
   }
   bool parse_error(std::size_t position, const std::string& /*token*/, const Json::exception& /*why*/) override {
     const std::size_t end = std::min(position, text_.size());
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    problem = "the text is not JSON from line " + std::to_string(line) + " on; a project or scene is one JSON object";
+    const std::string_view before = text_.substr(0, end);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = end - (before.rfind('\n') + 1);  // npos + 1 is 0
+    problem = "the text is not JSON at line " + std::to_string(line) + ", column " + std::to_string(column) +
+              "; a project or scene is one JSON object";
     return false;
   }
 
@@ -435,7 +438,7 @@ class Reader {
   }
 
   template <class Integer>
-  void integer(const char* key, Integer& out, Integer = 0, Integer = 0) {
+  void integer(const char* key, Integer& out, Integer low = 0, Integer high = 0) {
     const Json* value = find(key);
     if (value == nullptr) return;
     if (!value->is_number()) return fail(prefix_ + key, "a whole number", *value);
@@ -457,8 +460,9 @@ class Reader {
       if (fits) out = static_cast<Integer>(real);
     }
     if (!fits) {
-      problem = prefix_ + key + " is " + value->dump() + "; it must be a whole number from " + std::to_string(kLow) +
-                " to " + std::to_string(kHigh);
+      problem = prefix_ + key + " is " + value->dump() + "; it must be a whole number";
+      if (low == high && !std::is_signed_v<Integer>) high = kHigh;
+      if (low < high) problem += " from " + std::to_string(low) + " to " + std::to_string(high);
     }
   }
 

@@ -298,6 +298,7 @@ Result<Shape> scaledToWidth(const Shape& shape, double width) {
 
   Shape scaled;
   scaled.page = {width, height};
+  scaled.drawing = shape.drawing;
   for (const FilledPath& path : shape.paths) {
     FilledPath copy;
     copy.fillRule = path.fillRule;

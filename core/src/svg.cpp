@@ -862,10 +862,12 @@ class Drawing {
   }
 
   // [mm]; a missing side follows from the viewBox.
-  Vec2 pageSize(const Node& root, const std::optional<ViewBox>& box) const {
+  Vec2 pageSize(const Node& root, const std::optional<ViewBox>& box) {
+    shape_.drawing = {true, !options_.unitlessIsMm, 0, 0};
     const auto side = [&](const char* name) -> std::optional<double> {
       const std::optional<Length> length = lengthOf(root, name);
       if (!length || length->percent) return std::nullopt;
+      if (length->mmPerUnit > 0) shape_.drawing.pixels = length->mmPerUnit == kMmPerPx;
       const double mm = length->value * (length->mmPerUnit > 0 ? length->mmPerUnit : mmPerUserUnit_);
       checkPageSide(name, mm, attribute(root, name).value_or(""));
       return mm;
@@ -896,6 +898,15 @@ class Drawing {
     if (work_ > kMaxWork) refuseTooLarge("<use> repeats so many elements that the drawing becomes too large");
   }
 
+  Style styleOf(const Node& node) const {
+    Style style;
+    if (const auto value = attribute(node, "display")) style.display.set(trimmed(*value), 0);
+    if (const auto value = attribute(node, "fill-rule")) style.fillRule.set(trimmed(*value), 0);
+    style.add(styleSheet_.match(node));
+    style.declare(attribute(node, "style").value_or(""), std::int64_t{1} << 62);
+    return style;
+  }
+
   // Reads what all elements share into `state`. False if the element is not displayed.
   bool enter(const Node& node, State& state) {
     current_ = &node;
@@ -903,11 +914,7 @@ class Drawing {
       refuseTooLarge("<use> nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
     }
     spend(node);
-    Style style;
-    if (const auto value = attribute(node, "display")) style.display.set(trimmed(*value), 0);
-    if (const auto value = attribute(node, "fill-rule")) style.fillRule.set(trimmed(*value), 0);
-    style.add(styleSheet_.match(node));
-    style.declare(attribute(node, "style").value_or(""), std::int64_t{1} << 62);
+    const Style style = styleOf(node);
     if (style.display.value == "none") return false;
     if (style.fillRule.value == "evenodd") state.fillRule = FillRule::EvenOdd;
     if (style.fillRule.value == "nonzero") state.fillRule = FillRule::NonZero;
@@ -934,6 +941,9 @@ class Drawing {
   void draw(const Node& node, State state) {
     const std::string_view name = elementName(node);
     const bool group = name == "g" || name == "a";
+    if ((name == "text" || name == "flowRoot" || name == "image") && styleOf(node).display.value != "none") {
+      ++(name == "image" ? shape_.drawing.images : shape_.drawing.texts);
+    }
     if (!group && name != "switch" && name != "svg" && name != "use" && !isShape(name)) return;
     if (!enter(node, state)) return;
     if (group) drawChildren(node, state);

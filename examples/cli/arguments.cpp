@@ -76,7 +76,6 @@ void parseInto(const std::string& option, const std::string& text, std::optional
 template <class Integer>
 requires std::is_integral_v<Integer>
 void parseInto(const std::string& option, const std::string& text, Integer& out) {
-  constexpr auto kLow = std::numeric_limits<Integer>::min();
   constexpr auto kHigh = std::numeric_limits<Integer>::max();
   const bool negative = !text.empty() && text[0] == '-';
   const std::string digits = text.substr(negative ? 1 : 0);
@@ -86,7 +85,9 @@ void parseInto(const std::string& option, const std::string& text, Integer& out)
   const bool fits = negative ? std::is_signed_v<Integer> && magnitude <= static_cast<std::uint64_t>(kHigh)
                              : magnitude <= static_cast<std::uint64_t>(kHigh);
   if (!whole || !fits) {
-    refuse(option, text, "a whole number from " + std::to_string(kLow) + " to " + std::to_string(kHigh));
+    // What the option itself takes is checked with the whole project; only a seed may be all that fits.
+    const bool seed = std::is_unsigned_v<Integer>;
+    refuse(option, text, seed ? "a whole number from 0 to " + std::to_string(kHigh) : std::string("a whole number"));
   }
   out = static_cast<Integer>(negative ? Integer{0} - static_cast<Integer>(magnitude) : static_cast<Integer>(magnitude));
 }
@@ -610,6 +611,11 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   } catch (const CLI::ExtrasError& error) {
     return Error{ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon generate --help"};
   } catch (const CLI::RequiredError& error) {
+    if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
+      return Error{ErrorCode::InvalidArgument, "\"" + std::string(argv[1]) +
+                                                   "\" is no command; it must be generate, check, import, printers or "
+                                                   "filaments"};
+    }
     return Error{ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon --help"};
   } catch (const CLI::ParseError& error) {
     return Error{ErrorCode::InvalidArgument, oneSentence(error.what())};

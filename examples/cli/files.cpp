@@ -30,7 +30,8 @@ std::string reason(int error) { return error == 0 ? "unknown reason" : std::stre
 /// Where a name leads once links are followed, so that a link stays a link.
 fs::path target(const std::string& path) {
   std::error_code error;
-  const fs::path resolved = fs::weakly_canonical(path, error);
+  // Absolute first: a relative name that is not there yet would stay as it was written, "a" and "./a" two names.
+  const fs::path resolved = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? fs::path(path) : resolved;
 }
 
@@ -83,6 +84,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
 std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const std::string name = "the output \"" + outputs[k] + "\"";
+    if (outputs[k] == "-") return invalid(name + " is no file; files cannot be written to stdout");
     const fs::path path = target(outputs[k]);
     std::error_code error;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -90,6 +92,8 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
       return invalid(name + " cannot be written: \"" + folder.string() + "\" is no folder");
     }
     const fs::file_status status = fs::status(path, error);
+    if (!fs::status_known(status))
+      return invalid(name + " cannot be written: " + error.message());  // too long, for one
     if (fs::exists(status) && !fs::is_regular_file(status)) {
       return invalid(name + " is a folder or a device; it must be a file or a new name");
     }

@@ -1,8 +1,10 @@
 // sillon generate: reads, computes, then writes everything at once. sillon check: reads G-code and judges it.
 // Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
@@ -110,14 +112,20 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
   return files;
 }
 
+/// What a command is asked for goes to stdout; a full disk or a closed pipe loses it.
+int answer(const std::string& text, int code) {
+  const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  if (written) return code;
+  return fail({ErrorCode::InvalidFile, std::string("stdout cannot be written: ") + std::strerror(errno)});
+}
+
 int check(const cli::Arguments& arguments) {
   const sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
   if (!file) return fail(file.error());
   const sillon::Result<std::string> text = sillon::unpackGcode(file.value());
   if (!text) return fail(text.error());
   const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
-  std::fputs((arguments.checkJson ? cli::checkJson(result) : cli::checkText(result)).c_str(), stdout);
-  return result.errors() == 0 ? 0 : 2;
+  return answer(arguments.checkJson ? cli::checkJson(result) : cli::checkText(result), result.errors() == 0 ? 0 : 2);
 }
 
 /// The printer as a project on stdout, what needs a look on stderr.
@@ -127,7 +135,7 @@ int importFrom(const cli::Arguments& arguments) {
   const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.importName);
   if (!imported) return fail(imported.error());
   const sillon::ImportedPrinter& printer = imported.value();
-  std::fputs(sillon::writePrinter(printer.printer).c_str(), stdout);
+  if (const int code = answer(sillon::writePrinter(printer.printer), 0); code != 0) return code;
   std::fprintf(stderr, "sillon: read %zu settings as %s\n", printer.read.size(), printer.source.c_str());
   for (const std::string& note : printer.notRead) std::fprintf(stderr, "sillon: not read: %s\n", note.c_str());
   return 0;
@@ -170,10 +178,7 @@ int main(int argc, char** argv) {
   try {
     const sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
     if (!arguments) return fail(arguments.error());
-    if (!arguments.value().answer.empty()) {
-      std::fputs(arguments.value().answer.c_str(), stdout);
-      return 0;
-    }
+    if (!arguments.value().answer.empty()) return answer(arguments.value().answer, 0);
     if (!arguments.value().check.empty()) return check(arguments.value());
     if (!arguments.value().import.empty()) return importFrom(arguments.value());
     return generate(arguments.value());

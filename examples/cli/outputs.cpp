@@ -94,6 +94,28 @@ std::string durationText(double seconds) {
   return minutes < 60 ? print("%lld min", minutes) : print("%lld h %02lld min", minutes / 60, minutes % 60);
 }
 
+/// What was taken for granted of the input, or left out of it.
+std::vector<std::string> inputNotes(const Job& job) {
+  const sillon::DrawingFacts& drawing = job.input.shape.drawing;
+  const sillon::Project& project = job.project;
+  const bool asDrawn = !project.shapeFile.empty() && project.pageWidth == 0;
+  std::vector<std::string> notes;
+  if (drawing.pixels && asDrawn) {
+    notes.emplace_back("the drawing is in pixels, each taken as 1/96 inch; --size sets its width");
+  }
+  if (project.shapeFile.empty() ? project.builtinSize.x == 0 : asDrawn && !drawing.svg) {
+    notes.emplace_back("no size is given, so it is 80 mm wide; --size sets it");
+  }
+  const auto left = [&](int count, const char* what) {
+    if (count == 0) return;
+    notes.push_back("the drawing has " + std::to_string(count) + " <" + what +
+                    ">, which is left out; convert it to paths in the program that made it");
+  };
+  left(drawing.texts, "text");
+  left(drawing.images, "image");
+  return notes;
+}
+
 std::string sizeText(std::size_t bytes) {
   const auto size = static_cast<double>(bytes);
   if (size < 1e3) return print("%.0f bytes", size);
@@ -178,6 +200,7 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
 
   std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", job.input.shape.page.x, job.input.shape.page.y,
                           plate.toolpath.spacing);
+  for (const std::string& note : inputNotes(job)) out += "note       " + note + "\n";
   out += print("toolpath   %lld cycles joined to %zu toolpath%s", static_cast<long long>(plate.contourCycles),
                toolpaths, toolpaths == 1 ? "" : "s");
   if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);

@@ -198,7 +198,12 @@ describe('results', () => {
     assert.deepEqual(shape, {
       page: [20, 10],
       paths: [{ fillRule: 'nonzero', rings: [Float64Array.of(1, 9, 19, 9, 19, 1, 1, 1)] }],
+      texts: 0,
+      images: 0,
     });
+    const written = svg.replace('</svg>', '<text>a</text><text>b</text><image/></svg>');
+    const { texts, images } = await st.readShape({ file: written });
+    assert.deepEqual([texts, images], [2, 1]);
     assert.deepEqual((await st.readShape({ file: svg, pageWidth: 40 })).page, [40, 20]);
     const like = await st.readShape({ builtin: 'rectangle', size: [30, 0] }, { file: turning(40, 20) });
     assert.deepEqual(like.page, [30, 15]);

@@ -37,7 +37,9 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
   async function use(opened: readonly Opened[]): Promise<void> {
     const { withFiles } = await import('./files/open.js');
     const base = before ?? studio.store.state.plate;
-    const plate = await withFiles(base, opened, await engine());
+    const plate = await withFiles(base, opened, await engine(), (problem) => {
+      studio.fail(problem);
+    });
     // One step of undo, however often the roles are changed.
     studio.store.change(() => plate, gesture);
     studio.store.set({ opened });

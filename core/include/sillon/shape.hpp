@@ -20,10 +20,21 @@ struct FilledPath {
   friend bool operator==(const FilledPath&, const FilledPath&) = default;
 };
 
+/// What readSvg left out, and what it took for granted.
+struct DrawingFacts {
+  bool svg = false;
+  bool pixels = false;  ///< its size is in pixels, or has no unit: taken as 1/96 inch each
+  int texts = 0;        ///< shown, but not read
+  int images = 0;       ///< shown, but not read
+
+  friend bool operator==(const DrawingFacts&, const DrawingFacts&) = default;
+};
+
 /// The union of its paths on a page of `page` mm; maps are stretched over the page.
 struct Shape {
   std::vector<FilledPath> paths;
   Vec2 page;
+  DrawingFacts drawing = {};
 
   friend bool operator==(const Shape&, const Shape&) = default;
 };

@@ -15,7 +15,8 @@ struct SvgOptions {
 
 /// Reads the geometry of an SVG document. All paths and basic shapes with area count whatever their paint
 /// (`fill="none"` too); what is `display:none` or only defined (`<defs>`, `<symbol>`, ...), `<line>`, text and images
-/// do not. The page is width x height of the root; a side that is missing or in percent follows from the viewBox.
+/// do not; Shape::drawing counts text and images. The page is width x height of the root; a side that is missing or in
+/// percent follows from the viewBox.
 ///
 /// Read: all path commands, transforms, viewBox and preserveAspectRatio, nested `<svg>`, `<use>`, `<switch>`; fill-rule
 /// and display from attributes, `style`, and `<style>` rules that select by name, class or id. Not read: clipping and

@@ -54,7 +54,10 @@ async function read(file: File): Promise<Read> {
   }
   const { kind } = kindOf(bytes.subarray(0, enoughToKnow), file.name);
   const source = await sourceFile(file.name, bytes);
-  if (kind === 'unknown') throw new StudioError('UnknownFile', { name: source.name });
+  if (kind === 'unknown') {
+    const ofPrinter = /\.(gcode|gco|g|ini)$/i.test(source.name);
+    throw new StudioError(ofPrinter ? 'PrinterFileHere' : 'UnknownFile', { name: source.name });
+  }
   return { source, kind };
 }
 
@@ -178,23 +181,42 @@ export function withFile(plate: Plate, file: SourceFile, role: Role, size: Size)
   }
 }
 
-async function sizeOf(plate: Plate, source: SourceFile, role: Role, engine: OpeningEngine): Promise<Size> {
+type Tell = (problem: StudioError) => void;
+
+async function sizeOf(
+  plate: Plate,
+  { source, role }: Opened,
+  engine: OpeningEngine,
+  tell: Tell | undefined,
+): Promise<Size> {
   if (role === 'shape') {
     const unitless = plate.shape.kind === 'file' ? plate.shape.unitless : 'px';
-    return (await naming(source.name, engine.readShape({ file: source.bytes, unitless }))).page;
+    const {
+      page,
+      texts = 0,
+      images = 0,
+    } = await naming(source.name, engine.readShape({ file: source.bytes, unitless }));
+    if (texts + images > 0) tell?.(new StudioError('LeftOut', { name: source.name }));
+    return page;
   }
   const { width, height } = await pictureFacts(source, engine);
   return [width, height];
 }
 
 /** The plate with all of them put to use: shapes first, as pictures are laid over them.
+ * @param tell  what of a file is not in the plate
  * @throws errors of the engine */
-export async function withFiles(plate: Plate, opened: readonly Opened[], engine: OpeningEngine): Promise<Plate> {
+export async function withFiles(
+  plate: Plate,
+  opened: readonly Opened[],
+  engine: OpeningEngine,
+  tell?: Tell,
+): Promise<Plate> {
   const used = opened.filter(({ role }) => role !== 'none');
   const isShape = ({ role }: Opened): boolean => role === 'shape' || role === 'mask';
   let made = plate;
-  for (const { source, role } of [...used.filter(isShape), ...used.filter((one) => !isShape(one))]) {
-    made = withFile(made, source, role, await sizeOf(made, source, role, engine));
+  for (const one of [...used.filter(isShape), ...used.filter((other) => !isShape(other))]) {
+    made = withFile(made, one.source, one.role, await sizeOf(made, one, engine, tell));
   }
   const [first] = used;
   return made.name === '' && first !== undefined ? { ...made, name: stemOf(first.source.name) } : made;

@@ -701,12 +701,15 @@ export const fr: Dictionary = {
   'warning.startTemperature':
     'Le G-code de début laisse la buse à {hot} °C ; la première couche est prévue pour {meant}.',
   'warning.startLine': 'Ligne {line} du G-code de début : {what}',
+  'warning.endLine': 'Ligne {line} du G-code de fin : {what}',
+  'warning.endHot': 'Le G-code de fin laisse un élément chauffant allumé.',
   'check.good': 'Relu comme le ferait une imprimante : aucune faute.',
   'check.errors': 'Fautes dans le fichier',
   'check.warnings': 'Bon à savoir sur le fichier',
   'check.line': 'Ligne {line} :',
   'check.place': '{what} (ligne {line})',
   'check.places': '{what} (ligne {line} et {n} autres)',
+  'finding.layers': 'Aucune couche n’y est marquée.',
   'finding.grammar': 'Une ligne n’est pas telle que tout micrologiciel la lit.',
   'finding.homing': 'Il y a un mouvement avant la prise d’origine.',
   'finding.heating': 'Le plastique sort trop froid, trop chaud ou avant la fin de la chauffe.',
@@ -761,13 +764,14 @@ export const fr: Dictionary = {
   'problem.InvalidArgument': 'Un réglage n’est pas valable.',
   'hint.InvalidArgument': 'Changez le réglage nommé, ou défaites.',
   'problem.InvalidFile': 'Un fichier est illisible.',
+  'file.unreadable': '{name} est illisible.',
   'hint.InvalidFile':
     'Les formes sont en SVG, PNG ou JPEG. Enregistrez de nouveau le fichier dans le programme d’origine, ou prenez-en un autre.',
   'problem.TooLarge': 'La plaque est trop grande pour cet espacement.',
   'hint.TooLarge': 'Prenez un espacement plus grand, une taille plus petite ou des images plus petites.',
   'problem.EmptyShape': 'Il n’y a rien à remplir.',
   'hint.EmptyShape':
-    'La forme doit avoir des surfaces pleines plus larges qu’un cordon. Donnez un fond aux lignes, une plus grande taille aux petites formes.',
+    'La forme doit avoir des surfaces pleines plus larges qu’un cordon. Convertissez textes et lignes en chemins ; agrandissez les petites formes.',
   'problem.DoesNotFit': 'La plaque est plus grande que le plateau de l’imprimante.',
   'hint.DoesNotFit': 'Réduisez-la, tournez-la, centrez-la, ou choisissez une autre imprimante.',
   'problem.OutOfMemory': 'Le moteur a manqué de mémoire.',
@@ -784,6 +788,12 @@ export const fr: Dictionary = {
     'Défaites le dernier changement et réessayez. Si cela se reproduit, merci de le signaler avec le fichier de votre projet.',
   'problem.UnknownFile': '{name} est d’un type que cette page ne connaît pas.',
   'hint.UnknownFile': 'Ouvrez des fichiers SVG, PNG ou JPEG, ou un projet enregistré ici.',
+  'problem.PrinterFileHere': '{name} est un fichier d’imprimante.',
+  'hint.PrinterFileHere':
+    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ».',
+  'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
+  'hint.LeftOut':
+    'Convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier. Ouvrez les images séparément.',
   'problem.BrokenProject': 'Le projet {name} est illisible.',
   'hint.BrokenProject':
     'Il est peut-être incomplet. Téléchargez-le ou copiez-le de nouveau, ou prenez une autre copie.',

@@ -54,7 +54,8 @@ export interface ProblemWords {
 }
 
 export const problemWords = ({ code, values, detail }: Problem): ProblemWords => ({
-  message: t(`problem.${code}`, values),
+  message:
+    code === 'InvalidFile' && 'name' in values ? t('file.unreadable', values) : t(`problem.${code}`, values),
   hint: t(`hint.${code}`, values),
   detail,
 });
@@ -129,6 +130,8 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
     /^line (\d+) of startGcode: (.*)$/,
     ([line = '', what = '']) => t('warning.startLine', { line: Number(line), what }),
   ],
+  [/^line (\d+) of endGcode: (.*)$/, ([line = '', what = '']) => t('warning.endLine', { line: Number(line), what })],
+  [/^endGcode leaves the nozzle or the bed hot/, () => t('warning.endHot')],
   [/^the plate leaves no room for a purge line/, () => t('warning.purge')],
   [/^a print of (\S+) mm stands on the bed/, ([height]) => t('warning.above', { height: Number(height) })],
   [/^nothing is printed beside a print/, () => t('warning.unprimed')],
@@ -164,6 +167,7 @@ const warnings: readonly [RegExp, (found: string[]) => string][] = [
 ];
 
 const findingRules = [
+  'layers',
   'grammar',
   'homing',
   'heating',

@@ -5,6 +5,10 @@ export type ProblemCode =
   | ErrorCode
   /** A file of no kind that the page knows. */
   | 'UnknownFile'
+  /** A printer's file among those for a plate. */
+  | 'PrinterFileHere'
+  /** A drawing's text and pictures are not in its shape. */
+  | 'LeftOut'
   /** A project whose zip, or whose studio.json, cannot be read. */
   | 'BrokenProject'
   /** More than one project among files that were dropped together. */

@@ -91,6 +91,27 @@ function readNumber(field: NumberField, input: HTMLInputElement): number | undef
   return right ? value : undefined;
 }
 
+// Chromium and WebKit drop a comma without a word where they count with points, and 1,5 becomes 15; they take a point in every
+// language. Firefox keeps what is typed, and what it cannot read is told.
+const dropsCommas = !CSS.supports('-moz-appearance', 'none');
+
+function onTyping(event: InputEvent): void {
+  if (event.data !== ',' || !dropsCommas) return;
+  event.preventDefault();
+  // There is no other way to write where the caret is: a number field does not tell.
+  // eslint-disable-next-line @typescript-eslint/no-deprecated
+  document.execCommand('insertText', false, '.');
+}
+
+function onPaste(event: ClipboardEvent): void {
+  const text = event.clipboardData?.getData('text/plain').trim() ?? '';
+  if (!/^-?\d*,\d+$/.test(text)) return;
+  event.preventDefault();
+  const input = event.currentTarget as HTMLInputElement;
+  input.value = text.replace(',', '.'); // as values are written everywhere
+  input.dispatchEvent(new Event('input', { bubbles: true }));
+}
+
 /** The number alone, with its unit. */
 export function numberInput(field: NumberField, name = true): TemplateResult {
   const { id, label, unit = '', min, max, step } = field;
@@ -119,6 +140,8 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
       step=${step}
       ?disabled=${field.disabled ?? false}
       ${shows(shortNumber(field.value, step))}
+      @beforeinput=${onTyping}
+      @paste=${onPaste}
       @input=${onInput}
       @change=${onChange}
     />

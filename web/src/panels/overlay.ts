@@ -171,7 +171,8 @@ function drawRulers(
     const long = Math.abs(k * tick - Math.round((k * tick) / step) * step) < tick / 2;
     context.moveTo(x, rulerWidth);
     context.lineTo(x, rulerWidth - (long ? 9 : 4));
-    if (long) context.fillText((k * tick).toFixed(digits), x + 3, 10);
+    // One that begins in the corner would lose its sign or first digit to it.
+    if (long && x >= rulerWidth) context.fillText((k * tick).toFixed(digits), x + 3, 10);
   }
   const tall = height / scale / 2;
   for (let k = Math.ceil((camera.y - tall) / tick); k * tick <= camera.y + tall; ++k) {
@@ -179,11 +180,12 @@ function drawRulers(
     const long = Math.abs(k * tick - Math.round((k * tick) / step) * step) < tick / 2;
     context.moveTo(rulerWidth, y);
     context.lineTo(rulerWidth - (long ? 9 : 4), y);
-    if (!long) continue;
+    const word = (k * tick).toFixed(digits);
+    if (!long || y - 3 - context.measureText(word).width < rulerWidth) continue;
     context.save();
     context.translate(10, y - 3);
     context.rotate(-Math.PI / 2);
-    context.fillText((k * tick).toFixed(digits), 0, 0);
+    context.fillText(word, 0, 0);
     context.restore();
   }
   context.stroke();

@@ -33,6 +33,7 @@ export const panelStyle = css`
   }
   .pair .measure {
     width: 100%;
+    min-width: 0;
   }
   .stacked {
     grid-template-columns: 1fr;

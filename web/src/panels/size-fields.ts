@@ -43,6 +43,7 @@ export const sizeStyle = css`
   }
   .size .measure {
     width: 100%;
+    min-width: 0;
   }
   .size label {
     display: block;

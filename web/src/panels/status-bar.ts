@@ -16,6 +16,7 @@ export class StatusBar extends StudioElement {
     css`
       :host {
         position: relative;
+        container-type: inline-size;
         display: flex;
         align-items: center;
         gap: 0 18px;
@@ -75,6 +76,9 @@ export class StatusBar extends StudioElement {
         :host {
           padding-left: 10px;
         }
+      }
+      /* Words go before figures are cut off: the bar is as wide as the plate's side of the page. */
+      @container (max-width: 600px) {
         .rest {
           display: none;
         }

@@ -1,7 +1,7 @@
 // How beads are laid.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { t } from '../i18n/text.js';
+import { formatNumber, t } from '../i18n/text.js';
 import { adviceFor, nozzleAdvice, qualities, qualityOf, settings, withNozzle, withQuality } from '../model/settings.js';
 import { advancedSettings } from './advanced.js';
 import { StudioElement } from './element.js';
@@ -53,7 +53,7 @@ export class ToolpathPanel extends StudioElement {
           id: 'nozzle',
           label: t('setting.printer.nozzle'),
           value: String(printer.nozzle),
-          options: nozzleAdvice.map(({ nozzle }) => ({ value: String(nozzle), label: String(nozzle) })),
+          options: nozzleAdvice.map(({ nozzle }) => ({ value: String(nozzle), label: formatNumber(nozzle, 2) })),
           onChoose: (value) => {
             this.studio.change((now) => withNozzle(now, Number(value)));
           },

@@ -296,9 +296,11 @@ export const controls = css`
   }
   .measure {
     display: grid;
-    grid-template-columns: 1fr auto;
+    /* Six digits stay in sight beside a unit of any length. */
+    grid-template-columns: minmax(calc(6ch + 12px), 1fr) auto;
     align-items: center;
-    width: 112px;
+    width: max-content;
+    min-width: 112px;
     border: 1px solid var(--edge);
     border-radius: var(--radius);
     background: var(--raised);
@@ -308,7 +310,8 @@ export const controls = css`
     border: 0;
     padding: 0 6px;
     background: none;
-    min-width: 0;
+    width: 0;
+    min-width: 100%;
   }
   .measure .unit {
     padding-right: 7px;

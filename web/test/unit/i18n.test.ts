@@ -163,6 +163,10 @@ test('values are written with their units', () => {
 test('every problem has a sentence and what to do, without empty placeholders', () => {
   const words = problemWords(new StudioError('LinkValue', { where: 'width', value: '-1' }));
   assert.equal(words.message, 'The link sets width to -1, which is not allowed.');
+  const file = (values: Record<string, string>): string =>
+    problemWords({ code: 'InvalidFile', values, detail: '' }).message;
+  assert.equal(file({}), 'A file cannot be read.');
+  assert.equal(file({ name: 'a.svg' }), 'a.svg cannot be read.');
   assert.notEqual(words.hint, '');
   const codes = Object.keys(en).filter((id) => id.startsWith('problem.') && /^problem\.[A-Z]/.test(id));
   assert.ok(codes.length >= 20);
@@ -206,6 +210,8 @@ test('every warning of the engine has words, with its numbers', async () => {
     ['the plate is mirrored but shown from above; writing on it reads backwards', ''],
     ['startGcode leaves the nozzle at 240 degrees; the first layer is meant for 215', '240'],
     ['line 7 of startGcode: 300 is beyond the bed', '7'],
+    ['line 8 of endGcode: 300 is beyond the bed', '8'],
+    ['endGcode leaves the nozzle or the bed hot; M104 S0 and M140 S0 turn them off', ''],
     ['speed is 300 mm/s; it is held at machineSpeed, 200', '300'],
     ['acceleration is 2000 mm/s2; it is held at machineAcceleration, 1250', '250'],
     ['maxFlow slows 20 % of the path', '20'],
@@ -218,7 +224,7 @@ test('every warning of the engine has words, with its numbers', async () => {
   const written = [...sources.matchAll(/warnings\.(?:push_back|emplace_back)\(/g)].length;
   assert.equal(
     written,
-    21,
+    23,
     'the engine writes other warnings than before: add words for them in say.ts, and lines here',
   );
   await setLanguage('fr');

@@ -297,6 +297,21 @@ test('shapes come first, in whatever order files are dropped', async () => {
   assert.deepEqual([plate.width, plate.height, plate.shape.kind], [40, 30, 'file']);
 });
 
+test('what of a drawing is not in its shape is told, and where a printer’s file belongs', async () => {
+  const told: string[] = [];
+  const tell = ({ code, values }: StudioError): void => {
+    told.push(`${code} ${String(values['name'])}`);
+  };
+  const drawing = (content: string): File =>
+    text('a.svg', `<svg viewBox="0 0 40 30"><rect width="40" height="30"/>${content}</svg>`);
+  for (const content of ['', '<text>a</text>', '<defs><text>a</text></defs>', '<image/>']) {
+    const { opened } = await identify([drawing(content)], newPlate(), engine);
+    await withFiles(newPlate(), opened, engine, tell);
+  }
+  assert.deepEqual(told, ['LeftOut a.svg', 'LeftOut a.svg']);
+  await assert.rejects(identify([text('donor.gcode', 'G28')], newPlate(), engine), { code: 'PrinterFileHere' });
+});
+
 test('a project counts alone, and takes the files that it names', async () => {
   const json = text('plate.json', '{ "sillon": 1, "shape": { "file": "leaf.svg" }, "directions": { "angle": 12 } }');
   const found = await identify([text('leaf.svg', svg), json], newPlate(), engine);
