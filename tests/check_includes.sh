@@ -35,7 +35,8 @@ pipeline: shape direction_map dislocations sdf parts narrow_places wave_fields s
 session: pipeline preview
 wave_preview: phase_field sdf preview
 dislocations: constraints line_field phase_field
-measure: direction_map outline sdf constraints wave_fields dislocations
+bead_area: shape outline
+measure: direction_map outline sdf constraints wave_fields dislocations bead_area
 report: measure pipeline
 turned: shape gcode
 base_layers: shape outline
