@@ -153,6 +153,11 @@ TEST_CASE("coverage is the share of the base that an oriented layer fills") {
   shares = orientedCoverage(beads);
   REQUIRE(shares.size() == 1);
   CHECK(shares[0] == about(0.2, 0.03));
+  // A bead from corner to corner of the 10 mm covers what lies within a millimetre of the diagonal.
+  beads.pop_back();
+  beads.push_back({{0, 0}, {10, 10}, 2, false, 2, 0.4F});
+  const double corner = 10 - std::sqrt(2.0);  // side of the triangles beside it
+  CHECK(orientedCoverage(beads)[0] == about(1 - corner * corner / 100, 0.03));
   // Hostile files: wide beads over and over, far apart and in many stacks, end soon.
   beads.clear();
   for (int k = 0; k < 20000; ++k) {

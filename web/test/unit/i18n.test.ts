@@ -126,6 +126,7 @@ test('durations and sizes', async () => {
   assert.equal(formatDuration(3599), '1 h 00 min');
   assert.equal(formatDuration(2 * 3600 + 5 * 60), '2 h 05 min');
   assert.equal(formatBytes(12), '12 bytes');
+  assert.equal(formatBytes(12_345), '12 kB');
   assert.equal(formatBytes(1_250_000), '1.3 MB');
   await setLanguage('fr');
   assert.equal(formatBytes(1_250_000), '1,3\u00a0Mo');
@@ -364,6 +365,7 @@ test('findings of the file are told in both languages, with their line', async (
       const finding = { rule, error: true, line: 0, count: 1, message: 'as the engine says it' };
       assert.notEqual(findingText(finding), finding.message, rule);
       assert.match(findingText({ ...finding, line: 12 }), /12/);
+      assert.match(findingText({ ...finding, line: 12, count: 2 }), /12.*1/);
       assert.match(findingText({ ...finding, line: 12, count: 5 }), /12.*4/);
     }
   }
