@@ -10,7 +10,11 @@ foundation="types result run_context params version grid parallel_for fast_math 
 # file: the stages it may include, besides the foundation and its own header.
 stages="
 shape:
-svg: shape
+svg_reader:
+svg_node: svg_reader
+svg_style: svg_node svg_reader
+svg_path: shape svg_reader
+svg: shape svg_node svg_path svg_reader svg_style
 image_io: inflate
 direction_map:
 outline: shape
@@ -36,7 +40,8 @@ pipeline: shape direction_map dislocations sdf parts narrow_places tiny_cycles w
 session: pipeline preview
 wave_preview: phase_field sdf preview
 dislocations: constraints line_field phase_field
-measure: direction_map outline sdf constraints wave_fields dislocations
+bead_area: shape outline
+measure: direction_map outline sdf constraints wave_fields dislocations bead_area
 report: measure pipeline
 turned: shape gcode
 base_layers: shape outline

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "curves.hpp"
+#include "support/about.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -38,8 +39,8 @@ double areaOf(const ClosedCurves& curves, int c) {
 TEST_CASE("the contour of a circle's distance is that circle, with the larger values on its left") {
   const ClosedCurves curves = contourOf(kGrid, [](Vec2 p) { return length(p - Vec2{5, 4}) - 3; });
   REQUIRE(curves.count() == 1);
-  for (const Vec2f p : curves.points) CHECK(length(p - Vec2f{5, 4}) == doctest::Approx(3).epsilon(1e-3));
-  CHECK(areaOf(curves, 0) == doctest::Approx(-std::numbers::pi * 9).epsilon(2e-3));  // outside is larger: clockwise
+  for (const Vec2f p : curves.points) CHECK(length(p - Vec2f{5, 4}) == about(3, 1e-3));
+  CHECK(areaOf(curves, 0) == about(-std::numbers::pi * 9, 2e-3));  // outside is larger: clockwise
 }
 
 TEST_CASE("a node that is exactly zero counts as positive and costs no vertex twice") {

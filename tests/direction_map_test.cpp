@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "support/about.hpp"
+
 using namespace sillon;
 
 namespace {
@@ -36,7 +38,7 @@ TEST_CASE("grey 0 to 1 is -90 to 90 degrees, exactly") {
   const auto& angle = map.value().angle;
   CHECK(degrees(angle[0]) == -90);
   CHECK(degrees(angle[1]) == 90);
-  CHECK(degrees(angle[2]) == doctest::Approx(-0.3529).epsilon(0.001));
+  CHECK(degrees(angle[2]) == about(-0.3529, 0.001));
   CHECK(degrees(angle[2]) + degrees(angle[3]) == doctest::Approx(0));  // 127.5 would be horizontal
   CHECK(angle[4] == 12345);
 }
@@ -51,9 +53,9 @@ TEST_CASE("colour counts by its luma, equal channels exactly, alpha never") {
   const auto primaries =
       directionMap(Image{3, 1, 3, {65535, 0, 0, 0, 65535, 0, 0, 0, 65535}}, DirectionEncoding::Angle);
   REQUIRE(primaries.ok());
-  CHECK(primaries.value().angle[0] == doctest::Approx(0.2126 * 65535).epsilon(0.0001));
-  CHECK(primaries.value().angle[1] == doctest::Approx(0.7152 * 65535).epsilon(0.0001));
-  CHECK(primaries.value().angle[2] == doctest::Approx(0.0722 * 65535).epsilon(0.0001));
+  CHECK(primaries.value().angle[0] == about(0.2126 * 65535, 0.0001));
+  CHECK(primaries.value().angle[1] == about(0.7152 * 65535, 0.0001));
+  CHECK(primaries.value().angle[2] == about(0.0722 * 65535, 0.0001));
   const auto greyAlpha = directionMap(Image{1, 1, 2, {777, 3}}, DirectionEncoding::Angle);
   REQUIRE(greyAlpha.ok());
   CHECK(greyAlpha.value().angle[0] == 777);

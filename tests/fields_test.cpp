@@ -11,6 +11,7 @@
 #include "sillon/phase_field.hpp"
 #include "sillon/sine_field.hpp"
 #include "sillon/spacing_field.hpp"
+#include "support/about.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -130,7 +131,7 @@ TEST_CASE("lines of a map are averaged as numbers e^{2i angle}: 89 and -89 degre
   const Fields f = fieldsOf(square(4, map));
   const Grid& grid = f.cells.grid;
   const Vec2f z = f.cells.mapLine[grid.index(grid.nx / 2, grid.ny / 2)];
-  CHECK(z.x == doctest::Approx(1).epsilon(1e-2));  // bead at 90 degrees: z(t) = -1, z(d) = 1
+  CHECK(z.x == about(1, 1e-2));  // bead at 90 degrees: z(t) = -1, z(d) = 1
 }
 
 TEST_CASE("where the average of lines vanishes the nearest texel decides") {
@@ -227,8 +228,8 @@ TEST_CASE("constrained lines come back as asked; smoothest ones fill in between"
     double angle = std::atan2(-static_cast<double>(d.x), static_cast<double>(d.y));
     if (angle < 0) angle += std::numbers::pi;
     angle *= 180 / std::numbers::pi;
-    if (px < 3.8) CHECK(angle == doctest::Approx(30).epsilon(1e-2));
-    if (px > 8.2) CHECK(angle == doctest::Approx(60).epsilon(1e-2));
+    if (px < 3.8) CHECK(angle == about(30, 1e-2));
+    if (px > 8.2) CHECK(angle == about(60, 1e-2));
     CHECK(angle >= before - 0.5);  // monotonic in between
     before = angle;
   }
@@ -419,7 +420,7 @@ TEST_CASE("the sine field of a plane wave is that wave, times the Gaussian's los
       const Vec2f to{static_cast<float>(p.x - p0.x), static_cast<float>(p.y - p0.y)};
       const float expected =
           std::sin(kFrequency * dot(to, f.waves.wave[i0]) + std::atan2(f.waves.phase[i0].y, f.waves.phase[i0].x));
-      REQUIRE(f.values[n] == doctest::Approx(expected).epsilon(0.02));
+      REQUIRE(std::abs(f.values[n] - expected) < 0.02f);
     }
   }
 }
@@ -458,8 +459,8 @@ TEST_CASE("lines turn towards the beads that are there, as far as they may, and 
     int count = 0;
     for (std::size_t i = 0; i < asked.direction.size(); ++i) {
       if (f.cells.zone[i] != Zone::Infill) continue;
-      CHECK(cross(given.lines.direction[i], asked.direction[i]) == doctest::Approx(wanted).epsilon(0.02));
-      CHECK(given.frequency[i] == doctest::Approx(1).epsilon(0.01));
+      CHECK(cross(given.lines.direction[i], asked.direction[i]) == about(wanted, 0.02));
+      CHECK(given.frequency[i] == about(1, 0.01));
       ++count;
     }
     CHECK(count > 1000);
@@ -495,7 +496,7 @@ TEST_CASE("where beads fan out they widen, by no more than asked, and the signs 
   // On a line of length 30 tau the best u of (u' - kappa)² + (u / 8 tau)² is kappa 8 tau sinh(x / 8 tau) / cosh(15 /
   // 8), x from the middle; 7.5 tau to either side that is 0.345 of log(r2 / r1).
   const double wanted = std::log((14 + 9.0) / (14 + 3.0));
-  CHECK((meanAt(3) - meanAt(9)) / wanted == doctest::Approx(0.345).epsilon(0.15));
+  CHECK((meanAt(3) - meanAt(9)) / wanted == about(0.345, 0.15));
   for (const float frequency : f.frequency) CHECK(std::abs(std::log(frequency)) <= 0.2501f);
 
   LineField flipped = f.lines;

@@ -82,6 +82,15 @@ TEST_CASE("the first plate of a packed file is read") {
   CHECK(gcode.value() == repeated("G1 X1 Y1\n", 40));
 }
 
+TEST_CASE("extra fields and comments of a packed file's entries are passed over") {
+  constexpr std::size_t kDirectory = 0x87, kHead = 46, kName = 23;
+  std::string zip(deflated());
+  zip[kDirectory + 30] = 5;  // bytes of extra fields, then of the comment
+  zip[kDirectory + 32] = 4;
+  zip.insert(kDirectory + kHead + kName, "EXTRAnote");
+  CHECK(unpackGcode(zip).value() == repeated("G1 X1 Y1\n", 40));
+}
+
 TEST_CASE("a damaged file is refused, or nothing of the G-code was hit") {
   for (const std::string& whole : {std::string(deflated()), packed(repeated("G1 X1 Y1\n", 40))}) {
     const std::string content = unpackGcode(whole).value();

@@ -11,6 +11,7 @@
 
 #include "gcode_coverage.hpp"
 #include "gcode_grammar.hpp"
+#include "support/about.hpp"
 #include "support/damaged.hpp"
 
 using namespace sillon;
@@ -74,7 +75,7 @@ TEST_CASE("a clean file has no findings, and its facts are right") {
   CHECK((check.box.min == Vec2{50, 50} && check.box.max == Vec2{60, 60}));
   CHECK(check.top == 0.2);
   CHECK(check.fastest == Approx(30));
-  CHECK(check.mostFlow == Approx(0.2 * 0.4 * 30).epsilon(1e-3));
+  CHECK(check.mostFlow == about(0.2 * 0.4 * 30, 1e-3));
   CHECK((check.homes && check.heatsBed && check.heatsNozzle));
 }
 
@@ -101,9 +102,9 @@ TEST_CASE("noise is the amplitude of a zigzag; lines, circles and corners have n
   const auto zigzag = [](double amplitude, double step) {
     return [=](int k) { return Vec2{10 + k * step, 50 + (k % 2 == 0 ? amplitude : -amplitude)}; };
   };
-  CHECK(noiseOf(zigzag(0.02, 0.2)) == Approx(0.02).epsilon(0.01));
-  CHECK(noiseOf(zigzag(0.005, 0.2)) == Approx(0.005).epsilon(0.01));
-  CHECK(noiseOf(zigzag(0.005, 0.4)) == Approx(0.005).epsilon(0.01));
+  CHECK(noiseOf(zigzag(0.02, 0.2)) == about(0.02, 0.01));
+  CHECK(noiseOf(zigzag(0.005, 0.2)) == about(0.005, 0.01));
+  CHECK(noiseOf(zigzag(0.005, 0.4)) == about(0.005, 0.01));
   CHECK(noiseOf(zigzag(0, 0.2)) == 0);
   CHECK(noiseOf(zigzag(0.5, 1.2)) == 0);  // longer legs are meant
   CHECK(noiseOf([](int k) { return Vec2{50 + 20 * std::cos(k * 0.0157), 50 + 20 * std::sin(k * 0.0157)}; }) < 0.0011);
@@ -135,15 +136,15 @@ TEST_CASE("coverage is the share of the base that an oriented layer fills") {
   std::vector<double> shares = orientedCoverage(beads);
   REQUIRE(shares.size() == 3);
   CHECK(shares[0] == 1);
-  CHECK(shares[1] == Approx(0.48).epsilon(0.01));
-  CHECK(shares[2] == Approx(0.5).epsilon(0.03));
+  CHECK(shares[1] == about(0.48, 0.01));
+  CHECK(shares[2] == about(0.5, 0.03));
   // A second plate is a stack of its own; a third has no base.
   lines(25, 0.4F, true, 5, 0.2F, 50);
   lines(20, 0.4F, false, 6, 0.4F, 50);
   lines(20, 0.4F, false, 7, 0.2F, 80);
   shares = orientedCoverage(beads);
   REQUIRE(shares.size() == 5);
-  CHECK(shares[3] == Approx(0.8).epsilon(0.01));
+  CHECK(shares[3] == about(0.8, 0.01));
   CHECK(shares[4] == -1);
   // A bead that comes from far away and goes on, further than an int counts cells, covers what it passes.
   beads.clear();
@@ -151,7 +152,12 @@ TEST_CASE("coverage is the share of the base that an oriented layer fills") {
   beads.push_back({{-1e9F, 5}, {1e9F, 5}, 2, false, 2, 0.4F});
   shares = orientedCoverage(beads);
   REQUIRE(shares.size() == 1);
-  CHECK(shares[0] == Approx(0.2).epsilon(0.03));
+  CHECK(shares[0] == about(0.2, 0.03));
+  // A bead from corner to corner of the 10 mm covers what lies within a millimetre of the diagonal.
+  beads.pop_back();
+  beads.push_back({{0, 0}, {10, 10}, 2, false, 2, 0.4F});
+  const double corner = 10 - std::sqrt(2.0);  // side of the triangles beside it
+  CHECK(orientedCoverage(beads)[0] == about(1 - corner * corner / 100, 0.03));
   // Hostile files: wide beads over and over, far apart and in many stacks, end soon.
   beads.clear();
   for (int k = 0; k < 20000; ++k) {
@@ -168,7 +174,7 @@ TEST_CASE("coverage is the share of the base that an oriented layer fills") {
   beads.push_back({{0, 0}, {30, 40}, 2, true, 1, 0.2F});
   beads.push_back({{0, 0}, {30, 40}, 1, false, 2, 0.4F});
   const double area = (50 + 0.785398) / (100 + 3.14159);
-  CHECK(orientedCoverage(beads)[0] == Approx(area).epsilon(0.01));
+  CHECK(orientedCoverage(beads)[0] == about(area, 0.01));
 }
 
 TEST_CASE("relative moves, absolute E, inches, arcs and set origins are followed") {
@@ -301,7 +307,7 @@ TEST_CASE("bed, height, nozzle and filament are read from the file's own setting
   CHECK(finding(check, "bounds").message.find("a bead over the bed's edge at (60, 50), 5 mm") == 0);
   CHECK(finding(check, "height").message == "above the printer's height: 10 mm");
   CHECK(finding(check, "extrusion").message.find("more plastic per mm") == 0);
-  CHECK(check.mostFlow == Approx(0.033260 * 30 * kArea * 2.85 * 2.85 / 1.75 / 1.75).epsilon(1e-3));
+  CHECK(check.mostFlow == about(0.033260 * 30 * kArea * 2.85 * 2.85 / 1.75 / 1.75, 1e-3));
 }
 
 TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros home and heat") {

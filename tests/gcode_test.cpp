@@ -17,6 +17,7 @@
 #include "sillon/bed_fit.hpp"
 #include "sillon/gcode_check.hpp"
 #include "sillon/presets.hpp"
+#include "support/about.hpp"
 #include "support/gcode_check.hpp"
 #include "text.hpp"
 
@@ -249,9 +250,9 @@ TEST_CASE("the checker's grammar refuses what kills prints") {
 // ---- extrusion
 
 TEST_CASE("filament equals the plastic of the cell a bead fills") {
-  CHECK(extrusion(0.2, 0.4, 10, 1.75, 1) == Approx(0.33260).epsilon(2e-5));
-  CHECK(extrusion(0.2, 0.5, 2, 1.75, 1) == Approx(0.08315).epsilon(6e-5));
-  CHECK(extrusion(0.2, 0.4, 10, 1.75, 0.95) == Approx(0.31597).epsilon(2e-5));
+  CHECK(extrusion(0.2, 0.4, 10, 1.75, 1) == about(0.33260, 2e-5));
+  CHECK(extrusion(0.2, 0.5, 2, 1.75, 1) == about(0.08315, 6e-5));
+  CHECK(extrusion(0.2, 0.4, 10, 1.75, 0.95) == about(0.31597, 2e-5));
   CHECK(extrusion(0.2, 0.4, 4000, 1.75, 1) == Approx(133.041).epsilon(4e-6));
 }
 
@@ -272,7 +273,7 @@ TEST_CASE("the file carries the same plastic: constant width, growing width, flo
   for (std::size_t k = 1; k <= 10; ++k) {
     growing += moves[k].e;
     CHECK(moves[k].length() == Approx(0.2));
-    CHECK(double(moves[k].e) / 1e5 == Approx(extrusion(0.2, 0.39 + 0.02 * double(k), 0.2, 1.75, 1)).epsilon(1e-3));
+    CHECK(double(moves[k].e) / 1e5 == about(extrusion(0.2, 0.39 + 0.02 * double(k), 0.2, 1.75, 1), 1e-3));
   }
   CHECK(growing == 8315);
   job.params.flow = 0.95;
@@ -284,9 +285,9 @@ TEST_CASE("a full layer of 40 x 40 mm takes 133.041 mm of filament") {
   job.params.base = 0;
   job.params.flow = 1;
   // The comb misses its area by less than a cell per column.
-  CHECK(pathVolume(job.toolpath.cycles[0]) == Approx(1600).epsilon(0.001));
+  CHECK(pathVolume(job.toolpath.cycles[0]) == about(1600, 0.001));
   const ReadFile file = checkFile(job, job.write());
-  CHECK(lastPath(file).filament() == Approx(133.041).epsilon(0.001));
+  CHECK(lastPath(file).filament() == about(133.041, 0.001));
 }
 
 TEST_CASE("tiny steps lose no plastic to rounding") {
@@ -520,7 +521,7 @@ TEST_CASE("widths beyond 0.6 and 1.6 nozzle are held there and reported") {
   CHECK(written.result.value().clampedLengthMm == Approx(60));  // one whole segment and two halves, three times
   CHECK(
       contains(written.result.value().warnings, "50.0 % of the path is printed with a width held at 0.24 or 0.64 mm"));
-  CHECK(lastPath(file).filament() == Approx(extrusion(0.2, 0.24 + 0.32 + 0.4 + 0.32, 10, 1.75, 1)).epsilon(1e-4));
+  CHECK(lastPath(file).filament() == about(extrusion(0.2, 0.24 + 0.32 + 0.4 + 0.32, 10, 1.75, 1), 1e-4));
   job.toolpath.cycles[0].widths = {0.24f, 0.24f, 0.64f, 0.64f};
   CHECK(job.write().result.value().clampedLengthMm == 0);
 }
@@ -837,9 +838,9 @@ TEST_CASE("corners slow down as Klipper and Marlin say") {
   }
   CHECK(cornerSpeed(klipper, 180) == Approx(0).epsilon(0.01));
   const MotionLimits marlin = someLimits(GcodeFlavor::Marlin);  // jerk 8 mm/s
-  CHECK(cornerSpeed(marlin, 9) == Approx(50).epsilon(0.01));
-  CHECK(cornerSpeed(marlin, 90) == Approx(8).epsilon(0.01));
-  CHECK(cornerSpeed(marlin, 180) == Approx(8).epsilon(0.01));  // Marlin takes the faster side, not both
+  CHECK(cornerSpeed(marlin, 9) == about(50, 0.01));
+  CHECK(cornerSpeed(marlin, 90) == about(8, 0.01));
+  CHECK(cornerSpeed(marlin, 180) == about(8, 0.01));  // Marlin takes the faster side, not both
 }
 
 TEST_CASE("short segments around corners go as their room allows") {
@@ -850,7 +851,7 @@ TEST_CASE("short segments around corners go as their room allows") {
   limits.cornerSpeed = 100;  // leaves v2 alone
   const double seconds = planMotion(pathOf(points, 0.4), 0, limits).totalSeconds;
   // Corner at 10 mm/s, in the middle sqrt(100 + 2 * 1000 * 0.1) = 17.3.
-  CHECK(seconds == Approx(1000 * 2 * (std::sqrt(300.0) - 10) / 1000).epsilon(0.02));
+  CHECK(seconds == about(1000 * 2 * (std::sqrt(300.0) - 10) / 1000, 0.02));
 }
 
 TEST_CASE("width jumps slow the extruder as Klipper does") {
@@ -906,7 +907,7 @@ TEST_CASE("hatched layers fill the shape at 45 and 135 degrees and stay half a l
       }
       CHECK(nearest > 0.49 * 0.4 - 0.005);
       CHECK(nearest < 0.25);
-      CHECK(total * 0.4 == Approx(areas[s]).epsilon(0.02));
+      CHECK(total * 0.4 == about(areas[s], 0.02));
       CHECK(hatched > 0.93 * total);
       CHECK(lines.size() <= 12);
       CHECK(points > 100);
@@ -934,7 +935,7 @@ TEST_CASE("base layers take turns and carry the volume of the plate") {
     }
   }
   for (int layer = 1; layer <= 3; ++layer) {
-    CHECK(filament[layer] == Approx(600 * 0.2 / kArea).epsilon(0.02));
+    CHECK(filament[layer] == about(600 * 0.2 / kArea, 0.02));
     CHECK((slope[layer] > 0) == (layer % 2 == 1));
   }
 }
@@ -1133,15 +1134,15 @@ TEST_CASE("loops lie at their distances from the border, inside and outside") {
   for (std::size_t k = 0; k + 1 < inner.size(); ++k) {
     const double d = 0.2 + 0.4 * double(k);
     const Bounds box = boxOf(inner[k]);
-    CHECK(box.min.x == Approx(d).epsilon(0.001));
-    CHECK(box.max.y == Approx(20 - d).epsilon(0.001));
+    CHECK(box.min.x == about(d, 0.001));
+    CHECK(box.max.y == about(20 - d, 0.001));
     CHECK(std::abs(lengthOf(inner[k]) - 4 * (20 - 2 * d)) < 0.13);  // corners are cut by a cell
   }
   const std::vector<Polyline> outer = offsetLoops(makeDisc(20).value(), 0.2, 0.4, 3).value();
   REQUIRE(outer.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
-    CHECK(lengthOf(outer[k]) == Approx(2 * 3.14159265 * (10.2 + 0.4 * double(k))).epsilon(0.002));
-    for (const Vec2 p : outer[k]) CHECK(length(p - Vec2{10, 10}) == Approx(10.2 + 0.4 * double(k)).epsilon(0.001));
+    CHECK(lengthOf(outer[k]) == about(2 * 3.14159265 * (10.2 + 0.4 * double(k)), 0.002));
+    for (const Vec2 p : outer[k]) CHECK(length(p - Vec2{10, 10}) == about(10.2 + 0.4 * double(k), 0.001));
   }
   CHECK_FALSE(offsetLoops(Shape{}, 0.2, 0.4, 1).ok());
 }
@@ -1161,7 +1162,7 @@ TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {
     ++loops;
   }
   CHECK(loops == 2 * 25);
-  CHECK(filament == Approx(2 * extrusion(0.2, 30, 20, 1.75, 1)).epsilon(0.03));
+  CHECK(filament == about(2 * extrusion(0.2, 30, 20, 1.75, 1), 0.03));
 
   job.params.basePattern = BasePattern::Same;
   const ReadFile same = checkFile(job, job.write());
@@ -1171,7 +1172,7 @@ TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {
     if (path.role != "Solid infill") continue;
     CHECK(path.closed());
     CHECK(path.moves.size() == top.moves.size());
-    CHECK(path.filament() == Approx(top.filament() / job.params.flow).epsilon(1e-3));
+    CHECK(path.filament() == about(top.filament() / job.params.flow, 1e-3));
     ++equal;
   }
   CHECK(equal == 2);
@@ -1193,7 +1194,7 @@ TEST_CASE("the first layer keeps off the border by the elephant's foot") {
     return std::pair{hi[1] - lo[1], hi[2] - lo[2]};
   };
   const auto [first, second] = firstWidth();
-  CHECK(first == Approx(double(second) - 200).epsilon(0.001));
+  CHECK(first == about(double(second) - 200, 0.001));
   job.params.elephantFoot = 0;
   CHECK(firstWidth().first == second);
 }
@@ -1218,11 +1219,11 @@ TEST_CASE("a brim touches the outside of the plate, on the first layer only") {
       skirt = lo;
       continue;
     }
-    CHECK(lo == Approx(95 - 0.2 - 0.4 * (4 - loops)).epsilon(1e-4));
+    CHECK(lo == about(95 - 0.2 - 0.4 * (4 - loops), 1e-4));
     if (outermost == 0) outermost = lo;
   }
   CHECK(loops == 4);
-  CHECK(outermost - skirt == Approx(5 + 0.2).epsilon(0.01));  // the skirt runs around the brim
+  CHECK(outermost - skirt == about(5 + 0.2, 0.01));  // the skirt runs around the brim
 
   job.params.place = Vec2{0.5, 50};
   const Error error = job.write().result.error();
@@ -1366,8 +1367,8 @@ TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre")
   double b = 0;
   for (const ReadMove& move : full.moves) a += move.length();
   for (const ReadMove& move : path.moves) b += move.length();
-  CHECK(a - b == Approx(0.25).epsilon(0.01));
-  CHECK(full.filament() - path.filament() == Approx(extrusion(0.2, 0.4, 0.25, 1.75, 0.95)).epsilon(0.02));
+  CHECK(a - b == about(0.25, 0.01));
+  CHECK(full.filament() - path.filament() == about(extrusion(0.2, 0.4, 0.25, 1.75, 0.95), 0.02));
 }
 
 TEST_CASE("cycles begin at a concave corner if they pass one") {
@@ -1754,7 +1755,7 @@ TEST_CASE("a turned plate keeps its lengths and stays upon the bed or is refused
   job.params.rotate = 20;
   const Written turned = job.write();
   checkFile(job, turned);
-  CHECK(turned.result.value().filamentMm == doctest::Approx(straight).epsilon(2e-3));
+  CHECK(turned.result.value().filamentMm == about(straight, 2e-3));
   job.params.rotate = 60;
   REQUIRE(!job.write().result.ok());
   CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);

@@ -171,6 +171,16 @@ Bytes bmp() {
   return b;
 }
 
+/// The same with the short header of OS/2.
+Bytes oldBmp() {
+  Bytes b{'B', 'M'};
+  appendLe(b, 42, 4), appendLe(b, 0, 4), appendLe(b, 26, 4), appendLe(b, 12, 4);
+  appendLe(b, 2, 2), appendLe(b, 2, 2), appendLe(b, 1, 2), appendLe(b, 24, 2);
+  const Bytes whole = bmp();
+  b.insert(b.end(), whole.begin() + 54, whole.end());
+  return b;
+}
+
 /// 3 x 2 grey, top row first: 10 20 30 above 40 40 40.
 Bytes tga(bool packed) {
   Bytes b{0, 0, static_cast<std::uint8_t>(packed ? 11 : 3), 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 2, 0, 8, 0x20};
@@ -254,6 +264,7 @@ TEST_CASE("BMP and TGA are read with their first row on top") {
   CHECK(fromBmp.value().channels == 3);
   const std::uint16_t f = 65535;
   CHECK(fromBmp.value().samples == std::vector<std::uint16_t>{0, 0, f, 0, f, 0, f, 0, 0, f, f, f});
+  CHECK(decodeImage(oldBmp(), "bmp").value().samples == fromBmp.value().samples);
   for (const bool packed : {false, true}) {
     CAPTURE(packed);
     const auto fromTga = decodeImage(tga(packed), "tga");

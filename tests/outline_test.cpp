@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "support/about.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -44,7 +45,7 @@ TEST_CASE("overlapping paths are united, and edges inside the union are no borde
   const Shape shape{
       {{{rectangle({0, 0}, {4, 4})}, FillRule::NonZero}, {{rectangle({2, 1}, {6, 3})}, FillRule::NonZero}}, {6, 4}};
   CHECK(areaOf(shape) == doctest::Approx(16 + 8 - 4));
-  CHECK(intervalArea(shape, 4, 4000) == doctest::Approx(20).epsilon(1e-3));
+  CHECK(intervalArea(shape, 4, 4000) == about(20, 1e-3));
 }
 
 TEST_CASE("the same path drawn twice counts once under nonzero and vanishes under even-odd") {
@@ -101,7 +102,7 @@ TEST_CASE("the area of the outline is that of its intervals for random overlappi
     }
     const Shape shape = shapeOf(rings, {10, 10}, k % 2 == 0 ? FillRule::NonZero : FillRule::EvenOdd);
     CAPTURE(k);
-    CHECK(areaOf(shape) == doctest::Approx(intervalArea(shape, 10, 5000)).epsilon(2e-3));
+    CHECK(areaOf(shape) == about(intervalArea(shape, 10, 5000), 2e-3));
   }
 }
 

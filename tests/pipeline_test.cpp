@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "sillon/measure.hpp"
+#include "support/about.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -61,7 +62,7 @@ TEST_CASE("a half plane of one direction gives straight beads one spacing apart"
   }
   std::sort(rows.begin(), rows.end());
   REQUIRE(rows.size() >= 34);
-  for (std::size_t k = 1; k < rows.size(); ++k) CHECK(rows[k] - rows[k - 1] == doctest::Approx(0.4).epsilon(0.03));
+  for (std::size_t k = 1; k < rows.size(); ++k) CHECK(rows[k] - rows[k - 1] == about(0.4, 0.03));
 }
 
 TEST_CASE("every scene gives one simple closed toolpath per part that covers the shape and does not spill") {

@@ -398,8 +398,12 @@ TEST_CASE("a wrong type is told with the type that is wanted") {
   CHECK(problem(R"({"sillon": 1, "shape": []})") == "shape is a list; it must be an object");
   CHECK(problem(R"({"sillon": 1, "shape": {"file": 3}})") == "shape.file is a number; it must be text");
   CHECK(problem(R"({"sillon": 1, "shape": {"size": [1]}})") == "shape.size is a list; it must be two numbers [x, y]");
-  CHECK(problem(R"({"sillon": 1, "shape": {"size": [1, "2"]}})") ==
-        "shape.size is a list; it must be two numbers [x, y]");
+  for (const char* size : {R"([1, "2"])", R"(["1", 2])", "[1, 2, 3]"}) {
+    CHECK(problem(R"({"sillon": 1, "shape": {"size": )" + std::string(size) + "}}") ==
+          "shape.size is a list; it must be two numbers [x, y]");
+  }
+  CHECK(problem(R"({"sillon": 1, "shape": {"size": {"x": 1, "y": 2}}})") ==
+        "shape.size is an object; it must be two numbers [x, y]");
   CHECK(problem(R"({"sillon": 1, "toolpath": {"spacing": "0.4"}})") == "toolpath.spacing is text; it must be a number");
   CHECK(problem(R"({"sillon": 1, "toolpath": {"bridge": true}})") ==
         "toolpath.bridge is true or false; it must be a number or null");

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 #include "sillon/parts.hpp"
 #include "support/scenes.hpp"
 
@@ -151,7 +153,7 @@ TEST_CASE("the band is exact where it must be and has the right sign and size el
 
 TEST_CASE("islands are parts of their own unless the gap is narrower than the bridge") {
   for (const double gap : {0.1, 0.35, 0.45, 1.0}) {
-    for (const double angle : {0.0, 0.3, 0.785}) {
+    for (const double angle : {0.0, 0.3, 0.785, std::numbers::pi / 2}) {
       CAPTURE(gap);
       CAPTURE(angle);
       // Two rectangles with a straight gap between them, turned.

@@ -137,7 +137,10 @@ TEST_CASE("the preview is bright where beads lie, dark half-way between, and bla
     const std::size_t row = static_cast<std::size_t>((12 - y) * 50);
     return static_cast<int>(image.rgb[3 * (row * 600 + column)]);
   };
-  CHECK(grey(0.02, 6) == 0);
+  for (const double p : {2.0, 6.0, 10.0}) {
+    for (const double edge : {0.02, 11.98}) CHECK(std::max(grey(edge, p), grey(p, edge)) == 0);
+    for (const double near : {0.5, 11.5}) CHECK(std::min(grey(near, p), grey(p, near)) >= 40);
+  }
   // Between hairpins the beads are straight, 0.4 mm apart.
   const Toolpath toolpath = session.generateToolpath(input, params, run).value().toolpath;
   double on = 0, between = 0, count = 0;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "support/about.hpp"
+
 using namespace sillon;
 
 namespace {
@@ -91,15 +93,15 @@ TEST_CASE("a disc stays within 0.001 mm of its circle and touches its page") {
       CHECK(ring[i].x == std::round(ring[i].x * 1e6) / 1e6);
     }
     CHECK(worst < 0.001 + 1e-6);
-    CHECK(shoelace(ring) == doctest::Approx(kPi / 4 * diameter * diameter).epsilon(std::min(0.1, 0.01 / diameter)));
+    CHECK(shoelace(ring) == about(kPi / 4 * diameter * diameter, std::min(0.1, 0.01 / diameter)));
   }
 }
 
 TEST_CASE("a rounded rectangle loses its corners, never more than half its shorter side") {
   const auto area = [](double radius) { return signedArea(get(makeRoundedRectangle({40, 20}, radius))); };
   CHECK(area(0) == 800);
-  CHECK(area(5) == doctest::Approx(800 - (4 - kPi) * 25).epsilon(5e-5));
-  CHECK(area(10) == doctest::Approx(800 - (4 - kPi) * 100).epsilon(1e-4));
+  CHECK(area(5) == about(800 - (4 - kPi) * 25, 5e-5));
+  CHECK(area(10) == about(800 - (4 - kPi) * 100, 1e-4));
   CHECK(area(1e6) == area(10));
   const Shape shape = get(makeRoundedRectangle({40, 20}, 5));
   CHECK(shape.page == Vec2{40, 20});
@@ -157,7 +159,7 @@ TEST_CASE("row 0 of a mask is on top, pixel centres are the samples") {
 TEST_CASE("borders lie where the interpolated brightness is one half") {
   // 8/9 next to 2/9 (above and below one half by 7/18 and 5/18): 7/12 of the way.
   const Shape shape = get(shapeFromMask(picture({"88822", "88822", "88822"}), 5));
-  CHECK(bounds(shape).max.x == doctest::Approx(2.5 + 7.0 / 12).epsilon(1e-4));
+  CHECK(bounds(shape).max.x == about(2.5 + 7.0 / 12, 1e-4));
 }
 
 TEST_CASE("a smooth mask gives its circle back") {
@@ -174,14 +176,14 @@ TEST_CASE("a smooth mask gives its circle back") {
   }
   const Shape shape = get(shapeFromMask(image, 20));
   REQUIRE(shape.paths.at(0).rings.size() == 1);
-  for (const Vec2 p : shape.paths[0].rings[0]) REQUIRE(length(p - Vec2{11, 11}) == doctest::Approx(7).epsilon(3e-4));
-  CHECK(std::abs(signedArea(shape)) == doctest::Approx(kPi * 49).epsilon(1e-3));
+  for (const Vec2 p : shape.paths[0].rings[0]) REQUIRE(length(p - Vec2{11, 11}) == about(7, 3e-4));
+  CHECK(std::abs(signedArea(shape)) == about(kPi * 49, 1e-3));
 }
 
 TEST_CASE("holes turn the other way, parts are rings, saddles keep rings apart or join them by their mean") {
   const Shape ring = get(shapeFromMask(picture({"#####", "#   #", "# # #", "#   #", "#####"}), 5));
   REQUIRE(ring.paths.at(0).rings.size() == 3);
-  CHECK(std::abs(signedArea(ring)) == doctest::Approx(25 - 0.5 - (9 - 0.5) + 0.5).epsilon(0.001));
+  CHECK(std::abs(signedArea(ring)) == about(25 - 0.5 - (9 - 0.5) + 0.5, 0.001));
   // Diagonal neighbours of equal strength: the mean is exactly at the level, which counts as inside.
   CHECK(get(shapeFromMask(picture({"# ", " #"}), 2)).paths[0].rings.size() == 1);
   CHECK(get(shapeFromMask(picture({"6 ", " 6"}), 2)).paths[0].rings.size() == 2);

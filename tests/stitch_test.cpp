@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "curves.hpp"
 #include "sillon/contour.hpp"
 #include "sillon/narrow_places.hpp"
@@ -69,6 +73,30 @@ TEST_CASE("stitching leaves one simple cycle per connected part and moves no poi
       CHECK(after.size() > before.size() * 3 / 5);
     }
   }
+}
+
+TEST_CASE("curves nearer than chords may be are resampled where there is room, and still do not meet") {
+  // Two stadiums of fine points, one just inside the other: steps of 0.4 mm would cut their round ends.
+  ClosedCurves fine;
+  for (const double radius : {0.5, 0.48}) {
+    fine.begin.push_back(static_cast<int>(fine.points.size()));
+    for (const double side : {1.0, -1.0}) {
+      for (int k = 0; k < 60; ++k) {
+        const double a = side * (std::numbers::pi * k / 60 - std::numbers::pi / 2);
+        fine.points.push_back(
+            {static_cast<float>(side * (10 + radius * std::cos(a))), static_cast<float>(radius * std::sin(a))});
+      }
+    }
+  }
+  fine.begin.push_back(static_cast<int>(fine.points.size()));
+  ClosedCurves dense = resampled(fine, 0.02f, RunContext(1));
+  const auto inner = dense.points.begin() + dense.begin[1];
+  std::rotate(inner, inner + 10, dense.points.end());  // steps of both begin elsewhere
+  REQUIRE(findCrossings(dense, RunContext(1)).empty());
+  REQUIRE_FALSE(findCrossings(resampled(dense, 0.4f, RunContext(1)), RunContext(1)).empty());
+  const ClosedCurves out = resampledSimply(dense, 0.4f, RunContext(1));
+  CHECK(findCrossings(out, RunContext(1)).empty());
+  CHECK(out.points.size() < dense.points.size() / 2);
 }
 
 TEST_CASE("islands stay apart with bridge 0 and join when the bridge spans their gap") {

@@ -85,6 +85,131 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
   return segments;
 }
 
+// Square cells over all segments, so that only those in a common cell need be compared.
+struct CellRaster {
+  PointUm32 low{};
+  std::int64_t cell = 1;  ///< side: about two mean segments, and not many more cells than segments
+  int nx = 0;
+  int ny = 0;
+
+  explicit CellRaster(const std::vector<Segment>& segments) {
+    low = segments.front().a;
+    PointUm32 high = low;
+    double total = 0;
+    for (const Segment& s : segments) {
+      low = {std::min({low.x, s.a.x, s.b.x}), std::min({low.y, s.a.y, s.b.y})};
+      high = {std::max({high.x, s.a.x, s.b.x}), std::max({high.y, s.a.y, s.b.y})};
+      total += std::hypot(static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y));
+    }
+    const double area = (static_cast<double>(high.x - low.x) + 1) * (static_cast<double>(high.y - low.y) + 1);
+    const double count = static_cast<double>(segments.size());
+    const double mean = total / count;
+    cell = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::max(2 * mean, std::sqrt(area / (4.0 * count)))));
+    nx = static_cast<int>((high.x - low.x) / cell) + 1;
+    ny = static_cast<int>((high.y - low.y) / cell) + 1;
+  }
+
+  /// Calls visit(index) for the cells a segment passes, row by row: exact within a row by the slope, widened by a
+  /// cell's rounding.
+  template <class Visit>
+  void forCells(const Segment& s, const Visit& visit) const {
+    const int y0 = static_cast<int>((std::min(s.a.y, s.b.y) - low.y) / cell);
+    const int y1 = static_cast<int>((std::max(s.a.y, s.b.y) - low.y) / cell);
+    for (int y = y0; y <= y1; ++y) {
+      double x0 = static_cast<double>(std::min(s.a.x, s.b.x));
+      double x1 = static_cast<double>(std::max(s.a.x, s.b.x));
+      if (y0 != y1) {
+        const double slope = static_cast<double>(s.b.x - s.a.x) / static_cast<double>(s.b.y - s.a.y);
+        const double bottom = static_cast<double>(low.y + y * cell);
+        const double u = static_cast<double>(s.a.x) + (bottom - static_cast<double>(s.a.y)) * slope;
+        const double v = u + static_cast<double>(cell) * slope;
+        x0 = std::max(x0, std::min(u, v) - 1);
+        x1 = std::min(x1, std::max(u, v) + 1);
+      }
+      const int c0 = std::max(0, static_cast<int>((x0 - static_cast<double>(low.x)) / static_cast<double>(cell)));
+      const int c1 = std::min(nx - 1, static_cast<int>((x1 - static_cast<double>(low.x)) / static_cast<double>(cell)));
+      for (int x = c0; x <= c1; ++x)
+        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
+    }
+  }
+};
+
+// Cell k holds the segments entries[begin[k]] .. entries[begin[k + 1] - 1].
+struct CellEntries {
+  std::vector<int> begin;
+  std::vector<int> entries;
+};
+
+// Counting sort by shares of the segments; within a cell they stay in order, whatever the number of shares.
+CellEntries sortIntoCells(const std::vector<Segment>& segments, const CellRaster& raster, const RunContext& run) {
+  const std::size_t cells = static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny);
+  const int count = static_cast<int>(segments.size());
+  const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
+  const int grain = (count + shares - 1) / shares;
+  std::vector<std::vector<int>> next(static_cast<std::size_t>(shares), std::vector<int>(cells, 0));
+  // visit(place in the share's row of `next`, segment)
+  const auto forShares = [&](const auto& visit) {
+    parallelFor(run, count, grain, [&](int from, int to) {
+      std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
+      for (int k = from; k < to; ++k) {
+        raster.forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { visit(share[at], k); });
+      }
+    });
+  };
+  forShares([](int& size, int) { ++size; });
+  CellEntries out{std::vector<int>(cells + 1), {}};
+  int sum = 0;
+  for (std::size_t at = 0; at < cells; ++at) {
+    out.begin[at] = sum;
+    for (std::vector<int>& share : next) {
+      const int size = share[at];
+      share[at] = sum;
+      sum += size;
+    }
+  }
+  out.begin[cells] = sum;
+  out.entries.resize(static_cast<std::size_t>(sum));
+  forShares([&](int& place, int k) { out.entries[static_cast<std::size_t>(place++)] = k; });
+  return out;
+}
+
+// As resampled(), but points marked in `keep`, and the segments between them, stay as they are.
+ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char>& keep, double step) {
+  ClosedCurves out;
+  for (int c = 0; c < curves.count(); ++c) {
+    out.begin.push_back(static_cast<int>(out.points.size()));
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    double since = step;  // arc length since the last point put out
+    for (int k = 0; k < n; ++k) {
+      const std::size_t i = static_cast<std::size_t>(first + k);
+      const std::size_t j = static_cast<std::size_t>(first + (k + 1) % n);
+      if (keep[i] || since >= 0.99 * step) {
+        out.points.push_back(curves.points[i]);
+        since = 0;
+      }
+      const Vec2f along = curves.points[j] - curves.points[i];
+      const double size = static_cast<double>(length(along));
+      if (keep[i] || keep[j]) {
+        since += size;
+        continue;
+      }
+      // Between free points only: equal steps along the segment.
+      double at = step - since;
+      for (; at < size - 0.1 * step; at += step) {
+        out.points.push_back(curves.points[i] + along * static_cast<float>(at / size));
+      }
+      since = size - (at - step);
+    }
+    if (static_cast<int>(out.points.size()) - out.begin.back() < kMinPoints) {
+      out.points.resize(static_cast<std::size_t>(out.begin.back()));
+      for (int k = 0; k < n; ++k) out.points.push_back(curves.points[static_cast<std::size_t>(first + k)]);
+    }
+  }
+  out.begin.push_back(static_cast<int>(out.points.size()));
+  return out;
+}
+
 }  // namespace
 
 bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) {
@@ -155,39 +280,7 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
         }
       }
     }
-    ClosedCurves mixed;
-    for (int c = 0; c < curves.count(); ++c) {
-      mixed.begin.push_back(static_cast<int>(mixed.points.size()));
-      const int first = curves.begin[static_cast<std::size_t>(c)];
-      const int n = curves.size(c);
-      double since = static_cast<double>(step);  // arc length since the last point put out
-      for (int k = 0; k < n; ++k) {
-        const std::size_t i = static_cast<std::size_t>(first + k);
-        const std::size_t j = static_cast<std::size_t>(first + (k + 1) % n);
-        if (keep[i] || since >= 0.99 * static_cast<double>(step)) {
-          mixed.points.push_back(curves.points[i]);
-          since = 0;
-        }
-        const Vec2f along = curves.points[j] - curves.points[i];
-        const double size = static_cast<double>(length(along));
-        if (keep[i] || keep[j]) {
-          since += size;
-          continue;
-        }
-        // Between free points only: equal steps along the segment.
-        double at = static_cast<double>(step) - since;
-        for (; at < size - 0.1 * static_cast<double>(step); at += static_cast<double>(step)) {
-          mixed.points.push_back(curves.points[i] + along * static_cast<float>(at / size));
-        }
-        since = size - (at - static_cast<double>(step));
-      }
-      if (static_cast<int>(mixed.points.size()) - mixed.begin.back() < kMinPoints) {
-        mixed.points.resize(static_cast<std::size_t>(mixed.begin.back()));
-        for (int k = 0; k < n; ++k) mixed.points.push_back(curves.points[static_cast<std::size_t>(first + k)]);
-      }
-    }
-    mixed.begin.push_back(static_cast<int>(mixed.points.size()));
-    out = std::move(mixed);
+    out = resampledBetween(curves, keep, static_cast<double>(step));
     crossings = findCrossings(out, run);
   }
   return crossings.empty() ? out : curves;
@@ -206,86 +299,20 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
                                                const std::vector<char>& among) {
   const std::vector<Segment> segments = segmentsOf(curves, among, run);
   if (segments.empty()) return {};
-  PointUm32 low = segments.front().a;
-  PointUm32 high = low;
-  double total = 0;
-  for (const Segment& s : segments) {
-    low = {std::min({low.x, s.a.x, s.b.x}), std::min({low.y, s.a.y, s.b.y})};
-    high = {std::max({high.x, s.a.x, s.b.x}), std::max({high.y, s.a.y, s.b.y})};
-    total += std::hypot(static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y));
-  }
-  // Cells about two mean segments wide, and not many more cells than segments.
-  const double area = (static_cast<double>(high.x - low.x) + 1) * (static_cast<double>(high.y - low.y) + 1);
-  const double mean = total / static_cast<double>(segments.size());
-  const std::int64_t cell = std::max<std::int64_t>(
-      1, static_cast<std::int64_t>(std::max(2 * mean, std::sqrt(area / (4.0 * static_cast<double>(segments.size()))))));
-  const int nx = static_cast<int>((high.x - low.x) / cell) + 1;
-  const int ny = static_cast<int>((high.y - low.y) / cell) + 1;
-
-  // The cells a segment passes, row by row: exact within a row by the slope, widened by a cell's rounding.
-  const auto forCells = [&](const Segment& s, const auto& visit) {
-    const int y0 = static_cast<int>((std::min(s.a.y, s.b.y) - low.y) / cell);
-    const int y1 = static_cast<int>((std::max(s.a.y, s.b.y) - low.y) / cell);
-    for (int y = y0; y <= y1; ++y) {
-      double x0 = static_cast<double>(std::min(s.a.x, s.b.x));
-      double x1 = static_cast<double>(std::max(s.a.x, s.b.x));
-      if (y0 != y1) {
-        const double slope = static_cast<double>(s.b.x - s.a.x) / static_cast<double>(s.b.y - s.a.y);
-        const double bottom = static_cast<double>(low.y + y * cell);
-        const double u = static_cast<double>(s.a.x) + (bottom - static_cast<double>(s.a.y)) * slope;
-        const double v = u + static_cast<double>(cell) * slope;
-        x0 = std::max(x0, std::min(u, v) - 1);
-        x1 = std::min(x1, std::max(u, v) + 1);
-      }
-      const int c0 = std::max(0, static_cast<int>((x0 - static_cast<double>(low.x)) / static_cast<double>(cell)));
-      const int c1 = std::min(nx - 1, static_cast<int>((x1 - static_cast<double>(low.x)) / static_cast<double>(cell)));
-      for (int x = c0; x <= c1; ++x)
-        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
-    }
-  };
-  // Counting sort by shares of the segments; within a cell they stay in order, whatever the number of shares.
-  const std::size_t cells = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
-  const int count = static_cast<int>(segments.size());
-  const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
-  const int grain = (count + shares - 1) / shares;
-  std::vector<std::vector<int>> next(static_cast<std::size_t>(shares), std::vector<int>(cells, 0));
-  parallelFor(run, count, grain, [&](int from, int to) {
-    std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
-    for (int k = from; k < to; ++k)
-      forCells(segments[static_cast<std::size_t>(k)], [&](std::size_t at) { ++share[at]; });
-  });
-  std::vector<int> begin(cells + 1);
-  int sum = 0;
-  for (std::size_t at = 0; at < cells; ++at) {
-    begin[at] = sum;
-    for (std::vector<int>& share : next) {
-      const int size = share[at];
-      share[at] = sum;
-      sum += size;
-    }
-  }
-  begin[cells] = sum;
-  std::vector<int> entries(static_cast<std::size_t>(sum));
-  parallelFor(run, count, grain, [&](int from, int to) {
-    std::vector<int>& share = next[static_cast<std::size_t>(from / grain)];
-    for (int k = from; k < to; ++k) {
-      forCells(segments[static_cast<std::size_t>(k)],
-               [&](std::size_t at) { entries[static_cast<std::size_t>(share[at]++)] = k; });
-    }
-  });
+  const CellRaster raster(segments);
+  const CellEntries cells = sortIntoCells(segments, raster, run);
   if (run.cancelled()) return {};
 
   std::vector<std::pair<int, int>> crossings;
   std::mutex mutex;
-  parallelFor(run, ny, rowGrain(run, ny, 20.0 * nx), [&](int beginRow, int endRow) {
+  parallelFor(run, raster.ny, rowGrain(run, raster.ny, 20.0 * raster.nx), [&](int beginRow, int endRow) {
     std::vector<std::pair<int, int>> found;
-    const std::size_t firstCell = static_cast<std::size_t>(beginRow) * static_cast<std::size_t>(nx);
-    const std::size_t lastCell = static_cast<std::size_t>(endRow) * static_cast<std::size_t>(nx);
-    for (std::size_t at = firstCell; at < lastCell; ++at) {
-      for (int i = begin[at]; i < begin[at + 1]; ++i) {
-        const Segment& s = segments[static_cast<std::size_t>(entries[static_cast<std::size_t>(i)])];
-        for (int j = i + 1; j < begin[at + 1]; ++j) {
-          const Segment& t = segments[static_cast<std::size_t>(entries[static_cast<std::size_t>(j)])];
+    const std::size_t nx = static_cast<std::size_t>(raster.nx);
+    for (std::size_t at = static_cast<std::size_t>(beginRow) * nx; at < static_cast<std::size_t>(endRow) * nx; ++at) {
+      for (int i = cells.begin[at]; i < cells.begin[at + 1]; ++i) {
+        const Segment& s = segments[static_cast<std::size_t>(cells.entries[static_cast<std::size_t>(i)])];
+        for (int j = i + 1; j < cells.begin[at + 1]; ++j) {
+          const Segment& t = segments[static_cast<std::size_t>(cells.entries[static_cast<std::size_t>(j)])];
           if (t.previous == s.id || s.previous == t.id || !sharePoint(s.a, s.b, t.a, t.b)) continue;
           found.emplace_back(std::min(s.id, t.id), std::max(s.id, t.id));
         }

@@ -164,6 +164,9 @@ class Reader {
   void found(const char* rule, bool error, std::string_view kind, const std::string& message);
   void comment(std::string_view text);
   void command(std::string_view text);
+  void startMacro(std::string_view text);
+  void gCode(int code, std::string_view rest);
+  void mCode(int code, std::string_view rest);
   bool words(std::string_view text, Words& words);
   void move(int code, const Words& words);
   void bead(Vec2 from, Vec2 to, double length, double e);
@@ -334,22 +337,26 @@ bool Reader::words(std::string_view text, Words& words) {
   return plain;
 }
 
+// The hottest value is the nozzle's, the next one the bed's.
+void Reader::startMacro(std::string_view text) {
+  check_.homes = true;
+  for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
+    double value = 0;
+    if (readNumber(text.substr(equal + 1), value) == 0) continue;
+    if (value >= kColdest) {
+      check_.nozzleTarget = value;
+      check_.heatsNozzle = true;
+    } else if (value > 0) {
+      check_.bedTarget = value;
+      check_.heatsBed = true;
+    }
+  }
+}
+
 void Reader::command(std::string_view text) {
   if (text.size() > 95) found("grammar", false, "a command of more than 95 characters", ", which Marlin cuts");
   if (isMacro(text, "START")) {
-    check_.homes = true;
-    // The hottest value is the nozzle's, the next one the bed's.
-    for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
-      double value = 0;
-      if (readNumber(text.substr(equal + 1), value) == 0) continue;
-      if (value >= kColdest) {
-        check_.nozzleTarget = value;
-        check_.heatsNozzle = true;
-      } else if (value > 0) {
-        check_.bedTarget = value;
-        check_.heatsBed = true;
-      }
-    }
+    startMacro(text);
     return;
   }
   if (isMacro(text, "END")) {
@@ -372,38 +379,45 @@ void Reader::command(std::string_view text) {
   if ((letter != 'G' && letter != 'M') || digits == 0) return;
   const std::string_view rest = text.substr(1 + digits);
   const int code = number == std::floor(number) && number <= 10000 ? static_cast<int>(number) : -1;
-  Words w;
   if (letter == 'G') {
-    if (code >= 0 && code <= 3) {
-      if (words(rest, w)) move(code, w);
-      return;
-    }
-    if ((code == 10 || code == 11) && words(rest, w) && !w.has(Letter::P)) {  // G10 P is RepRapFirmware's tool setting
-      firmwareRetracted_ = code == 10;
-      endPath();
-    }
-    if (code == 20 || code == 21) {
-      inches_ = code == 20;
-      if (inches_ && !block())
-        found("modes", true, "inches", " (G20); millimetres are what everything else here is in");
-    }
-    if (code == 28) {
-      check_.homes = true;
-      at_ = {};
-      zKnown_ = false;
-    }
-    if (code == 90 || code == 91) absolute_ = absoluteE_ = code == 90;
-    if (code == 92 && words(rest, w)) {
-      const double unit = inches_ ? 25.4 : 1;
-      e_ = w.at(Letter::E, e_ / unit) * unit;
-      if (w.has(Letter::X) || w.has(Letter::Y) || w.has(Letter::Z)) {
-        found("modes", !block(), "G92 moves the origin", " of an axis; places on the bed can no longer be told");
-      }
-      at_ = {w.at(Letter::X, at_.x / unit) * unit, w.at(Letter::Y, at_.y / unit) * unit};
-      z_ = w.at(Letter::Z, z_ / unit) * unit;
-    }
+    gCode(code, rest);
+  } else {
+    mCode(code, rest);
+  }
+}
+
+void Reader::gCode(int code, std::string_view rest) {
+  Words w;
+  if (code >= 0 && code <= 3) {
+    if (words(rest, w)) move(code, w);
     return;
   }
+  if ((code == 10 || code == 11) && words(rest, w) && !w.has(Letter::P)) {  // G10 P is RepRapFirmware's tool setting
+    firmwareRetracted_ = code == 10;
+    endPath();
+  }
+  if (code == 20 || code == 21) {
+    inches_ = code == 20;
+    if (inches_ && !block()) found("modes", true, "inches", " (G20); millimetres are what everything else here is in");
+  }
+  if (code == 28) {
+    check_.homes = true;
+    at_ = {};
+    zKnown_ = false;
+  }
+  if (code == 90 || code == 91) absolute_ = absoluteE_ = code == 90;
+  if (code == 92 && words(rest, w)) {
+    const double unit = inches_ ? 25.4 : 1;
+    e_ = w.at(Letter::E, e_ / unit) * unit;
+    if (w.has(Letter::X) || w.has(Letter::Y) || w.has(Letter::Z)) {
+      found("modes", !block(), "G92 moves the origin", " of an axis; places on the bed can no longer be told");
+    }
+    at_ = {w.at(Letter::X, at_.x / unit) * unit, w.at(Letter::Y, at_.y / unit) * unit};
+    z_ = w.at(Letter::Z, z_ / unit) * unit;
+  }
+}
+
+void Reader::mCode(int code, std::string_view rest) {
   switch (code) {
     case 82:
     case 83:
@@ -413,6 +427,7 @@ void Reader::command(std::string_view text) {
     case 109:
     case 140:
     case 190: {
+      Words w;
       if (!words(rest, w) || w.at(Letter::T) != 0) break;  // other tools are not ours to follow
       const double target = w.at(Letter::S, w.at(Letter::R, -1));
       if (target < 0) break;

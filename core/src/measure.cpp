@@ -3,247 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bead_area.hpp"
 #include "curves.hpp"
 #include "fast_math.hpp"
 #include "parallel_for.hpp"
 #include "sillon/constraints.hpp"
 #include "sillon/sdf.hpp"
-#include "simd.hpp"
 #include "wave_fields.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr int kPixelsPerSpacing = 20;
-constexpr int kTile = 128;          ///< pixels; the state of one tile stays in the second-level cache
-constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
-
 Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
-// ---------------------------------------------------------------------------------------------- area
-
-// A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
-struct Bead {
-  Vec2f a;
-  Vec2f b;
-  float ra;
-  float rb;
-  float along;
-  float length;
-  std::int32_t cycle;
-};
-
-// Positions [0, length] at which a bead covers four points of a row, or -1.
-class Cover {
- public:
-  explicit Cover(const Bead& bead) : bead_(bead) {
-    if (bead.length <= 0) return;
-    u_ = (bead.b - bead.a) * (1 / bead.length);
-    slope_ = (bead.rb - bead.ra) / bead.length;
-    // The disc that reaches furthest towards a point is not the nearest one where the radius changes.
-    if (std::abs(slope_) < 0.99f) {
-      root_ = std::sqrt(1 - slope_ * slope_);
-    } else {
-      shift_ = slope_ * 1e3f;
-    }
-  }
-
-  [[nodiscard]] F4 at(F4 px, float py) const {
-    const F4 toX = px - splat(bead_.a.x);
-    const F4 toY = splat(py - bead_.a.y);
-    const F4 x = toX * splat(u_.x) + toY * splat(u_.y);
-    const F4 y = abs4(splat(u_.x) * toY - splat(u_.y) * toX);
-    const F4 shift = root_ > 0 ? splat(slope_) * y / splat(root_) : splat(shift_);
-    const F4 s = min4(max4(x + shift, splat(0)), splat(bead_.length));
-    const F4 r = splat(bead_.ra) + splat(slope_) * s;
-    const F4 away2 = bead_.length > 0 ? (x - s) * (x - s) + y * y : toX * toX + toY * toY;
-    return select4(away2 > r * r, splat(-1), s);
-  }
-
- private:
-  const Bead& bead_;
-  Vec2f u_{};
-  float slope_ = 0;
-  float root_ = 0;  ///< 0: `shift_` says it
-  float shift_ = 0;
-};
-
-std::vector<Bead> beadsOf(const Toolpath& toolpath, std::vector<float>& lengthOfCycle) {
-  std::vector<Bead> beads;
-  for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
-    const Cycle& cycle = toolpath.cycles[c];
-    double along = 0;
-    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
-      const std::size_t next = k + 1 < cycle.points.size() ? k + 1 : 0;
-      const float size = length(cycle.points[next] - cycle.points[k]);
-      beads.push_back({cycle.points[k], cycle.points[next], 0.5f * cycle.widths[k], 0.5f * cycle.widths[next],
-                       static_cast<float>(along), size, static_cast<std::int32_t>(c)});
-      along += static_cast<double>(size);
-    }
-    lengthOfCycle.push_back(static_cast<float>(along));
-  }
-  return beads;
-}
-
-// How often beads pass over each pixel of a tile. Positions at most `apart` from the last one belong to the same pass,
-// the end of a cycle to its beginning.
-class TilePasses {
- public:
-  TilePasses(const std::vector<float>& lengthOfCycle, float apart)
-      : lengthOfCycle_(lengthOfCycle), apart_(apart), pixels_(kTile * kTile) {}
-
-  void reset() { std::fill(pixels_.begin(), pixels_.end(), Pixel{}); }
-
-  void cover(int pixel, std::int32_t cycle, float along) {
-    Pixel& p = pixels_[static_cast<std::size_t>(pixel)];
-    if (p.cycle != cycle) {
-      close(p);
-      p.cycle = cycle;
-      p.first = along;
-      p.passes = 1;
-    } else if (along - p.last > apart_) {
-      ++p.passes;
-    }
-    p.last = along;
-  }
-
-  int passes(int pixel) {
-    Pixel& p = pixels_[static_cast<std::size_t>(pixel)];
-    close(p);
-    return p.total;
-  }
-
- private:
-  struct Pixel {
-    std::int32_t cycle = -1;
-    float first = 0;
-    float last = 0;
-    std::int16_t passes = 0;  ///< of the current cycle
-    std::int16_t total = 0;   ///< of the cycles before
-  };
-
-  void close(Pixel& p) {
-    if (p.passes > 1 && p.first + lengthOfCycle_[static_cast<std::size_t>(p.cycle)] - p.last <= apart_) --p.passes;
-    p.total = static_cast<std::int16_t>(p.total + p.passes);
-    p.passes = 0;
-    p.cycle = -1;
-  }
-
-  const std::vector<float>& lengthOfCycle_;
-  float apart_;
-  std::vector<Pixel> pixels_;
-};
-
-struct AreaCount {
-  std::int64_t covered = 0;
-  std::int64_t spilled = 0;
-  std::int64_t overlapped = 0;
-  std::int64_t shape = 0;
-};
-
-AreaCount countArea(const Toolpath& toolpath, const Shape& shape, const Bounds& box, const RunContext& run) {
-  std::vector<float> lengthOfCycle;
-  const std::vector<Bead> beads = beadsOf(toolpath, lengthOfCycle);
-  const double pixel = toolpath.spacing / kPixelsPerSpacing;
-  // Not a whole number of pixels: drawings like round numbers, and a border through pixel centres would be a tie.
-  const double margin = 2 * toolpath.spacing + 0.382 * pixel;
-  const Grid raster{{box.min.x - margin, box.min.y - margin},
-                    pixel,
-                    static_cast<int>((box.size().x + 2 * margin) / pixel) + 1,
-                    static_cast<int>((box.size().y + 2 * margin) / pixel) + 1};
-  const auto inside = insideIntervals(shape, raster.centre(0, 0).y, pixel, raster.ny);
-  const int tx = (raster.nx - 1) / kTile + 1;
-  const int ty = (raster.ny - 1) / kTile + 1;
-
-  const auto pixelOf = [&](double v, double origin, int count) {
-    return std::clamp(static_cast<int>(std::floor((v - origin) / pixel)), 0, count - 1);
-  };
-  struct Reach {
-    int x0, x1, y0, y1;
-  };
-  const auto reachOf = [&](const Bead& b) {
-    const double r = static_cast<double>(std::max(b.ra, b.rb));
-    const Vec2 a = wide(b.a);
-    const Vec2 e = wide(b.b);
-    return Reach{pixelOf(std::min(a.x, e.x) - r, raster.origin.x, raster.nx),
-                 pixelOf(std::max(a.x, e.x) + r, raster.origin.x, raster.nx),
-                 pixelOf(std::min(a.y, e.y) - r, raster.origin.y, raster.ny),
-                 pixelOf(std::max(a.y, e.y) + r, raster.origin.y, raster.ny)};
-  };
-  const auto forTiles = [&](const Bead& bead, const auto& visit) {
-    const Reach r = reachOf(bead);
-    for (int y = r.y0 / kTile; y <= r.y1 / kTile; ++y) {
-      for (int x = r.x0 / kTile; x <= r.x1 / kTile; ++x) visit(static_cast<std::size_t>(y * tx + x));
-    }
-  };
-  std::vector<std::size_t> begin(static_cast<std::size_t>(tx) * static_cast<std::size_t>(ty) + 1, 0);
-  for (const Bead& bead : beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
-  for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
-  std::vector<std::int32_t> beadOf(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t k = 0; k < beads.size(); ++k) {
-    forTiles(beads[k], [&](std::size_t t) { beadOf[next[t]++] = static_cast<std::int32_t>(k); });
-  }
-
-  std::vector<float> columns(static_cast<std::size_t>(raster.nx) + 3);  // whole vectors
-  for (int x = 0; x < raster.nx; ++x) columns[static_cast<std::size_t>(x)] = static_cast<float>(raster.centre(x, 0).x);
-  const int tiles = tx * ty;
-  std::vector<AreaCount> counts(static_cast<std::size_t>(tiles));
-  const auto countTiles = [&](int firstTile, int lastTile) {
-    TilePasses passes(lengthOfCycle, static_cast<float>(3 * toolpath.spacing));
-    for (int tile = firstTile; tile < lastTile && !run.cancelled(); ++tile) {
-      passes.reset();
-      const int left = tile % tx * kTile;
-      const int bottom = tile / tx * kTile;
-      for (std::size_t at = begin[static_cast<std::size_t>(tile)]; at < begin[static_cast<std::size_t>(tile) + 1];
-           ++at) {
-        const Bead& bead = beads[static_cast<std::size_t>(beadOf[at])];
-        const Reach r = reachOf(bead);
-        const Cover cover(bead);
-        const int last = std::min(r.x1, left + kTile - 1);
-        for (int y = std::max(r.y0, bottom); y <= std::min(r.y1, bottom + kTile - 1); ++y) {
-          const float py = static_cast<float>(raster.centre(0, y).y);
-          for (int x = std::max(r.x0, left); x <= last; x += 4) {
-            const F4 s = cover.at(load4(&columns[static_cast<std::size_t>(x)]), py);
-            for (int k = 0; k < 4 && x + k <= last; ++k) {
-              if (s[k] >= 0) passes.cover((y - bottom) * kTile + x + k - left, bead.cycle, bead.along + s[k]);
-            }
-          }
-        }
-      }
-      AreaCount& count = counts[static_cast<std::size_t>(tile)];
-      for (int y = bottom; y < std::min(bottom + kTile, raster.ny); ++y) {
-        const std::vector<Interval>& row = inside[static_cast<std::size_t>(y)];
-        std::size_t interval = 0;
-        for (int x = left; x < std::min(left + kTile, raster.nx); ++x) {
-          const double px = raster.centre(x, y).x;
-          while (interval < row.size() && row[interval].end < px) ++interval;
-          const bool in = interval < row.size() && row[interval].begin <= px;
-          const int n = passes.passes((y - bottom) * kTile + x - left);
-          count.shape += in ? 1 : 0;
-          count.covered += in && n > 0 ? 1 : 0;
-          count.spilled += !in && n > 0 ? 1 : 0;
-          count.overlapped += n > 1 ? 1 : 0;
-        }
-      }
-    }
-  };
-  const int step = (tiles - 1) / 24 + 1;  // between reports of progress
-  for (int done = 0; done < tiles && !run.cancelled(); done += step) {
-    const int count = std::min(step, tiles - done);
-    parallelFor(run, count, std::max(1, count / (4 * run.threads())),
-                [&](int first, int last) { countTiles(done + first, done + last); });
-    run.report(kAreaShare * std::min(done + step, tiles) / tiles);
-  }
-  AreaCount total;
-  for (const AreaCount& count : counts) {
-    total.covered += count.covered;
-    total.spilled += count.spilled;
-    total.overlapped += count.overlapped;
-    total.shape += count.shape;
-  }
-  return total;
-}
 
 // Shape minus its opening by a disc of radius tau/2, pieces above tau²/4: samples tau/8 apart.
 Result<double> lostArea(const Shape& shape, const BorderIndex& border, const Bounds& box, double spacing,
@@ -301,8 +72,6 @@ Result<double> lostArea(const Shape& shape, const BorderIndex& border, const Bou
   }
   return area;
 }
-
-// --------------------------------------------------------------------------------- alignment and turns
 
 struct AlignmentSums {
   double length = 0;
@@ -480,13 +249,13 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.singularities = dislocations.value().singularities;
   out.dislocationBound = dislocations.value().bound;
   Alignment alignment;
-  double beadArea = 0;
+  double laidArea = 0;
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t n = cycle.points.size();
     for (std::size_t k = 0; k < n; ++k) {
       const double size = static_cast<double>(length(cycle.points[(k + 1) % n] - cycle.points[k]));
       out.lengthMm += size;
-      beadArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[(k + 1) % n]);
+      laidArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[(k + 1) % n]);
     }
     const Alignment sums = alignmentOf(cycle, border.value(), shape.page, directions, modes, params);
     for (const auto& [total, part] :
@@ -500,12 +269,12 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.alignmentInterior = alignment.interior.value();
   out.alignmentConstrained = alignment.constrained.value();
 
-  const AreaCount area = countArea(toolpath, shape, box, run);
+  const BeadArea area = beadArea(toolpath, shape, box, run);
   const double pixels = std::max<double>(1, static_cast<double>(area.shape));
   out.coverage = 100 * static_cast<double>(area.covered) / pixels;
   out.spill = 100 * static_cast<double>(area.spilled) / pixels;
   out.overlap = 100 * static_cast<double>(area.overlapped) / pixels;
-  out.fillRatio = beadArea / outline.value().area;
+  out.fillRatio = laidArea / outline.value().area;
   const Result<double> lost = lostArea(shape, border.value(), outline.value().bounds, params.spacing, run);
   if (!lost) return lost.error();
   out.lostAreaMm2 = lost.value();

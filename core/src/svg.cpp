@@ -1,5 +1,5 @@
-// SVG 1.1/2 geometry to polygons: https://www.w3.org/TR/SVG2/ (paths: chapter 9, basic shapes: 10, units and viewports:
-// 8). RapidXML reads the XML, fast_float the numbers.
+// SVG 1.1/2 geometry to polygons: https://www.w3.org/TR/SVG2/ (units and viewports: chapter 8). RapidXML reads the XML,
+// fast_float the numbers.
 #include "sillon/svg.hpp"
 
 #include <algorithm>
@@ -15,143 +15,29 @@
 #include <utility>
 #include <vector>
 
-#include <fast_float/fast_float.h>
 #include <Eigen/Geometry>
 #include <rapidxml/rapidxml.hpp>
 
+#include "svg_node.hpp"
+#include "svg_path.hpp"
+#include "svg_reader.hpp"
+#include "svg_style.hpp"
+
 namespace sillon {
 namespace {
+
+using namespace svg;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMmPerPx = 25.4 / 96;
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr int kMaxDepth = 200;  // of elements, <use> counted in: each level costs stack
-constexpr std::int64_t kMaxPoints = 2'000'000;
 constexpr std::int64_t kMaxWork =
     4 * static_cast<std::int64_t>(kMaxBytes);  // bytes read while drawing; <use> reads again
 constexpr std::int64_t kWorkPerElement = 64;   // bytes an element without attributes counts as
 constexpr double kMaxPage = 1e5;               // [mm]
-constexpr double kMaxCoordinate = 1e6;         // [mm]; 1e12 nm are exact in a double
-
-// Thrown and caught in this file only: parsing is deep, and each level would have to hand errors on.
-struct Refused {
-  ErrorCode code;
-  std::string problem;
-};
-
-[[noreturn]] void refuse(const std::string& problem) { throw Refused{ErrorCode::InvalidFile, problem}; }
-[[noreturn]] void refuseTooLarge(const std::string& problem) { throw Refused{ErrorCode::TooLarge, problem}; }
-
-// ---- text ----
-
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-bool startsWith(std::string_view text, std::string_view head) { return text.substr(0, head.size()) == head; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::string lowered(std::string_view text) {
-  std::string copy(text);
-  std::transform(copy.begin(), copy.end(), copy.begin(), lower);
-  return copy;
-}
-
-// Text of the file inside a message: short, printable.
-std::string quoted(std::string_view text) {
-  std::string copy(text.substr(0, 40));
-  for (char& c : copy) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return "\"" + copy + (text.size() > 40 ? "...\"" : "\"");
-}
-
-// Calls body(piece) for the pieces between separators.
-template <class Body>
-void split(std::string_view text, char separator, const Body& body) {
-  while (true) {
-    const std::size_t end = text.find(separator);
-    body(text.substr(0, end));
-    if (end == std::string_view::npos) return;
-    text.remove_prefix(end + 1);
-  }
-}
-
-// Numbers, flags and words of an attribute from left to right.
-class Reader {
- public:
-  Reader(std::string_view text, const char* what) : text_(text), what_(what) {}
-
-  bool atEnd() {
-    skipSpace();
-    return at_ == text_.size();
-  }
-  [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-  char take() { return text_[at_++]; }
-  [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
-
-  void skipSpace() {
-    while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
-  }
-  void skipSeparator() {
-    skipSpace();
-    if (peek() != ',') return;
-    ++at_;
-    skipSpace();
-  }
-  void expect(char c) {
-    skipSpace();
-    if (peek() != c) fail(std::string("'") + c + "'");
-    ++at_;
-  }
-  std::string_view word() {
-    const std::size_t begin = at_;
-    while (isLetter(peek())) ++at_;
-    return text_.substr(begin, at_ - begin);
-  }
-
-  // A finite number; separators before it are skipped.
-  double number() {
-    skipSeparator();
-    std::size_t begin = at_;
-    std::size_t first = begin + (peek() == '+' || peek() == '-' ? 1 : 0);
-    // The library would also take "inf" and "nan".
-    if (first >= text_.size() || !(isDigit(text_[first]) || text_[first] == '.')) fail("a number");
-    if (text_[begin] == '+') begin = first;
-    double value = 0;
-    const auto [end, error] = fast_float::from_chars(text_.data() + begin, text_.data() + text_.size(), value);
-    if (error != std::errc{}) fail("a number");
-    if (!std::isfinite(value)) refuse("the number " + quoted(rest()) + " in " + what_ + " is too large");
-    at_ = static_cast<std::size_t>(end - text_.data());
-    return value;
-  }
-
-  // The flags of an arc may stand together: "a1 1 0 0110 10".
-  bool flag() {
-    skipSeparator();
-    if (peek() != '0' && peek() != '1') fail("a flag 0 or 1");
-    return take() == '1';
-  }
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    if (at_ >= text_.size()) refuse(what_ + " ends where " + expected + " must follow");
-    refuse(what_ + " has " + quoted(rest()) + " where " + expected + " must stand");
-  }
-
- private:
-  std::string_view text_;
-  std::string what_;
-  std::size_t at_ = 0;
-};
 
 // ---- XML ----
-
-using Node = rapidxml::xml_node<>;
 
 // Checks tags from left to right as RapidXML will read them, but a little stricter, so that its recursion is known
 // to be shallow before it starts.
@@ -250,20 +136,6 @@ class NestingCheck {
   std::size_t at_ = 0;
 };
 
-// Local name of an SVG element; empty for text, comments and elements of other vocabularies.
-std::string_view elementName(const Node& node) {
-  if (node.type() != rapidxml::node_element) return {};
-  std::string_view name(node.name(), node.name_size());
-  if (startsWith(name, "svg:")) name.remove_prefix(4);
-  return name.find(':') == std::string_view::npos ? name : std::string_view{};
-}
-
-std::optional<std::string_view> attribute(const Node& node, std::string_view name) {
-  const auto* found = node.first_attribute(name.data(), name.size());
-  if (!found) return std::nullopt;
-  return std::string_view(found->value(), found->value_size());
-}
-
 // ---- lengths ----
 
 // Millimetres per unit of a CSS length; 0 for no unit, nothing for an unknown one. em and ex: of a 16 px font.
@@ -312,8 +184,6 @@ std::optional<Length> lengthOf(const Node& node, const char* name) {
 
 // ---- transforms and viewports ----
 
-using Matrix = Eigen::Affine2d;
-
 // (x, y) -> (a x + c y + e, b x + d y + f), as SVG counts them.
 Matrix matrix(double a, double b, double c, double d, double e, double f) {
   Matrix m = Matrix::Identity();
@@ -323,13 +193,6 @@ Matrix matrix(double a, double b, double c, double d, double e, double f) {
 }
 
 Matrix shifted(double x, double y) { return Matrix(Eigen::Translation2d(x, y)); }
-Matrix rotation(double degrees) { return Matrix(Eigen::Rotation2Dd(degrees / 180 * kPi)); }
-
-Vec2 vectorBy(const Matrix& m, Vec2 v) {
-  const Eigen::Vector2d out = m.linear() * Eigen::Vector2d(v.x, v.y);
-  return {out.x(), out.y()};
-}
-Vec2 pointBy(const Matrix& m, Vec2 p) { return vectorBy(m, p) + Vec2{m.translation().x(), m.translation().y()}; }
 
 Matrix parseTransform(std::string_view text) {
   Reader reader(text, "transform");
@@ -421,391 +284,6 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   const double s = mode == "slice" ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
   return matrix(s, 0, 0, s, before.x * (size.x - box.size.x * s) - box.min.x * s,
                 before.y * (size.y - box.size.y * s) - box.min.y * s);
-}
-
-// ---- CSS ----
-
-// What `display` and `fill-rule` may come from: the last of the most specific wins.
-struct Declared {
-  std::string value;
-  std::int64_t weight = -1;
-
-  void set(std::string_view newValue, std::int64_t newWeight) {
-    if (newWeight < weight) return;
-    value = lowered(newValue);
-    weight = newWeight;
-  }
-};
-struct Style {
-  Declared display;
-  Declared fillRule;
-
-  void declare(std::string_view declarations, std::int64_t weight) {
-    split(declarations, ';', [&](std::string_view declaration) {
-      const std::size_t colon = declaration.find(':');
-      if (colon == std::string_view::npos) return;
-      const std::string name = lowered(trimmed(declaration.substr(0, colon)).substr(0, 16));
-      std::string_view value = declaration.substr(colon + 1);
-      value = trimmed(value.substr(0, value.find('!')));  // without !important, which is not honoured
-      if (name == "display") display.set(value, weight);
-      if (name == "fill-rule") fillRule.set(value, weight);
-    });
-  }
-  void add(const Style& other) {
-    display.set(other.display.value, other.display.weight);
-    fillRule.set(other.fillRule.value, other.fillRule.weight);
-  }
-};
-
-// Rules of <style> elements whose selector is *, a name, a class, an id, or a name with a class or id.
-class StyleSheet {
- public:
-  void add(std::string_view text) {
-    const std::string css = withoutComments(text);
-    std::string_view rest = css;
-    while (true) {
-      rest = trimmed(rest);
-      const std::size_t open = rest.find_first_of("{;");
-      if (open == std::string_view::npos) return;
-      const std::string_view head = trimmed(rest.substr(0, open));
-      if (rest[open] == ';') {  // @import and the like
-        rest.remove_prefix(open + 1);
-        continue;
-      }
-      std::size_t end = open + 1;
-      for (int depth = 1; depth > 0 && end < rest.size(); ++end) {
-        if (rest[end] == '{') ++depth;
-        if (rest[end] == '}') --depth;
-      }
-      if (!startsWith(head, "@")) {
-        const std::string_view body = rest.substr(open + 1, end - open - 1);
-        addRule(head, body.substr(0, body.find('}')));
-      }
-      rest.remove_prefix(end);
-    }
-  }
-
-  [[nodiscard]] Style match(const Node& node) const {
-    Style style;
-    if (rules_.empty()) return style;
-    const auto look = [&](const std::string& selector) {
-      const auto found = rules_.find(selector);
-      if (found != rules_.end()) style.add(found->second);
-    };
-    const std::string name(elementName(node));
-    look("*");
-    look(name);
-    std::string_view classes = attribute(node, "class").value_or("");
-    while (!(classes = trimmed(classes)).empty()) {
-      const auto* end = std::find_if(classes.data(), classes.data() + classes.size(), isSpace);
-      const std::string token(classes.data(), end);
-      classes.remove_prefix(token.size());
-      look("." + token);
-      look(name + "." + token);
-    }
-    if (const auto id = attribute(node, "id")) {
-      look("#" + std::string(*id));
-      look(name + "#" + std::string(*id));
-    }
-    return style;
-  }
-
- private:
-  static std::string withoutComments(std::string_view text) {
-    std::string css;
-    while (true) {
-      const std::size_t begin = text.find("/*");
-      css += text.substr(0, begin);
-      if (begin == std::string_view::npos) return css;
-      const std::size_t end = text.find("*/", begin + 2);
-      if (end == std::string_view::npos) return css;
-      css += ' ';
-      text.remove_prefix(end + 2);
-    }
-  }
-
-  void addRule(std::string_view selectors, std::string_view declarations) {
-    Style probe;
-    probe.declare(declarations, 0);
-    if (probe.display.weight < 0 && probe.fillRule.weight < 0) return;
-    split(selectors, ',', [&](std::string_view selector) {
-      selector = trimmed(selector);
-      if (selector.empty() || selector.find_first_of(" \t\r\n>+~:[") != std::string_view::npos) return;
-      const std::size_t mark = selector.find_first_of(".#");
-      const bool hasMark = mark != std::string_view::npos;
-      if (hasMark && selector.find_first_of(".#", mark + 1) != std::string_view::npos) return;
-      if (hasMark && mark == 1 && selector[0] == '*') selector.remove_prefix(1);
-      // As CSS counts: ids, then classes, then names, then order.
-      std::int64_t specificity = hasMark ? (selector.find('#') != std::string_view::npos ? 4 : 2) : 0;
-      if (selector[0] != '.' && selector[0] != '#' && selector[0] != '*') specificity += 1;
-      Style style = probe;
-      const std::int64_t weight = (specificity << 40) + ++order_;
-      if (style.display.weight >= 0) style.display.weight = weight;
-      if (style.fillRule.weight >= 0) style.fillRule.weight = weight;
-      rules_[std::string(selector)].add(style);
-    });
-  }
-
-  std::unordered_map<std::string, Style> rules_;
-  std::int64_t order_ = 0;
-};
-
-// ---- outlines ----
-
-// Polygons of one element. Takes curves in the element's coordinates, keeps points in mm, y up.
-class Outliner {
- public:
-  Outliner(const Matrix& toWorld, double tolerance, std::int64_t& pointsLeft)
-      : toWorld_(toWorld), tolerance_(tolerance), pointsLeft_(pointsLeft) {}
-
-  void line(Vec2 from, Vec2 to) {
-    begin(from);
-    add(pointBy(toWorld_, to));
-  }
-
-  void quadratic(Vec2 from, Vec2 control, Vec2 to) {
-    begin(from);
-    const Vec2 a = pointBy(toWorld_, from), b = pointBy(toWorld_, control), c = pointBy(toWorld_, to);
-    const int n = pieces(2 * length(a - 2.0 * b + c));
-    for (int i = 1; i < n; ++i) {
-      const double t = static_cast<double>(i) / n, s = 1 - t;
-      add(s * s * a + 2 * s * t * b + t * t * c);
-    }
-    add(c);
-  }
-
-  void cubic(Vec2 from, Vec2 control1, Vec2 control2, Vec2 to) {
-    begin(from);
-    const Vec2 a = pointBy(toWorld_, from), b = pointBy(toWorld_, control1);
-    const Vec2 c = pointBy(toWorld_, control2), d = pointBy(toWorld_, to);
-    const int n = pieces(6 * std::max(length(a - 2.0 * b + c), length(b - 2.0 * c + d)));
-    for (int i = 1; i < n; ++i) {
-      const double t = static_cast<double>(i) / n, s = 1 - t;
-      add(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
-    }
-    add(d);
-  }
-
-  // center + cos(angle) u + sin(angle) v for `sweep` radians from `angle`; `to` is the exact end.
-  void arc(Vec2 from, Vec2 center, Vec2 u, Vec2 v, double angle, double sweep, Vec2 to) {
-    begin(from);
-    const Vec2 c = pointBy(toWorld_, center), p = vectorBy(toWorld_, u), q = vectorBy(toWorld_, v);
-    // The second derivative stays below the longest half axis of the transformed ellipse.
-    const double pp = dot(p, p), qq = dot(q, q), pq = dot(p, q);
-    const double axis = std::sqrt((pp + qq + std::sqrt((pp - qq) * (pp - qq) + 4 * pq * pq)) / 2);
-    const int n = std::max(pieces(axis * sweep * sweep), static_cast<int>(std::ceil(std::abs(sweep) / (kPi / 4))));
-    for (int i = 1; i < n; ++i) {
-      const double at = angle + sweep * i / n;
-      add(c + std::cos(at) * p + std::sin(at) * q);
-    }
-    add(pointBy(toWorld_, to));
-  }
-
-  void quarter(Vec2 center, Vec2 u, Vec2 v) { arc(center + u, center, u, v, 0, kPi / 2, center + v); }
-
-  void close() {
-    while (ring_.size() > 1 && ring_.back() == ring_.front()) ring_.pop_back();
-    if (hasArea()) rings_.push_back(std::move(ring_));
-    ring_.clear();
-  }
-
-  std::vector<Ring> take() {
-    close();
-    return std::move(rings_);
-  }
-
- private:
-  // A curve over t in [0, 1] whose second derivative stays below `bend` leaves the chord of a piece of 1/n by at most
-  // bend / (8 n²).
-  [[nodiscard]] int pieces(double bend) const {
-    const double n = std::ceil(std::sqrt(bend / (8 * tolerance_)));
-    if (!(n <= static_cast<double>(pointsLeft_))) refusePoints();
-    return std::max(1, static_cast<int>(n));
-  }
-
-  void begin(Vec2 from) {
-    if (ring_.empty()) add(pointBy(toWorld_, from));
-  }
-
-  void add(Vec2 p) {
-    if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) {
-      refuse("a point lies more than 1 km away; coordinates in mm must be within 1000000");
-    }
-    // The + 0 turns -0 into 0.
-    p = {std::round(p.x * 1e6) / 1e6 + 0.0, std::round(p.y * 1e6) / 1e6 + 0.0};
-    if (!ring_.empty() && ring_.back() == p) return;
-    if (--pointsLeft_ < 0) refusePoints();
-    ring_.push_back(p);
-  }
-
-  [[noreturn]] static void refusePoints() {
-    refuseTooLarge("the outlines have more than " + std::to_string(kMaxPoints) + " points");
-  }
-
-  // Whether the points span more than a line of 1 nm.
-  [[nodiscard]] bool hasArea() const {
-    if (ring_.size() < 3) return false;
-    Vec2 longest;
-    for (const Vec2 p : ring_) {
-      if (length(p - ring_[0]) > length(longest)) longest = p - ring_[0];
-    }
-    const double room = 1e-6 * length(longest);
-    return std::any_of(ring_.begin(), ring_.end(),
-                       [&](Vec2 p) { return std::abs(cross(longest, p - ring_[0])) >= 0.999 * room; });
-  }
-
-  Matrix toWorld_;
-  double tolerance_;
-  std::int64_t& pointsLeft_;
-  Ring ring_;
-  std::vector<Ring> rings_;
-};
-
-// Sec. B.2.4 of SVG 2: from end points to the centre.
-void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, bool clockwise, Vec2 to) {
-  if (from == to) return;
-  double rx = std::abs(radii.x), ry = std::abs(radii.y);
-  if (rx == 0 || ry == 0) return out.line(from, to);
-  const Matrix turn = rotation(degrees);
-  const Matrix back = rotation(-degrees);
-  // On the unit circle: half the chord h, its distance from the centre.
-  Vec2 h = vectorBy(back, 0.5 * (from - to));
-  h = {h.x / rx, h.y / ry};
-  const double half = dot(h, h);
-  if (!(half < 1e100)) refuse("the radii of an arc are too small for its length");
-  if (half < 1e-14 && !large) return out.line(from, to);  // leaves the chord by less than 1e-7 of it
-  if (half > 1) {                                         // too small to reach: grown until they do
-    rx *= std::sqrt(half);
-    ry *= std::sqrt(half);
-    h = h * (1 / std::sqrt(half));
-  }
-  const double distance = std::sqrt(std::max(0.0, 1 / std::min(half, 1.0) - 1)) * (large == clockwise ? -1 : 1);
-  const Vec2 center{h.y * distance, -h.x * distance};  // in units of the radii, from the chord's middle
-  const Vec2 first = h - center, last = -h - center;
-  double sweep = std::atan2(cross(first, last), dot(first, last));
-  if (clockwise && sweep < 0) sweep += 2 * kPi;
-  if (!clockwise && sweep > 0) sweep -= 2 * kPi;
-  const Vec2 u = vectorBy(turn, {rx, 0}), v = vectorBy(turn, {0, ry});
-  out.arc(from, 0.5 * (from + to) + center.x * u + center.y * v, u, v, std::atan2(first.y, first.x), sweep, to);
-}
-
-void drawPath(Outliner& out, std::string_view text) {
-  if (trimmed(text) == "none") return;
-  Reader reader(text, "d");
-  Vec2 at, start, control;  // control: last one of a curve, for the smooth ones
-  char command = '\0', previous = '\0';
-  while (!reader.atEnd()) {
-    previous = command;
-    if (isLetter(reader.peek())) {
-      if (std::string_view("MmLlHhVvCcSsQqTtAaZz").find(reader.peek()) == std::string_view::npos) {
-        reader.fail("a command M L H V C S Q T A or Z");
-      }
-      command = reader.take();
-    } else if (command == 'M' || command == 'm') {
-      command = command == 'M' ? 'L' : 'l';
-    } else if (command == 'Z' || command == 'z') {
-      reader.fail("a command");
-    }
-    if (previous == '\0' && lower(command) != 'm') reader.fail("M, the first command,");
-
-    const char kind = lower(command);
-    const Vec2 origin = kind == command ? at : Vec2{};
-    const auto point = [&] {
-      const double x = reader.number();
-      return origin + Vec2{x, reader.number()};
-    };
-    const char before = lower(previous);
-    switch (kind) {
-      case 'm':
-        out.close();
-        start = at = point();
-        break;
-      case 'z':
-        out.close();
-        at = start;
-        break;
-      case 'h':
-      case 'v':
-      case 'l': {
-        Vec2 to = at;
-        if (kind == 'h') to.x = origin.x + reader.number();
-        if (kind == 'v') to.y = origin.y + reader.number();
-        if (kind == 'l') to = point();
-        out.line(at, to);
-        at = to;
-        break;
-      }
-      case 'c':
-      case 's': {
-        const bool smooth = before == 'c' || before == 's';
-        const Vec2 first = kind == 'c' ? point() : (smooth ? 2.0 * at - control : at);
-        control = point();
-        const Vec2 to = point();
-        out.cubic(at, first, control, to);
-        at = to;
-        break;
-      }
-      case 'q':
-      case 't': {
-        const bool smooth = before == 'q' || before == 't';
-        control = kind == 'q' ? point() : (smooth ? 2.0 * at - control : at);
-        const Vec2 to = point();
-        out.quadratic(at, control, to);
-        at = to;
-        break;
-      }
-      default: {  // 'a'
-        const double rx = reader.number();
-        const double ry = reader.number();
-        const double degrees = reader.number();
-        const bool large = reader.flag();
-        const bool clockwise = reader.flag();
-        const Vec2 to = point();
-        arcTo(out, at, {rx, ry}, degrees, large, clockwise, to);
-        at = to;
-      }
-    }
-  }
-}
-
-void drawPolygon(Outliner& out, std::string_view text) {
-  Reader reader(text, "points");
-  std::optional<Vec2> previous;
-  while (!reader.atEnd()) {
-    const double x = reader.number();
-    const Vec2 p{x, reader.number()};
-    if (previous) out.line(*previous, p);
-    previous = p;
-  }
-}
-
-void drawEllipse(Outliner& out, Vec2 center, Vec2 radii) {
-  const Vec2 u{radii.x, 0}, v{0, radii.y};
-  out.quarter(center, u, v);
-  out.quarter(center, v, -u);
-  out.quarter(center, -u, -v);
-  out.quarter(center, -v, u);
-}
-
-void drawRectangle(Outliner& out, Vec2 corner, Vec2 size, Vec2 radii) {
-  const Vec2 r{std::min(radii.x, size.x / 2), std::min(radii.y, size.y / 2)};
-  const Vec2 end = corner + size;
-  if (!(r.x > 0 && r.y > 0)) {
-    out.line(corner, {end.x, corner.y});
-    out.line({end.x, corner.y}, end);
-    out.line(end, {corner.x, end.y});
-    return;
-  }
-  const Vec2 u{r.x, 0}, v{0, r.y};
-  out.quarter({end.x - r.x, corner.y + r.y}, -v, u);
-  // The quarters' ends are the straight sides.
-  const auto corneredAt = [&](Vec2 center, Vec2 first, Vec2 second, Vec2 from) {
-    out.line(from, center + first);
-    out.quarter(center, first, second);
-  };
-  corneredAt({end.x - r.x, end.y - r.y}, u, v, {end.x, corner.y + r.y});
-  corneredAt({corner.x + r.x, end.y - r.y}, v, -u, {end.x - r.x, end.y});
-  corneredAt({corner.x + r.x, corner.y + r.y}, -u, -v, {corner.x, end.y - r.y});
 }
 
 // ---- the drawing ----

@@ -169,10 +169,21 @@ describe('memory', { timeout: 600_000 }, () => {
   test('that threads share may have a low limit; beyond it one thread does the call', async () => {
     await withCopy({ 'sillon-mt.js': wrapped('mt', { before: cautious }) }, { threads: 2 }, async (engine) => {
       assert.equal(engine.info.threads, 2, engine.info.reason);
-      const middle = [{ shape: { builtin: 'disc', size: [60, 60] } }, { spacing: 0.15 }, { measure: false }];
+      const told = [];
+      const onProgress = ({ fraction }) => told.push(fraction);
+      const middle = [
+        { shape: { builtin: 'disc', size: [60, 60] } },
+        { spacing: 0.15 },
+        { measure: false, onProgress },
+      ];
       const { report } = await engine.generateToolpath(...middle);
       assert.equal(report.threads, 1);
       assert.ok(report.peakBytes > 2 ** 26);
+      // Begun anew, but never told to be further back.
+      assert.deepEqual(
+        told,
+        [...told].sort((a, b) => a - b),
+      );
       const again = await engine.generateToolpath(...small);
       assert.equal(again.report.digest, digest);
       assert.equal(again.report.threads, 2);

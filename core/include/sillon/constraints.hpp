@@ -32,20 +32,21 @@ struct CellConstraints {
 };
 
 /// Zones from the distance; modes from the nearest texel; lines averaged over the cell in z (or nearest), and taken
-/// from the nearest texel where the average is below 0.1: the edges of mosaics, where it means nothing. \param page
-/// [mm] over which both maps are stretched.
+/// from the nearest texel where the average is below 0.1: the edges of mosaics, where it means nothing.
+/// \param page  over which both maps are stretched [mm].
 Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
                                         const ModeMap& modes, Vec2 page, const ToolpathParams& params,
                                         const RunContext& run);
 
-/// z of the bead direction of a texel.
+/// z of the bead direction of a texel. \param angle  as in DirectionMap.
 Vec2f beadLine(std::uint16_t angle);
 
-/// Texel of a map under a point of the page, row 0 on top, clamped at the edges.
+/// A texel of a map; row 0 on top.
 struct TexelIndex {
   int x = 0;
   int y = 0;
 };
+/// The texel under a point of the page [mm], clamped at the edges. \param width, height  of the map [texels].
 TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height);
 
 }  // namespace sillon

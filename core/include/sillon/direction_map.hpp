@@ -46,8 +46,9 @@ struct ModeMap {
 /// Exact for Angle; Rotation and Tangent are off by at most half a unit, 0.0014 degrees.
 /// \return InvalidArgument for an image without pixels, or for tangents without red and green.
 Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding);
-/// 1 x 1 map, off by at most 0.0014 degrees. \param degrees  bead direction counter-clockwise from +x; any finite
-/// angle.
+/// 1 x 1 map, off by at most 0.0014 degrees.
+/// \param degrees  bead direction counter-clockwise from +x; any finite angle.
+/// \return InvalidArgument for an angle that is not finite.
 Result<DirectionMap> uniformDirection(double degrees);
 
 /// Grey 0, 1/3, 2/3, 1 (nearest) is parallel, orthogonal, smoothest, constrained.

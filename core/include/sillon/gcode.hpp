@@ -18,7 +18,8 @@ namespace sillon {
 /// Bambu machines take only what their own slicer's start block begins: they need `startGcode`.
 enum class GcodeFlavor { Marlin, Klipper, RepRap, PrusaBuddy, Bambu };
 
-/// A machine with its filament. Lengths mm, speeds mm/s, accelerations mm/s², temperatures in degrees Celsius.
+/// A machine with its filament. Lengths mm, speeds mm/s, accelerations mm/s², temperatures in degrees Celsius. Ranges
+/// where none stands here: docs/project.md, section `printer`.
 struct Printer {
   std::string name = "Generic";
   GcodeFlavor flavor = GcodeFlavor::Marlin;
@@ -93,10 +94,10 @@ struct PrintParams {
   double coast = 0;             ///< nothing is extruded over this length before a cycle's end [mm], 0..1
   Vec2 copies{1, 1};            ///< plates in a row and in a column, one printed after the other, 1..20 each
   double copyGap = 10;          ///< between their boxes, brims included [mm], 1..100
-  double layerHeight = 0.2;     ///< 0.05..0.8 nozzle
+  double layerHeight = 0.2;     ///< [mm], 0.05..0.8 nozzle
   double startHeight = 0;       ///< of a print that stands on the bed, above which all layers lie [mm], 0..maxZ
-  double firstLayerHeight = 0;  ///< 0: same as layerHeight
-  double flow = 0.95;           ///< of oriented layers, 0.01..2
+  double firstLayerHeight = 0;  ///< [mm], 0.05..0.8 nozzle; 0: same as layerHeight
+  double flow = 0.95;           ///< of oriented layers, 0.01..2; `baseFlow`: of base layers, likewise
   double baseFlow = 1;
   double rotate = 0;          ///< of the plate on the bed, counter-clockwise [degrees], -360..360
   bool mirror = false;        ///< left to right, before turning: for plates seen from below

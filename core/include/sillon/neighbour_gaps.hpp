@@ -20,8 +20,9 @@ struct NeighbourGaps {
 
 /// Points of the same curve nearer than one spacing along it are not neighbours. Further ones are, so that a hairpin's
 /// legs keep their distance from each other; round its tip the touching circle is the tip itself, as it should be.
-/// (Leaving out 2.5 spacings lets the legs be pressed together: ten times the kinks.) \param curves  points tau/4
-/// apart. \param cap  largest gap looked for [mm].
+/// (Leaving out 2.5 spacings lets the legs be pressed together: ten times the kinks.)
+/// \param curves  points tau/4 apart.
+/// \param cap     largest gap looked for [mm].
 NeighbourGaps neighbourGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
                             const RunContext& run);
 

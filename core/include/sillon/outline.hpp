@@ -30,8 +30,9 @@ struct Interval {
   double end = 0;
 };
 
-/// The inside of the shape along horizontal lines y = firstY + row * step: for each row ascending, disjoint intervals
-/// of x. Exact for any winding and overlap. \param rows  >= 0.
+/// The inside of the shape along horizontal lines y = firstY + row * step [mm]: for each row ascending, disjoint
+/// intervals of x [mm]. Exact for any winding and overlap.
+/// \param rows  >= 0.
 std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step, int rows);
 
 }  // namespace sillon

@@ -25,9 +25,9 @@ class Session {
 
   /// The waves themselves, before any path: bright ridges where beads will lie, black outside. For showing an edit at
   /// once: aligned down to cells of one spacing instead of half of one, along lines that do not give way (lineGive),
-  /// and so a few beads begin or end elsewhere than in the plate. The same picture whatever was called before. \param
-  /// width  of the picture [pixels], 16..8192; the height follows the page. \return as generateToolpath, and
-  /// InvalidArgument for the width.
+  /// and so a few beads begin or end elsewhere than in the plate. The same picture whatever was called before.
+  /// \param width  of the picture [pixels], 16..8192; the height follows the page.
+  /// \return as generateToolpath, and InvalidArgument for the width.
   Result<RgbImage> previewWaves(const PlateInput& input, const ToolpathParams& params, int width,
                                 const RunContext& run);
 

@@ -24,8 +24,8 @@ struct Stitched {
 /// touches a used piece. Only where a part does not hang together otherwise do joints cross gaps: `bridge` at first,
 /// wider where beads cannot come near it. Where that fails too, the paths made so far are curves again, their joints
 /// and used pieces with them, and are joined once more. The cost is 0.65 times the added length (Eq. 14) plus
-/// `stitchAlignment` times the misaligned length added. \param curves  equally spaced points, tau/4 apart, neighbours
-/// in opposite senses.
+/// `stitchAlignment` times the misaligned length added.
+/// \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                               const Parts& parts, const ToolpathParams& params, const RunContext& run);
 

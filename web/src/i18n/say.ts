@@ -1,7 +1,7 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
 import type { EngineInfo, GcodeFinding } from 'sillon';
 import type { Filament } from '../model/filaments.js';
-import { printers, type PrinterChoice } from '../model/printers.js';
+import type { PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
 import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
 import type { Untold } from '../model/share.js';
@@ -67,9 +67,6 @@ export const printerLabel = (printer: PrinterChoice | undefined): string => {
   const text = `printer.${printer.key}`;
   return hasText(text) ? t(text) : printer.label;
 };
-
-export const printerLabels = (): { key: string; label: string }[] =>
-  printers.map((printer) => ({ key: printer.key, label: printerLabel(printer) }));
 
 export const filamentLabel = ({ key }: Filament): string => t(`filament.${key}`);
 

@@ -37,7 +37,7 @@ export interface NumberSetting extends Row {
   step: number;
   /** What a slider spans where min to max is too much. */
   usual: [number, number];
-  /** The value may be null, which has a meaning of its own: `setting.ID.null`. */
+  /** The value may be null, which has a meaning of its own, in the dictionary: `null.ID`. */
   nullable: boolean;
   default: number | null;
 }

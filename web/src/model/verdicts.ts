@@ -1,5 +1,5 @@
-// What a report means to somebody who is about to print. Limits are by eye, from printed and rendered examples; the
-// sentences are in the dictionary: `verdict.TEXT`.
+// What a report means to somebody who is about to print. Limits are by eye, from rendered examples; the sentences are
+// in the dictionary: `verdict.TEXT`.
 import type { Report } from 'sillon';
 
 export type Measure =
@@ -20,6 +20,14 @@ export interface Verdict {
   text: VerdictText;
   values: Readonly<Record<string, number>>;
 }
+
+/** The usual verdict, whose sentence goes by its level. */
+const judged = <M extends Measure, L extends Level>(measure: M, level: L, values: Verdict['values']) => ({
+  measure,
+  level,
+  text: `${measure}.${level}` as const,
+  values,
+});
 
 /** @param rising  whether more is worse */
 const levelBetween = (value: number, good: number, fair: number, rising: boolean): Level => {
@@ -51,89 +59,44 @@ export function verdictsOf(report: Report): Verdict[] {
   }
   const area = Math.max(1e-6, lengthMm * spacing); // [mm²], near enough for a density
   const perCm2 = (count: number): number => round((100 * count) / area, 1);
-  const verdicts: Verdict[] = [];
-
-  const metres = round(lengthMm / 1000, 2);
-  const one = report.toolpaths === 1;
-  verdicts.push({
-    measure: 'path',
-    level: 'good',
-    text: one ? 'path.one' : 'path.many',
-    values: { n: report.toolpaths, length: metres },
-  });
-  if (crossings > 0) {
-    verdicts.push({ measure: 'crossings', level: 'poor', text: 'crossings.poor', values: { n: crossings } });
-  }
-
-  const covered = levelBetween(coverage, 98.5, 96, false);
-  verdicts.push({
-    measure: 'coverage',
-    level: covered,
-    text: `coverage.${covered}`,
-    values: { percent: round(coverage, 1) },
-  });
-
-  const overlapping = levelBetween(overlap, 1.5, 4, true);
-  verdicts.push({
-    measure: 'overlap',
-    level: overlapping,
-    text: `overlap.${overlapping}`,
-    values: { percent: round(overlap, 1) },
-  });
+  const verdicts: Verdict[] = [
+    {
+      measure: 'path',
+      level: 'good',
+      text: report.toolpaths === 1 ? 'path.one' : 'path.many',
+      values: { n: report.toolpaths, length: round(lengthMm / 1000, 2) },
+    },
+  ];
+  if (crossings > 0) verdicts.push(judged('crossings', 'poor', { n: crossings }));
+  verdicts.push(
+    judged('coverage', levelBetween(coverage, 98.5, 96, false), { percent: round(coverage, 1) }),
+    judged('overlap', levelBetween(overlap, 1.5, 4, true), { percent: round(overlap, 1) }),
+  );
 
   if (alignmentConstrained === 0) {
     verdicts.push({ measure: 'alignment', level: 'good', text: 'alignment.free', values: {} });
   } else {
     // -1 is perfect, -0.5 chance.
     const percent = Math.max(0, (-alignmentConstrained - 0.5) * 200);
-    const aligned = levelBetween(percent, 90, 70, false);
-    verdicts.push({
-      measure: 'alignment',
-      level: aligned,
-      text: `alignment.${aligned}`,
-      values: { percent: round(percent, 1) },
-    });
+    verdicts.push(judged('alignment', levelBetween(percent, 90, 70, false), { percent: round(percent, 1) }));
   }
 
-  const turning = levelBetween(perCm2(uTurns), 6, 15, true);
-  verdicts.push({
-    measure: 'uTurns',
-    level: turning,
-    text: `uTurns.${turning}`,
-    values: { n: uTurns, density: perCm2(uTurns), bound: dislocationBound },
-  });
-
-  const kinked = perCm2(kinks) <= 0.2 ? 'good' : 'fair';
-  verdicts.push({ measure: 'kinks', level: kinked, text: `kinks.${kinked}`, values: { n: kinks } });
-
-  const held = levelBetween(width.clamped, 0.01, 0.05, true);
-  verdicts.push({
-    measure: 'widths',
-    level: held,
-    text: `widths.${held}`,
-    values: {
-      low: round(width.p01 * spacing, 2),
-      high: round(width.p99 * spacing, 2),
-      median: round(width.median * spacing, 2),
-      percent: round(100 * width.clamped, 1),
-    },
-  });
-
+  const turning = { n: uTurns, density: perCm2(uTurns), bound: dislocationBound };
+  const widths = {
+    low: round(width.p01 * spacing, 2),
+    high: round(width.p99 * spacing, 2),
+    median: round(width.median * spacing, 2),
+    percent: round(100 * width.clamped, 1),
+  };
   const filled = fillRatio >= 0.97 && fillRatio <= 1.05 ? 'good' : 'fair';
-  verdicts.push({
-    measure: 'fill',
-    level: filled,
-    text: `fill.${filled}`,
-    values: { percent: round(100 * fillRatio, 1) },
-  });
-
   const lostShare = (100 * lostAreaMm2) / area;
   const lost = lostAreaMm2 < 0.005 ? 'good' : lostShare < 1 ? 'fair' : 'poor';
-  verdicts.push({
-    measure: 'lost',
-    level: lost,
-    text: `lost.${lost}`,
-    values: { area: round(lostAreaMm2, 2), percent: round(lostShare, 1) },
-  });
+  verdicts.push(
+    judged('uTurns', levelBetween(perCm2(uTurns), 6, 15, true), turning),
+    judged('kinks', perCm2(kinks) <= 0.2 ? 'good' : 'fair', { n: kinks }),
+    judged('widths', levelBetween(width.clamped, 0.01, 0.05, true), widths),
+    judged('fill', filled, { percent: round(100 * fillRatio, 1) }),
+    judged('lost', lost, { area: round(lostAreaMm2, 2), percent: round(lostShare, 1) }),
+  );
   return verdicts;
 }

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { live } from 'lit/directives/live.js';
-import { formatNumber, t } from '../i18n/text.js';
+import { t } from '../i18n/text.js';
 import { icon, type IconName } from './icons.js';
 
 type Content = TemplateResult | typeof nothing;
@@ -73,7 +73,7 @@ export interface NumberField {
 const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
 
 /** As little of a number as its step can tell apart. */
-export const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
+const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
 
 function readNumber(field: NumberField, input: HTMLInputElement): number | undefined {
   const value = input.value.trim() === '' ? Number.NaN : Number(input.value);
@@ -336,7 +336,3 @@ export function textField(field: TextField): TemplateResult {
     ${helpText(id, help)}
   </div>`;
 }
-
-/** "0.4 mm" */
-export const withUnit = (value: number, unit: string, digits = 2): string =>
-  unit === '' ? formatNumber(value, digits) : `${formatNumber(value, digits)} ${unit}`;

@@ -57,15 +57,6 @@ export const controls = css`
   .figures {
     font-variant-numeric: tabular-nums;
   }
-  .unseen {
-    position: absolute;
-    width: 1px;
-    height: 1px;
-    margin: -1px;
-    overflow: hidden;
-    clip-path: inset(50%);
-    white-space: nowrap;
-  }
   :focus {
     outline: none;
   }

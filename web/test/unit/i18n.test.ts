@@ -9,7 +9,7 @@ import {
   choiceLabel,
   findingText,
   nullLabel,
-  printerLabels,
+  printerLabel,
   problemWords,
   progressWords,
   settingHelp,
@@ -32,6 +32,7 @@ import {
   t,
   type Text,
 } from '../../src/i18n/text.js';
+import { printers } from '../../src/model/printers.js';
 import { problemOf, StudioError } from '../../src/model/problem.js';
 import { settingOf, settings } from '../../src/model/settings.js';
 import { verdictsOf } from '../../src/model/verdicts.js';
@@ -73,36 +74,33 @@ test('English has no straight apostrophe either', () => {
   for (const [id, texts] of entries(en)) for (const text of texts) assert.doesNotMatch(text, /'/, id);
 });
 
-test('texts that the sources name are there', () => {
-  // What templates are made of, the compiler checks.
-  const files = (folder: string): string[] =>
-    readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
-      entry.isDirectory()
-        ? files(join(folder, entry.name))
-        : entry.name.endsWith('.ts')
-          ? [join(folder, entry.name)]
-          : [],
-    );
-  let found = 0;
-  for (const file of files('web/src')) {
-    for (const [, id = ''] of readFileSync(file, 'utf8').matchAll(/\bt\(\s*'([^']+)'/g)) {
-      assert.ok(hasText(id), `${file}: ${id}`);
-      ++found;
-    }
+// What templates are made of, the compiler checks.
+test('texts that the sources name are there, and all texts are for something', () => {
+  const files = readdirSync('web/src', { recursive: true, encoding: 'utf8' }).filter(
+    (file) => file.endsWith('.ts') && !/i18n.(en|fr)/.test(file),
+  );
+  const source = files.map((file) => readFileSync(join('web/src', file), 'utf8')).join('\n');
+  const named = [...source.matchAll(/\bt\(\s*'([^']+)'/g)].map(([, id = '']) => id);
+  assert.ok(named.length > 20);
+  for (const id of named) assert.ok(hasText(id), id);
+  const built = [...source.matchAll(/`([a-z]+\.(?:[\w.]|\$\{[^}`]*\})*)`/gi)].map(
+    ([, template = '']) => new RegExp(`^${template.replace(/\$\{[^}]*\}/g, '.+')}$`),
+  );
+  for (const id of Object.keys(en)) {
+    assert.ok(source.includes(`'${id}'`) || built.some((ids) => ids.test(id)), `nothing shows ${id}`);
   }
-  assert.ok(found > 20);
 });
 
 test('values are put in, numbers as the language writes them', async () => {
-  assert.equal(t('setting.range', { min: 0.5, max: 10000 }), '0.5 to 10,000');
-  assert.equal(t('setting.range', { min: 'a' }), 'a to {max}');
+  assert.equal(t('setting.outOfRange', { name: 'Width', min: 0.5, max: 10000 }), 'Width must be 0.5 to 10,000.');
+  assert.equal(t('setting.outOfRange', { name: 'Width', min: 'a' }), 'Width must be a to {max}.');
   await setLanguage('fr');
   assert.equal(language(), 'fr');
-  assert.equal(t('setting.range', { min: 0.5, max: 10000 }), 'de 0,5 à 10\u202f000');
+  assert.match(t('setting.outOfRange', { name: 'x', min: 0.5, max: 10000 }), /de 0,5 à 10\u202f000/);
 });
 
 test('values cannot bring placeholders of their own', () => {
-  assert.equal(t('setting.range', { min: '{max}', max: 1 }), '{max} to 1');
+  assert.equal(t('setting.value', { label: '{value}', value: 1 }), '{value}: 1');
 });
 
 test('plurals follow the language: none is one of many in English, one in French', async () => {
@@ -128,6 +126,7 @@ test('durations and sizes', async () => {
   assert.equal(formatDuration(3599), '1 h 00 min');
   assert.equal(formatDuration(2 * 3600 + 5 * 60), '2 h 05 min');
   assert.equal(formatBytes(12), '12 bytes');
+  assert.equal(formatBytes(12_345), '12 kB');
   assert.equal(formatBytes(1_250_000), '1.3 MB');
   await setLanguage('fr');
   assert.equal(formatBytes(1_250_000), '1,3\u00a0Mo');
@@ -274,7 +273,7 @@ test('what a link lacks is listed', () => {
 });
 
 test('printers have names', () => {
-  for (const { label } of printerLabels()) assert.notEqual(label, '');
+  for (const printer of printers) assert.notEqual(printerLabel(printer), '');
 });
 
 // --- Verdicts -------------------------------------------------------------------------------------------------------------
@@ -376,6 +375,7 @@ test('findings of the file are told in both languages, with their line', async (
       const finding = { rule, error: true, line: 0, count: 1, message: 'as the engine says it' };
       assert.notEqual(findingText(finding), finding.message, rule);
       assert.match(findingText({ ...finding, line: 12 }), /12/);
+      assert.match(findingText({ ...finding, line: 12, count: 2 }), /12.*1/);
       assert.match(findingText({ ...finding, line: 12, count: 5 }), /12.*4/);
     }
   }

@@ -151,6 +151,23 @@ describe('modes and eraser', () => {
     assert.equal(angleAt(half, 0.25, 0.25), angleAt(base, 0.25, 0.25));
     assert.equal(angleAt(half, 0.75, 0.75), angleAt(combed, 0.75, 0.75));
   });
+
+  test('its soft rim fades from the source to what was there, without steps', () => {
+    const source = even(200, 200, 25);
+    const combed = withStrokes(source, [stroke({ points: [0.1, 0.1, 0.9, 0.9], radius: 2 })], square);
+    const soft = stroke({ tool: 'erase', points: [0.5, 0.5], radius: 0.4, softness: 1 });
+    const raster = withStrokes(combed, [], square);
+    applyStroke(raster, source, soft, square);
+    const away = Array.from({ length: 50 }, (_, k) => angleAt(raster, 0.5 + (k + 0.5) / 100, 0.5));
+    const [from, to] = [angleAt(source, 0.5, 0.5), angleAt(combed, 0.99, 0.5)];
+    assert.ok(between(away[0] ?? NaN, from) < 0.5);
+    assert.equal(away.at(-1), to);
+    const rising = Math.sign(to - from);
+    for (let k = 1; k < away.length; ++k) {
+      const rise = rising * ((away[k] ?? NaN) - (away[k - 1] ?? NaN));
+      assert.ok(rise >= 0 && rise < 5, `${rise}`);
+    }
+  });
 });
 
 describe('replay', () => {
