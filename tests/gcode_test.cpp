@@ -526,6 +526,27 @@ TEST_CASE("widths beyond 0.6 and 1.6 nozzle are held there and reported") {
   CHECK(job.write().result.value().clampedLengthMm == 0);
 }
 
+TEST_CASE("a thread across a gap stays a hair, and beads beside it keep their widths") {
+  Job job = plate();
+  job.params.base = 0;
+  job.params.flow = 1;
+  const float thread = 0.0008f;
+  job.toolpath.cycles = {{{{1, 1}, {5, 1}, {5.1f, 1}, {7, 1}, {7.1f, 1}, {11, 1}, {11, 11}, {1, 11}},
+                          {0.4f, 0.4f, thread, thread, 0.4f, 0.4f, 0.4f, 0.4f}}};
+  const Written written = job.write();
+  CHECK(written.result.value().clampedLengthMm == 0);
+  double hairs = 0;
+  double beads = 0;
+  const ReadFile file = readGcode(written.text);
+  for (const ReadMove& move : lastPath(file).moves) {
+    const double width = static_cast<double>(move.e) * 1e-5 * kArea / (0.2 * move.length());
+    if (std::abs(width - 0.02 * 0.4) < 0.001) hairs += move.length();
+    if (std::abs(width - 0.4) < 0.002) beads += move.length();
+  }
+  CHECK(hairs == about(1.9, 1e-6));
+  CHECK(beads == about(37.9, 1e-6));
+}
+
 TEST_CASE("smooth widths stay bit for bit, and change in steps") {
   BeadPath path = pathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4, true);
   path.widths = {0.4, 0.5, 0.45, 0.3};

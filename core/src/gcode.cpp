@@ -395,6 +395,7 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
     if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
   }
   limits.coast = layer.oriented ? params_.coast : 0;
+  limits.leastBead = kLeastBead * printer_.nozzle;
 
   this->role(role);
   for (const BeadPath& path : paths) {

@@ -18,7 +18,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kMinWidth = 0.6;          // [nozzle], thinner beads tear
+constexpr double kNoBead = 0.01;           // [nozzle], what is thinner is meant as a thread across a gap
+constexpr double kThread = 0.02;           // [nozzle], a hair, of which each move still carries a step of E
 constexpr double kMaxWidth = 1.6;          // [nozzle], wider beads do not reach their sides
 constexpr double kMinFlowSpeed = 5;        // [mm/s], slower than this the hot end is the wrong one
 constexpr double kOutsideTolerance = 0.1;  // [mm]
@@ -60,9 +61,10 @@ struct PlacedCycles {
   double beadArea = 0;  // [mm²]
 };
 
-// The cycles on the bed: equal vertices merged, widths held between the limits. Counts what was held.
+// The cycles on the bed: equal vertices merged, widths held between the limits, but for threads across gaps, which
+// would become walls. Counts what was held.
 std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, double nozzle, PlacedCycles& out) {
-  const double low = kMinWidth * nozzle;
+  const double low = kLeastBead * nozzle;
   const double high = kMaxWidth * nozzle;
   for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
     const Cycle& cycle = toolpath.cycles[c];
@@ -77,8 +79,9 @@ std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, doubl
       if (!path.points.empty() && path.points.back() == point) continue;
       const double width = cycle.widths[i];
       path.points.push_back(point);
-      path.widths.push_back(std::clamp(width, low, high));
-      held.push_back(width < low - 1e-6 || width > high + 1e-6);  // widths are floats, limits are not
+      const bool thread = width > 0 && width < kNoBead * nozzle;
+      path.widths.push_back(thread ? kThread * nozzle : std::clamp(width, low, high));
+      held.push_back(!thread && (width < low - 1e-6 || width > high + 1e-6));  // widths are floats, limits are not
     }
     while (path.points.size() > 1 && path.points.back() == path.points.front()) {
       path.points.pop_back();
@@ -643,7 +646,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   job.clampedMm = cycles.heldMm;
   if (cycles.heldMm > 0.01 * cycles.lengthMm) {
     job.warnings.push_back(fixed(100 * cycles.heldMm / cycles.lengthMm, 1) +
-                           " % of the path is printed with a width held at " + decimal(kMinWidth * printer.nozzle, 3) +
+                           " % of the path is printed with a width held at " + decimal(kLeastBead * printer.nozzle, 3) +
                            " or " + decimal(kMaxWidth * printer.nozzle, 3) + " mm (0.6 and 1.6 nozzle)");
   }
   if (auto error = checkFlow(job, printer, params)) return *error;

@@ -10,6 +10,8 @@
 
 namespace sillon {
 
+inline constexpr double kLeastBead = 0.6;  ///< [nozzle], thinner beads tear
+
 constexpr double kParkLift = 10;  ///< [mm], above the finished plate, before the end block
 
 /// A job that is known to be printable, on the bed [µm].

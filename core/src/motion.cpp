@@ -14,6 +14,7 @@ constexpr std::size_t kSegmentWindow = 8;
 constexpr double kWidthStep = 0.02;           // [mm] between moves of a bead that changes its width
 constexpr double kShortest = 0.033;           // [mm], three of them in the quarter of a spacing that points lie apart
 constexpr double kSlopeShare = 0.75;          // of the slope at which pressure advance would pull filament back
+constexpr double kAnyGrowth = 1e6;            // of widths, where they may jump
 constexpr double kRounding = 1e-6;            // so that 14.9999999 is 15
 constexpr double kLeastCurveSpeed = 5;        // [mm/s], slower nozzles drop more than they lay
 constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed are not worth a visible step
@@ -179,7 +180,8 @@ void limitSlope(Motion& motion, const std::vector<double>& speeds, const MotionL
   std::vector<double> shrink(segments);  // its inverse: divisions in a row take a quarter of the time of writing
   bool smooth = true;
   for (std::size_t i = 0; i < segments; ++i) {
-    growth[i] = 1 + kSlopeShare * motion.lengths[i] / (limits.pressureAdvance * speeds[i]);
+    const bool thread = std::min(widths[i], widths[i + 1]) < limits.leastBead - kRounding;
+    growth[i] = thread ? kAnyGrowth : 1 + kSlopeShare * motion.lengths[i] / (limits.pressureAdvance * speeds[i]);
     shrink[i] = 1 / growth[i];
     smooth = smooth && widths[i + 1] <= widths[i] * growth[i] && widths[i] <= widths[i + 1] * growth[i];
   }

@@ -34,6 +34,7 @@ struct MotionLimits {
   double curveAcceleration = 0;  ///< towards the middle of a curve [mm/s²]; 0: curves go as fast as straights
   double pressureAdvance = 0;    ///< [s]
   double evenFlow = 0;           ///< speed times width [mm²/s]; 0: the same speed for every width
+  double leastBead = 0;          ///< what is narrower is a thread across a gap: widths may jump there [mm]
   double coast = 0;              ///< [mm] at the end of a closed path without extrusion
 
   bool operator==(const MotionLimits&) const = default;
@@ -42,7 +43,7 @@ struct MotionLimits {
 /// One path in printing order. Segment i leads from point i to point i + 1.
 struct Motion {
   std::vector<PointUm> points;          ///< a closed path repeats its first point at the end
-  std::vector<double> widths;           ///< per point [mm]; slope within 0.75 w / (K v)
+  std::vector<double> widths;           ///< per point [mm]; slope within 0.75 w / (K v), but beside threads
   std::vector<double> lengths;          ///< per segment [mm]
   std::vector<std::int32_t> feedrates;  ///< per segment [mm/min]
   std::vector<double> seconds;          ///< per segment
