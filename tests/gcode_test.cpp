@@ -535,6 +535,7 @@ TEST_CASE("a thread across a gap stays a hair, and beads beside it keep their wi
                           {0.4f, 0.4f, thread, thread, 0.4f, 0.4f, 0.4f, 0.4f}}};
   const Written written = job.write();
   CHECK(written.result.value().clampedLengthMm == 0);
+  CHECK_FALSE(contains(written.result.value().warnings, "no wider than the layer"));
   double hairs = 0;
   double beads = 0;
   const ReadFile file = readGcode(written.text);

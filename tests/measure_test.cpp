@@ -138,6 +138,21 @@ TEST_CASE("lost pieces of less than a quarter of a squared spacing do not count"
   CHECK(lostBar(0.5) < 0.2);
 }
 
+TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {5, 5})}, {5, 5});
+  const auto refusal = [&](const Toolpath& toolpath) {
+    const auto m = measureToolpath(toolpath, shape, scenes::mapOf(1, [](double, double) { return 0.0; }),
+                                   uniformMode(DirectionMode::Constrained), {}, kRun);
+    return m ? std::string() : m.error().message;
+  };
+  CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "spacing is 0 mm; it must be 0.05 to 20 mm");
+  CHECK(refusal(toolpathOf({{1, 1}, {NAN, 1}, {4, 4}}, 0.4f)) == "toolpath has a point outside -100000 to 100000 mm");
+  Toolpath lacking = toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f);
+  lacking.cycles[0].widths.pop_back();
+  CHECK(refusal(lacking) == "toolpath has a cycle with 3 points and 2 widths; there must be as many");
+  CHECK(measured({{}, 0.4}, shape).coverage == 0);
+}
+
 TEST_CASE("measures are equal for any number of threads, and digests tell plates apart") {
   const auto scene = scenes::all()[0];
   const auto plate = generateToolpath(scene.input, {}, kRun);

@@ -492,7 +492,9 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   unusualFlow("baseFlow", params.baseFlow);
   std::int64_t flat = 0;
   for (const BeadPath& path : job.cycles) {
-    flat += std::count_if(path.widths.begin(), path.widths.end(), [&](double w) { return w <= params.layerHeight; });
+    flat += std::count_if(path.widths.begin(), path.widths.end(), [&](double w) {
+      return w <= params.layerHeight && w >= kLeastBead * printer.nozzle - 1e-6;  // threads are no beads
+    });
   }
   if (flat > 0) {
     job.warnings.push_back(std::to_string(flat) + " points have beads no wider than the layer is high (" +

@@ -9,6 +9,8 @@
 #include "parallel_for.hpp"
 #include "sillon/constraints.hpp"
 #include "sillon/sdf.hpp"
+#include "text.hpp"
+#include "toolpath_check.hpp"
 #include "wave_fields.hpp"
 
 namespace sillon {
@@ -227,6 +229,15 @@ std::string digestOf(const Toolpath& toolpath) {
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
                                  const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
                                  const std::optional<Dislocations>& known) {
+  if (std::string defect = toolpathDefect(toolpath, shape.page); !defect.empty())
+    return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  for (const double spacing : {toolpath.spacing, params.spacing}) {
+    if (!(spacing >= 0.05 && spacing <= 20)) {
+      return Error{ErrorCode::InvalidArgument, "spacing is " +
+                                                   (std::isfinite(spacing) ? decimal(spacing, 6) : "not a number") +
+                                                   " mm; it must be 0.05 to 20 mm"};
+    }
+  }
   const double making = known ? 0 : 0.3;  // the waves' share
   run.beginJob();
   run.beginStage("measure", 0, making);

@@ -441,6 +441,7 @@ void randomPlates(std::uint64_t count, std::uint64_t seed) {
   const RunContext run(2);
   std::uint64_t made = 0, empty = 0, crossing = 0, parted = 0, spilling = 0, spillingAnyhow = 0;
   std::uint64_t kinked = 0, kinkedMore = 0;
+  std::uint64_t refused = 0, writtenCrossing = 0, writtenSpilling = 0, writtenKinked = 0;
   std::vector<double> coverage, overlap;
   for (std::uint64_t k = seed; k < seed + count; ++k) {
     const scenes::RandomPlate plate = scenes::randomPlate(k);
@@ -469,6 +470,20 @@ void randomPlates(std::uint64_t count, std::uint64_t seed) {
     spillingAnyhow += m.spill > 0.05 ? 1 : 0;
     coverage.push_back(m.coverage);
     overlap.push_back(m.overlap);
+    const bench::Written written = bench::writtenToolpath(result.value().toolpath, plate.input.shape);
+    const auto measuredAs = [&](const sillon::Toolpath& toolpath) {
+      return measureToolpath(toolpath, plate.input.shape, plate.input.directions, plate.input.modes, plate.params, run);
+    };
+    const auto path = measuredAs(written.path);  // an error where nothing was written
+    const auto beads = measuredAs(written.beads);
+    if (!path || !beads) {
+      ++refused;
+    } else {
+      writtenCrossing += path.value().crossings > 0 ? 1 : 0;
+      writtenSpilling += beads.value().spill > 0.05 ? 1 : 0;
+      writtenKinked +=
+          static_cast<double>(path.value().kinks) > 0.05 * static_cast<double>(path.value().uTurns) ? 1 : 0;
+    }
     if (crosses || parts || spills) {
       std::printf("%llu: %s: crossings %d, paths %d of %d parts, spill %.3f %%\n", static_cast<unsigned long long>(k),
                   plate.name.c_str(), static_cast<int>(m.crossings),
@@ -490,6 +505,11 @@ void randomPlates(std::uint64_t count, std::uint64_t seed) {
       static_cast<unsigned long long>(crossing), static_cast<unsigned long long>(parted),
       static_cast<unsigned long long>(spillingAnyhow), static_cast<unsigned long long>(spilling),
       static_cast<unsigned long long>(kinked), static_cast<unsigned long long>(kinkedMore));
+  std::printf(
+      "in the G-code: with crossings %llu, spill above 0.05 %% %llu, kinks above 5 %% of U-turns %llu, not written "
+      "%llu\n",
+      static_cast<unsigned long long>(writtenCrossing), static_cast<unsigned long long>(writtenSpilling),
+      static_cast<unsigned long long>(writtenKinked), static_cast<unsigned long long>(refused));
   std::printf("coverage: median %.2f, worst tenth below %.2f; overlap: median %.2f, worst tenth above %.2f\n",
               quantile(coverage, 0.5), quantile(coverage, 0.1), quantile(overlap, 0.5), quantile(overlap, 0.9));
 }

@@ -48,6 +48,7 @@ struct Measures {
 };
 
 /// Judges a toolpath as delivered. Costs more than making it: the area is rastered at tau/20.
+/// An error names what of the toolpath or the parameters is out of range.
 /// \param dislocations  of the waves that these arguments make, where they are known (Plate::dislocations).
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
                                  const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
