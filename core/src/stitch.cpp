@@ -16,7 +16,6 @@ namespace {
 constexpr int kSpan = 4;              ///< segments taken out of each curve: one spacing, so two beads fit side by side
 constexpr float kFirstReach = 1.8f;   ///< how far apart joined pieces may lie at first [tau]
 constexpr float kLengthCost = 0.65f;  ///< cost of a mm of added length
-constexpr float kLastInside = 4;      ///< no joint inside of solids is looked for beyond twice this [tau]
 constexpr int kMaxRounds = 60;
 constexpr std::size_t kAlternatives =
     6;  ///< partners tried per point where the nearest ones cannot be joined, at first
@@ -475,18 +474,14 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
       joined += joining.join(candidates[k], grid, outside ? gap : 0) ? 1 : 0;
     }
     if (joined > 0) continue;
-    // First the nearest partners, then all of them, then from further away; then the same across gaps, wider ones too.
-    if (thorough && !outside && reach > kLastInside * spacing) {
-      outside = true;
-      reach = kFirstReach * spacing;
-      alternatives = kAlternatives;
-    } else if (thorough) {
+    // First the nearest partners, then all of them, then across gaps, then from further away and across wider gaps.
+    if (thorough && outside) {
       if (reach > diagonal && (!anyGap || gap > diagonal)) break;
       reach *= 2;
       alternatives = std::min(4 * alternatives, curves.points.size());
-      if (outside)
-        gap *= 2;  // facing tips are nearer to each other than the beads in them; the part is one all the same
+      gap *= 2;  // facing tips are nearer to each other than the beads in them; the part is one all the same
     }
+    outside = thorough;
     thorough = true;
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};

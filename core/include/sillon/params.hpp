@@ -43,10 +43,10 @@ struct ToolpathParams {
   double relaxationStrength = 0.08;   ///< move towards the wider side per round, of the gaps' difference, 0..0.5
   double relaxationSmoothing = 0.65;  ///< pull towards the neighbours' middle per round, 0..1
   double widthBalance = 1;  ///< 0: the nearer neighbour bounds a bead on both sides (Eq. 16); 1: the room does, 0..1
-  double beadOverlap = 0.0024;        ///< how far beads may overlap [tau], 0..1; 1: they are not held apart
+  double beadOverlap = 0.0021;        ///< how far beads may overlap [tau], 0..1; 1: they are not held apart
   double minWidth = 0.5;              ///< narrowest bead [tau], 0.1..1
   double maxWidth = 2;                ///< widest bead [tau], 1..4
-  double simplifyTolerance = 0.0015;  ///< largest change of position and width by leaving out points [mm], 0..1
+  double simplifyTolerance = 0.0013;  ///< largest change of position and width by leaving out points [mm], 0..1
 
   friend bool operator==(const ToolpathParams&, const ToolpathParams&) = default;
 };

@@ -22,10 +22,10 @@ export const toolpathDefaults: Readonly<ToolpathParams> = {
   relaxationStrength: 0.08,
   relaxationSmoothing: 0.65,
   widthBalance: 1,
-  beadOverlap: 0.0024,
+  beadOverlap: 0.0021,
   minWidth: 0.5,
   maxWidth: 2,
-  simplifyTolerance: 0.0015,
+  simplifyTolerance: 0.0013,
 };
 
 export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
