@@ -31,6 +31,7 @@
 #include "sillon/sine_field.hpp"
 #include "sillon/spacing_field.hpp"
 #include "sillon/stitch.hpp"
+#include "sillon/tiny_cycles.hpp"
 
 namespace {
 
@@ -297,7 +298,8 @@ int main(int count, char** arguments) {
   });
   keep("08-contour", cycles);
 
-  const sillon::ClosedCurves even = sillon::resampledSimply(contour, static_cast<float>(0.25 * spacing), run);
+  const sillon::ClosedCurves even = sillon::settleTinyCycles(
+      sillon::resampledSimply(contour, static_cast<float>(0.25 * spacing), run), border, spacing, run);
   const sillon::Stitched stitched = need(sillon::stitchCycles(even, lines, border, parts, params, run));
   Picture one(page);
   eachSegment(stitched.curves, [&](int, Vec2 a, Vec2 b, double share) {

@@ -10,6 +10,7 @@
 #include "sillon/contour.hpp"
 #include "sillon/narrow_places.hpp"
 #include "sillon/sine_field.hpp"
+#include "sillon/tiny_cycles.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -41,7 +42,7 @@ Stitching stitchingOf(const PlateInput& input, const ToolpathParams& params = {}
   fillNarrowPlaces(nodes, distance, params.spacing, values);
   const ClosedCurves contour = contourCycles(nodes, values, distance, params.spacing, run).value();
   Stitching s;
-  s.before = resampledSimply(contour, 0.25f * spacing, run);
+  s.before = settleTinyCycles(resampledSimply(contour, 0.25f * spacing, run), border, params.spacing, run);
   s.after = stitchCycles(s.before, lines, border, parts, params, run).value();
   s.parts = s.after.parts;
   return s;

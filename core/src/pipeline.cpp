@@ -17,8 +17,8 @@
 #include "sillon/simplify.hpp"
 #include "sillon/sine_field.hpp"
 #include "sillon/stitch.hpp"
+#include "sillon/tiny_cycles.hpp"
 #include "text.hpp"
-#include "tiny_cycles.hpp"
 #include "wave_fields.hpp"
 #include "wave_preview.hpp"
 

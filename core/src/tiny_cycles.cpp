@@ -1,4 +1,4 @@
-#include "tiny_cycles.hpp"
+#include "sillon/tiny_cycles.hpp"
 
 #include <algorithm>
 
