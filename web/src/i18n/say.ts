@@ -54,8 +54,7 @@ export interface ProblemWords {
 }
 
 export const problemWords = ({ code, values, detail }: Problem): ProblemWords => ({
-  message:
-    code === 'InvalidFile' && 'name' in values ? t('file.unreadable', values) : t(`problem.${code}`, values),
+  message: code === 'InvalidFile' && 'name' in values ? t('file.unreadable', values) : t(`problem.${code}`, values),
   hint: t(`hint.${code}`, values),
   detail,
 });
