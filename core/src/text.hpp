@@ -51,7 +51,7 @@ inline std::string decimal(double value, int digits) {
 
 /// A value for a message: as decimal(value, 6), but what is nearly 0 is not said to be 0.
 inline std::string shownNumber(double value) {
-  const std::string text = decimal(value, 6);
+  std::string text = decimal(value, 6);
   if (value == 0 || (text != "0" && text != "-0")) return text;
   return value > 0 ? "above 0, below 0.000001" : "below 0, above -0.000001";
 }
