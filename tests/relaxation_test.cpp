@@ -54,16 +54,6 @@ double middleHeight(const ClosedCurves& curves, double guess) {
   return count > 0 ? sum / count : -1;
 }
 
-ClosedCurves closed(const std::vector<std::vector<Vec2f>>& corners) {
-  ClosedCurves curves;
-  for (const std::vector<Vec2f>& curve : corners) {
-    curves.begin.push_back(static_cast<int>(curves.points.size()));
-    curves.points.insert(curves.points.end(), curve.begin(), curve.end());
-  }
-  curves.begin.push_back(static_cast<int>(curves.points.size()));
-  return curves;
-}
-
 // Turns by 60 degrees and more within a quarter of a spacing of 0.4, as they are measured.
 int kinksOf(const ClosedCurves& curves) {
   const ClosedCurves fine = resampled(curves, 0.05f, RunContext(1));
@@ -159,8 +149,8 @@ TEST_CASE("kinks are rounded, and only what lies within a spacing of one moves")
 
 TEST_CASE("a hairpin whose legs lie too near to each other is pulled back to where it can turn") {
   // A wedge of 2 mm, from legs 0.6 mm apart to a point.
-  ClosedCurves curves = resampled(closed({{{10, 10}, {12, 9.7f}, {12, 8}, {20, 8}, {20, 12}, {12, 12}, {12, 10.3f}}}),
-                                  0.1f, RunContext(1));
+  ClosedCurves curves = resampled(
+      scenes::closed({{{10, 10}, {12, 9.7f}, {12, 8}, {20, 8}, {20, 12}, {12, 12}, {12, 10.3f}}}), 0.1f, RunContext(1));
   const int before = kinksOf(curves);
   roundKinks(curves, farBorder(), 0.4, RunContext(1));
   CHECK(before >= 5);
@@ -176,7 +166,7 @@ TEST_CASE("a kink stays where another path lies in its corner") {
   for (const bool there : {false, true}) {
     std::vector<std::vector<Vec2f>> corners = {{{20, 10}, {10, 20}, {10, 10}}};
     if (there) corners.push_back({{19.985f, 10.004f}, {19, 10.45f}, {19, 10.3f}});
-    ClosedCurves curves = resampledSimply(closed(corners), 0.1f, RunContext(1));
+    ClosedCurves curves = resampledSimply(scenes::closed(corners), 0.1f, RunContext(1));
     REQUIRE(findCrossings(curves, RunContext(1)).empty());
     roundKinks(curves, farBorder(), 0.4, RunContext(1));
     CHECK(findCrossings(curves, RunContext(1)).empty());
@@ -199,8 +189,8 @@ TEST_CASE("a kink round a corner of the shape comes no nearer to it") {
   };
   for (const float away : {0.05f, 0.2f}) {
     const float inner = 10 - away;
-    const ClosedCurves before =
-        resampled(closed({{{2, 2}, {18, 2}, {18, inner}, {inner, inner}, {inner, 18}, {2, 18}}}), 0.1f, RunContext(1));
+    const ClosedCurves before = resampled(
+        scenes::closed({{{2, 2}, {18, 2}, {18, inner}, {inner, inner}, {inner, 18}, {2, 18}}}), 0.1f, RunContext(1));
     ClosedCurves after = before;
     roundKinks(after, border, 0.4, RunContext(1));
     CHECK(kinksOf(after) < kinksOf(before));  // the outer corners

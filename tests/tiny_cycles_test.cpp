@@ -31,16 +31,6 @@ std::vector<Vec2f> round(Vec2 centre, double radius, int points) {
   return circle;
 }
 
-ClosedCurves closed(const std::vector<std::vector<Vec2f>>& cycles) {
-  ClosedCurves curves;
-  for (const std::vector<Vec2f>& cycle : cycles) {
-    curves.begin.push_back(static_cast<int>(curves.points.size()));
-    curves.points.insert(curves.points.end(), cycle.begin(), cycle.end());
-  }
-  curves.begin.push_back(static_cast<int>(curves.points.size()));
-  return curves;
-}
-
 double areaOf(const std::vector<Vec2f>& p) {
   double area = 0;
   for (std::size_t k = 0; k < p.size(); ++k) area += 0.5 * static_cast<double>(cross(p[k], p[(k + 1) % p.size()]));
@@ -53,7 +43,7 @@ TEST_CASE("a dot beside a longer cycle is left out, further away and beyond a bo
   const std::vector<Vec2f> longer = round({5, 10}, 3, 200);
   const auto settled = [&](double gap, const BorderIndex& border) {
     const double r = 0.03;
-    return settleTinyCycles(closed({longer, round({8 + gap + r, 10}, r, 6)}), border, kSpacing, RunContext(1));
+    return settleTinyCycles(scenes::closed({longer, round({8 + gap + r, 10}, r, 6)}), border, kSpacing, RunContext(1));
   };
   const BorderIndex page = borderOf({scenes::rectangle({0, 0}, {20, 20})});
   const ClosedCurves near = settled(0.4 * kSpacing, page);
@@ -66,7 +56,7 @@ TEST_CASE("a dot beside a longer cycle is left out, further away and beyond a bo
 
 TEST_CASE("of two dots beside each other one stays") {
   const BorderIndex page = borderOf({scenes::rectangle({0, 0}, {20, 20})});
-  const ClosedCurves pair = closed({round({10, 10}, 0.03, 6), round({10.2, 10}, 0.03, 6)});
+  const ClosedCurves pair = scenes::closed({round({10, 10}, 0.03, 6), round({10.2, 10}, 0.03, 6)});
   CHECK(settleTinyCycles(pair, page, kSpacing, RunContext(1)).count() == 1);
 }
 
@@ -78,7 +68,7 @@ TEST_CASE("a tiny cycle alone becomes a circle at the deepest place, of the same
   for (const Vec2f p : round(middle, radius, 100)) disc.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
   const BorderIndex border = borderOf({disc});
   for (const double sense : {1.0, -1.0}) {
-    const ClosedCurves speck = closed({round({5.05, 4.97}, sense * 0.02, 6)});
+    const ClosedCurves speck = scenes::closed({round({5.05, 4.97}, sense * 0.02, 6)});
     const ClosedCurves settled = settleTinyCycles(speck, border, kSpacing, RunContext(1));
     REQUIRE(settled.count() == 1);
     const std::vector<Vec2f>& p = settled.points;
@@ -97,12 +87,12 @@ TEST_CASE("a tiny cycle alone becomes a circle at the deepest place, of the same
 TEST_CASE("a cycle stays bit for bit where a circle has no room, or another cycle is near, or it is long enough") {
   const BorderIndex bar = borderOf({scenes::rectangle({0, 5}, {20, 5 + 0.8 * kSpacing})});
   const std::vector<Vec2f> dot = round({10, 5 + 0.4 * kSpacing}, 0.02, 6);
-  CHECK(settleTinyCycles(closed({dot}), bar, kSpacing, RunContext(1)).points == dot);
+  CHECK(settleTinyCycles(scenes::closed({dot}), bar, kSpacing, RunContext(1)).points == dot);
 
   const BorderIndex page = borderOf({scenes::rectangle({0, 0}, {20, 20})});
-  const ClosedCurves pair = closed({round({10, 10}, 0.06, 6), round({10, 11}, 0.5, 40)});
+  const ClosedCurves pair = scenes::closed({round({10, 10}, 0.06, 6), round({10, 11}, 0.5, 40)});
   CHECK(settleTinyCycles(pair, page, kSpacing, RunContext(1)).points == pair.points);
 
   const std::vector<Vec2f> longer = round({10, 10}, 0.4 * kSpacing, 10);  // 2.5 spacings
-  CHECK(settleTinyCycles(closed({longer}), page, kSpacing, RunContext(1)).points == longer);
+  CHECK(settleTinyCycles(scenes::closed({longer}), page, kSpacing, RunContext(1)).points == longer);
 }

@@ -232,11 +232,8 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   if (std::string defect = toolpathDefect(toolpath, shape.page); !defect.empty())
     return Error{ErrorCode::InvalidArgument, std::move(defect)};
   for (const double spacing : {toolpath.spacing, params.spacing}) {
-    if (!(spacing >= 0.05 && spacing <= 20)) {
-      return Error{ErrorCode::InvalidArgument, "spacing is " +
-                                                   (std::isfinite(spacing) ? decimal(spacing, 6) : "not a number") +
-                                                   " mm; it must be 0.05 to 20 mm"};
-    }
+    if (!(spacing >= 0.05 && spacing <= 20))  // NaN too
+      return Error{ErrorCode::InvalidArgument, outOfRange("spacing", spacing, " mm", "0.05 to 20 mm")};
   }
   const double making = known ? 0 : 0.3;  // the waves' share
   run.beginJob();

@@ -57,11 +57,6 @@ class StageClock {
   std::chrono::steady_clock::time_point begin_;
 };
 
-std::string outOfRange(const char* field, double value, const char* unit, const char* range) {
-  const std::string text = std::isfinite(value) ? shownNumber(value) : "not a number";
-  return std::string(field) + " is " + text + unit + "; it must be " + range;
-}
-
 bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
 
 }  // namespace

@@ -66,8 +66,8 @@ Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, float spacing)
   return after <= before ? to : from;
 }
 
-// How much of its move each point makes: of cycles that are hardly more than a dot none: nothing inside of them
-// keeps them from vanishing, and they are as round as they can be.
+// How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
+// keeps them from vanishing, and those that tiny_cycles made are round already.
 std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   std::vector<float> share(curves.points.size(), 1.0f);
   for (int c = 0; c < curves.count(); ++c) {

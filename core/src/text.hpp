@@ -56,6 +56,12 @@ inline std::string shownNumber(double value) {
   return value > 0 ? "above 0, below 0.000001" : "below 0, above -0.000001";
 }
 
+/// The sentence for a number that is not allowed. \param unit, range  as they are read, such as " mm" and "0 to 1 mm".
+inline std::string outOfRange(const char* field, double value, const char* unit, const char* range) {
+  const std::string text = std::isfinite(value) ? shownNumber(value) : "not a number";
+  return std::string(field) + " is " + text + unit + "; it must be " + range;
+}
+
 /// RFC 4648 with padding.
 inline std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -453,8 +453,10 @@ void randomPlates(std::uint64_t count, std::uint64_t seed) {
       }
       continue;
     }
-    const auto measured = measureToolpath(result.value().toolpath, plate.input.shape, plate.input.directions,
-                                          plate.input.modes, plate.params, run);
+    const auto measuredAs = [&](const sillon::Toolpath& toolpath) {
+      return measureToolpath(toolpath, plate.input.shape, plate.input.directions, plate.input.modes, plate.params, run);
+    };
+    const auto measured = measuredAs(result.value().toolpath);
     if (!measured) continue;
     ++made;
     const auto& m = measured.value();
@@ -471,9 +473,6 @@ void randomPlates(std::uint64_t count, std::uint64_t seed) {
     coverage.push_back(m.coverage);
     overlap.push_back(m.overlap);
     const bench::Written written = bench::writtenToolpath(result.value().toolpath, plate.input.shape);
-    const auto measuredAs = [&](const sillon::Toolpath& toolpath) {
-      return measureToolpath(toolpath, plate.input.shape, plate.input.directions, plate.input.modes, plate.params, run);
-    };
     const auto path = measuredAs(written.path);  // an error where nothing was written
     const auto beads = measuredAs(written.beads);
     if (!path || !beads) {

@@ -61,6 +61,17 @@ inline Shape shapeOf(std::vector<Ring> rings, Vec2 page, sillon::FillRule rule =
   return {{{std::move(rings), rule}}, page};
 }
 
+/// One curve for each list of points.
+inline sillon::ClosedCurves closed(const std::vector<std::vector<sillon::Vec2f>>& cycles) {
+  sillon::ClosedCurves curves;
+  for (const std::vector<sillon::Vec2f>& cycle : cycles) {
+    curves.begin.push_back(static_cast<int>(curves.points.size()));
+    curves.points.insert(curves.points.end(), cycle.begin(), cycle.end());
+  }
+  curves.begin.push_back(static_cast<int>(curves.points.size()));
+  return curves;
+}
+
 /// A map of n x n texels from the bead's angle [rad] at the texel's place in [0, 1]², y up.
 inline DirectionMap mapOf(int n, const std::function<double(double, double)>& angle) {
   DirectionMap map{n, n, {}};
