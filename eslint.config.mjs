@@ -2,6 +2,50 @@ import js from '@eslint/js';
 import globals from 'globals';
 import tseslint from 'typescript-eslint';
 
+/** The folders of web/src, and which others each may import from; files beside them may use all. */
+const rooms = {
+  model: [],
+  style: [],
+  i18n: ['model'],
+  directions: ['model'],
+  views: ['model'],
+  files: ['model'],
+  engine: ['model'],
+  panels: ['model', 'style', 'i18n', 'files', 'views'],
+  embed: ['model', 'i18n', 'files', 'views', 'panels'],
+  'service-worker': [],
+};
+
+const beyond = (room) => `^\\.\\./(?!(${rooms[room].join('|') || '-'})/)`;
+
+/** Of the package, one room runs code and one reads tables; types may be used everywhere. */
+function packageUse(room) {
+  const names = { engine: '', model: 'presets\\.json|printers\\.json|filaments\\.json' }[room];
+  return names === '' ? [] : [{ regex: `^sillon$|^sillon/(?!(${names ?? '-'})$)`, allowTypeImports: true }];
+}
+
+const walls = Object.keys(rooms).map((room) => ({
+  files: [`web/src/${room}/**/*.ts`],
+  rules: {
+    '@typescript-eslint/no-restricted-imports': [
+      'error',
+      {
+        patterns: [
+          { regex: beyond(room), message: 'This folder must not know that one: see `rooms` in eslint.config.mjs.' },
+          ...packageUse(room),
+        ],
+      },
+    ],
+    'no-restricted-syntax': [
+      'error',
+      {
+        selector: `ImportExpression[source.value=/${beyond(room).replaceAll('/', '\\u002F')}/]`,
+        message: 'This folder must not know that one: see `rooms` in eslint.config.mjs.',
+      },
+    ],
+  },
+}));
+
 export default tseslint.config(
   { ignores: ['build/', 'out/', '**/dist/', 'web/build/', '**/node_modules/', 'wasm/test/types/'] },
   js.configs.recommended,
@@ -24,6 +68,11 @@ export default tseslint.config(
         { allowForKnownSafeCalls: [{ from: 'package', name: ['test', 'describe', 'it'], package: 'node:test' }] },
       ],
     },
+  },
+  ...walls,
+  {
+    files: ['web/src/*.ts'],
+    rules: { '@typescript-eslint/no-restricted-imports': ['error', { patterns: [{ regex: '^\\.\\./' }] }] },
   },
   {
     files: ['**/*.js', '**/*.mjs'],

@@ -29,7 +29,7 @@ sillon_header_library(sillon_stb stb_image.h stb)  # Debian keeps it in include/
 sillon_header_library(sillon_json nlohmann/json.hpp)
 sillon_header_library(sillon_fast_float fast_float/fast_float.h)
 sillon_header_library(sillon_rapidxml rapidxml/rapidxml.hpp)
-if(SILLON_EXAMPLES AND NOT EMSCRIPTEN)
+if(SILLON_CLI)
   sillon_header_library(sillon_cli11 CLI/CLI.hpp)
 endif()
 if(SILLON_TESTS)

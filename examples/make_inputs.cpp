@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "sillon/image_io.hpp"
-#include "sillon/types.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/input/image_io.hpp"
 
 namespace {
 
@@ -688,6 +688,42 @@ void islands() {
   writeSvg("islands.svg", page, path);
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// star and heart: one plate, two pictures. These hold tones.
+
+/// White where inside(p), with p in [-1, 1] and edges a texel soft.
+template <class Inside>
+void writeEmblem(const std::string& name, Inside inside) {
+  constexpr double kSide = 100, kTexelsPerMm = 4;
+  constexpr int kSamples = 4;  // per texel and axis
+  writePng(name, {kSide, kSide}, kTexelsPerMm, [&](Vec2 p) {
+    int hits = 0;
+    for (int k = 0; k < kSamples * kSamples; ++k) {
+      const Vec2 off{(k % kSamples + 0.5) / kSamples - 0.5, (k / kSamples + 0.5) / kSamples - 0.5};
+      const Vec2 q = (p + off * (1 / kTexelsPerMm)) * (2 / kSide) - Vec2{1, 1};
+      hits += inside(q) ? 1 : 0;
+    }
+    return 255.0 * hits / (kSamples * kSamples);
+  });
+}
+
+void emblems() {
+  writeEmblem("star.png", [](Vec2 p) {
+    constexpr double kPoint = 0.86, kNotch = 0.4;
+    const double turn = std::atan2(p.x, p.y) * 5 / (2 * kPi) + 0.5;  // a point at every whole number and a half
+    const double from = std::abs(turn - std::floor(turn) - 0.5) * 2 * kPi / 5;  // [rad] from the nearest point's axis
+    // The edge runs from (kPoint, 0) to the notch at 36 degrees.
+    const Vec2 q{length(p) * std::cos(from), length(p) * std::sin(from)};
+    const Vec2 notch{kNotch * std::cos(kPi / 5), kNotch * std::sin(kPi / 5)};
+    return (q.x - kPoint) * notch.y - q.y * (notch.x - kPoint) < 0;
+  });
+  writeEmblem("heart.png", [](Vec2 p) {
+    const double x = p.x / 0.68, y = (p.y + 0.05) / 0.68;
+    const double ring = x * x + y * y - 1;
+    return ring * ring * ring < x * x * y * y * y;
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -706,5 +742,6 @@ int main(int argc, char** argv) {
   stress();
   strokes();
   islands();
+  emblems();
   return failed ? 1 : 0;
 }

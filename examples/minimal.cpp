@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sillon/gcode.hpp"
-#include "sillon/pipeline.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 
 namespace {
 

@@ -1,7 +1,6 @@
-// Draws what each stage of the pipeline makes of one project, as docs/how-it-works.md shows it (./dev pictures).
+// Draws what each stage of the pipeline makes of one project, as docs/internals/how-it-works.md shows it (./dev
+// pictures).
 //   stages PROJECT.json SPACING FOLDER
-// Every stage is called by itself, in the pipeline's order; that the last one gives the pipeline's own toolpath, is
-// checked.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,26 +11,12 @@
 #include <vector>
 
 #include "assemble.hpp"
-#include "curves.hpp"
-#include "direction_colour.hpp"
 #include "files.hpp"
-#include "sillon/bead_width.hpp"
-#include "sillon/contour.hpp"
-#include "sillon/image_io.hpp"
-#include "sillon/line_field.hpp"
-#include "sillon/measure.hpp"
-#include "sillon/narrow_places.hpp"
-#include "sillon/parts.hpp"
-#include "sillon/phase_field.hpp"
-#include "sillon/pipeline.hpp"
-#include "sillon/preview.hpp"
-#include "sillon/relaxation.hpp"
-#include "sillon/sdf.hpp"
-#include "sillon/simplify.hpp"
-#include "sillon/sine_field.hpp"
-#include "sillon/spacing_field.hpp"
-#include "sillon/stitch.hpp"
-#include "sillon/tiny_cycles.hpp"
+#include "look/direction_colour.hpp"
+#include "sillon/input/image_io.hpp"
+#include "sillon/look/preview.hpp"
+#include "sillon/pipeline/stages.hpp"
+#include "sillon/settings/table.hpp"
 
 namespace {
 
@@ -167,7 +152,7 @@ sillon::ToolpathParams parametersOf(const sillon::Project& project, const char* 
   char* end = nullptr;
   params.spacing = std::strtod(spacing, &end);
   if (end == spacing || *end != '\0') fail("the spacing is \"" + std::string(spacing) + "\"; it must be a number [mm]");
-  if (const std::string bad = sillon::invalidParameter(params); !bad.empty()) fail(bad);
+  if (const std::string bad = sillon::invalidSettings(params); !bad.empty()) fail(bad);
   return params;
 }
 
@@ -189,20 +174,19 @@ int main(int count, char** arguments) {
   };
 
   // --- Shape and distance
-  const sillon::Outline outline = need(sillon::resolveOutline(input.shape));
-  const sillon::Grid grid = sillon::makeGrid(outline.bounds, spacing);
-  const sillon::BorderIndex border = need(sillon::buildBorderIndex(outline, grid, run));
+  const sillon::Stages stages = need(sillon::generateStages(input, params, run));
+  const sillon::Grid& grid = stages.sdf.grid;
+  const sillon::BorderIndex& border = stages.border;
   const auto drawBorder = [&](Picture& picture, double pixels) {
-    for (const auto& [a, b] : outline.segments) picture.line(a, b, pixels, kInk);
+    for (const auto& [a, b] : stages.outline.segments) picture.line(a, b, pixels, kInk);
   };
   Picture shape(page);
   shape.fill([&](Vec2 p) { return border.outside(p) ? kPaper : Rgb{222, 226, 232}; });
   drawBorder(shape, 2);
   keep("01-shape", shape);
 
-  const sillon::SignedDistanceField sdf = need(sillon::signedDistanceField(input.shape, border, grid, run));
   float deepest = 0;
-  for (const float distance : sdf.distance) deepest = std::min(deepest, distance);
+  for (const float distance : stages.sdf.distance) deepest = std::min(deepest, distance);
   Picture distance(page);
   distance.fill([&](Vec2 p) {
     const double depth = (border.outside(p) ? 1 : -1) * std::abs(border.nearest(p).distance);
@@ -214,8 +198,7 @@ int main(int count, char** arguments) {
   keep("02-distance", distance);
 
   // --- What is asked for, and the lines that follow
-  const sillon::CellConstraints cells =
-      need(sillon::cellConstraints(sdf, input.directions, input.modes, page, params, run));
+  const sillon::CellConstraints& cells = stages.cells;
   Picture asked(page);
   asked.fill([&](Vec2 p) {
     const std::size_t i = cellAt(grid, p);
@@ -238,7 +221,7 @@ int main(int count, char** arguments) {
   });
   keep("03-asked", asked);
 
-  const sillon::LineField lines = need(sillon::lineField(sdf, cells, params, run));
+  const sillon::LineField& lines = stages.lines;
   Picture directions(page);
   directions.fill([&](Vec2 p) {
     const Vec2f d = lines.direction[cellAt(grid, p)];
@@ -255,8 +238,7 @@ int main(int count, char** arguments) {
   keep("04-lines", directions);
 
   // --- Waves
-  const std::vector<float> frequency = need(sillon::spacingField(lines, cells, params, run));
-  const sillon::SineField waves = need(sillon::alignPhases(lines, frequency, sdf, cells, params, run));
+  const sillon::SineField& waves = stages.waves;
   const auto waveOf = [&](Vec2 p, bool aligned) {
     const std::size_t i = cellAt(grid, p);
     const Vec2 k = wide(waves.wave[i]);
@@ -272,12 +254,7 @@ int main(int count, char** arguments) {
   keep("06-phases", after);
 
   const sillon::Grid nodes = sillon::nodeLattice(grid);
-  const std::vector<float> nodeDistance =
-      need(sillon::bandDistance(input.shape, border, nodes, static_cast<float>(spacing), run));
-  std::vector<float> values = need(sillon::evaluateSineField(waves, nodeDistance, params, run));
-  const sillon::Parts parts = sillon::labelParts(sdf, border, spacing, params.bridge.value_or(spacing));
-  sillon::keepThinParts(parts, sdf, spacing, values);
-  sillon::fillNarrowPlaces(nodes, nodeDistance, spacing, values);
+  const std::vector<float>& values = stages.nodeValues;
   Picture field(page);
   field.fill([&](Vec2 p) {
     const double u = std::clamp((p.x - nodes.origin.x) / nodes.cell - 0.5, 0.0, nodes.nx - 1.001);
@@ -291,31 +268,28 @@ int main(int count, char** arguments) {
   keep("07-field", field);
 
   // --- Curves
-  const sillon::ClosedCurves contour = need(sillon::contourCycles(nodes, values, nodeDistance, spacing, run));
+  const sillon::ClosedCurves& contour = stages.contour;
   Picture cycles(page);
   eachSegment(contour, [&](int c, Vec2 a, Vec2 b, double) {
     cycles.line(a, b, 2.6, mixed(sillon::directionColourAt(c * 97.0), kInk, 0.25));  // 97: neighbours differ
   });
   keep("08-contour", cycles);
 
-  const sillon::ClosedCurves even = sillon::settleTinyCycles(
-      sillon::resampledSimply(contour, static_cast<float>(0.25 * spacing), run), border, spacing, run);
-  const sillon::Stitched stitched = need(sillon::stitchCycles(even, lines, border, parts, params, run));
+  const sillon::Stitched& stitched = stages.stitched;
   Picture one(page);
   eachSegment(stitched.curves, [&](int, Vec2 a, Vec2 b, double share) {
     one.line(a, b, 2.6, mixed(sillon::directionColourAt(share * sillon::kDirectionColours), kInk, 0.25));
   });
   keep("09-stitched", one);
 
-  const sillon::Relaxed relaxed = need(sillon::relaxSpacing(stitched.curves, border, params, run));
+  const sillon::Relaxed& relaxed = stages.relaxed;
   Picture relaxation(page);
   eachSegment(stitched.curves, [&](int, Vec2 a, Vec2 b, double) { relaxation.line(a, b, 4, {240, 170, 110}); });
   eachSegment(relaxed.curves, [&](int, Vec2 a, Vec2 b, double) { relaxation.line(a, b, 1.6, kInk); });
   keep("10-relaxed", relaxation);
 
   // --- Beads
-  const sillon::BeadWidths widths = need(sillon::beadWidths(relaxed.curves, relaxed.gaps, border, params, run));
-  const sillon::Toolpath toolpath = need(sillon::finishToolpath(relaxed.curves, widths, params, run));
+  const sillon::Toolpath& toolpath = stages.result.toolpath;
   Picture beads(page);
   for (const sillon::Cycle& cycle : toolpath.cycles) {
     for (std::size_t k = 0; k < cycle.points.size(); ++k) {
@@ -329,15 +303,11 @@ int main(int count, char** arguments) {
   drawBorder(beads, 1);
   keep("11-widths", beads);
 
-  const sillon::RgbImage look = need(sillon::renderLook(toolpath, page, kSide, kSide, run));
+  const sillon::RgbImage look = need(sillon::renderLook(toolpath, page, kSide, kSide, {}, run));
   const std::vector<std::uint8_t> png = sillon::encodePng(look.width, look.height, look.rgb);
   files.push_back({folder + "/12-look.png", std::string(png.begin(), png.end())});
 
-  const sillon::Plate plate = need(sillon::generateToolpath(input, params, run));
-  if (sillon::digestOf(plate.toolpath) != sillon::digestOf(toolpath)) {
-    fail("the stages gave another toolpath than generateToolpath; their order here is no longer the pipeline's");
-  }
   if (const auto error = cli::writeTogether(files)) fail(error->message);
   std::printf("%zu pictures, %d cycles joined to %zu toolpath, %zu points\n", files.size(), contour.count(),
-              toolpath.cycles.size(), plate.toolpath.cycles.front().points.size());
+              toolpath.cycles.size(), toolpath.cycles.front().points.size());
 }

@@ -5,8 +5,10 @@ import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statS
 import { basename, dirname, extname, join, posix, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import MiniSearch from 'minisearch';
+
 import { drawGallery } from './gallery.mjs';
-import { contentsOf, escaped, render } from './markdown.mjs';
+import { contentsOf, escaped, render, sectionsOf } from './markdown.mjs';
 import { addressOf, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
 
 const at = (path) => join(root, path);
@@ -82,13 +84,34 @@ export async function buildSite(folder, examples) {
   cpSync(at('site/style.css'), join(folder, 'docs/style.css'));
   cpSync(at('web/public/icon.svg'), join(folder, 'icon.svg'));
   await drawGallery(folder, examples);
+  writeSearch(folder);
+}
+
+/** The search page, and the index it looks into: the sections of all pages of docs. */
+function writeSearch(folder) {
+  const address = 'docs/search.html';
+  const body = `<h1>Search</h1>
+<input type="search" aria-label="Search the documentation" autocomplete="off" />
+<p id="state" role="status">Search needs JavaScript.</p>
+<ol id="results"></ol>`;
+  write(folder, address, pageOf(address, 'Search', body, { script: 'docs/search.js' }));
+  const index = new MiniSearch({ fields: ['title', 'text'], storeFields: ['title', 'text', 'address'] });
+  for (const page of pages().filter((path) => path.startsWith('docs/'))) {
+    const to = relative(address, addressOf(page));
+    for (const { heading, anchor, text } of sectionsOf(readFileSync(at(page), 'utf8'))) {
+      index.add({ id: `${page}#${anchor}`, title: heading, text, address: `${to}#${anchor}` });
+    }
+  }
+  write(folder, 'docs/search.json', JSON.stringify(index));
+  cpSync(at('site/search.js'), join(folder, 'docs/search.js'));
+  cpSync(at('node_modules/minisearch/dist/es/index.js'), join(folder, 'docs/minisearch.js'));
 }
 
 /** All examples, in the order of their own page. */
 export const exampleNames = () => [
   ...new Set(
     contentsOf(readFileSync(at('examples/README.md'), 'utf8'))
-      .names.filter((name) => /^\w+\.json$/.test(name))
+      .names.filter((name) => /^[\w-]+\.json$/.test(name))
       .map((name) => name.slice(0, -5)),
   ),
 ];

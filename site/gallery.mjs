@@ -25,9 +25,8 @@ function projectZip(name) {
   const text = readFileSync(join(root, `examples/${name}.json`));
   const project = JSON.parse(text);
   const files = { 'project.json': text };
-  for (const section of ['shape', 'directions', 'modes']) {
-    const file = project[section]?.file;
-    if (file === undefined) continue;
+  const sections = [project.shape, project.directions, project.modes, ...(project.pictures?.files ?? [])];
+  for (const { file } of sections.filter((section) => section?.file !== undefined)) {
     if (!/^[\w/.-]+$/.test(file) || posix.normalize(file).startsWith('..'))
       throw new Error(`${name}: odd file ${file}`);
     files[file] = readFileSync(join(root, 'examples', file));
@@ -41,9 +40,9 @@ const decimal = (value, digits) => value.toFixed(digits);
 function settingsOf(name) {
   const project = JSON.parse(readFileSync(join(root, `examples/${name}.json`), 'utf8'));
   const told = [];
-  for (const section of ['shape', 'directions', 'modes', 'toolpath', 'print', 'printer']) {
+  for (const section of ['shape', 'directions', 'modes', 'pictures', 'toolpath', 'print', 'printer']) {
     for (const [key, value] of Object.entries(project[section] ?? {})) {
-      if (key !== 'file') told.push(`${section}.${key} ${JSON.stringify(value)}`);
+      if (key !== 'file' && key !== 'files') told.push(`${section}.${key} ${JSON.stringify(value)}`);
     }
   }
   return told.join(', ');
@@ -61,17 +60,24 @@ function make(folder, name) {
   rmSync(`${made}.tmp`);
   const zip = projectZip(name);
   writeFileSync(`${made}.zip`, zip);
-  return { report, zip, width: png.readUInt32BE(16), height: png.readUInt32BE(20) };
+  const views = existsSync(`${made}-2.png`) ? [name, `${name}-2`] : [name]; // of two pictures, under both lamps
+  return { report, zip, views, width: png.readUInt32BE(16), height: png.readUInt32BE(20) };
 }
 
-function figure(name, { report, zip, width, height }) {
+function figure(name, { report, zip, views, width, height }) {
   const { lengthMm, coverage, spacing, toolpaths, grid } = report;
   const [wide, tall] = grid.map((cells) => (cells - 6) * (spacing / 2)); // without the margin of one and a half spacings
   const size = `${decimal(wide, 0)} × ${decimal(tall, 0)} mm`;
+  const images = views
+    .map(
+      (view) =>
+        `<img src="${view}.png" width="${width}" height="${height}" loading="lazy" alt="${escaped(name)}: directions in colour, and the look under a lamp" />`,
+    )
+    .join('\n');
   const path = toolpaths === 1 ? 'one path' : `${toolpaths} paths`;
   return `<article>
 <h2 id="${name}">${name}</h2>
-<img src="${name}.png" width="${width}" height="${height}" loading="lazy" alt="${escaped(name)}: directions in colour, and the look under a lamp" />
+${images}
 ${wordsOf(name)}
 <dl>
 <div><dt>Size</dt><dd>${size}</dd></div>

@@ -81,3 +81,25 @@ export function contentsOf(text) {
   found.commands = found.commands.map((line) => line.replace(/\s#.*$/, '').trim()).filter((line) => line !== '');
   return found;
 }
+
+/** @returns {{ heading: string, anchor: string, text: string }[]} the page cut at its headings, as plain words */
+export function sectionsOf(text) {
+  const anchor = anchors();
+  const sections = [];
+  const html = new Marked();
+  let title = '';
+  for (const token of lexer(text)) {
+    if (token.type === 'heading') {
+      const words = plain(html.parseInline(token.text));
+      title ||= words;
+      const heading = words === title ? title : `${title}: ${words}`;
+      sections.push({ heading, anchor: anchor(words), text: '' });
+    } else if (sections.length > 0) {
+      const words = plain(html.parser([token]))
+        .replace(/\s+/g, ' ')
+        .trim();
+      if (words !== '') sections.at(-1).text += `${words} `;
+    }
+  }
+  return sections;
+}

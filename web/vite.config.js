@@ -99,7 +99,7 @@ const offline = {
           .slice(dist.length + 1)
           .replaceAll('\\', '/'),
       )
-      .filter((name) => name !== 'sw.js')
+      .filter((name) => name !== 'sw.js' && name !== 'embed.html')
       .sort();
     const hash = (bytes) => createHash('sha256').update(bytes).digest('base64');
     // The page goes by its folder's address: some hosts send index.html there.

@@ -22,7 +22,7 @@ const run = async (line, cwd = root) => {
 };
 
 test('every page is found, and holds something', () => {
-  for (const page of ['README.md', 'docs/README.md', 'docs/start.md', 'wasm/README.md', 'examples/README.md']) {
+  for (const page of ['README.md', 'docs/README.md', 'docs/guide/start.md', 'wasm/README.md', 'examples/README.md']) {
     assert.ok(all.has(page), page);
   }
   assert.ok([...all.values()].reduce((sum, { links }) => sum + links.length, 0) > 100);
@@ -51,6 +51,15 @@ test('every page of docs is in the table of contents', () => {
   assert.deepEqual(missing, []);
 });
 
+test('the table of rooms is the one that the walls are checked by', () => {
+  const text = readFileSync(join(root, 'tests/check_includes.sh'), 'utf8');
+  const rows = /rooms="\n([^"]*)"/.exec(text)[1].trim().split('\n');
+  const walls = new Map(rows.map((row) => row.split(':').map((side) => side.trim())));
+  const page = readFileSync(join(root, 'docs/internals/rooms.md'), 'utf8');
+  const table = [...page.matchAll(/^\| `(\w+)` \|[^|]*\|[^|]*\|([^|]*)\|$/gm)];
+  assert.deepEqual(new Map(table.map(([, room, may]) => [room, may.trim().replaceAll(',', '')])), walls);
+});
+
 test('every ./dev command that a page names exists, with its part', async () => {
   const help = await run('./dev help');
   const parts = new Set(help.match(/\b[a-z]+\b/g));
@@ -71,7 +80,17 @@ test('every ./dev command that a page names exists, with its part', async () => 
 test('every option of sillon that a page gives exists', async () => {
   const help = new Map();
   const general = await run('build/release/sillon --help');
-  for (const command of ['printers', 'filaments', 'check', 'import', 'generate']) {
+  for (const command of [
+    'printers',
+    'filaments',
+    'settings',
+    'check',
+    'import',
+    'rebrush',
+    'shape',
+    'zones',
+    'generate',
+  ]) {
     assert.ok(general.includes(command));
     help.set(command, new Set((await run(`build/release/sillon ${command} --help`)).match(/--[a-z-]+/g)));
   }
@@ -106,8 +125,8 @@ test('every library that becomes part of a product is listed with its licence', 
   const listed = new Map(
     [...text.matchAll(/^\| ([\w@/-]+) \| ([^|]+) \|/gm)].slice(1).map(([, name, licence]) => [name, licence]),
   );
-  const tools = ['doctest'];
-  const native = json('vcpkg.json').dependencies.filter((name) => !tools.includes(name));
+  const { dependencies, features } = json('vcpkg.json');
+  const native = [...dependencies, ...features.cli.dependencies]; // the tests become part of nothing
   const bundled = Object.entries(json('package-lock.json').packages)
     .filter(([path, { dev, link }]) => path.startsWith('node_modules/') && !dev && !link)
     .map(([path, { license }]) => [path.replace(/^.*node_modules\//, ''), license]);

@@ -66,9 +66,10 @@ test('every example has its place in the gallery', () => {
 for (const colorScheme of ['light', 'dark']) {
   for (const path of [
     'docs/',
-    'docs/how-it-works.html',
-    'docs/project.html',
+    'docs/internals/how-it-works.html',
+    'docs/reference/project.html',
     'docs/source/examples/minimal.cpp.html',
+    'docs/search.html',
     'gallery/',
   ]) {
     test(`${path} is accessible and fits a phone, ${colorScheme}`, { skip: lacking('Chromium') }, async () => {
@@ -92,6 +93,20 @@ for (const colorScheme of ['light', 'dark']) {
     });
   }
 }
+
+test('search finds the section that a word stands in', { skip: lacking('Chromium') }, async () => {
+  const page = await browser.newPage();
+  try {
+    await page.goto(`${site.origin}/docs/search.html?q=kernel%20radius`);
+    const glossary = page.locator('#results a[href*="reference/glossary.html"]');
+    await glossary.first().waitFor();
+    await page.fill('input[type=search]', 'qqqqzz');
+    await page.waitForFunction(() => document.querySelector('#state').textContent.startsWith('Nothing was found'));
+    assert.equal(await page.locator('#results li').count(), 0);
+  } finally {
+    await page.close();
+  }
+});
 
 test(
   'a plate of the gallery opens in the studio, and no other address does',

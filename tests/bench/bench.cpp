@@ -2,8 +2,9 @@
 //
 //   sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...]   figures of the delivered toolpath, and of the G-code
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
-//   sillon_bench live [SCENE.json ...]                    edits of a kept session, previews, against runs from nothing
+//   sillon_bench live [SCENE.json ...]                    edits of a kept session against runs from nothing
 //   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
+//   sillon_bench look [PICTURE ...]                       what the G-code shows of pictures, solved for and straight
 //   sillon_bench random [N [SEED]]                        promises on random shapes, fields and parameters (2000 from
 //   1) sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes per cell
 
@@ -24,23 +25,24 @@
 #include <vector>
 
 #include "assemble.hpp"
+#include "base/simd.hpp"
+#include "look.hpp"
 #include "memory.hpp"
-#include "sillon/measure.hpp"
-#include "sillon/outline.hpp"
-#include "sillon/pipeline.hpp"
-#include "sillon/presets.hpp"
-#include "sillon/session.hpp"
-#include "simd.hpp"
+#include "sillon/geometry/outline.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/pipeline/session.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/settings/presets.hpp"
 #include "support/random_plates.hpp"
 #include "written.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using sillon::Plate;
 using sillon::PlateInput;
 using sillon::Project;
 using sillon::RunContext;
+using sillon::ToolpathResult;
 
 std::vector<std::string> publishedScenes() {
   const fs::path folder = fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes";
@@ -97,7 +99,7 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-double totalOf(const Plate& plate) {
+double totalOf(const ToolpathResult& plate) {
   double sum = 0;
   for (const auto& stage : plate.time) sum += stage.seconds;
   return sum;
@@ -119,8 +121,8 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
     sillon::ToolpathParams params = scene.project.toolpath;
     if (perimeters == "none") params.perimeterMode = sillon::PerimeterMode::None;
     if (perimeters == "soft") params.perimeterMode = sillon::PerimeterMode::Soft;
-    if (const auto known = sillon::recipes(); std::find(known.begin(), known.end(), perimeters) != known.end()) {
-      sillon::applyRecipe(perimeters, params);
+    if (const auto known = sillon::presets(); std::find(known.begin(), known.end(), perimeters) != known.end()) {
+      sillon::applyPreset(perimeters, params);
     }
     if (!perimeters.empty() && std::isdigit(perimeters[0])) {
       params.perimeterMode = sillon::PerimeterMode::Count;
@@ -207,7 +209,7 @@ void times(const std::vector<std::string>& scenes) {
     for (const RunContext* run : {&one, &two}) {
       std::vector<double> adds;
       for (int k = 0; k < 3; ++k) {
-        Plate plate;
+        ToolpathResult plate;
         const double making =
             seconds([&] { plate = generateToolpath(scene.input, scene.project.toolpath, *run, true).value(); });
         const double measuring = seconds([&] {
@@ -275,7 +277,7 @@ void brush(sillon::DirectionMap& map, int stroke) {
   }
 }
 
-// Each round edits a tenth of the directions, then makes the plate with a kept session, from nothing, and its preview.
+// Each round edits a tenth of the directions, then makes the plate with a kept session, and from nothing.
 void live(const std::vector<std::string>& scenes) {
   constexpr int kWarmUps = 2;
   constexpr int kRuns = 9;
@@ -285,32 +287,23 @@ void live(const std::vector<std::string>& scenes) {
     std::printf("%s: median of %d edits of a tenth of the directions (least)\n", scene.name.c_str(), kRuns);
     for (const int threads : {1, 2}) {
       const RunContext run(threads);
-      sillon::Session session, previewed;
-      std::vector<double> kept, fresh, preview, processor;
+      sillon::Session session;
+      std::vector<double> kept, fresh;
       for (int k = 0; k < kWarmUps + kRuns; ++k) {
         brush(scene.input.directions, k);
-        std::clock_t used = 0;
         const double times[] = {
             seconds([&] { (void)session.generateToolpath(scene.input, scene.project.toolpath, run); }),
-            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); }), seconds([&] {
-              used = std::clock();
-              (void)previewed.previewWaves(scene.input, scene.project.toolpath, 1000, run);
-              used = std::clock() - used;
-            })};
+            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); })};
         if (k < kWarmUps) continue;
         kept.push_back(times[0]);
         fresh.push_back(times[1]);
-        preview.push_back(times[2]);
-        processor.push_back(static_cast<double>(used) / CLOCKS_PER_SEC);
       }
       const auto least = [](const std::vector<double>& values) {
         return *std::min_element(values.begin(), values.end());
       };
-      std::printf(
-          "  %d thread%s  session %7.1f ms (%.1f)   from nothing %7.1f ms (%.1f)   preview, 1000 pixels %7.1f ms "
-          "(%.1f), %.1f of processors\n",
-          threads, threads == 1 ? " " : "s", 1e3 * median(kept), 1e3 * least(kept), 1e3 * median(fresh),
-          1e3 * least(fresh), 1e3 * median(preview), 1e3 * least(preview), 1e3 * median(processor));
+      std::printf("  %d thread%s  session %7.1f ms (%.1f)   from nothing %7.1f ms (%.1f)\n", threads,
+                  threads == 1 ? " " : "s", 1e3 * median(kept), 1e3 * least(kept), 1e3 * median(fresh),
+                  1e3 * least(fresh));
     }
   }
 }
@@ -527,6 +520,11 @@ int main(int argc, char** argv) {
     randomPlates(number(0, 2000), number(1, 1));
     return 0;
   }
+  if (what == "look") {
+    const char* photographs = std::getenv("SILLON_PHOTOS");
+    bench::look(photographs == nullptr ? "" : photographs, rest);
+    return 0;
+  }
   double mostMillions = 16;
   if (what == "growth" && !rest.empty()) {
     mostMillions = std::strtod(rest[0].c_str(), nullptr);
@@ -562,7 +560,7 @@ int main(int argc, char** argv) {
     std::printf(
         "sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...] | time [SCENE.json ...] | live [SCENE.json ...] | "
         "roof "
-        "| growth [MILLIONS] | random [N [SEED]]\n");
+        "| look [PICTURE ...] | growth [MILLIONS] | random [N [SEED]]\n");
     return 2;
   }
   return 0;

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sillon/gcode.hpp"
-#include "sillon/shape.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/gcode_check.hpp"
 
 namespace bench {

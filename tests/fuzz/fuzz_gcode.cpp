@@ -5,9 +5,9 @@
 #include <cstring>
 #include <string>
 
-#include "gcode_grammar.hpp"
-#include "sillon/gcode.hpp"
-#include "sillon/gcode_check.hpp"
+#include "gcode_reader/grammar.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/gcode_reader/check.hpp"
 
 namespace {
 

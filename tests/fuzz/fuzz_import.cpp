@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sillon/presets.hpp"
-#include "sillon/printer_import.hpp"
+#include "sillon/printer_import/printer_import.hpp"
+#include "sillon/settings/presets.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto imported = sillon::importPrinter({reinterpret_cast<const char*>(data), size});

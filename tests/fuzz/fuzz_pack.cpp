@@ -1,10 +1,11 @@
-// Any bytes as G-code to pack and as .gcode.3mf to unpack: what was packed comes back, what is damaged is an error.
+// Any bytes as G-code to pack and as .gcode.3mf or .bgcode to unpack: what was packed comes back, what is damaged is an
+// error.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
-#include "sillon/gcode_archive.hpp"
+#include "sillon/export/gcode_archive.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sillon;
@@ -13,7 +14,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!packed) std::abort();  // only sizes are refused
   const auto back = unpackGcode(packed.value());
   if (!back || back.value() != bytes) std::abort();
-  const auto unpacked = unpackGcode(bytes);
-  if (!unpacked && unpacked.error().message.empty()) std::abort();
+  if (!readGcodeContainer(packBinaryGcode(bytes).value())) std::abort();
+  const auto container = readGcodeContainer(bytes);
+  if (!container && container.error().message.empty()) std::abort();
+  if (container && container.value().kind != GcodeContainerKind::Text) {
+    const auto written = writeGcodeContainer(container.value(), "G28\n");
+    if (!written && written.error().message.empty()) std::abort();
+  }
   return 0;
 }

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sillon/project.hpp"
+#include "sillon/project/project.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto project = sillon::readProject({reinterpret_cast<const char*>(data), size});

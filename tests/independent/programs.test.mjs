@@ -1,6 +1,5 @@
 // What programs of other people read in our G-code. What a machine lacks is named, and its tests show as skipped.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -13,48 +12,17 @@ import Toolpath from 'gcode-toolpath';
 import { lacking, startChromium } from '../../wasm/test/support/browsers.js';
 import { nativeProgram, root } from '../../wasm/test/support/projects.js';
 import { serve } from '../../wasm/test/support/server.js';
+import { close, has, makePlates, run } from './plates.mjs';
 
 const here = fileURLToPath(new URL('./', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
 const timed = ['islands', 'logo', 'mosaic', 'noise', 'photo', 'qr', 'relief', 'strokes', 'tiles'];
-const plates = {};
-
-/** The command's output. */
-function run(program, args) {
-  const { status, stdout, stderr } = spawnSync(program, args, {
-    env: { ...process.env, SOURCE_DATE_EPOCH: '0', LANG: 'en_US.UTF-8', LIBGL_ALWAYS_SOFTWARE: '1' },
-    encoding: 'utf8',
-    maxBuffer: 1 << 26,
-  });
-  assert.equal(status, 0, stderr);
-  return stdout;
-}
-
-function has(program, args = ['--version']) {
-  const { error, status } = spawnSync(program, args, { stdio: 'ignore' });
-  return error === undefined && status === 0;
-}
+let plates;
 
 before(() => {
-  for (const name of timed) {
-    const path = join(folder, `${name}.gcode`);
-    run(nativeProgram, ['generate', join(root, 'examples', `${name}.json`), '--gcode', path, '--quiet']);
-    const text = readFileSync(path, 'utf8');
-    const [, time] = text.match(/^; estimated printing time \(normal mode\) = (.*)$/m);
-    const units = { d: 86400, h: 3600, m: 60, s: 1 };
-    plates[name] = {
-      path,
-      text,
-      check: JSON.parse(run(nativeProgram, ['check', path, '--json'])),
-      filament: Number(text.match(/^; filament used \[mm\] = (.*)$/m)[1]),
-      seconds: [...time.matchAll(/(\d+)([dhms])/g)].reduce((sum, [, count, unit]) => sum + count * units[unit], 0),
-    };
-  }
+  plates = makePlates(timed, folder);
 });
 after(() => rmSync(folder, { recursive: true }));
-
-const close = (actual, expected, slack, what) =>
-  assert.ok(Math.abs(actual - expected) <= slack, `${what}: ${actual}, ours ${expected}`);
 
 test("our own check finds no fault, no zigzag above 5 µm and less than a twentieth of the base uncovered", () => {
   for (const [name, { check }] of Object.entries(plates)) {
@@ -132,40 +100,7 @@ test('printrun reads the same filament, box and layers, and its time is within 3
   }
 });
 
-const needs = { 'prusa-slicer': ['--help'], 'xvfb-run': ['--help'], tesseract: [], xdotool: null, import: null, openbox: [] };
-const packages = { tesseract: 'tesseract-ocr', import: 'imagemagick', 'xvfb-run': 'xvfb and xauth' };
-const missing = Object.entries(needs).filter(([program, args]) =>
-  args === null ? spawnSync(program).error !== undefined : !has(program, args.length > 0 ? args : undefined),
-);
-const noEnglish = spawnSync('locale', ['-a'], { encoding: 'utf8' }).stdout?.includes('en_US.utf8') !== true;
 const noSlicer = has('prusa-slicer', ['--help']) ? false : 'PrusaSlicer is not installed';
-const noViewer =
-  missing.length > 0
-    ? `no ${missing.map(([program]) => packages[program] ?? program).join(', ')} here; install the Debian packages`
-    : noEnglish && 'no locale en_US.UTF-8 here (Debian: locales, locale-gen); PrusaSlicer asks about it and waits';
-
-/** Seconds of "1h 5m", "37m" or "22s", and how far they are rounded. */
-function spoken(text) {
-  const units = { d: 86400, h: 3600, m: 60, s: 1 };
-  const parts = [...text.matchAll(/(\d+) ?([dhms])/g)].map(([, count, unit]) => [Number(count), units[unit]]);
-  return { seconds: parts.reduce((sum, [count, unit]) => sum + count * unit, 0), step: parts.at(-1)?.[1] };
-}
-
-test("PrusaSlicer's viewer shows roles, widths, filament and a time within 3 %", { skip: noViewer }, () => {
-  for (const name of ['relief', 'photo', 'tiles', 'logo', 'mosaic', 'qr']) {
-    const { path, seconds, filament } = plates[name];
-    const shown = run('xvfb-run', ['-a', '-s', '-screen 0 1400x900x24', 'sh', join(here, 'viewer.sh'), path, folder]);
-    for (const role of ['Solid ?infill', 'Top ?solid ?infill', 'Skirt/Brim', 'Width']) {
-      assert.match(shown, new RegExp(role), `${name}: ${shown}`);
-    }
-    const total = spoken(shown.match(/Total: *(.*)/)[1]);
-    close(total.seconds, seconds, 0.03 * seconds + total.step, `${name}: time, ${shown}`);
-    // Two decimals each; the point is easily overlooked.
-    const amounts = [...shown.matchAll(/% +([\d.]+) ?m/g)].map(([, value]) => Number(value.replace('.', '')) / 100);
-    const metres = amounts.reduce((sum, value) => sum + value, 0);
-    close(metres, filament / 1000, 0.016, `${name}: filament, ${shown}`);
-  }
-});
 
 test('PrusaSlicer reads the base body, STL and 3MF, as one closed solid of its size', { skip: noSlicer }, () => {
   for (const name of ['logo', 'islands', 'qr']) {

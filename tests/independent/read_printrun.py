@@ -1,4 +1,4 @@
-# What printrun reads of a G-code file, as JSON: filament [mm], box of the beads, heights, time [s].
+# What printrun reads of a G-code file, as JSON: filament [mm], box of the layers' beads, heights of the beads, time [s].
 import json
 import logging
 import sys
@@ -8,9 +8,14 @@ from printrun import gcoder  # noqa: E402
 
 with open(sys.argv[1]) as file:
     read = gcoder.GCode(file)
+# The start block's purge lies beside the plate.
+first = next(k for k, line in enumerate(read.lines) if line.raw.startswith(";LAYER_CHANGE"))
+beads = [line for line in read.lines[first:] if line.extruding and (line.x is not None or line.y is not None)]
+xs, ys = [line.current_x for line in beads], [line.current_y for line in beads]
+
 print(json.dumps({
     "filament": read.filament_length,
-    "box": [read.xmin, read.ymin, read.xmax, read.ymax],
-    "heights": sorted(read.all_zs),
+    "box": [min(xs), min(ys), max(xs), max(ys)],
+    "heights": sorted({line.current_z for line in beads}),
     "seconds": read.duration.total_seconds(),
 }))

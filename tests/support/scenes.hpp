@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sillon/pipeline.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 
 namespace scenes {
 

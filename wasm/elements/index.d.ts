@@ -1,4 +1,4 @@
-// Types of <sillon-studio> and <sillon-view>, the elements for other people's pages; docs/embedding.md says what each name
+// Types of <sillon-studio> and <sillon-view>, the elements for other people's pages; docs/guide/embedding.md says what each name
 // does. Types alone: the elements themselves are scripts of the place where the studio is served.
 import type { Project, Report } from '../sillon.js';
 
@@ -9,6 +9,8 @@ export interface StudioAttributes {
   image: string;
   project: string;
   printer: string;
+  /** 'printer': projects bring their own printer, start and end G-code; by default they are offered to the visitor. */
+  trusted: string;
   mode: string;
   controls: string;
   lang: string;

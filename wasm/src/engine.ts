@@ -3,30 +3,37 @@ import type * as api from '../sillon.js';
 import { invalid } from './errors.js';
 import * as input from './input.js';
 import type { Platform } from './platform.js';
-import type { Call } from './protocol.js';
-import { Queue } from './queue.js';
+import type { FileCall, PlateCall, RebrushCall } from './protocol.js';
+import { Queue, type Threads } from './queue.js';
 
 const mostAutoThreads = 8;
 
 /** How many threads to start, and why not as many as were asked for. */
-function plan(asked: 'auto' | 'off' | number, platform: Platform): { threads: number; reason: string } {
+function plan(asked: 'auto' | 'off' | number, platform: Platform): Threads {
   const wanted = asked === 'off' ? 1 : asked === 'auto' ? Math.min(mostAutoThreads, platform.cores()) : asked;
   const obstacle = wanted > 1 ? platform.obstacleToThreads() : '';
-  return { threads: obstacle === '' ? wanted : 1, reason: obstacle };
+  if (obstacle === '') return { threads: wanted, reason: '', reasonCode: '' };
+  return { threads: 1, reason: obstacle, reasonCode: 'NotIsolated' };
 }
+
+const oneThread: Threads = { threads: 1, reason: '', reasonCode: '' };
 
 export async function startEngine(platform: Platform, options: unknown): Promise<api.Engine> {
   const { threads: asked, assetBase, idleTimeout } = input.engineOptions(options);
-  const { threads, reason } = plan(asked, platform);
-  const queue = new Queue(platform, platform.files(assetBase), idleTimeout, threads, reason);
-  await queue.start();
+  const assets = platform.files(assetBase);
+  const plates = new Queue(platform, assets, idleTimeout, plan(asked, platform));
+  await plates.start();
+  // Workers of their own, started by their first calls.
+  const files = new Queue(platform, { ...assets, st: assets.files }, idleTimeout, oneThread);
+  const prints = new Queue(platform, { ...assets, st: assets.rebrush }, idleTimeout, oneThread);
 
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
-  const run = (call: Call, options: input.CallOptions): Promise<unknown> => queue.run(call, options);
+  const run = (call: PlateCall, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
+  const runOnFile = (call: FileCall, options: input.CallOptions): Promise<unknown> => files.run(call, options);
   return {
     get info() {
-      return queue.info;
+      return plates.info;
     },
 
     async generateToolpath(plateInput, params, options) {
@@ -42,19 +49,19 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async writeGcode(toolpath, printer, print, options) {
       const checked = input.callOptions(options, ['onChunk']);
       const { date, ...others } = input.section(print, 'print');
-      const call: Call = {
+      const call: FileCall = {
         name: 'writeGcode',
         toolpath: input.toolpath(toolpath),
         project: input.projectText({ print: others, printer: input.section(printer, 'printer') }),
         date: input.date(date),
         inPieces: checked.onChunk !== undefined,
       };
-      return (await run(call, checked)) as api.Gcode;
+      return (await runOnFile(call, checked)) as api.Gcode;
     },
 
     async writeBaseBody(shape, printer, print, options) {
       const checked = input.callOptions(options, ['format']);
-      const call: Call = {
+      const call: FileCall = {
         name: 'writeBaseBody',
         shape: input.shape(shape, 'shape'),
         project: input.projectText({
@@ -63,28 +70,32 @@ export async function startEngine(platform: Platform, options: unknown): Promise
         }),
         format: input.bodyFormat(checked.format),
       };
-      return (await run(call, checked)) as Blob;
+      return (await runOnFile(call, checked)) as Blob;
     },
 
     async writeSvg(toolpath, options) {
       const checked = input.callOptions(options);
-      return (await run({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;
+      return (await runOnFile({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;
     },
 
     async writeView(toolpath, params, options) {
       const checked = input.callOptions(options);
-      const call: Call = { name: 'writeView', toolpath: input.toolpath(toolpath), params: input.viewParams(params) };
-      return (await run(call, checked)) as Blob;
+      const call: FileCall = {
+        name: 'writeView',
+        toolpath: input.toolpath(toolpath),
+        params: input.viewParams(params),
+      };
+      return (await runOnFile(call, checked)) as Blob;
     },
 
     async renderPreview(toolpath, params, options) {
       const checked = input.callOptions(options);
-      const call: Call = {
+      const call: FileCall = {
         name: 'renderPreview',
         toolpath: input.toolpath(toolpath),
         params: input.previewParams(params),
       };
-      return (await run(call, checked)) as Blob;
+      return (await runOnFile(call, checked)) as Blob;
     },
 
     async readShape(shape, directions, options) {
@@ -111,33 +122,65 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
     async writeProject(project, options) {
       const checked = input.callOptions(options);
-      const call: Call = { name: 'writeProject', project: input.projectText(input.project(project)) };
+      const call: PlateCall = { name: 'writeProject', project: input.projectText(input.project(project)) };
       return (await run(call, checked)) as string;
     },
 
-    async presets(options) {
-      return (await run({ name: 'presets' }, input.callOptions(options))) as api.Presets;
+    async profiles(options) {
+      return (await run({ name: 'profiles' }, input.callOptions(options))) as api.Profiles;
     },
 
     async importPrinter(file, name, options) {
       const checked = input.callOptions(options);
-      const call: Call = { name: 'importPrinter', file: input.bytesFile(file), printer: input.printerName(name) };
-      return (await run(call, checked)) as api.ImportedPrinter;
+      const call: FileCall = { name: 'importPrinter', file: input.bytesFile(file), printer: input.printerName(name) };
+      return (await runOnFile(call, checked)) as api.ImportedPrinter;
     },
 
     async checkGcode(file, printer, options) {
       const checked = input.callOptions(options);
       const project = printer === undefined ? '' : input.projectText({ printer: input.section(printer, 'printer') });
-      return (await run({ name: 'checkGcode', file: input.bytesFile(file), project }, checked)) as api.GcodeCheck;
+      return (await runOnFile({ name: 'checkGcode', file: input.bytesFile(file), project }, checked)) as api.GcodeCheck;
+    },
+
+    async examineBlock(block, flavor, options) {
+      const checked = input.callOptions(options);
+      const printer = flavor === undefined ? {} : { flavor };
+      const project = input.projectText({ printer: input.section(printer, 'printer') });
+      return (await run(
+        { name: 'examineBlock', block: input.blockText(block), project },
+        checked,
+      )) as api.GcodeFinding[];
     },
 
     async packGcode(file, options) {
       const checked = input.callOptions(options);
-      return (await run({ name: 'packGcode', file: input.bytesFile(file) }, checked)) as Blob;
+      return (await runOnFile({ name: 'packGcode', file: input.bytesFile(file) }, checked)) as Blob;
+    },
+
+    async listSurfaces(file, options) {
+      const call: RebrushCall = { name: 'listSurfaces', file: input.bytesFile(file) };
+      return (await prints.run(call, input.callOptions(options))) as api.SlicedFile;
+    },
+
+    async rebrush(file, how, options) {
+      const checked = input.callOptions(options);
+      const { sides, fit, sections, files: given } = input.rebrushOptions(how);
+      const content = input.bytesFile(file);
+      const call: RebrushCall = {
+        name: 'rebrush',
+        file: content,
+        project: input.projectText(sections),
+        files: given,
+        sides,
+        fit,
+      };
+      return (await prints.run(call, checked)) as api.Rebrushed;
     },
 
     dispose() {
-      queue.dispose();
+      plates.dispose();
+      files.dispose();
+      prints.dispose();
     },
   };
 }

@@ -211,16 +211,28 @@ export function project(value: unknown): Fields {
 
 export const printerName = (value: unknown): string => (value === undefined ? '' : text(value, 'name'));
 
+export const blockText = (value: unknown): string => text(value, 'block');
+
 export const projectJson = (value: unknown): string => text(value, 'json');
 
 /** Sections that name the files as their fields are called. */
 export function plate(value: unknown): { sections: Fields; files: Files } {
   const given = fieldsOf(value, 'input');
-  refuseUnknown(given, '', ['shape', 'directions', 'modes']);
+  refuseUnknown(given, '', ['shape', 'directions', 'modes', 'pictures']);
   const sections: Fields = {};
   const files: Files = {};
   for (const [name, part] of Object.entries(given)) {
     if (part === undefined) continue;
+    if (name === 'pictures') {
+      const { files: list, ...rest } = fieldsOf(part, name);
+      const named = listOf(list, 'pictures.files', (one, path) => {
+        const { file: content, ...lamp } = fieldsOf(one, path);
+        files[`${path}.file`] = file(content, `${path}.file`);
+        return { ...lamp, file: `${path}.file` };
+      });
+      sections[name] = { ...rest, files: named };
+      continue;
+    }
     const { file: content, ...rest } = fieldsOf(part, name);
     sections[name] = rest;
     if (content === undefined) continue;
@@ -228,6 +240,26 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
     rest['file'] = `${name}.file`;
   }
   return { sections, files };
+}
+
+/** What to lay on a print: sections of a project and their files. */
+export function rebrushOptions(value: unknown): {
+  sides: api.RebrushOptions['sides'];
+  fit: api.RebrushOptions['fit'];
+  sections: Fields;
+  files: Files;
+} {
+  const given = optionalFields(value, 'how');
+  refuseUnknown(given, 'how', ['directions', 'modes', 'toolpath', 'sides', 'fit']);
+  const { directions, modes, toolpath: params, sides = 'top', fit = 'face' } = given;
+  if (sides !== 'top' && sides !== 'bottom' && sides !== 'both') {
+    throw mustBe('how.sides', sides, '"top", "bottom" or "both"');
+  }
+  if (fit !== 'face' && fit !== 'object' && fit !== 'bed' && fit !== 'all') {
+    throw mustBe('how.fit', fit, '"face", "object", "bed" or "all"');
+  }
+  const { sections, files } = plate({ directions, modes });
+  return { sides, fit, sections: { ...sections, toolpath: section(params, 'how.toolpath') }, files };
 }
 
 /** Bytes in any form. */
@@ -268,23 +300,40 @@ export function viewParams(value: unknown): api.ViewParams {
   const params = optionalFields(value, 'params');
   refuseUnknown(params, '', ['colour', 'slopes']);
   const { colour = [201, 148, 46], slopes = [8.93, 15.6] } = params;
-  const channels = listOf(colour, 'colour', finite);
-  // The engine would cut them to 8 bits.
-  if (channels.length !== 3 || !channels.every((one) => Number.isInteger(one) && one >= 0 && one <= 255)) {
-    throw mustBe('colour', colour, 'three whole numbers from 0 to 255');
-  }
-  return { colour: channels as api.ViewParams['colour'], slopes: pair(slopes, 'slopes') };
+  return { colour: rgb(colour, 'colour'), slopes: pair(slopes, 'slopes') };
 }
 
 /** Types only: values are checked by the engine. */
 export function toolpath(value: unknown): api.Toolpath {
-  const { spacing, cycles, shape: filled, notes } = fieldsOf(value, 'toolpath');
+  const { spacing, cycles, shape: filled, notes, look: seen } = fieldsOf(value, 'toolpath');
   return {
+    ...(seen === undefined ? {} : { look: look(seen, 'toolpath.look') }),
     shape: shape(filled, 'toolpath.shape'),
     spacing: finite(spacing, 'toolpath.spacing'),
     cycles: listOf(cycles, 'toolpath.cycles', cycle),
     notes: listOf(notes, 'toolpath.notes', text),
   };
+}
+
+function look(value: unknown, path: string): api.Look {
+  const { colour, slopes, lampSize, lamps } = fieldsOf(value, path);
+  const standing = listOf(lamps, `${path}.lamps`, pair);
+  if (standing.length === 0) throw invalid(`${path}.lamps is empty; it must have at least one lamp`);
+  return {
+    colour: rgb(colour, `${path}.colour`),
+    slopes: pair(slopes, `${path}.slopes`),
+    lampSize: finite(lampSize, `${path}.lampSize`),
+    lamps: standing,
+  };
+}
+
+/** The engine would cut what is none to 8 bits. */
+function rgb(value: unknown, path: string): [number, number, number] {
+  const channels = listOf(value, path, finite);
+  if (channels.length !== 3 || !channels.every((one) => Number.isInteger(one) && one >= 0 && one <= 255)) {
+    throw mustBe(path, value, 'three whole numbers from 0 to 255');
+  }
+  return channels as [number, number, number];
 }
 
 /** Types only, as of a toolpath. */

@@ -16,6 +16,14 @@ const beside: EngineFiles = {
     wasm: new URL('./engine/sillon-mt.wasm', import.meta.url).href,
     threadScript: new URL('./engine/sillon-mt.worker.js', import.meta.url).href,
   },
+  files: {
+    script: new URL('./engine/sillon-files.js', import.meta.url).href,
+    wasm: new URL('./engine/sillon-files.wasm', import.meta.url).href,
+  },
+  rebrush: {
+    script: new URL('./engine/sillon-rebrush.js', import.meta.url).href,
+    wasm: new URL('./engine/sillon-rebrush.wasm', import.meta.url).href,
+  },
 };
 
 function filesAt(assetBase: string | URL): EngineFiles {
@@ -27,6 +35,8 @@ function filesAt(assetBase: string | URL): EngineFiles {
       worker: at('worker.js'),
       st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
       mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
+      files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
+      rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
     };
   } catch {
     throw invalid(`assetBase is "${text}"; it must be a URL, or a path on this page's server`);

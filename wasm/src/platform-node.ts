@@ -36,6 +36,8 @@ export const node: Platform = {
       worker: at('worker.js'),
       st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
       mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
+      files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
+      rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
     };
   },
 
@@ -54,11 +56,12 @@ export const node: Platform = {
 
   // Blobs that stand for files on disk cannot be posted.
   async portable(call) {
-    if ('file' in call) return { ...call, file: await withoutBlob(call.file, 'file') };
-    if (!('files' in call)) return call;
+    const sent = { ...call };
+    if ('file' in sent) sent.file = await withoutBlob(sent.file, 'file');
+    if (!('files' in sent)) return sent;
     const files: Files = {};
-    for (const [name, file] of Object.entries(call.files)) files[name] = await withoutBlob(file, name);
-    return { ...call, files };
+    for (const [name, file] of Object.entries(sent.files)) files[name] = await withoutBlob(file, name);
+    return { ...sent, files };
   },
 
   startWorker(files, _threads, events) {

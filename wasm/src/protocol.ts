@@ -8,6 +8,10 @@ export interface EngineFiles {
   worker: string;
   st: ModuleFiles;
   mt: ModuleFiles & { threadScript: string };
+  /** Fetched when a file is to be written or read. */
+  files: ModuleFiles;
+  /** Fetched when a sliced file is to be read. */
+  rebrush: ModuleFiles;
 }
 export interface ModuleFiles {
   script: string;
@@ -18,22 +22,42 @@ export interface ModuleFiles {
 export type Files = Record<string, Uint8Array | Blob | api.Picture>;
 
 /** One call of the engine. `project` is the text of a project file. */
-export type Call =
+export type Call = PlateCall | FileCall | RebrushCall;
+
+/** Of the modules that make plates. */
+export type PlateCall =
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean }
+  | { name: 'readShape'; project: string; files: Files }
+  | { name: 'decodePicture'; file: Uint8Array | Blob }
+  | { name: 'readProject'; project: string }
+  | { name: 'writeProject'; project: string }
+  | { name: 'profiles' }
+  /** `project`: whose printer's flavor counts. */
+  | { name: 'examineBlock'; block: string; project: string };
+
+/** Of the module that writes and reads the files around a plate. */
+export type FileCall =
   | { name: 'writeGcode'; toolpath: api.Toolpath; project: string; date: string; inPieces: boolean }
   | { name: 'writeBaseBody'; shape: api.Shape; project: string; format: 'stl' | '3mf' }
   | { name: 'writeSvg'; toolpath: api.Toolpath }
   | { name: 'writeView'; toolpath: api.Toolpath; params: api.ViewParams }
   | { name: 'renderPreview'; toolpath: api.Toolpath; params: api.PreviewParams }
-  | { name: 'readShape'; project: string; files: Files }
-  | { name: 'decodePicture'; file: Uint8Array | Blob }
-  | { name: 'readProject'; project: string }
-  | { name: 'writeProject'; project: string }
-  | { name: 'presets' }
   | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
   /** `project`: whose printer counts; empty: what the file's own settings say. */
   | { name: 'checkGcode'; file: Uint8Array | Blob; project: string }
   | { name: 'packGcode'; file: Uint8Array | Blob };
+
+/** Of the module that lays plates on other people's prints. */
+export type RebrushCall =
+  | { name: 'listSurfaces'; file: Uint8Array | Blob }
+  | {
+      name: 'rebrush';
+      file: Uint8Array | Blob;
+      project: string;
+      files: Files;
+      sides: api.RebrushOptions['sides'];
+      fit: api.RebrushOptions['fit'];
+    };
 
 export interface StartMessage {
   type: 'start';

@@ -25,6 +25,9 @@ interface Job {
   pieces: number;
 }
 
+/** How many threads compute, and why not more. */
+export type Threads = Pick<api.EngineInfo, 'threads' | 'reason' | 'reasonCode'>;
+
 export class Queue {
   readonly #compiled: Partial<Record<Variant, WebAssembly.Module | undefined>> = {};
   #waiting: Job[] = [];
@@ -38,18 +41,16 @@ export class Queue {
     readonly platform: Platform,
     readonly files: EngineFiles,
     readonly idleTimeout: number,
-    private threads: number,
-    private reason: string,
+    private using: Threads,
   ) {}
 
   get info(): api.EngineInfo {
-    const { threads, reason } = this;
-    return { version: this.#version, variant: variantOf(threads), threads, reason };
+    return { version: this.#version, variant: variantOf(this.using.threads), ...this.using };
   }
 
   /** @throws SillonError LoadFailed, OutOfMemory, Crashed */
   async start(): Promise<void> {
-    await this.#openSession(this.threads);
+    await this.#openSession(this.using.threads);
     this.#restLater();
   }
 
@@ -101,7 +102,7 @@ export class Queue {
     clearTimeout(this.#rest);
     for (let job = this.#waiting.shift(); job !== undefined; job = this.#waiting.shift()) {
       this.#running = job;
-      await this.#perform(job, this.threads);
+      await this.#perform(job, this.using.threads);
     }
     this.#running = undefined;
     this.#restLater();
@@ -183,8 +184,7 @@ export class Queue {
   }
 
   #useOneThread(why: string): void {
-    this.threads = 1;
-    this.reason = `threads were given up: ${why}`;
+    this.using = { threads: 1, reason: `threads were given up: ${why}`, reasonCode: 'GivenUp' };
   }
 
   #restLater(): void {

@@ -29,9 +29,9 @@ describe('results', () => {
     assert.deepEqual(
       engines.map(({ info }) => info),
       [
-        { version: st.info.version, variant: 'st', threads: 1, reason: '' },
-        { version: st.info.version, variant: 'mt', threads: 2, reason: '' },
-        { version: st.info.version, variant: 'mt', threads: 4, reason: '' },
+        { version: st.info.version, variant: 'st', threads: 1, reason: '', reasonCode: '' },
+        { version: st.info.version, variant: 'mt', threads: 2, reason: '', reasonCode: '' },
+        { version: st.info.version, variant: 'mt', threads: 4, reason: '', reasonCode: '' },
       ],
     );
     assert.match(st.info.version, /^\d+\.\d+\.\d+/);
@@ -116,7 +116,11 @@ describe('results', () => {
     for (const note of toolpath.notes) assert.ok(text.includes(note), note);
     for (const key of ['filamentMm', 'filamentCm3', 'filamentGrams', 'seconds', 'moves'])
       assert.ok(whole.summary[key] > 0);
-    assert.ok(Array.isArray(whole.summary.warnings));
+    for (const { code, values, message } of whole.summary.warnings) {
+      assert.match(code, /^[A-Z][A-Za-z]+$/);
+      assert.equal(typeof values, 'object');
+      assert.doesNotMatch(message, /[{}]/, code);
+    }
   });
 
   test('printer and print parameters reach the G-code', async () => {
@@ -132,7 +136,7 @@ describe('results', () => {
   });
 
   test('presets, imported printers and checked G-code are what the command line has', async () => {
-    const { printers, filaments } = await st.presets();
+    const { printers, filaments } = await st.profiles();
     assert.deepEqual(
       filaments.map(({ id }) => id),
       ['petg', 'pla', 'pla-silk'],
@@ -140,13 +144,21 @@ describe('results', () => {
     const mini = printers.find(({ id }) => id === 'prusa-mini').printer;
     assert.deepEqual([mini.bedMax, mini.flavor, mini.retractLength], [[180, 180], 'prusa', 2.5]);
     const { toolpath } = await st.generateToolpath(...small);
-    const { blob } = await st.writeGcode(toolpath, { preset: 'prusa-mini', filament: 'petg' }, { copies: [2, 1] });
+    const { blob } = await st.writeGcode(toolpath, { profile: 'prusa-mini', filament: 'petg' }, { copies: [2, 1] });
     assert.match(await blob.text(), /^M862\.3 P "MINI"$/m);
-    const check = await st.checkGcode(blob, { preset: 'prusa-mini' });
+    const check = await st.checkGcode(blob, { profile: 'prusa-mini' });
     assert.deepEqual([check.errors, check.printer], [0, 'MINI']);
     assert.ok(check.layers > 0 && check.layers % 2 === 0 && check.filamentMm > 0);
     const bad = await st.checkGcode(Buffer.from('G1 X1e3\n'));
     assert.ok(bad.errors > 0 && bad.findings[0].error && bad.findings[0].line === 1);
+    const examined = await st.examineBlock('G28\nM997\nMY_MACRO\n', 'klipper');
+    assert.deepEqual(
+      examined.map(({ code, rule, error, line, values }) => [code, rule, error, line, values.command]),
+      [
+        ['never', 'commands', true, 2, 'M997'],
+        ['macro', 'commands', false, 3, 'MY_MACRO'],
+      ],
+    );
     const imported = await st.importPrinter(blob);
     assert.equal(imported.source, 'donor G-code');
     assert.ok(imported.printer.startGcode.includes('M862.3 P "MINI"'));
@@ -200,10 +212,15 @@ describe('results', () => {
       paths: [{ fillRule: 'nonzero', rings: [Float64Array.of(1, 9, 19, 9, 19, 1, 1, 1)] }],
       texts: 0,
       images: 0,
+      offPage: 0,
+      unpainted: false,
     });
     const written = svg.replace('</svg>', '<text>a</text><text>b</text><image/></svg>');
     const { texts, images } = await st.readShape({ file: written });
     assert.deepEqual([texts, images], [2, 1]);
+    const lines = svg.replace(/<(path|rect|polygon)/, '<$1 fill="none"');
+    assert.notEqual(lines, svg);
+    assert.equal((await st.readShape({ file: lines })).unpainted, true);
     assert.deepEqual((await st.readShape({ file: svg, pageWidth: 40 })).page, [40, 20]);
     const like = await st.readShape({ builtin: 'rectangle', size: [30, 0] }, { file: turning(40, 20) });
     assert.deepEqual(like.page, [30, 15]);
@@ -221,6 +238,38 @@ describe('results', () => {
       const picture = await st.decodePicture(png(width, 2, channels, samples));
       assert.deepEqual(picture, { width, height: 2, channels, samples: Uint16Array.from(samples, (v) => v * 257) });
     }
+  });
+
+  test('a picture is solved for its lamp, and the plate is drawn under it', async () => {
+    // Light on the left, dark on the right.
+    const halves = { width: 2, height: 1, channels: 1, samples: Uint8Array.of(230, 40) };
+    const shape = { builtin: 'rectangle', size: [24, 12] };
+    const seen = async (files) => {
+      const { toolpath, report } = await st.generateToolpath({ shape, pictures: { files, spool: 'clearPetg' } });
+      return { toolpath, look: toolpath.look, picture: report.pictures[0] };
+    };
+    const given = await seen([{ file: halves, lamp: [200, 50] }]);
+    assert.deepEqual(given.look.lamps, [[200, 50]]);
+    assert.deepEqual(given.look.slopes, [0.88, 11.63]);
+    assert.deepEqual([given.picture.lamp, given.picture.from], [[200, 50], 'toolpath']);
+    assert.ok(given.picture.r > 0.9, given.picture.r);
+    const chosen = await seen([{ file: halves }]);
+    assert.notDeepEqual(chosen.look.lamps, given.look.lamps);
+    const plain = await st.generateToolpath({ shape });
+    assert.equal(plain.toolpath.look, undefined);
+    assert.equal(plain.report.pictures, undefined);
+
+    // The look decides what the pictures in the file show; the beads stay the same.
+    const date = new Date(0);
+    const text = async (toolpath) => (await st.writeGcode(toolpath, {}, { date })).blob.text();
+    const [under, above] = [await text(given.toolpath), await text({ ...given.toolpath, look: undefined })];
+    const beads = (file) => file.split('\n').filter((line) => line.startsWith('G1'));
+    assert.notEqual(under, above);
+    assert.deepEqual(beads(under), beads(above));
+    await assert.rejects(
+      st.writeGcode({ ...given.toolpath, look: { ...given.look, lamps: [] } }),
+      /look\.lamps is empty/,
+    );
   });
 
   test('projects are completed, written and read back', async () => {

@@ -18,6 +18,8 @@ const zipped = (names) =>
 const scripts = {
   st: ['engine/worker.js', 'engine/sillon-st.js'],
   mt: ['engine/worker.js', 'engine/sillon-mt.js', 'engine/sillon-mt.worker.js'],
+  files: ['engine/worker.js', 'engine/sillon-files.js'],
+  rebrush: ['engine/worker.js', 'engine/sillon-rebrush.js'],
 };
 for (const [variant, names] of Object.entries(scripts)) {
   test(`the scripts of ${variant} are at most 40 KB, gzip`, () => {

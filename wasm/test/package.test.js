@@ -30,11 +30,18 @@ globalThis.attempt = async (_task, options) => {
   return { ...engine.info, digest: report.digest, gcode: hash.join(), bytes: blob.size };
 };
 `;
-let packed, expected;
+let packed, refusal, expected;
 
 before(async () => {
-  const npm = (...args) => run('npm', args, args[0] === 'pack' ? wasm : folder);
-  [packed] = JSON.parse(await npm('pack', '--json', '--pack-destination', folder));
+  // Packed from a copy, into which the licences come as ./dev package npm gathers them.
+  const source = join(folder, 'source');
+  cpSync(wasm, source, { recursive: true, filter: (path) => !/[\\/](test|node_modules)$/.test(path) });
+  rmSync(join(source, 'THIRD-PARTY-LICENCES'), { force: true });
+  const pack = () => run('npm', ['pack', '--json', '--pack-destination', folder], source);
+  refusal = await pack().catch((error) => error.stderr);
+  write('source/THIRD-PARTY-LICENCES', 'of the libraries inside');
+  [packed] = JSON.parse(await pack());
+  const npm = (...args) => run('npm', args);
   write('package.json', JSON.stringify({ name: 'consumer', private: true, type: 'module' }));
   await npm('install', '--offline', '--no-audit', '--no-fund', '--ignore-scripts', `./${packed.filename}`);
 
@@ -45,26 +52,71 @@ before(async () => {
 });
 after(() => rmSync(folder, { recursive: true }));
 
+test('without the licences of its libraries it is not packed', () => {
+  assert.match(refusal, /sillon is not packed: THIRD-PARTY-LICENCES missing/);
+});
+
 test('it holds what is to be published and nothing else', () => {
   const compiled = (path) =>
     readdirSync(join(wasm, 'src', path))
       .filter((name) => name.endsWith('.ts'))
       .map((name) => `dist/${path}${name.replace(/ts$/, 'js')}`);
-  const engine = ['mt.js', 'mt.wasm', 'mt.worker.js', 'st.js', 'st.wasm'].map((name) => `dist/engine/sillon-${name}`);
+  const engine = [
+    'files.js',
+    'files.wasm',
+    'rebrush.js',
+    'rebrush.wasm',
+    'mt.js',
+    'mt.wasm',
+    'mt.worker.js',
+    'st.js',
+    'st.wasm',
+  ].map((name) => `dist/engine/sillon-${name}`);
+  const tables = ['filaments', 'presets', 'printers'].flatMap((name) => [
+    `data/${name}.d.ts`,
+    `dist/data/${name}.json`,
+  ]);
   const elements = ['index', 'react', 'vue'].map((name) => `elements/${name}.d.ts`);
   assert.deepEqual(
     packed.files.map(({ path }) => path).sort(),
     [
       'LICENSE',
       'README.md',
+      'THIRD-PARTY-LICENCES',
       'package.json',
       'sillon.d.ts',
+      ...tables,
       ...elements,
+      'dist/cli/sillon.cjs',
+      'dist/cli/sillon.wasm',
       ...compiled(''),
       ...compiled('engine/'),
       ...engine,
     ].sort(),
   );
+});
+
+test('its tables are those of the engine', async () => {
+  write(
+    'tables.js',
+    `import presets from 'sillon/presets.json' with { type: 'json' };
+    import printers from 'sillon/printers.json' with { type: 'json' };
+    import filaments from 'sillon/filaments.json' with { type: 'json' };
+    import { createEngine } from 'sillon';
+    const engine = await createEngine({ threads: 'off' });
+    const named = await engine.profiles();
+    engine.dispose();
+    console.log(JSON.stringify({ presets, printers, filaments, named }));`,
+  );
+  const { presets, printers, filaments, named } = JSON.parse(await run(process.execPath, ['tables.js']));
+  assert.deepEqual(named.printers.map(({ id }) => id).sort(), Object.keys(printers.printers).sort());
+  assert.ok('pla' in filaments.filaments);
+  assert.deepEqual(presets.presets.standard, {});
+});
+
+test('installed, its command line runs', async () => {
+  const program = join(folder, 'node_modules/.bin/sillon');
+  assert.match(await run(program, ['--version']), /^sillon \d+\.\d+\.\d+\n$/);
 });
 
 test('installed, it needs nothing else', () => {

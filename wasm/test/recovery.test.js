@@ -38,9 +38,9 @@ async function withCopy(changes, options, body) {
 
 describe('a worker that breaks', { timeout: 600_000 }, () => {
   const breaks = {
-    'by a trap': `module.writeSvg = () => { throw new WebAssembly.RuntimeError('unreachable'); };`,
-    'by an uncaught C++ exception': `module.writeSvg = () => { throw 5247392; };`,
-    'by ending': `module.writeSvg = () => process.exit(3);`,
+    'by a trap': `module.profiles = () => { throw new WebAssembly.RuntimeError('unreachable'); };`,
+    'by an uncaught C++ exception': `module.profiles = () => { throw 5247392; };`,
+    'by ending': `module.profiles = () => process.exit(3);`,
   };
   for (const threads of [1, 2]) {
     for (const [how, code] of Object.entries(breaks)) {
@@ -48,8 +48,7 @@ describe('a worker that breaks', { timeout: 600_000 }, () => {
         const glue = threads === 1 ? 'sillon-st.js' : 'sillon-mt.js';
         const variant = threads === 1 ? 'st' : 'mt';
         await withCopy({ [glue]: wrapped(variant, { after: code }) }, { threads }, async (engine) => {
-          const { toolpath } = await engine.generateToolpath(...small);
-          const broken = failureOf(engine.writeSvg(toolpath));
+          const broken = failureOf(engine.profiles());
           const next = engine.generateToolpath(...small);
           const error = await broken;
           assert.equal(error.code, 'Crashed', error.message);
@@ -62,12 +61,19 @@ describe('a worker that breaks', { timeout: 600_000 }, () => {
   }
 
   test('between two calls is not noticed', async () => {
-    const after = `const real = module.writeSvg;
-      module.writeSvg = (path) => { setTimeout(() => { throw new Error('late'); }, 5); return real(path); };`;
+    // Its answer has been sent before it crashes.
+    const after = `const { profiles } = module;
+      const { postMessage } = globalThis;
+      module.profiles = () => {
+        globalThis.postMessage = (message, transfer) => {
+          postMessage(message, transfer);
+          if (message.type === 'done') setTimeout(() => { throw new Error('late'); });
+        };
+        return profiles();
+      };`;
     const workers = countWorkers();
     await withCopy({ 'sillon-st.js': wrapped('st', { after }) }, { threads: 1 }, async (engine) => {
-      const { toolpath } = await engine.generateToolpath(...small);
-      await engine.writeSvg(toolpath);
+      await engine.profiles();
       await until(() => workers.count.ended === 1);
       assert.equal(await digestOf(engine.generateToolpath(...small)), digest);
     });
@@ -217,7 +223,7 @@ describe('memory', { timeout: 600_000 }, () => {
       const many = await plates(180);
       workers.stop();
       engine.dispose();
-      assert.equal(workers.count.started, 0); // all in one worker
+      assert.equal(workers.count.started, 1); // plates all in one, files in the other
       assert.equal(many.peakBytes, few.peakBytes);
       assert.ok(many.resident - few.resident < 64 * 2 ** 20, `${(many.resident - few.resident) >> 20} MiB more`);
     });

@@ -86,10 +86,16 @@ test('sections of projects have the declared fields, and no others', async () =>
 });
 
 test('reports and summaries have the declared fields, and no others', async () => {
-  const { toolpath, report } = await engine.generateToolpath({ shape: { builtin: 'disc', size: [10, 10] } });
+  const file = { width: 2, height: 1, channels: 1, samples: Uint8Array.of(9, 200) };
+  const { toolpath, report } = await engine.generateToolpath({
+    shape: { builtin: 'disc', size: [10, 10] },
+    pictures: { files: [{ file }] },
+  });
   const { summary } = await engine.writeGcode(toolpath);
   const { membersOf } = declared();
   assert.deepEqual(Object.keys(report).sort(), membersOf('Report').sort());
   assert.deepEqual(Object.keys(summary).sort(), membersOf('GcodeSummary').sort());
   assert.deepEqual(Object.keys(toolpath).sort(), membersOf('Toolpath').sort());
+  assert.deepEqual(Object.keys(toolpath.look).sort(), membersOf('Look').sort());
+  assert.deepEqual(Object.keys(report.pictures[0]).sort(), membersOf('PictureReport').sort());
 });

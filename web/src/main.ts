@@ -1,11 +1,13 @@
 // Puts a page together: state, engine, directions, files, and what the elements may ask for. There are two: the studio, and
 // the studio as it is shown in a frame of another page.
-import { languageFor, setLanguage, t, type Language } from './i18n/text.js';
+import { languageFor, setLanguage, t } from './i18n/text.js';
 import directionsWorker from './directions/directions.worker.ts?worker&url';
 import { createRasteriser } from './directions/rasteriser.js';
 import { loadEngine } from './engine/load.js';
 import { StudioEngine } from './engine/studio-engine.js';
 import { createAutosave, type Autosave } from './files/autosave.js';
+import type { PrinterValues } from 'sillon';
+import { onOwnPrinter, withoutBrought } from './model/brought.js';
 import { newPlate } from './model/defaults.js';
 import type { Plate } from './model/plate.js';
 import { problemOf, StudioError } from './model/problem.js';
@@ -22,7 +24,8 @@ import { Studio } from './panels/studio.js';
 import { Pipeline } from './pipeline.js';
 import { startWorker } from './start-worker.js';
 import marksWorker from './views/marks.worker.ts?worker&url';
-import { recall, remember } from './remember.js';
+import { recall, recallText, remember } from './remember.js';
+import type { Language } from './model/language.js';
 
 /** Whether this is the page for frames of others. */
 const framed = document.documentElement.dataset['page'] === 'frame';
@@ -64,6 +67,9 @@ const keeper = (host?: string): Autosave =>
     ...(host === undefined ? {} : { host }),
   });
 
+/** What of printers was seen before a file was taken with it, as `toReview` has it. */
+const reviewed = new Set<string>();
+
 /** Another plate altogether; what was there can be had back by undo. */
 function show(plate: Plate): void {
   store.settle();
@@ -96,7 +102,9 @@ studio.services = {
   },
   link: async (plate) => {
     const [{ writeLink }, { untoldText }] = await Promise.all([import('./model/share.js'), import('./i18n/say.js')]);
-    const { hash, untold } = await writeLink(plate);
+    const { hash, untold } = await writeLink(plate, async (file, most) =>
+      (await import('./files/shrink.js')).shrunk(file, most),
+    );
     // Of the studio, also where this is its page for frames.
     return { url: new URL(`./${hash}`, document.baseURI).href, told: untoldText(untold) };
   },
@@ -104,7 +112,7 @@ studio.services = {
     await speak(language);
     if (!framed) remember('language', language);
   },
-  open: (files) => opener.open(files),
+  open: (files, role) => opener.open(files, role),
   setRole: (index, role) => opener.setRole(index, role),
   openExample: (example) => opener.openExample(example),
   importPrinter: async (file) => {
@@ -116,12 +124,23 @@ studio.services = {
     store.settle();
     store.change((plate) => ({ ...plate, printer }));
     studio.notify(t('printer.imported', { name: file.name, n: read.length }));
-    if (notRead.length > 0) studio.notify(t('printer.notRead', { list: notRead.join('; ') }));
+    if (notRead.length === 0) return;
+    const { importNoteText } = await import('./i18n/say.js');
+    studio.notify(t('printer.notRead', { list: notRead.map(importNoteText).join(' ') }));
   },
   newPlate: () => {
     show(newPlate());
   },
+  welcomed: () => {
+    remember('welcomed', 'yes');
+  },
   forget: async () => autosave?.forget(),
+  reviewed: (text) => reviewed.has(text) || (!framed && recallText('reviewed') === text),
+  setReviewed: (text) => {
+    reviewed.add(text);
+    if (!framed) remember('reviewed', text);
+  },
+  examine: async (block, flavor) => (await engine.engine()).examineBlock(block, flavor),
 };
 
 async function speak(language: Language): Promise<void> {
@@ -137,16 +156,31 @@ const elapsed = (time: number): Promise<void> => new Promise((resolve) => setTim
 
 /** The plate of the page's address, or the one that was left here, which is offered beside the other. */
 async function restore(): Promise<void> {
-  const opened = (await openLink()) || (await openAddress());
-  if (!framed) await restoreKept(keeper(), () => !opened);
+  if (framed) {
+    if (!(await openLink())) await openAddress();
+    return;
+  }
+  const first = store.state.plate;
+  autosave = keeper();
+  const kept = autosave.load();
+  const opened = (await openLink(kept)) || (await openAddress(kept));
+  const restored = await restoreKept(kept, () => !opened);
+  if (!opened && !restored && store.state.plate === first && recallText('welcomed') === undefined) {
+    store.set({ welcome: true });
+  }
+}
+
+/** Of the work that was left here, which may still be on its way. */
+async function ownPrinter(kept: Promise<Plate | undefined> | undefined): Promise<PrinterValues> {
+  const plate = await Promise.race([kept, elapsed(restoreWithin)]);
+  return (plate ?? store.state.plate).printer;
 }
 
 /** @param wanted  whether it is still to be shown
  * @returns whether there was work of an earlier visit, which is shown now; what comes too late is offered instead */
-async function restoreKept(keeps: Autosave, wanted: () => boolean = () => true): Promise<boolean> {
-  autosave = keeps;
+async function restoreKept(kept: Promise<Plate | undefined>, wanted: () => boolean = () => true): Promise<boolean> {
   const before = store.state.plate;
-  const plate = await keeps.load();
+  const plate = await kept;
   if (plate === undefined) return false;
   const shows = wanted() && store.state.plate === before; // else a hand was faster
   if (shows) showKept(plate);
@@ -156,6 +190,7 @@ async function restoreKept(keeps: Autosave, wanted: () => boolean = () => true):
 
 function showKept(plate: Plate): void {
   show(plate);
+  store.forgetSteps(); // undone, it would be gone for the plate that a first visit shows
   studio.notify(t('restore.done'), {
     label: t('restore.discard'),
     run: () => {
@@ -179,7 +214,7 @@ function offerKept(plate: Plate): void {
 }
 
 /** Of the files that the address names, on this page's own site. */
-async function openAddress(): Promise<boolean> {
+async function openAddress(kept?: Promise<Plate | undefined>): Promise<boolean> {
   for (const { where, value } of asked.wrong) studio.fail({ code: 'GuestValue', values: { where, value }, detail: '' });
   if (asked.files.length === 0) return false;
   return studio.attempt(async () => {
@@ -187,16 +222,18 @@ async function openAddress(): Promise<boolean> {
     const files = await fetchFiles(asked.files, document.baseURI).catch((error: unknown) => {
       throw new StudioError('GuestFile', {}, problemOf(error).detail);
     });
+    const printer = await ownPrinter(kept);
+    store.change((plate) => ({ ...plate, printer }));
     await opener.load(files.map(({ name, bytes, role }) => ({ file: new File([bytes], name), role })));
     usePrinter(asked.given.printer);
   });
 }
 
 function usePrinter(key: PrinterKey | undefined): void {
-  if (key !== undefined) store.change((plate) => withPrinter(plate, key));
+  if (key !== undefined) store.change((plate) => withPrinter(withoutBrought(plate), key));
 }
 
-async function openLink(): Promise<boolean> {
+async function openLink(kept?: Promise<Plate | undefined>): Promise<boolean> {
   const { hash } = location;
   // Projects of the site's own gallery, and nothing else.
   const project = /^#open=(gallery\/\w+\.zip)$/.exec(hash)?.[1];
@@ -209,9 +246,11 @@ async function openLink(): Promise<boolean> {
       return;
     }
     const { readLink } = await import('./model/share.js');
-    const plate = await readLink(hash);
+    const plate = await readLink(hash, async (name, bytes) =>
+      (await import('./files/source-file.js')).sourceFile(name, bytes),
+    );
     if (plate === undefined) return;
-    show(plate);
+    show(onOwnPrinter(plate, await ownPrinter(kept)));
     studio.notify(t('link.opened'));
   });
 }
@@ -219,7 +258,18 @@ async function openLink(): Promise<boolean> {
 function keepUp(): void {
   store.subscribe((state, before) => {
     if (state.theme !== before.theme) applyTheme(state.theme);
-    if (state.plate !== before.plate) autosave?.save(state.plate);
+    const { directions } = state.plate;
+    if (directions !== before.plate.directions) {
+      const lamps = directions.kind === 'lamp' ? directions.pictures.length : 0;
+      if (lamps > 0 && state.tool !== 'pan') store.set({ tool: 'pan' });
+      if (state.lamp >= Math.max(1, lamps)) store.set({ lamp: 0 });
+      if (lamps < 2 && state.flipping) store.set({ flipping: false });
+      if (lamps === 0 && state.wipe > 0) store.set({ wipe: 0 });
+    }
+    if (state.plate !== before.plate) {
+      autosave?.save(state.plate);
+      if (state.welcome) studio.endWelcome();
+    }
   });
   addEventListener('pagehide', () => void autosave?.flush());
   document.addEventListener('visibilitychange', () => {
@@ -270,9 +320,9 @@ async function frame(): Promise<void> {
   const { waitForHost } = await import('./embed/frame.js');
   const hosts = document.querySelector<HTMLMetaElement>('meta[name="sillon-hosts"]')?.content.split(/\s+/) ?? [];
   waitForHost(hosts, studio, {
-    load: async (openings) => {
+    load: async (openings, trusted) => {
       try {
-        await opener.load(openings);
+        await opener.load(openings, trusted);
         usePrinter(asked.given.printer);
         store.forgetSteps();
       } finally {
@@ -300,7 +350,8 @@ async function frame(): Promise<void> {
       if (name === undefined || origin === 'null') return false;
       let waits = true;
       const late = elapsed(hostWaits).then(() => (waits = false));
-      const restored = await Promise.race([restoreKept(keeper(`${origin} ${name}`), () => waits), late]);
+      autosave = keeper(`${origin} ${name}`);
+      const restored = await Promise.race([restoreKept(autosave.load(), () => waits), late]);
       if (restored) begin();
       return restored;
     },

@@ -1,30 +1,26 @@
 // Files and examples become plates: what each file is for is guessed, used at once, and can be changed afterwards.
 import type { Engine } from 'sillon';
 import { t } from './i18n/text.js';
+import { onOwnPrinter } from './model/brought.js';
 import { newPlate } from './model/defaults.js';
 import { withFilament } from './model/filaments.js';
+import { homeLight } from './model/lamp.js';
 import type { Plate, ShapeSource, SourceFile } from './model/plate.js';
-import { StudioError } from './model/problem.js';
+import { problemOf, StudioError, type Problem } from './model/problem.js';
 import type { Example } from './panels/examples.js';
-import type { Opened, Role } from './panels/shown.js';
+import type { Opened, Opening, Role } from './model/file-role.js';
 import type { Studio } from './panels/studio.js';
-
-/** A file, and what it is for where somebody says so: 'shape', 'image' (its directions), or a role. Empty: as it is guessed. */
-export interface Opening {
-  file: File;
-  role: string;
-}
 
 export interface Opener {
   /** @throws StudioError, SillonError */
-  open(files: readonly File[]): Promise<void>;
+  open(files: readonly File[], role?: Role): Promise<void>;
   /** Uses one of the files that were opened last as something else. */
   setRole(index: number, role: Role): Promise<void>;
   openExample(example: Example): Promise<void>;
   /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
   openOwn(path: string): Promise<void>;
-  /** Another plate, of these files alone. */
-  load(openings: readonly Opening[]): Promise<void>;
+  /** Another plate, of these files alone. @param trusted  whether a project's own printer may be used */
+  load(openings: readonly Opening[], trusted?: boolean): Promise<void>;
 }
 
 const gesture = 'files';
@@ -37,9 +33,13 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
   async function use(opened: readonly Opened[]): Promise<void> {
     const { withFiles } = await import('./files/open.js');
     const base = before ?? studio.store.state.plate;
-    const plate = await withFiles(base, opened, await engine(), (problem) => {
+    const { light, lightMode, made } = studio.store.state;
+    const tell = (problem: Problem): void => {
       studio.fail(problem);
-    });
+    };
+    // That on the screen: where a hand has put it, else where it comes back to.
+    const lamp = lightMode === 'fixed' ? light : homeLight(base, made?.toolpath.look);
+    const plate = await withFiles(base, opened, await engine(), tell, lamp);
     // One step of undo, however often the roles are changed.
     studio.store.change(() => plate, gesture);
     studio.store.set({ opened });
@@ -47,24 +47,31 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
   }
 
   const opener: Opener = {
-    async open(files) {
-      const { identify } = await import('./files/open.js');
+    async open(files, role) {
+      const { hasUnits, identify } = await import('./files/open.js');
       const { plate } = studio.store.state;
       const found = await identify(await Promise.all(files.map(readable)), plate, await engine());
       if (found.project !== undefined) {
-        show(found.project);
+        show(onOwnPrinter(found.project, plate.printer));
         studio.store.set({ opened: [] });
         return;
       }
       before = plate;
       studio.store.settle();
+      if (role !== undefined) {
+        found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
+      }
       await use(found.opened);
       if (found.opened.length > 1) {
         studio.show('files');
         return;
       }
       for (const { source, role } of found.opened) {
-        studio.notify(t('files.opened', { name: source.name, role: t(`role.${role}`) }), {
+        const { plate: made } = studio.store.state;
+        const unsaid = role === 'shape' && !(await hasUnits(source));
+        const size = { width: made.width, height: made.height };
+        const told = `${t('files.opened', { name: source.name, role: t(`role.${role}`) })} ${unsaid ? t('files.sized', size) : ''}`;
+        studio.notify(told.trim(), {
           label: t('files.change'),
           run: () => {
             studio.show('files');
@@ -78,14 +85,16 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
       await use(opened.map((file, k) => (k === index ? { ...file, role } : file)));
     },
 
-    async load(openings) {
+    async load(openings, trusted = false) {
       const { identify, withFiles } = await import('./files/open.js');
       const plate = newPlate();
       const files = await Promise.all(openings.map(({ file }) => readable(file)));
       const found = await identify(files, plate, await engine());
       const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
       before = plate;
-      show(found.project ?? (await withFiles(plate, opened, await engine())));
+      const own = studio.store.state.plate.printer;
+      const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own);
+      show(project ?? (await withFiles(plate, opened, await engine())));
       studio.store.forgetSteps();
       studio.store.set({ opened });
     },
@@ -105,7 +114,7 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
 /** The role that a file gets. @param wanted  of an `Opening` */
 function asked({ source, role, roles }: Opened, wanted: string): Role {
   if (wanted === '') return role;
-  const directions: readonly Role[] = ['tone', 'edges', 'levels', 'angle', 'rotation', 'tangent'];
+  const directions: readonly Role[] = ['lamp', 'tone', 'edges', 'levels', 'angle', 'rotation', 'tangent'];
   const means: Record<string, readonly Role[]> = { shape: ['shape', 'mask'], image: [role, ...directions] };
   const possible = Object.hasOwn(means, wanted) ? (means[wanted] ?? []) : roles.filter((one) => one === wanted);
   const found = possible.find((one) => roles.includes(one) && (wanted !== 'image' || directions.includes(one)));
@@ -113,16 +122,24 @@ function asked({ source, role, roles }: Opened, wanted: string): Role {
   return found;
 }
 
-/** Pictures of kinds that only the browser reads, as PNG; everything else as it is. */
+/** Pictures of kinds that only the browser reads, as PNG; everything else as it is. What it is, its bytes say: files of phones
+ * and chats come with wrong types, or with none.
+ * @throws StudioError BrowserPicture */
 async function readable(file: File): Promise<File> {
-  if (!/^image\/(webp|gif|avif|heic|heif)$/.test(file.type)) return file;
+  const { browserPicture } = await import('./files/kind.js');
+  const head = await file
+    .slice(0, 64)
+    .arrayBuffer()
+    .catch(() => new ArrayBuffer(0)); // a folder, or gone: told when it is read
+  const type = browserPicture(new Uint8Array(head));
+  if (type === '') return file;
   try {
-    const image = await createImageBitmap(file);
+    const image = await createImageBitmap(new Blob([file], { type }));
     const canvas = new OffscreenCanvas(image.width, image.height);
     canvas.getContext('2d')?.drawImage(image, 0, 0);
     return new File([await canvas.convertToBlob({ type: 'image/png' })], file.name, { type: 'image/png' });
-  } catch {
-    return file; // it will be refused by its name
+  } catch (error) {
+    throw new StudioError('BrowserPicture', { name: file.name }, problemOf(error).detail);
   }
 }
 

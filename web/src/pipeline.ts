@@ -1,28 +1,19 @@
 // From a plate to what follows from it: directions, toolpath, places to look at, the file's summary.
 import type { Gcode, GcodeCheck } from 'sillon';
 import { coarseResolution, fineResolution } from './directions/rasterise.js';
-import type { DirectionRaster } from './directions/raster.js';
+import type { DirectionRaster } from './model/raster.js';
+import type { Mark } from './model/view.js';
 import type { Rasteriser } from './directions/rasteriser.js';
 import type { StudioEngine } from './engine/studio-engine.js';
 import { viewLook } from './model/filaments.js';
+import { isOf, isRound, sameDirections, sameSource } from './model/made.js';
 import type { Plate } from './model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from './model/problem.js';
 import type { Made } from './model/state.js';
 import type { Store } from './model/store.js';
 import type { Shown } from './panels/shown.js';
-import type { Mark } from './views/scene.js';
 
 const summaryAfter = 400; // [ms] without a change
-
-const sameSource = (a: Plate, b: Plate): boolean =>
-  a.directions === b.directions && a.modes === b.modes && a.width === b.width && a.height === b.height;
-
-const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.strokes && sameSource(a, b);
-
-/** Whether it is the plate's path: all but printer, print and looks are the same. Asked for the file of another, the engine
- * would begin it, also where it has just been cancelled. */
-const isOf = ({ plate: of }: Made, plate: Plate): boolean =>
-  sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath;
 
 interface Drawn {
   plate: Plate;
@@ -164,8 +155,9 @@ export class Pipeline {
       const raster = await this.rasteriser.rasterise({
         source: plate.directions,
         modes: plate.modes,
-        strokes: plate.strokes,
+        strokes: plate.directions.kind === 'lamp' ? [] : plate.strokes, // the engine solves for them alone
         page: [plate.width, plate.height || plate.width],
+        round: isRound(plate),
         resolution: coarse ? coarseResolution : fineResolution,
       });
       if (raster === undefined) return undefined;

@@ -131,7 +131,7 @@ test('wrong arguments are named, with what to do', () => {
 });
 
 test('the settings that hosts are told to copy are those of our own server', () => {
-  const page = readFileSync(fileURLToPath(new URL('../../docs/embedding.md', import.meta.url)), 'utf8');
+  const page = readFileSync(fileURLToPath(new URL('../../docs/guide/embedding.md', import.meta.url)), 'utf8');
   const blocks = [...page.matchAll(/```\w*\n([^]*?)```/g)]
     .map(([, block]) => block)
     .filter((block) => block.includes('Document-Isolation-Policy'));

@@ -7,7 +7,7 @@ type OnProgress = (stage: string, fraction: number) => void;
 type Inputs = Record<string, Uint8Array | api.Picture>;
 type CopiedBytes = Uint8Array<ArrayBuffer>;
 
-/** wasm/bindings.cpp */
+/** wasm/plates.cpp, wasm/files.cpp and wasm/rebrush.cpp: of each module its part, and wasm/call.cpp. */
 interface SillonModule {
   start(threads: number, poll: (() => boolean) | null): Outcome<{ version: string; cancelFlag: number }>;
   generateToolpath(
@@ -35,10 +35,20 @@ interface SillonModule {
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
   readProject(project: string): Outcome<string>;
-  presets(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
+  profiles(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
   importPrinter(file: Uint8Array, name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
   checkGcode(file: Uint8Array, project: string): Outcome<api.GcodeCheck>;
+  examineBlock(block: string, project: string): Outcome<api.GcodeFinding[]>;
   packGcode(file: Uint8Array): Outcome<CopiedBytes>;
+  listSurfaces(file: Uint8Array): Outcome<api.SlicedFile>;
+  rebrush(
+    file: Uint8Array,
+    project: string,
+    files: Inputs,
+    sides: string,
+    fit: string,
+    onProgress: OnProgress,
+  ): Outcome<Omit<api.Rebrushed, 'blob'> & { bytes: CopiedBytes }>;
 }
 
 /** A printer as the text of a project file. */
@@ -315,10 +325,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return valueOf(module.readProject(call.project));
     case 'writeProject':
       return completed(call.project, module);
-    case 'presets': {
-      const { printers, filaments } = valueOf(module.presets());
-      const read = ({ id, project }: PrinterText): api.Preset => ({ id, printer: printerOf(project) });
-      return { printers: printers.map(read), filaments: filaments.map(read) } satisfies api.Presets;
+    case 'profiles': {
+      const { printers, filaments } = valueOf(module.profiles());
+      const read = ({ id, project }: PrinterText): api.PrinterProfile => ({ id, printer: printerOf(project) });
+      return { printers: printers.map(read), filaments: filaments.map(read) } satisfies api.Profiles;
     }
     case 'importPrinter': {
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
@@ -330,6 +340,9 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return valueOf(module.checkGcode(file, call.project));
     }
+    case 'examineBlock':
+      completed(call.project, module);
+      return valueOf(module.examineBlock(call.block, call.project));
     case 'writeBaseBody': {
       const body = valueOf(module.writeBaseBody(call.shape, call.project, call.format === 'stl'));
       return new Blob([body], { type: `model/${call.format}` });
@@ -337,6 +350,18 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     case 'packGcode': {
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return new Blob([valueOf(module.packGcode(file))], { type: 'model/3mf' });
+    }
+    case 'listSurfaces': {
+      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      return valueOf(module.listSurfaces(file));
+    }
+    case 'rebrush': {
+      completed(call.project, module);
+      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      const files = await inputsOf(call.files);
+      const made = valueOf(module.rebrush(file, call.project, files, call.sides, call.fit, onProgress));
+      const { bytes, ...others } = made;
+      return { blob: new Blob([bytes], { type: 'application/octet-stream' }), ...others } satisfies api.Rebrushed;
     }
   }
 }

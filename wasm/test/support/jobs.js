@@ -9,6 +9,9 @@ export const large = [
   { spacing: 0.16 },
 ];
 
+/** More work than anybody waits for: what is answered after it, by the same worker, shows that it has ended. */
+export const endless = [large[0], { ...large[1], sweepsPerLevel: 1000 }];
+
 /** A picture whose directions turn from left to right. */
 export function turning(width, height, Samples = Uint8Array, scale = 1) {
   const samples = Samples.from({ length: width * height }, (_, k) => Math.round(((k % width) * 255) / width) * scale);

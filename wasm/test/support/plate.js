@@ -1,13 +1,16 @@
 // A project's plate and G-code by the engine, in short: the same module runs in Node, in pages and in their workers.
 
 /** The input that a project describes. @param read  gives the Blob of a file that it names. */
-export async function inputOf({ shape, directions, modes }, read) {
-  const { builtin, size, radius, pageWidth, unitless } = shape;
+export async function inputOf({ shape, directions, modes, pictures }, read) {
+  const { builtin, size, radius, pageWidth, unitless, paint } = shape;
   const { encoding, angle } = directions;
   const { mode } = modes;
   const drawn = builtin === 'none' ? { size } : { builtin, size, radius };
+  const lit = [];
+  for (const { file, lamp } of pictures.files) lit.push({ file: await read(file), lamp });
   return {
-    shape: shape.file === '' ? drawn : { file: await read(shape.file), pageWidth, unitless },
+    ...(lit.length > 0 && { pictures: { ...pictures, files: lit } }),
+    shape: shape.file === '' ? drawn : { file: await read(shape.file), pageWidth, unitless, paint },
     directions: directions.file === '' ? { angle } : { file: await read(directions.file), encoding },
     modes: modes.file === '' ? { mode } : { file: await read(modes.file) },
   };

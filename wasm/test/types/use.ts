@@ -21,8 +21,10 @@ await createEngine({ threads: 'on' });
 // @ts-expect-error no such option
 await createEngine({ thread: 4 });
 
-const { version, variant, threads, reason } = engine.info;
+const { version, variant, threads, reason, reasonCode } = engine.info;
 const told: [string, 'mt' | 'st', number, string] = [version, variant, threads, reason];
+// @ts-expect-error no such code
+const given: boolean = reasonCode === 'Tired';
 // @ts-expect-error told, not asked
 engine.info = engine.info;
 
@@ -90,7 +92,11 @@ const gcode: Gcode = await engine.writeGcode(
   { onChunk: (chunk) => chunk.byteLength },
 );
 const text: string = await gcode.blob.text();
-const warnings: string[] = gcode.summary.warnings;
+const warnings: string[] = gcode.summary.warnings.map(({ code, values, message }) =>
+  code === 'FillRatio' ? `${values.percent} %` : message,
+);
+// @ts-expect-error no such warning
+if (gcode.summary.warnings[0]?.code === 'Sunburn') console.log('?');
 // @ts-expect-error no such dialect
 await engine.writeGcode(toolpath, { flavor: 'smoothie' });
 // @ts-expect-error a Date
@@ -100,7 +106,7 @@ await engine.writeGcode(plate);
 
 const blobs: Blob[] = [
   await engine.writeSvg(toolpath),
-  await engine.writeBaseBody(toolpath.shape, { preset: 'prusa-mk4s' }, { base: 3 }, { format: 'stl' }),
+  await engine.writeBaseBody(toolpath.shape, { profile: 'prusa-mk4s' }, { base: 3 }, { format: 'stl' }),
   await engine.writeView(toolpath, { colour: [1, 2, 3] }),
   await engine.renderPreview(toolpath, { width: 800 }),
 ];
@@ -126,4 +132,4 @@ try {
     error.code = 'Internal';
   }
 }
-console.log(told, xs, measured, coverage, text, warnings, blobs, page, paths, samples, json);
+console.log(told, given, xs, measured, coverage, text, warnings, blobs, page, paths, samples, json);

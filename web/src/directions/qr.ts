@@ -23,13 +23,16 @@ export async function qrPicture(text: string): Promise<Picture> {
   return { width: side, height: side, channels: 1, samples };
 }
 
-/** The code in the middle of the page, as large as its margin lets it be; around it is light. */
-export function qrAngles(source: SourceOf<'qr'>, size: Size, page: Page, modules: Picture): Uint16Array {
+/** The code in the middle of the page, as large as its margin lets it be; around it is light.
+ * @param round  it must fit into the ellipse of the page, and so its corners: cut, no code can be read */
+export function qrAngles(source: SourceOf<'qr'>, size: Size, page: Page, modules: Picture, round = false): Uint16Array {
   const dark = storeDegrees(source.dark);
   const light = storeDegrees(source.light);
   const count = modules.width;
   const tall = page[1] / page[0];
-  const module = Math.min(1, tall) / (count + 2 * source.margin);
+  const room = Math.min(1, tall) / (count + 2 * source.margin);
+  // Half a module is left for the border, along which beads run as they must.
+  const module = round ? Math.min(room, tall / Math.hypot(1, tall) / (count + 1)) : room;
   return anglesOf(size, page, (x, y) => {
     const column = Math.floor((x - 0.5) / module + count / 2);
     const row = Math.floor((tall / 2 - y) / module + count / 2);

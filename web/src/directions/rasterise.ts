@@ -9,7 +9,7 @@ import { modesOn } from './modes.js';
 import { noiseAngles } from './noise.js';
 import { qrAngles } from './qr.js';
 import { radialAngles } from './radial.js';
-import type { DirectionRaster } from './raster.js';
+import type { DirectionRaster } from '../model/raster.js';
 import { spiralAngles } from './spiral.js';
 import { withStrokes } from './strokes.js';
 import { textAngles } from './text.js';
@@ -27,12 +27,20 @@ export interface Pictures {
   modes?: Picture;
 }
 
-function anglesOfSource(source: DirectionSource, size: Size, page: Page, picture: Picture | undefined): Uint16Array {
+function anglesOfSource(
+  source: DirectionSource,
+  size: Size,
+  page: Page,
+  picture: Picture | undefined,
+  round: boolean,
+): Uint16Array {
   const shown = (): Picture => {
     if (picture === undefined) throw new Error(`directions of kind "${source.kind}" need a picture`);
     return picture;
   };
   switch (source.kind) {
+    case 'lamp': // the engine solves for it
+      return new Uint16Array(size.width * size.height).fill(storeDegrees(0));
     case 'angle':
       return new Uint16Array(size.width * size.height).fill(storeDegrees(source.angle));
     case 'map':
@@ -46,7 +54,7 @@ function anglesOfSource(source: DirectionSource, size: Size, page: Page, picture
     case 'text':
       return textAngles(source, size, shown());
     case 'qr':
-      return qrAngles(source, size, page, shown());
+      return qrAngles(source, size, page, shown(), round);
     case 'radial':
       return radialAngles(source, size, page);
     case 'spiral':
@@ -58,18 +66,19 @@ function anglesOfSource(source: DirectionSource, size: Size, page: Page, picture
   }
 }
 
-/** What strokes are laid over, and what the eraser brings back. */
+/** What strokes are laid over, and what the eraser brings back. @param round  the shape is the ellipse of the page */
 export function rasteriseSource(
   source: DirectionSource,
   modes: ModeSource,
   page: Page,
   resolution: number,
   pictures: Pictures,
+  round = false,
 ): DirectionRaster {
   const own = source.kind === 'map' ? pictures.source : undefined;
   const { width, height } = own === undefined ? sizeFor(page, resolution) : mapSize(own, page, resolution);
   const size = { width, height };
-  const angle = anglesOfSource(source, size, page, pictures.source);
+  const angle = anglesOfSource(source, size, page, pictures.source, round);
   return { ...size, angle, mode: modesOn(modes.base, size, pictures.modes) };
 }
 

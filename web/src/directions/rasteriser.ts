@@ -2,7 +2,7 @@
 import type { Picture } from 'sillon';
 import type { DirectionSource, ModeSource, SourceFile, Stroke } from '../model/plate.js';
 import { StudioError } from '../model/problem.js';
-import type { DirectionRaster } from './raster.js';
+import type { DirectionRaster } from '../model/raster.js';
 import { filesOf, type Reply, type Request } from './serve.js';
 import type { Page } from './texels.js';
 
@@ -11,6 +11,8 @@ export interface Wanted {
   modes: ModeSource;
   strokes: readonly Stroke[];
   page: Page;
+  /** The shape is the ellipse of the page. */
+  round?: boolean;
   /** Texels of the longer side; see rasterise.ts for the usual ones. */
   resolution: number;
 }
@@ -61,7 +63,14 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
       worker.postMessage(request, transfer);
     });
 
-  const requestFor = async ({ source, modes, strokes: wantedStrokes, page, resolution }: Wanted): Promise<Request> => {
+  const requestFor = async ({
+    source,
+    modes,
+    strokes: wantedStrokes,
+    page,
+    resolution,
+    round = false,
+  }: Wanted): Promise<Request> => {
     const pictures = new Map<string, Picture>();
     for (const one of [source, modes]) {
       const file = 'file' in one ? one.file : undefined;
@@ -71,7 +80,16 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
     }
     let keptStrokes = 0;
     while (keptStrokes < wantedStrokes.length && wantedStrokes[keptStrokes] === strokes[keptStrokes]) ++keptStrokes;
-    return { source, modes, page, resolution, keptStrokes, newStrokes: wantedStrokes.slice(keptStrokes), pictures };
+    return {
+      source,
+      modes,
+      page,
+      resolution,
+      round,
+      keptStrokes,
+      newStrokes: wantedStrokes.slice(keptStrokes),
+      pictures,
+    };
   };
 
   const run = async ({ wanted, resolve, reject }: Call): Promise<void> => {

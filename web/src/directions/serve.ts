@@ -4,7 +4,7 @@ import type { DirectionSource, ModeSource, Stroke } from '../model/plate.js';
 import { problemOf, type Problem } from '../model/problem.js';
 import { qrPicture } from './qr.js';
 import { rasteriseSource, type Pictures } from './rasterise.js';
-import type { DirectionRaster } from './raster.js';
+import type { DirectionRaster } from '../model/raster.js';
 import { replayed, type Replay } from './strokes.js';
 import { drawText } from './text.js';
 import { sizeFor, type Page } from './texels.js';
@@ -13,6 +13,8 @@ export interface Request {
   source: DirectionSource;
   modes: ModeSource;
   page: Page;
+  /** The shape is the ellipse of the page: codes and letters stay within. */
+  round: boolean;
   resolution: number;
   /** How many of the last request's strokes stay, and what follows them. */
   keptStrokes: number;
@@ -38,14 +40,14 @@ export function createServer(draw: typeof drawText): (request: Request) => Promi
   let sourceRaster: DirectionRaster | undefined;
   let replay: Replay | undefined;
 
-  const picturesFor = async ({ source, modes, page, resolution }: Request): Promise<Pictures> => {
+  const picturesFor = async ({ source, modes, page, resolution, round }: Request): Promise<Pictures> => {
     const named = (id: string | undefined): Picture | undefined => (id === undefined ? undefined : pictures.get(id));
     const shown: Pictures = {};
     const ofModes = named(fileOf(modes));
     if (ofModes !== undefined) shown.modes = ofModes;
     const ofSource =
       source.kind === 'text'
-        ? draw(source, sizeFor(page, resolution))
+        ? draw(source, sizeFor(page, resolution), round)
         : source.kind === 'qr'
           ? await qrPicture(source.text)
           : named(fileOf(source));
@@ -55,7 +57,7 @@ export function createServer(draw: typeof drawText): (request: Request) => Promi
 
   return async (request) => {
     try {
-      const { source, modes, page, resolution } = request;
+      const { source, modes, page, resolution, round } = request;
       const known = new Map([...pictures, ...request.pictures]);
       pictures = new Map(
         filesOf(source, modes).flatMap((id) => {
@@ -64,10 +66,10 @@ export function createServer(draw: typeof drawText): (request: Request) => Promi
         }),
       );
       strokes = [...strokes.slice(0, request.keptStrokes), ...request.newStrokes];
-      const key = JSON.stringify([source, modes, page, resolution]);
+      const key = JSON.stringify([source, modes, page, resolution, round]);
       if (sourceRaster === undefined || key !== sourceKey) {
         sourceRaster = undefined;
-        sourceRaster = rasteriseSource(source, modes, page, resolution, await picturesFor(request));
+        sourceRaster = rasteriseSource(source, modes, page, resolution, await picturesFor(request), round);
         sourceKey = key;
       }
       const done = replayed(replay, sourceRaster, strokes, page);

@@ -2,7 +2,7 @@
 import type { Stroke } from '../model/plate.js';
 import { doubleVectors, storeDouble } from './angle.js';
 import { modeNumber } from './modes.js';
-import type { DirectionRaster } from './raster.js';
+import type { DirectionRaster } from '../model/raster.js';
 import { inWidths, type Page } from './texels.js';
 
 const step = 0.5; // of the radius: points closer together change nothing that could be seen

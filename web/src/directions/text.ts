@@ -7,8 +7,13 @@ import type { Size } from './texels.js';
 const lineHeight = 1.2;
 const mostOfPage = 0.94; // larger letters are made smaller rather than cut off
 
+/** How much smaller letters must be to stay whole. @param wide, tall  of their box, shares of the page's
+ * @param round  they must fit into the ellipse of the page */
+export const fitOf = (wide: number, tall: number, round: boolean): number =>
+  Math.min(1, round ? mostOfPage / Math.max(1e-6, Math.hypot(wide, tall)) : mostOfPage / Math.max(wide, tall, 1e-6));
+
 /** The letters, white on black, in the middle of the page. The one function here that needs a canvas. */
-export function drawText(source: SourceOf<'text'>, { width, height }: Size): Picture {
+export function drawText(source: SourceOf<'text'>, { width, height }: Size, round = false): Picture {
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Error('this browser has no canvas to draw letters on');
   const family = source.font.replace(/[^\p{L}\p{N} ,-]/gu, '');
@@ -17,11 +22,7 @@ export function drawText(source: SourceOf<'text'>, { width, height }: Size): Pic
   const wanted = source.size * width;
   context.font = font(wanted);
   const widest = Math.max(...lines.map((line) => context.measureText(line).width));
-  const fit = Math.min(
-    1,
-    (mostOfPage * width) / Math.max(1, widest),
-    (mostOfPage * height) / (wanted * lineHeight * lines.length),
-  );
+  const fit = fitOf(widest / width, (wanted * lineHeight * lines.length) / height, round);
   context.fillStyle = 'black';
   context.fillRect(0, 0, width, height);
   context.fillStyle = 'white';

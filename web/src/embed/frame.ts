@@ -1,7 +1,7 @@
 // The studio's side of a frame: waits for one host, checks who it is, and answers what it asks for, one request after the
 // other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
 import { problemWords, threadsWords } from '../i18n/say.js';
-import type { Opening } from '../opening.js';
+import type { Opening } from '../model/file-role.js';
 import { isAbort, problemOf, type Problem } from '../model/problem.js';
 import type { Made } from '../model/state.js';
 import type { Notice } from '../panels/shown.js';
@@ -24,8 +24,8 @@ import {
 
 /** What a host may have done; each may reject. */
 export interface FrameServices {
-  /** Another plate, of these files. */
-  load(openings: readonly Opening[]): Promise<void>;
+  /** Another plate, of these files. @param trusted  the host answers for the printer of a project */
+  load(openings: readonly Opening[], trusted: boolean): Promise<void>;
   configure(textOf: (attribute: string) => unknown): Promise<void>;
   /** Project file of the command line; its pictures are named, not held. */
   project(): Promise<unknown>;
@@ -123,7 +123,9 @@ class Host {
     [
       'load',
       async (params) => {
-        if (!(this.#restored && field(params, 'initial') === true)) await this.services.load(openingsFrom(params));
+        if (!(this.#restored && field(params, 'initial') === true)) {
+          await this.services.load(openingsFrom(params), field(params, 'trusted') === 'printer');
+        }
         return { result: null };
       },
     ],

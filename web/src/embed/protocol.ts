@@ -1,4 +1,4 @@
-// What a page and the studio in its frame say to each other: docs/embedding.md. Each side takes the other for a stranger:
+// What a page and the studio in its frame say to each other: docs/guide/embedding.md. Each side takes the other for a stranger:
 // what is not of these forms is dropped or refused, what is not known is not looked at.
 
 /** Raised by any change that an older side would misunderstand. */

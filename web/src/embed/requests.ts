@@ -1,5 +1,5 @@
 // What a host's requests carry, checked.
-import type { Opening } from '../opening.js';
+import type { Opening } from '../model/file-role.js';
 import { field, isFields, most, textField, type Fields } from './protocol.js';
 
 /** A request that is answered with a sentence, and with nothing else. */

@@ -29,7 +29,9 @@ const ofStudio = ['mode', 'controls', 'lang', 'theme', 'units', 'printer'] as co
 /** Attributes that name files, and what each is for. */
 const ofFiles = { src: '', project: '', shape: 'shape', image: 'image' } as const;
 const others = ['base', 'sandbox'] as const;
-const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...others];
+/** Not part of the address, which anybody may write: 'printer' lets a project's own printer be used. */
+const ofLoads = 'trusted';
+const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...others, ofLoads];
 
 const patience = 10_000; // [ms] for the frame's first word; a frame that the browser blocks never says any
 
@@ -38,7 +40,7 @@ const words = {
   fr: { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' },
 };
 
-/** What went wrong, for people and programs: docs/embedding.md lists the codes. */
+/** What went wrong, for people and programs: docs/guide/embedding.md lists the codes. */
 export class StudioFrameError extends Error {
   override readonly name = 'StudioFrameError';
   constructor(
@@ -113,7 +115,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
-    if (before === now || !this.isConnected) return;
+    if (before === now || !this.isConnected || name === ofLoads) return;
     if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
     else if (name in ofFiles) this.#loadAttributes();
     else if (this.#port !== undefined) {
@@ -133,7 +135,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     await this.#load(source);
   }
 
-  /** The plate as a project of the command line (docs/project.md); its pictures are in `exportProject`. */
+  /** The plate as a project of the command line (docs/reference/project.md); its pictures are in `exportProject`. */
   async getProject(): Promise<Project> {
     return objectIn(await this.#askOfPlate('getProject'), 'project') as Project;
   }
@@ -372,7 +374,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   async #send(files: Fetched[], params: Fields, initial: boolean): Promise<void> {
     const bytes = files.map((file) => file.bytes);
-    await this.#ask('load', { ...params, files, initial }, undefined, bytes);
+    const trusted = this.getAttribute(ofLoads) ?? '';
+    await this.#ask('load', { ...params, files, initial, trusted }, undefined, bytes);
   }
 }
 

@@ -1,7 +1,7 @@
 // <sillon-view>: a finished plate that shimmers as the light moves. No WebAssembly, no threads, no dependencies: a small
 // picture of directions, and one graphics context for all that are on a page.
 import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
-import type { Light } from '../views/scene.js';
+import type { Light } from '../model/view.js';
 import { readViewFile, type ViewFile } from './view-file.js';
 import { ViewRenderer } from './view-renderer.js';
 

@@ -1,4 +1,4 @@
-// Reads the picture that a plate's view is: docs/view.md. It may be any file.
+// Reads the picture that a plate's view is: docs/reference/view.md. It may be any file.
 
 export interface ViewFile {
   /** Of the plate [mm]. */

@@ -1,7 +1,8 @@
 // Draws views with one WebGL2 context for the whole page: each into the same hidden canvas, from where it is copied.
+import { appearance } from '../model/appearance.js';
 import { lampOf } from '../views/light.js';
 import { compile, type Program } from '../views/program.js';
-import type { Light } from '../views/scene.js';
+import type { Light } from '../model/view.js';
 import { lookOfBead } from '../views/shaders.js';
 import type { ViewFile } from './view-file.js';
 
@@ -99,6 +100,8 @@ export class ViewRenderer {
     gl.uniform3f(at('lamp'), ...lampOf(light));
     gl.uniform3f(at('body'), linear(colour[0]), linear(colour[1]), linear(colour[2]));
     gl.uniform2f(at('slopes'), ...file.slopes);
+    gl.uniform1f(at('lampSlope'), appearance.softbox);
+    gl.uniform1f(at('eyeNear'), 1);
     gl.uniform2f(at('page'), ...file.page);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     const context = target.getContext('2d');

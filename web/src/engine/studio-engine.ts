@@ -1,12 +1,12 @@
 // The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
 import type { Engine, EngineInfo, Gcode, GcodeCheck, ViewParams } from 'sillon';
-import type { DirectionRaster } from '../directions/raster.js';
+import type { DirectionRaster } from '../model/raster.js';
 import type { Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
 import type { Made, Progress } from '../model/state.js';
 import { Cost } from './coarse.js';
-import { engineInput, sameToolpath, type Input } from './input.js';
+import { engineInput, sameToolpath, type Input } from '../model/input.js';
 import { TimeLeft } from './time-left.js';
 
 const restAfter = 250; // [ms] without an update, after which a hand rests

@@ -1,7 +1,8 @@
 // What a picture is probably for, by its name and by a few figures of its pixels.
 import type { Picture } from 'sillon';
+import { mostPictures } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
-import type { Role } from '../panels/shown.js';
+import type { Role } from '../model/file-role.js';
 
 export interface PictureFacts {
   width: number;
@@ -15,9 +16,12 @@ export interface PictureFacts {
   unitVectors: boolean;
   /** Next to nothing but two tones. */
   twoTones: boolean;
+  /** Nothing that could be seen: one tone all over. */
+  oneTone: boolean;
 }
 
 const enoughSamples = 1 << 16;
+const oneToneSpan = 8; // of 255
 
 interface Sampled {
   /** Bytes: red, green, blue of each sample. */
@@ -78,6 +82,15 @@ function areTwoTones(counts: Float64Array): boolean {
   return variance > 100 && between > 0.95 * variance;
 }
 
+/** 99 % of the samples within a few steps of each other. */
+function isOneTone(counts: Float64Array): boolean {
+  let low = 0;
+  let high = 255;
+  for (let below = 0; low < 255 && (below += counts[low] as number) < 0.005; ++low);
+  for (let above = 0; high > 0 && (above += counts[high] as number) < 0.005; --high);
+  return high - low < oneToneSpan;
+}
+
 function areModeGreys(counts: Float64Array): boolean {
   const near = (tone: number): number => (counts[tone - 1] ?? 0) + (counts[tone] as number) + (counts[tone + 1] ?? 0);
   const middle = near(85) + near(170);
@@ -122,6 +135,7 @@ export function factsOf(picture: Picture): PictureFacts {
     modeGreys: !coloured && areModeGreys(counts),
     unitVectors: coloured && areUnitVectors(rgb),
     twoTones: areTwoTones(counts),
+    oneTone: isOneTone(counts),
   };
 }
 
@@ -163,7 +177,7 @@ function roleOf({ name, facts }: Guessed): Role {
   if (facts.modeGreys) return 'modes';
   if (facts.unitVectors) return 'tangent';
   if (facts.deep && !facts.coloured) return 'angle';
-  return facts.twoTones ? 'levels' : 'tone';
+  return facts.twoTones ? 'levels' : 'lamp';
 }
 
 /** Which part of a plate a role fills; each can be filled once. */
@@ -176,22 +190,45 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   const filled = (part: string): number => roles.filter((role) => partOf(role) === part).length;
   // Nobody draws modes but over angles.
   files.forEach(({ facts }, k) => {
-    const grey = facts?.coloured === false && (roles[k] === 'tone' || roles[k] === 'levels');
+    const grey = facts?.coloured === false && (roles[k] === 'lamp' || roles[k] === 'levels');
     if (grey && roles.includes('modes')) roles[k] = 'angle';
   });
   // Beside another picture of directions, black and white is the outline; and so where a map waits for one.
   const black = roles.indexOf('levels');
   const awaited = plate.directions.kind === 'map' && plate.shape.kind !== 'file';
   if (black >= 0 && (filled('directions') > 1 || awaited) && filled('shape') === 0) roles[black] = 'mask';
+  // Each further picture gets a lamp of its own, as long as there is room for it.
+  const { directions } = plate;
+  let pictures =
+    directions.kind === 'lamp' && directions.pictures.length < mostPictures ? directions.pictures.length : 0;
   const taken = new Set<string>();
   return roles.map((role) => {
     const part = partOf(role);
+    const seen = role === 'lamp' || (role === 'levels' && pictures > 0);
+    if (seen && pictures > 0 && pictures < mostPictures) {
+      ++pictures;
+      taken.add(part);
+      return 'more';
+    }
     if (taken.has(part)) return 'none';
     taken.add(part);
+    if (seen) ++pictures;
     return role;
   });
 }
 
-const pictureRoles = ['mask', 'tone', 'edges', 'levels', 'angle', 'rotation', 'tangent', 'modes', 'none'] as const;
+const pictureRoles = [
+  'lamp',
+  'more',
+  'mask',
+  'tone',
+  'edges',
+  'levels',
+  'angle',
+  'rotation',
+  'tangent',
+  'modes',
+  'none',
+] as const;
 
 export const allowedRoles = (isPicture: boolean): readonly Role[] => (isPicture ? pictureRoles : ['shape', 'none']);

@@ -49,6 +49,17 @@ function isSvg(text: string): boolean {
   }
 }
 
+/** Pictures that only browsers read, by their first bytes; empty: none. */
+export function browserPicture(bytes: Uint8Array): string {
+  const text = String.fromCharCode(...bytes.subarray(0, 64));
+  if (/^GIF8[79]a/.test(text)) return 'image/gif';
+  if (/^RIFF[^]{4}WEBP/.test(text)) return 'image/webp';
+  const [, brands = ''] = /^[^]{4}ftyp([^]*)/.exec(text) ?? [];
+  if (/^(?:avif|avis)/.test(brands)) return 'image/avif';
+  if (/^(?:heic|heix|hevc|heim|heis|mif1|msf1)/.test(brands)) return /avif/.test(brands) ? 'image/avif' : 'image/heic';
+  return '';
+}
+
 /** Bytes that decide. */
 export const enoughToKnow = 1 << 16;
 

@@ -1,9 +1,11 @@
 // Files as they were opened: what they are, what they are probably for, and the plate that they make.
 import type { Engine } from 'sillon';
-import { newFileDirections, newShape } from '../model/defaults.js';
+import { newFileDirections, newLampDirections, newShape } from '../model/defaults.js';
+import { homeLight, lampFor, mostPictures } from '../model/lamp.js';
 import type { DirectionSource, Plate, ShapeSource, SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
-import type { Opened, Role } from '../panels/shown.js';
+import type { Opened, Role } from '../model/file-role.js';
+import type { Light } from '../model/view.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
 import { enoughToKnow, kindOf, type Kind } from './kind.js';
 import { sourceFile, stemOf } from './source-file.js';
@@ -55,7 +57,7 @@ async function read(file: File): Promise<Read> {
   const { kind } = kindOf(bytes.subarray(0, enoughToKnow), file.name);
   const source = await sourceFile(file.name, bytes);
   if (kind === 'unknown') {
-    const ofPrinter = /\.(gcode|gco|g|ini)$/i.test(source.name);
+    const ofPrinter = /\.(gcode|gco|g|bgcode|3mf|ini)$/i.test(source.name);
     throw new StudioError(ofPrinter ? 'PrinterFileHere' : 'UnknownFile', { name: source.name });
   }
   return { source, kind };
@@ -125,7 +127,13 @@ function proportioned(plate: Plate, [wide, tall]: Size): Pick<Plate, 'width' | '
   return { width, height: (width * tall) / wide };
 }
 
-const smallest = 10; // [mm] drawings in pixels are often icons
+/** Whether a drawing says how large it is: pixels tell nothing of millimetres. */
+export async function hasUnits({ bytes }: SourceFile): Promise<boolean> {
+  const [root = ''] = /<(?:[\w-]{1,40}:)?svg\s[^>]*>/.exec(await bytes.slice(0, enoughToKnow).text()) ?? [];
+  return /\s(?:width|height)\s*=\s*["']\s*[\d.eE+-]+\s*(?:mm|cm|in|pt|pc|q)\s*["']/i.test(root);
+}
+
+const smallest = 10; // [mm] what was drawn by mistake in another unit
 
 /** As it was drawn, where that can be printed. */
 function drawn(plate: Plate, [width, height]: Size): Pick<Plate, 'width' | 'height'> {
@@ -160,8 +168,15 @@ function framed(plate: Plate, [wide, tall]: Size): Plate {
   return { ...plate, ...page };
 }
 
-/** The plate with a file put to use. @param size  its page [mm] for a shape, else its pixels */
-export function withFile(plate: Plate, file: SourceFile, role: Role, size: Size): Plate {
+/** The plate with a file put to use. @param size  its page [mm] for a shape, else its pixels
+ * @param light  on the screen: pictures are solved for it */
+export function withFile(
+  plate: Plate,
+  file: SourceFile,
+  role: Role,
+  size: Size,
+  light: Light = homeLight(plate, undefined),
+): Plate {
   const { shape, modes } = plate;
   switch (role) {
     case 'shape':
@@ -174,6 +189,16 @@ export function withFile(plate: Plate, file: SourceFile, role: Role, size: Size)
     case 'none':
     case 'project':
       return plate;
+    case 'lamp':
+    case 'more': {
+      const { directions } = plate;
+      const before = directions.kind === 'lamp' ? directions : undefined;
+      const kept = role === 'more' && before !== undefined ? before.pictures.slice(0, mostPictures - 1) : [];
+      const stands = role === 'lamp' ? before?.pictures[0]?.lamp : undefined;
+      const picture = { file, lamp: stands ?? lampFor(kept, light) };
+      const next = { ...(before ?? newLampDirections([])), pictures: [...kept, picture] };
+      return { ...(kept.length > 0 ? plate : framed(plate, size)), directions: next };
+    }
     default: {
       const directions = directionsOf(plate.directions, file, role);
       return directions === undefined ? plate : { ...framed(plate, size), directions };
@@ -182,6 +207,9 @@ export function withFile(plate: Plate, file: SourceFile, role: Role, size: Size)
 }
 
 type Tell = (problem: StudioError) => void;
+
+/** Of what is to be recognised. */
+const seen: readonly Role[] = ['lamp', 'more', 'tone', 'edges', 'levels'];
 
 async function sizeOf(
   plate: Plate,
@@ -197,26 +225,31 @@ async function sizeOf(
       images = 0,
     } = await naming(source.name, engine.readShape({ file: source.bytes, unitless }));
     if (texts + images > 0) tell?.(new StudioError('LeftOut', { name: source.name }));
-    return page;
+    if (unitless === 'mm' || (await hasUnits(source))) return page;
+    const { width: wide, height: tall } = proportioned(plate, page);
+    return [wide, tall];
   }
-  const { width, height } = await pictureFacts(source, engine);
+  const { width, height, oneTone } = await pictureFacts(source, engine);
+  if (oneTone && seen.includes(role)) tell?.(new StudioError('OneTone', { name: source.name }));
   return [width, height];
 }
 
 /** The plate with all of them put to use: shapes first, as pictures are laid over them.
  * @param tell  what of a file is not in the plate
+ * @param light  on the screen
  * @throws errors of the engine */
 export async function withFiles(
   plate: Plate,
   opened: readonly Opened[],
   engine: OpeningEngine,
   tell?: Tell,
+  light?: Light,
 ): Promise<Plate> {
   const used = opened.filter(({ role }) => role !== 'none');
   const isShape = ({ role }: Opened): boolean => role === 'shape' || role === 'mask';
   let made = plate;
   for (const one of [...used.filter(isShape), ...used.filter((other) => !isShape(other))]) {
-    made = withFile(made, one.source, one.role, await sizeOf(made, one, engine, tell));
+    made = withFile(made, one.source, one.role, await sizeOf(made, one, engine, tell), light);
   }
   const [first] = used;
   return made.name === '' && first !== undefined ? { ...made, name: stemOf(first.source.name) } : made;

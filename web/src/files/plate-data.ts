@@ -6,6 +6,7 @@ export function filesOf({ shape, directions, modes }: Plate): SourceFile[] {
   const files = [shape, directions, modes].flatMap((part) =>
     'file' in part && part.file !== undefined ? [part.file] : [],
   );
+  if (directions.kind === 'lamp') files.push(...directions.pictures.map(({ file }) => file));
   return [...new Map(files.map((file) => [file.id, file])).values()];
 }
 
@@ -13,5 +14,12 @@ export function filesOf({ shape, directions, modes }: Plate): SourceFile[] {
 export function plateData(plate: Plate, told: (file: SourceFile) => unknown): unknown {
   const part = (source: object & { file?: SourceFile }): object =>
     source.file === undefined ? source : { ...source, file: told(source.file) };
-  return { ...plate, shape: part(plate.shape), directions: part(plate.directions), modes: part(plate.modes) };
+  const { directions } = plate;
+  return {
+    ...plate,
+    shape: part(plate.shape),
+    directions:
+      directions.kind === 'lamp' ? { ...directions, pictures: directions.pictures.map(part) } : part(directions),
+    modes: part(plate.modes),
+  };
 }

@@ -2,11 +2,13 @@
 // which the page gets back what no toolpath needs: where directions came from, strokes, the filament's look.
 import { strFromU8, strToU8, zipSync, type Zippable } from 'fflate';
 import type { DirectionInput, Engine, PrinterValues, Project, ShapeInput } from 'sillon';
-import type { DirectionRaster } from '../directions/raster.js';
-import { engineInput } from '../engine/input.js';
+import type { DirectionRaster } from '../model/raster.js';
+import { engineInput } from '../model/input.js';
 import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type Fields } from '../model/check-plate.js';
-import { newPlate } from '../model/defaults.js';
-import type { Plate, SourceFile } from '../model/plate.js';
+import { newLampDirections, newPlate } from '../model/defaults.js';
+import { mostPictures, pictureInput } from '../model/lamp.js';
+import { withoutBrought } from '../model/brought.js';
+import type { LampPicture, Plate, SourceFile } from '../model/plate.js';
 import { StudioError } from '../model/problem.js';
 import { enoughToKnow, kindOf } from './kind.js';
 import { filesOf, plateData } from './plate-data.js';
@@ -57,6 +59,9 @@ function described(
 ): { project: object; pictures: [name: string, texels: Texels][] } {
   const { input, params } = engineInput({ plate, raster });
   const { shape, directions = {}, modes = {} } = input;
+  const { modes: told } = plate;
+  const lit = plate.directions.kind === 'lamp' ? plate.directions : undefined;
+  const pathOf = ({ id }: SourceFile): string => paths.get(id) ?? '';
   const { print, printer } = plate;
   const pictures: [string, Texels][] = [];
   const named = (name: string, part: object): object => {
@@ -67,8 +72,12 @@ function described(
   const project = {
     sillon: 1,
     shape: plate.shape.kind === 'file' ? { ...shape, file: paths.get(plate.shape.file.id) } : shape,
-    directions: named('directions.png', directions),
-    modes: named('modes.png', modes),
+    ...(lit === undefined
+      ? { directions: named('directions.png', directions), modes: named('modes.png', modes) }
+      : {
+          pictures: pictureInput(plate, lit, pathOf),
+          modes: told.file === undefined ? modes : { file: pathOf(told.file) },
+        }),
     toolpath: params,
     print,
     printer,
@@ -90,7 +99,9 @@ export async function writeProject(plate: Plate, raster: DirectionRaster | undef
   for (const [name, { width, height, samples }] of pictures) {
     packed[name] = [await encodeGreyPng(width, height, samples), { level: 0 }];
   }
-  const studio = { studio: version, plate: plateData(plate, ({ id, name }) => ({ path: paths.get(id), name })) };
+  // Nobody has said that it may be used.
+  const own = withoutBrought(plate);
+  const studio = { studio: version, plate: plateData(own, ({ id, name }) => ({ path: paths.get(id), name })) };
 
   for (const { id, bytes } of files) {
     const isText = bytes.type === 'image/svg+xml';
@@ -142,26 +153,38 @@ async function studioPlate(text: string, entryAt: (path: string) => Entry | unde
   const { studio, plate } = fieldsOf(parsed(text), '', ['studio', 'plate']);
   numberIn(studio, 'studio', version, version);
   const files = new Map<unknown, SourceFile>();
-  for (const part of ['shape', 'directions', 'modes']) {
-    const told = ((plate as Fields | null)?.[part] as Fields | null | undefined)?.['file'];
+  const part = (name: string): Fields | null | undefined =>
+    (plate as Fields | null)?.[name] as Fields | null | undefined;
+  const named: [where: string, told: unknown][] = ['shape', 'directions', 'modes'].map((name) => [
+    `${name}.file`,
+    part(name)?.['file'],
+  ]);
+  const lit = part('directions')?.['pictures'];
+  if (Array.isArray(lit)) {
+    lit.slice(0, mostPictures).forEach((one: unknown, k) => {
+      named.push([`directions.pictures[${k}].file`, (one as Fields | null)?.['file']]);
+    });
+  }
+  for (const [where, told] of named) {
     if (told === undefined) continue;
-    const { path, name } = fieldsOf(told, `${part}.file`, ['path', 'name']);
-    const entry = entryAt(textIn(path, `${part}.file.path`, 1000));
+    const { path, name } = fieldsOf(told, where, ['path', 'name']);
+    const entry = entryAt(textIn(path, `${where}.path`, 1000));
     if (entry === undefined) throw new ZipError(`${String(path)} is missing`);
     checkSize(entry.size, mostBytes.input, entry.path);
-    files.set(told, await sourceFile(textIn(name, `${part}.file.name`, 1000), await entry.read()));
+    files.set(told, await sourceFile(textIn(name, `${where}.name`, 1000), await entry.read()));
   }
-  return plateFrom(plate, (told, where) => {
+  const read = plateFrom(plate, (told, where) => {
     const file = files.get(told);
     if (file === undefined) throw new Unfit(where, told);
     return file;
   });
+  return withoutBrought(read);
 }
 
 /** What its names of printer and filament stand for is in the other fields already. */
 function valuesOf(printer: Project['printer']): PrinterValues {
   const values: Partial<Project['printer']> = { ...printer };
-  delete values.preset;
+  delete values.profile;
   delete values.filament;
   return {
     ...(values as PrinterValues),
@@ -179,13 +202,15 @@ async function commandLinePlate(
   engine: ProjectEngine,
 ): Promise<Plate> {
   const project = await engine.readProject(text);
-  const { shape, directions, modes, toolpath, print, printer } = project;
+  const { shape, directions, modes, pictures, toolpath, print, printer } = project;
   const named = (path: string): Promise<SourceFile | undefined> =>
     path === '' ? Promise.resolve(undefined) : fileNamed(path);
   const ofShape = await named(shape.file);
   const ofDirections = await named(directions.file);
   const ofModes = await named(modes.file);
-  const page = await pageOf(project, ofShape, ofDirections, engine);
+  const lit: LampPicture[] = [];
+  for (const { file, lamp } of pictures.files) lit.push({ file: await fileNamed(file), lamp });
+  const page = await pageOf(project, ofShape, ofDirections ?? lit[0]?.file, engine);
   const builtin = shape.builtin === 'none' ? 'rectangle' : shape.builtin;
   const data = {
     name: stemOf(name).slice(0, 200),
@@ -198,15 +223,22 @@ async function commandLinePlate(
     width: page[0],
     height: page[1],
     directions:
-      ofDirections === undefined
-        ? { kind: 'angle', angle: directions.angle }
-        : { kind: 'map', file: ofDirections, encoding: directions.encoding },
+      lit.length > 0
+        ? {
+            ...newLampDirections(lit),
+            lampSize: pictures.lampSize,
+            smoothness: pictures.smoothness,
+            localContrast: pictures.localContrast,
+          }
+        : ofDirections === undefined
+          ? { kind: 'angle', angle: directions.angle }
+          : { kind: 'map', file: ofDirections, encoding: directions.encoding },
     modes: ofModes === undefined ? { base: modes.mode } : { base: modes.mode, file: ofModes },
     strokes: [],
     toolpath,
     print,
     printer: valuesOf(printer),
-    filament: newPlate().filament,
+    filament: lit.length > 0 ? pictures.spool : newPlate().filament,
   };
   return plateFrom(data, (file) => file as SourceFile);
 }
@@ -244,7 +276,10 @@ async function zippedPlate(name: string, bytes: Uint8Array<ArrayBuffer>, engine:
   const entries = openZip(bytes);
   const studio = topmost(entries, 'studio.json');
   const main = studio ?? topmost(entries, 'project.json');
-  if (main === undefined) throw new StudioError('UnknownFile', { name });
+  if (main === undefined) {
+    const ofSlicer = topmost(entries, '3dmodel.model') !== undefined;
+    throw new StudioError(ofSlicer ? 'PrinterFileHere' : 'UnknownFile', { name });
+  }
   const folder = main.path.slice(0, main.path.length - baseName(main.path).length);
   const entryAt = (path: string): Entry | undefined => entries.get(folder + path);
   if (studio !== undefined) return studioPlate(await textOf(studio, mostBytes.plate), entryAt);

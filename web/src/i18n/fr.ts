@@ -19,7 +19,7 @@ export const fr: Dictionary = {
   'verb.cancel': 'Annuler',
   'verb.close': 'Fermer',
   'verb.undo': 'Défaire',
-  'verb.redo': 'Refaire',
+  'verb.redo': 'Rétablir',
   'verb.remove': 'Retirer',
   'verb.replace': 'Remplacer…',
   'verb.use': 'Utiliser',
@@ -42,11 +42,17 @@ export const fr: Dictionary = {
   'verb.yes': 'Oui',
   'verb.no': 'Non',
 
-  'theme.title': 'Aspect de la page',
-  'theme.auto': 'Comme le système',
+  'theme.title': 'Thème',
+  'theme.auto': 'Système',
   'theme.light': 'Clair',
   'theme.dark': 'Sombre',
   'language.title': 'Langue',
+
+  'welcome.title': 'Bienvenue',
+  'welcome.what': 'Sillon fait d’une image une plaque à imprimer en 3D, qui chatoie quand la lumière bouge.',
+  'welcome.drop': 'Déposez une photo ou un logo',
+  'welcome.choose': 'Choisir un fichier…',
+  'welcome.examples': 'Voir des exemples',
 
   // --- Sections -------------------------------------------------------------------------------------------------------
   'section.gallery': 'Exemples',
@@ -69,7 +75,7 @@ export const fr: Dictionary = {
 
   // --- Fichiers -------------------------------------------------------------------------------------------------------
   'drop.help': 'SVG, PNG, JPEG ou un projet enregistré',
-  'drop.now': 'Relâchez pour ouvrir',
+  'drop.now': 'Déposez pour ouvrir',
   'example.ripples': 'Ondes',
   'example.whirl': 'Tourbillon',
   'example.rays': 'Rayons',
@@ -88,6 +94,8 @@ export const fr: Dictionary = {
   'files.guess': 'Une supposition ; changez-la si besoin.',
   'role.shape': 'Forme',
   'role.mask': 'Forme d’après un masque',
+  'role.lamp': 'Image sous une lampe',
+  'role.more': 'Une image de plus, sous sa propre lampe',
   'role.tone': 'Image : la luminosité devient direction',
   'role.edges': 'Image : le long des contours',
   'role.levels': 'Logo ou code : deux directions',
@@ -96,9 +104,11 @@ export const fr: Dictionary = {
   'role.tangent': 'Carte de tangentes',
   'role.modes': 'Carte de modes',
   'role.project': 'Projet',
-  'role.none': 'Rien',
+  'role.none': 'Ignorer',
   'role.shape.help': 'Son contour délimite ce qui est rempli.',
   'role.mask.help': 'Les pixels clairs et opaques sont à l’intérieur.',
+  'role.lamp.help': 'La plaque montre l’image quand la lampe est là où elle est à l’écran.',
+  'role.more.help': 'Tournez la lampe, ou la plaque : une image devient l’autre.',
   'role.tone.help': 'Les zones sombres et claires ont des directions différentes et accrochent la lumière autrement.',
   'role.edges.help': 'Les cordons suivent les contours de l’image.',
   'role.levels.help': 'Une direction pour les zones sombres, une autre pour les claires.',
@@ -107,7 +117,7 @@ export const fr: Dictionary = {
   'role.tangent.help': 'Le rouge et le vert donnent la direction, comme dans une carte de normales.',
   'role.modes.help': 'Quatre gris : parallèle, orthogonal, le plus lisse, imposé.',
   'role.project.help': 'Tout ce qui fait une plaque, avec ses fichiers.',
-  'role.none.help': 'Le fichier est laissé de côté.',
+  'role.none.help': 'Le fichier n’est pas utilisé.',
 
   // --- Forme et taille ------------------------------------------------------------------------------------------------
   'shape.rectangle': 'Rectangle',
@@ -129,6 +139,7 @@ export const fr: Dictionary = {
   // --- Directions -----------------------------------------------------------------------------------------------------
   'source.title': 'D’où viennent les directions',
   'source.angle': 'Une seule direction',
+  'source.lamp': 'Image sous une lampe',
   'source.map': 'Carte de directions',
   'source.tone': 'Image, par la luminosité',
   'source.edges': 'Image, le long des contours',
@@ -140,6 +151,8 @@ export const fr: Dictionary = {
   'source.waves': 'Vagues',
   'source.noise': 'Bruit',
   'source.angle.help': 'Tous les cordons vont dans le même sens.',
+  'source.lamp.help':
+    'L’image apparaît quand une lampe est là où vous le dites. Ajoutez-en une seconde : tournez la lampe, elle change.',
   'source.map.help': 'Une image faite pour cela, dont les pixels donnent des angles.',
   'source.tone.help': 'La luminosité devient direction. L’image apparaît quand la lumière vient d’un côté.',
   'source.edges.help': 'Les cordons coulent le long des contours de l’image.',
@@ -149,14 +162,16 @@ export const fr: Dictionary = {
   'source.radial.help': 'Des rayons depuis un centre, ou des anneaux autour.',
   'source.spiral.help': 'Des directions qui tournent autour d’un centre.',
   'source.waves.help': 'Des directions qui oscillent.',
-  'source.noise.help': 'Un hasard lissé.',
+  'source.noise.help': 'Des directions aléatoires lissées.',
   'field.angle': 'Angle',
-  'field.encoding': 'Les pixels donnent',
-  'field.encoding.angle': 'des angles, du noir −90° au blanc 90°',
-  'field.encoding.rotation': 'des angles, du noir 0° au blanc 180°',
-  'field.encoding.tangent': 'des directions, x en rouge et y en vert',
+  'field.encoding': 'Encodage',
+  'field.encoding.angle': 'angle, du noir −90° au blanc 90°',
+  'field.encoding.rotation': 'angle, du noir 0° au blanc 180°',
+  'field.encoding.tangent': 'direction, x en rouge et y en vert',
   'field.from': 'Angle du noir',
   'field.to': 'Angle du blanc',
+  'field.calm': 'Calme (moins de demi-tours)',
+  'field.localContrast': 'Contraste local',
   'field.invert': 'Inverser sombre et clair',
   'field.contrast': 'Contraste',
   'field.smoothing': 'Lissage',
@@ -194,6 +209,34 @@ export const fr: Dictionary = {
   'modes.base': 'Partout',
   'modes.map': 'Carte de modes',
 
+  // --- Images sous des lampes -----------------------------------------------------------------------------------------
+  'lamp.add': 'Ajouter une image',
+  'lamp.size': 'Genre de lampe',
+  'lamp.size.help':
+    'Une ampoule ou une lampe de bureau est petite, une boîte à lumière large comme la main, la lumière d’une fenêtre grande et douce.',
+  'lamp.size.bulb': 'Ampoule',
+  'lamp.size.softbox': 'Boîte à lumière',
+  'lamp.size.window': 'Fenêtre',
+  'lamp.stands': 'Lampe à {azimuth}°, {elevation}° de haut',
+  'lamp.here': 'Mettre la lampe où est la lumière',
+  'lamp.best': 'Choisir la meilleure place',
+  'lamp.gauge': 'Contraste {contrast} : 1, environ {n} nuances de gris',
+  'lamp.shown': 'Image éclairée',
+  'lamp.show': 'Éclairer l’image',
+  'lamp.flip': 'Tourner la lampe',
+  'lamp.wipe': 'Image sur la plaque',
+  'lamp.wiped': '{percent} % de la plaque couverts par l’image',
+  'lamp.strokes': {
+    one: '{n} trait est gardé mais ne sert pas : l’image est calculée d’un seul tenant.',
+    other: '{n} traits sont gardés mais ne servent pas : l’image est calculée d’un seul tenant.',
+  },
+  'lamp.weak.spool':
+    'Cette bobine montre faiblement les images. Un filament brillant, comme le PLA bleu, a plusieurs fois son contraste.',
+  'lamp.weak.window':
+    'La lumière d’une fenêtre délave les images. Regardez la plaque sous une lampe et choisissez ici une ampoule ou une boîte à lumière.',
+  'lamp.weak.unlike':
+    'La plaque ressemble à peine à l’image. Agrandissez-la, prenez une buse plus fine ou une image moins détaillée.',
+
   // --- Retouche -------------------------------------------------------------------------------------------------------
   'tool.title': 'Outils',
   'tool.pan': 'Déplacer la vue',
@@ -225,6 +268,7 @@ export const fr: Dictionary = {
   'legend.first': 'début',
   'legend.last': 'fin',
   'files.opened': '{name} : {role}.',
+  'files.sized': 'Il ne dit pas d’unité : il est aussi grand que l’était la plaque, {width} × {height} mm.',
   'files.change': 'Changer',
   'verb.done': 'Terminé',
   'view.compare': 'Comparer avec un zigzag ordinaire',
@@ -242,8 +286,8 @@ export const fr: Dictionary = {
   'light.elevation': 'Hauteur de la lumière',
   'light.pointer': 'Suit le pointeur',
   'light.tilt': 'Suit l’inclinaison du téléphone',
-  'light.orbit': 'Tourne autour',
-  'light.fixed': 'Reste fixe',
+  'light.orbit': 'En orbite',
+  'light.fixed': 'Fixe',
   'light.tiltDenied': 'Le téléphone ne donne pas son inclinaison. Autorisez les capteurs de mouvement pour cette page.',
   'capture.picture': 'Enregistrer l’image',
   'capture.video': 'Enregistrer une vidéo',
@@ -252,8 +296,8 @@ export const fr: Dictionary = {
   // --- Réglages : trajet ----------------------------------------------------------------------------------------------
   'setting.toolpath.spacing': 'Espacement des cordons',
   'help.toolpath.spacing': 'Distance entre cordons voisins. Le diamètre de la buse est un bon départ.',
-  'setting.toolpath.spacingBend': 'Souplesse de l’espacement',
-  'help.toolpath.spacingBend':
+  'setting.toolpath.spacingVariation': 'Variation de l’espacement',
+  'help.toolpath.spacingVariation':
     'De combien les cordons peuvent se serrer ou s’écarter là où ils s’ouvrent en éventail : plus grand, moins de demi-tours ; 0, toujours le même espacement.',
   'setting.toolpath.perimeterMode': 'Au bord',
   'help.toolpath.perimeterMode': 'Comment les cordons rencontrent le bord de la forme.',
@@ -264,9 +308,9 @@ export const fr: Dictionary = {
   'help.toolpath.perimeters': 'Combien de cordons suivent le bord.',
   'setting.toolpath.seed': 'Graine',
   'help.toolpath.seed': '0 est régulier. Tout autre nombre donne une autre plaque, d’égale qualité.',
-  'setting.toolpath.jitter': 'Force de la graine',
+  'setting.toolpath.jitter': 'Amplitude de la graine',
   'help.toolpath.jitter': 'De combien une graine déplace les points où les directions sont lues.',
-  'setting.toolpath.phaseTransport': 'Accord des ondes',
+  'setting.toolpath.phaseTransport': 'Transport de phase',
   'help.toolpath.phaseTransport':
     'Les ondes voisines s’accordent à mi-chemin, ou selon la seule ligne du voisin, comme publié en 2023.',
   'choice.toolpath.phaseTransport.midpoint': 'À mi-chemin',
@@ -282,15 +326,15 @@ export const fr: Dictionary = {
     'Jusqu’où les cordons glissent dans les vides. Plus elle est grande, mieux la plaque est couverte, et moins les directions sont suivies.',
   'setting.toolpath.relaxationSmoothing': 'Lissage par tour',
   'help.toolpath.relaxationSmoothing': 'À quel point chaque tour de relaxation redresse un cordon.',
-  'setting.toolpath.stitchAlignment': 'Soin des raccords',
+  'setting.toolpath.stitchAlignment': 'Alignement des raccords',
   'help.toolpath.stitchAlignment': 'À quel point un raccord entre deux courbes doit suivre les directions.',
-  'setting.toolpath.lineGive': 'Souplesse des directions',
-  'help.toolpath.lineGive':
+  'setting.toolpath.directionTolerance': 'Tolérance de direction',
+  'help.toolpath.directionTolerance':
     'De combien les cordons peuvent s’écarter des directions là où cela évite des demi-tours. Prend plus de temps.',
-  'setting.toolpath.waveReach': 'Fondu des ondes',
-  'help.toolpath.waveReach': 'Sur combien d’espacements les ondes voisines sont moyennées.',
-  'setting.toolpath.borderPull': 'Attrait du bord',
-  'help.toolpath.borderPull':
+  'setting.toolpath.kernelRadius': 'Rayon de lissage',
+  'help.toolpath.kernelRadius': 'Sur combien d’espacements les ondes voisines sont moyennées.',
+  'setting.toolpath.borderWeight': 'Poids du bord',
+  'help.toolpath.borderWeight':
     'Avec quelle force les cordons suivent le bord, lorsqu’ils le suivent si les directions le permettent.',
   'setting.toolpath.widthBalance': 'Équilibre des largeurs',
   'help.toolpath.widthBalance':
@@ -305,7 +349,7 @@ export const fr: Dictionary = {
   'setting.toolpath.bridge': 'Franchir les vides jusqu’à',
   'help.toolpath.bridge': 'Les morceaux plus proches que cela forment un seul trajet.',
   'null.toolpath.bridge': 'Un espacement',
-  'setting.toolpath.mapFilter': 'Lecture des images',
+  'setting.toolpath.mapFilter': 'Échantillonnage de l’image',
   'help.toolpath.mapFilter': 'Faire la moyenne des pixels voisins, ou prendre le plus proche.',
   'choice.toolpath.mapFilter.average': 'Moyenne',
   'choice.toolpath.mapFilter.nearest': 'Pixel le plus proche',
@@ -368,7 +412,31 @@ export const fr: Dictionary = {
   'help.printer.filamentDensity': 'Pour le poids seulement.',
   'setting.printer.firstLayerNozzleTemperature': 'Buse, première couche',
   'help.printer.firstLayerNozzleTemperature': 'Un peu plus chaude, elle adhère mieux.',
+  'setting.print.basePerimeters': 'Périmètres des couches de base',
+  'setting.print.bedFlow': 'Débit sur le plateau',
+  'setting.print.purgeLength': 'Purge',
+  'setting.printer.baseSpeed': 'Vitesse des couches de base',
+  'setting.printer.showSpeed': 'Vitesse des couches orientées',
+  'setting.printer.firstLayerAcceleration': 'Accélération de la première couche',
+  'setting.printer.firstLayerFan': 'Ventilateur, première couche',
+  'setting.printer.baseFan': 'Ventilateur, couches de base',
+  'setting.printer.showFan': 'Ventilateur, couches orientées',
+  'setting.printer.minLayerTime': 'Durée minimale d’une couche',
   'setting.printer.firstLayerSpeed': 'Vitesse de la première couche',
+  'help.print.basePerimeters':
+    'Boucles le long du bord des couches de base hachurées : un bord net qui les tient ensemble.',
+  'help.print.bedFlow': 'Débit d’une couche orientée posée sur le plateau ; en dessous de 1, de fins vides y restent.',
+  'help.print.purgeLength':
+    'Filament déposé hors de la plaque avant la première couche, en plus de ce que la dernière impression a rétracté.',
+  'help.printer.baseSpeed': 'Au-dessus de la première ; 0 est la vitesse ci-dessus.',
+  'help.printer.showSpeed':
+    '0 est la vitesse ci-dessus, mais 20 mm/s au plus si rien ne règle la compensation de pression : lent et constant, c’est régulier.',
+  'help.printer.firstLayerAcceleration': 'Des départs plus doux collent mieux ; 0 : comme les autres couches.',
+  'help.printer.firstLayerFan': 'L’air empêche la première couche de coller.',
+  'help.printer.baseFan': '−1 choisit selon la matière : 100 % pour le PLA, 50 % pour les autres.',
+  'help.printer.showFan':
+    'Trop d’air ternit le PLA soyeux. −1 choisit selon la matière : 100 % pour le PLA, 50 % pour les autres.',
+  'help.printer.minLayerTime': 'Les couches plus rapides sont ralenties, pour que le plastique prenne.',
   'help.printer.firstLayerSpeed': 'Lente, elle adhère mieux.',
   'setting.printer.travelSpeed': 'Vitesse des déplacements',
   'help.printer.travelSpeed': 'Sans extruder.',
@@ -420,6 +488,9 @@ export const fr: Dictionary = {
   'setting.print.constantFlow': 'Débit constant',
   'help.print.constantFlow':
     'Les cordons larges sont imprimés plus lentement, les étroits plus vite, pour un débit régulier.',
+  'setting.print.scarf': 'Couture en sifflet',
+  'help.print.scarf':
+    'Les deux bouts d’un tracé se recouvrent sur cette longueur : l’un s’amincit quand l’autre commence. La roue libre doit être à 0.',
   'setting.print.coast': 'Roue libre',
   'help.print.coast': 'Longueur avant la fin d’un trajet sur laquelle rien n’est poussé, pour éviter une goutte.',
   'setting.print.strict': 'Strict',
@@ -468,7 +539,7 @@ export const fr: Dictionary = {
   'preset.strict': 'Stricte',
   'preset.fewest-turns': 'Moins de demi-tours',
   'preset.paper-2023': 'Article 2023',
-  'preset.custom': 'Réglages personnels',
+  'preset.custom': 'Personnalisé',
   'preset.draft.help': 'Rapide, avec un fichier deux fois plus petit.',
   'preset.standard.help': 'Convient à la plupart des plaques.',
   'preset.fine.help': 'Le moins de demi-tours et de cassures ; plus long.',
@@ -481,7 +552,58 @@ export const fr: Dictionary = {
   'printer.import': 'Depuis un fichier de votre trancheur…',
   'printer.imported': { one: '{name} : {n} réglage repris.', other: '{name} : {n} réglages repris.' },
   'printer.notRead': 'Non repris : {list}',
+  'note.NotANumber': '{key} vaut {value}, qui n’est pas un nombre.',
+  'note.OutOfRange': '{key} vaut {value} ; il faut de {low} à {high}.',
+  'note.Thumbnails': '{key} vaut {value} ; au plus 8 tailles en PNG ou QOI sont reprises.',
+  'note.BedShape': '{key} vaut {value}, qui n’est pas une liste de coins.',
+  'note.BedUnknown': 'Le fichier ne contient pas la taille du plateau ; {width} × {depth} mm est supposé.',
+  'note.BedCorners': 'Le plateau a {count} coins ; le rectangle qui les entoure est utilisé.',
+  'note.ExcludedArea': '{key} vaut {value} ; un seul rectangle peut être exclu.',
+  'note.Flavor': '{key} vaut {value} ; Marlin est supposé.',
+  'note.BlockTooLong': '{key} dépasse 65536 caractères.',
+  'note.Placeholder': 'Un bloc contient une variable sans valeur ici : {detail}',
+  'note.SectionMissing': '{section} est hérité, mais absent du fichier.',
+  'note.InheritedTooDeep': 'Le fichier hérite en boucle, ou de trop de sections.',
+  'note.InheritedElsewhere': 'Le fichier hérite de {name}, qui est dans un autre fichier.',
+  'note.FixedArea': 'Le bloc de début nomme une zone fixe ({line}) ; vérifiez que la plaque s’y trouve.',
+  'note.FixedTemperatures':
+    'Le bloc de début chauffe pour ses propres besoins ({lines}) ; ces températures ne suivent pas le filament.',
+  'note.Factor':
+    'Le bloc de début contient {line}, un facteur de vitesse ou de débit ; il est remis à 100 % après le bloc.',
+  'note.EndHeights': 'Les hauteurs du bloc de fin ont été retirées ; la buse monte de 10 mm avant.',
+  'note.EndPlaces': 'Les positions à plus de 10 mm hors du plateau ont été retirées du bloc de fin.',
+  'note.NoHoming': 'Le bloc de début ne prend pas les origines.',
+  'note.NoNozzleWait': 'Le bloc de début n’attend pas que la buse soit chaude (M109).',
+  'note.NoBedWait': 'Le bloc de début n’attend pas que le plateau soit chaud (M190).',
+  'note.BeyondBed': 'Le bloc de début sort du plateau : {detail}',
   'printer.own': 'Imprimante personnelle',
+  'printer.ownNamed': '{name} (réglages propres)',
+  'printer.ownStart': {
+    one: 'Les fichiers commencent par {n} ligne de votre G-code de début.',
+    other: 'Les fichiers commencent par {n} lignes de votre G-code de début.',
+  },
+  'brought.title': 'Réglages d’imprimante de cette plaque',
+  'brought.what':
+    'Cette plaque apporte ses propres réglages d’imprimante : {list}. Ils ne sont pas utilisés. Votre imprimante : {mine}.',
+  'brought.name': '« {name} »',
+  'brought.start': { one: '{n} ligne de G-code de début', other: '{n} lignes de G-code de début' },
+  'brought.end': { one: '{n} ligne de G-code de fin', other: '{n} lignes de G-code de fin' },
+  'brought.nozzle': 'buse à {degrees} °C',
+  'brought.bed': 'plateau à {degrees} °C',
+  'brought.anyTemperature': 'aucune limite de température',
+  'brought.show': 'Afficher',
+  'brought.keep': 'Garder les miens',
+  'brought.help':
+    'L’auteur de cette plaque les a choisis. Ne les utilisez que si vous savez d’où ils viennent : ils font bouger et chauffer votre imprimante.',
+  'brought.setting': 'Réglage',
+  'brought.mine': 'Votre imprimante',
+  'brought.theirs': 'Cette plaque',
+  'blocks.title': 'Avant d’imprimer',
+  'blocks.help':
+    'Ces lignes s’exécutent sur votre imprimante. Lisez-les avant le premier téléchargement ; la question ne revient que si elles changent.',
+  'blocks.anyTemperature': 'Les limites de température sont désactivées.',
+  'blocks.unchecked': 'Non vérifiée',
+  'blocks.remove': 'Retirer ces lignes',
   'printer.start':
     'Le fichier prend l’origine, chauffe et amorce de façon simple. Vérifiez-le pour votre imprimante avant la première impression.',
   'filament.goldPla': 'PLA doré',
@@ -507,7 +629,7 @@ export const fr: Dictionary = {
   'stage.stitch': 'Raccord en un seul trajet',
   'stage.relaxation': 'Égalisation des écarts',
   'stage.width': 'Réglage des largeurs',
-  'stage.simplify': 'Retrait des points inutiles',
+  'stage.simplify': 'Simplification du trajet',
   'stage.measure': 'Contrôle de la qualité',
   'stage.preview': 'Dessin de l’image',
   'progress.percent': '{percent} %',
@@ -537,12 +659,13 @@ export const fr: Dictionary = {
   'measure.widths': 'Largeurs des cordons',
   'measure.fill': 'Matière',
   'measure.lost': 'Détails perdus',
+  'measure.picture': 'Image',
   'measure.path': 'Trajet',
   'measure.crossings': 'Croisements',
   'measure.waiting': 'Contrôle en cours…',
   'measure.none': 'Pas encore contrôlé.',
   'level.good': 'Bien',
-  'level.fair': 'À regarder',
+  'level.fair': 'À vérifier',
   'level.poor': 'Problème',
   'verdict.coverage.good': 'Les cordons couvrent {percent} % de la forme.',
   'verdict.coverage.fair':
@@ -587,6 +710,11 @@ export const fr: Dictionary = {
   'verdict.lost.fair': '{area} mm² de la forme sont plus étroits qu’un cordon et restent vides.',
   'verdict.lost.poor':
     '{area} mm² de la forme, soit {percent} %, sont plus étroits qu’un cordon et restent vides. Un espacement plus petit ou une plaque plus grande les garderait.',
+  'verdict.picture.good': 'La plaque montre l’image : ressemblance {percent} %, contraste {contrast} : 1.',
+  'verdict.picture.fair':
+    'L’image se reconnaît : ressemblance {percent} %, contraste {contrast} : 1. Une plaque plus grande montre davantage.',
+  'verdict.picture.poor':
+    'L’image se reconnaît mal : ressemblance {percent} %, contraste {contrast} : 1. Essayez une plaque plus grande, une bobine plus brillante ou une lampe plus petite.',
   'verdict.path.one': 'Un seul trajet fermé de {length} m : la buse ne se lève jamais.',
   'verdict.path.many': {
     one: '{n} trajet fermé, {length} m en tout.',
@@ -601,7 +729,7 @@ export const fr: Dictionary = {
   'mark.narrow': 'Cordon étroit',
   'mark.wide': 'Cordon large',
   'mark.lost': 'Trop étroit pour un cordon',
-  'mark.look': 'Montrer un endroit',
+  'mark.look': 'Montrer sur la plaque',
   'mark.next': 'Endroit suivant',
   'mark.previous': 'Endroit précédent',
   'mark.count': { one: '{n} endroit', other: '{n} endroits' },
@@ -642,26 +770,35 @@ export const fr: Dictionary = {
   'link.untold': 'Un lien ne peut pas contenir : {parts}. Envoyez plutôt le fichier du projet.',
   'link.untold.shape': 'le fichier de la forme',
   'link.untold.directions': 'l’image des directions',
+  'link.untold.detail': 'les images en pleine taille (de petites font le voyage)',
   'link.untold.modes': 'la carte de modes',
   'link.untold.strokes': 'vos traits',
+  'link.untold.blocks': 'les G-codes de début et de fin de votre imprimante',
   'link.opened': 'Ouvert depuis un lien.',
-  'restore.done': 'Votre dernière plaque est revenue.',
-  'restore.discard': 'Recommencer à neuf',
+  'restore.done': 'Votre dernière plaque a été restaurée.',
+  'restore.discard': 'Repartir de zéro',
   'restore.late': 'Une de vos plaques précédentes a été retrouvée.',
-  'restore.show': 'La montrer',
+  'restore.show': 'L’afficher',
 
-  'warning.backwards': 'La plaque est en miroir mais montrée de dessus : un texte s’y lit à l’envers.',
-  'warning.startTemperature':
+  'warning.MirroredUp': 'La plaque est en miroir mais montrée de dessus : un texte s’y lit à l’envers.',
+  'warning.StartScales':
+    'Le G-code de début règle {setting} à {percent} % ; il est remis à 100 avant le premier cordon.',
+  'warning.StartTemperature':
     'Le G-code de début laisse la buse à {hot} °C ; la première couche est prévue pour {meant}.',
-  'warning.startLine': 'Ligne {line} du G-code de début : {what}',
-  'warning.endLine': 'Ligne {line} du G-code de fin : {what}',
-  'warning.endHot': 'Le G-code de fin laisse un élément chauffant allumé.',
-  'check.good': 'Relu comme le ferait une imprimante : aucune faute.',
-  'check.errors': 'Fautes dans le fichier',
-  'check.warnings': 'Bon à savoir sur le fichier',
+  'warning.StartLine': 'Ligne {line} du G-code de début : {what}',
+  'warning.EndLine': 'Ligne {line} du G-code de fin : {what}',
+  'warning.DetailLost':
+    '{area} mm² sont plus étroits qu’un cordon et restent vides (endroits : {n}) ; {share} % en seraient imprimés avec une page large de {size} mm.',
+  'warning.DrawingOffPage': '{area} mm² du dessin sortent de sa page et sont coupés.',
+  'warning.DrawingUnpainted': 'Rien n’est peint dans le dessin : ses contours forment la pièce.',
+  'warning.EndHot': 'Le G-code de fin laisse un élément chauffant allumé.',
+  'check.good': 'Relu comme le ferait une imprimante : aucun problème trouvé.',
+  'check.errors': 'Problèmes dans le fichier',
+  'check.warnings': 'Remarques sur ce fichier',
   'check.line': 'Ligne {line} :',
   'check.place': '{what} (ligne {line})',
   'check.places': '{what} (ligne {line} et {n} autres)',
+  'finding.commands': 'Une commande qui n’a pas sa place dans une impression, ou impossible à suivre.',
   'finding.layers': 'Aucune couche n’y est marquée.',
   'finding.grammar': 'Une ligne n’est pas telle que tout micrologiciel la lit.',
   'finding.homing': 'Il y a un mouvement avant la prise d’origine.',
@@ -680,36 +817,40 @@ export const fr: Dictionary = {
   'finding.settings': 'Il change des réglages qui survivent à l’impression.',
   'finding.totals': 'Ses chiffres ne sont pas ceux de ses mouvements.',
   'finding.end': 'La chauffe reste allumée à la fin.',
-  'warning.speed': 'Une vitesse de {asked} mm/s dépasse celle de la machine ; elle est ramenée à {held}.',
-  'warning.acceleration': 'L’accélération est de {asked} mm/s² ; elle est ramenée à celle de la machine, {held}.',
-  'warning.purge':
+  'warning.SpeedHeld': 'Une vitesse de {asked} mm/s dépasse celle de la machine ; elle est ramenée à {held}.',
+  'warning.AccelerationHeld': 'L’accélération est de {asked} mm/s² ; elle est ramenée à celle de la machine, {held}.',
+  'warning.NoPressureAdvance':
+    'Rien ne règle la compensation de pression sur cette imprimante : les couches orientées avancent donc à {speed} mm/s partout, {minutes} min de plus qu’à {asked}. Réglez-la, ou la vitesse des couches orientées.',
+  'warning.NotPrimed':
     'La plaque ne laisse pas de place pour une ligne de purge : la buse n’est pas amorcée avant le premier cordon.',
-  'warning.above':
+  'warning.PrintOnBed':
     'Une pièce de {height} mm est sur le plateau pendant la prise d’origine : ni celle-ci ni le palpage du plateau ne doivent descendre dessus.',
-  'warning.unprimed':
+  'warning.NotPrimedAbovePrint':
     'Rien n’est imprimé à côté d’une pièce déjà sur le plateau : la buse n’est pas amorcée. Une couche de base de ce fichier le cache.',
-  'warning.low': '{block} : la buse passe à {z} mm au-dessus du plateau, où se dresse une pièce de {height} mm.',
-  'warning.skirt': 'La jupe ne tient pas sur le plateau et a été omise.',
-  'warning.base':
+  'warning.BlockMovesLow':
+    '{block} : la buse passe à {z} mm au-dessus du plateau, où se dresse une pièce de {height} mm.',
+  'warning.SkirtLeftOut': 'La jupe ne tient pas sur le plateau et a été omise.',
+  'warning.BaseTooThin':
     'Les couches de base ne couvrent que {percent} % de la forme ; les parties plus fines n’ont rien au-dessous.',
-  'warning.diameter': 'Le diamètre du filament est de {value} mm ; on en vend de 1,75 et de 2,85 mm.',
-  'warning.layerHeight':
+  'warning.UnusualFilament': 'Le diamètre du filament est de {value} mm ; on en vend de 1,75 et de 2,85 mm.',
+  'warning.ThinLayers':
     'La hauteur de couche est de {value} mm ; au-dessous de 0,2 fois la buse, les couches se déchirent.',
-  'warning.flow': 'Le débit est de {value} ; il va d’ordinaire de 0,8 à 1,1.',
-  'warning.flat': 'En {n} points, les cordons ne sont pas plus larges que la couche n’est haute ({value} mm).',
-  'warning.fill': 'Les cordons représentent {percent} % de l’aire de la forme ; de 97 à 105 %, l’impression est bonne.',
-  'warning.pressureAdvance':
+  'warning.UnusualFlow': 'Le débit est de {value} ; il va d’ordinaire de 0,8 à 1,1.',
+  'warning.FlatBeads': 'En {n} points, les cordons ne sont pas plus larges que la couche n’est haute ({height} mm).',
+  'warning.FillRatio':
+    'Les cordons représentent {percent} % de l’aire de la forme ; de 97 à 105 %, l’impression est bonne.',
+  'warning.PressureAdvanceReset':
     'Après l’impression, l’avance de pression vaut 0, jusqu’au redémarrage de l’imprimante ou jusqu’à ce qu’un autre fichier la règle.',
-  'warning.outside': {
+  'warning.OutsideShape': {
     one: '{n} point du trajet sort de la forme de plus de 0,1 mm.',
     other: '{n} points du trajet sortent de la forme de plus de 0,1 mm.',
   },
-  'warning.held':
+  'warning.WidthHeld':
     '{percent} % du trajet est imprimé à une largeur maintenue à {low} ou {high} mm (0,6 et 1,6 fois la buse).',
-  'warning.maxFlow': 'Le débit maximal ralentit {percent} % du trajet.',
-  'warning.segments': 'Les mouvements par seconde de l’imprimante ralentissent {percent} % du trajet.',
-  'warning.moves': 'Le fichier a {n} mouvements ; au-delà de 2 millions, les imprimantes ralentissent.',
-  'warning.bytes': 'Le fichier pèse {mb} Mo ; au-delà de 100, les imprimantes ralentissent.',
+  'warning.MaxFlowSlows': 'Le débit maximal ralentit {percent} % du trajet.',
+  'warning.SegmentsSlow': 'Les mouvements par seconde de l’imprimante ralentissent {percent} % du trajet.',
+  'warning.ManyMoves': 'Le fichier a {n} mouvements ; au-delà de 2 millions, les imprimantes ralentissent.',
+  'warning.ManyBytes': 'Le fichier pèse {mb} Mo ; au-delà de 100, les imprimantes ralentissent.',
 
   // --- Problèmes ------------------------------------------------------------------------------------------------------
   'problem.details': 'Détails',
@@ -740,9 +881,14 @@ export const fr: Dictionary = {
     'Défaites le dernier changement et réessayez. Si cela se reproduit, merci de le signaler avec le fichier de votre projet.',
   'problem.UnknownFile': '{name} est d’un type que cette page ne connaît pas.',
   'hint.UnknownFile': 'Ouvrez des fichiers SVG, PNG ou JPEG, ou un projet enregistré ici.',
+  'problem.BrowserPicture': 'Ce navigateur ne sait pas lire {name}.',
+  'hint.BrowserPicture':
+    'Enregistrez l’image en JPEG ou en PNG, comme font les téléphones quand on partage une photo, et ouvrez celle-là.',
+  'problem.OneTone': '{name} n’a qu’un seul ton.',
+  'hint.OneTone': 'On n’en verrait rien sur la plaque. Prenez une image avec des clairs et des sombres.',
   'problem.PrinterFileHere': '{name} est un fichier d’imprimante.',
   'hint.PrinterFileHere':
-    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ».',
+    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ». Pour donner des directions à ses couches du dessus, prenez la ligne de commande : sillon rebrush.',
   'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
   'hint.LeftOut':
     'Convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier. Ouvrez les images séparément.',
@@ -751,7 +897,7 @@ export const fr: Dictionary = {
     'Il est peut-être incomplet. Téléchargez-le ou copiez-le de nouveau, ou prenez une autre copie.',
   'problem.TooManyFiles': 'Plusieurs projets ont été ouverts à la fois.',
   'hint.TooManyFiles': 'Ouvrez un projet à la fois.',
-  'problem.PrinterFile': '{name} ne décrit aucune imprimante.',
+  'problem.PrinterFile': '{name} ne contient aucun réglage d’imprimante.',
   'hint.PrinterFile':
     'Prenez un G-code que votre trancheur a fait pour cette imprimante, des réglages de PrusaSlicer (.ini) ou un préréglage d’Orca (.json).',
   'problem.LinkBroken': 'Le lien est incomplet.',
@@ -763,7 +909,7 @@ export const fr: Dictionary = {
   'problem.LinkValue': 'Le lien donne à {where} la valeur {value}, qui n’est pas permise.',
   'hint.LinkValue': 'Il a peut-être été modifié à la main. Redemandez-le.',
   'problem.GuestValue': 'La page qui affiche celle-ci donne à {where} la valeur {value}, qui n’est pas permise.',
-  'hint.GuestValue': 'Prévenez son responsable : docs/embedding.md dit lesquelles le sont.',
+  'hint.GuestValue': 'Prévenez son responsable : docs/guide/embedding.md dit lesquelles le sont.',
   'problem.GuestFile': 'Un fichier nommé dans l’adresse de cette page n’a pas pu être ouvert.',
   'hint.GuestFile': 'L’adresse est peut-être fausse, ou le site du fichier n’en permet pas la lecture d’ici.',
   'problem.TextTooLong': 'Le texte est trop long : {length} caractères, au plus {most}.',

@@ -1,7 +1,8 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
-import type { EngineInfo, GcodeFinding } from 'sillon';
+import type { EngineInfo, GcodeFinding, GcodeWarning, ImportNote, PrinterValues } from 'sillon';
 import type { Filament } from '../model/filaments.js';
-import type { PrinterChoice } from '../model/printers.js';
+import { countLines, unusualHeat } from '../model/brought.js';
+import { profileOf, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
 import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
 import type { Untold } from '../model/share.js';
@@ -67,6 +68,41 @@ export const printerLabel = (printer: PrinterChoice | undefined): string => {
   return hasText(text) ? t(text) : printer.label;
 };
 
+/** A note of importPrinter in the page's language; one of an unknown code as the engine says it. */
+export function importNoteText({ code, values, message }: ImportNote): string {
+  const id = `note.${code}`;
+  return hasText(id) ? t(id, values) : message;
+}
+
+/** Temperatures of a printer, where they are higher than usual. */
+export function heatText(printer: PrinterValues): string {
+  const { nozzle, bed } = unusualHeat(printer);
+  const list = [
+    ...(nozzle === 0 ? [] : [t('brought.nozzle', { degrees: nozzle })]),
+    ...(bed === 0 ? [] : [t('brought.bed', { degrees: bed })]),
+  ];
+  return list.join(', ');
+}
+
+/** What a design from elsewhere brings for the printer, and which printer is used instead. */
+export function broughtText(brought: PrinterValues, own: PrinterValues): string {
+  const start = countLines(brought.startGcode);
+  const end = countLines(brought.endGcode);
+  const heat = heatText(brought);
+  const list = [
+    brought.name === '' ? t('printer.own') : t('brought.name', { name: brought.name }),
+    ...(start === 0 ? [] : [t('brought.start', { n: start })]),
+    ...(end === 0 ? [] : [t('brought.end', { n: end })]),
+    ...(heat === '' ? [] : [heat]),
+    ...(brought.anyTemperature ? [t('brought.anyTemperature')] : []),
+  ];
+  const mine = profileOf(own);
+  return t('brought.what', {
+    list: list.join(', '),
+    mine: mine === undefined ? own.name || t('printer.own') : printerLabel(mine),
+  });
+}
+
 export const filamentLabel = ({ key }: Filament): string => t(`filament.${key}`);
 
 export function untoldText(parts: readonly Untold[]): string {
@@ -95,74 +131,20 @@ export function progressWords({ job, stage, fraction, secondsLeft }: Progress): 
 
 /** Of the chip that tells how many threads work. @param asked  what the engine was started with */
 export function threadsWords(
-  { threads, reason }: EngineInfo,
+  { threads, reasonCode }: EngineInfo,
   asked: 'auto' | 'off' | number,
 ): { count: string; why: string } {
   const count = t('threads.count', { n: threads });
   if (threads > 1) return { count, why: '' };
   if (asked === 'off') return { count, why: t('threads.off') };
-  if (reason === '') return { count, why: t('threads.one') };
-  if (!reason.includes('isolated')) return { count, why: t('threads.givenUp') };
+  if (reasonCode === '') return { count, why: t('threads.one') };
+  if (reasonCode === 'GivenUp') return { count, why: t('threads.givenUp') };
   const framed = globalThis.parent !== (globalThis.window as typeof globalThis.window | undefined);
   return { count, why: t(framed ? 'threads.frame' : 'threads.isolation') };
 }
 
-// The engine's warnings, with the numbers in them.
-const warnings: readonly [RegExp, (found: string[]) => string][] = [
-  [
-    /^acceleration is (\d+) mm\/s2; it is held at machineAcceleration, (\d+)/,
-    ([asked = '', held = '']) => t('warning.acceleration', { asked: Number(asked), held: Number(held) }),
-  ],
-  [
-    /^(?:speed|firstLayerSpeed|travelSpeed) is (\S+) mm\/s; it is held at machineSpeed, (\S+)/,
-    ([asked = '', held = '']) => t('warning.speed', { asked: Number(asked), held: Number(held) }),
-  ],
-  [/^the plate is mirrored but shown from above/, () => t('warning.backwards')],
-  [
-    /^startGcode leaves the nozzle at (\d+) degrees; the first layer is meant for (\d+)/,
-    ([hot = '', meant = '']) => t('warning.startTemperature', { hot: Number(hot), meant: Number(meant) }),
-  ],
-  [
-    /^line (\d+) of startGcode: (.*)$/,
-    ([line = '', what = '']) => t('warning.startLine', { line: Number(line), what }),
-  ],
-  [/^line (\d+) of endGcode: (.*)$/, ([line = '', what = '']) => t('warning.endLine', { line: Number(line), what })],
-  [/^endGcode leaves the nozzle or the bed hot/, () => t('warning.endHot')],
-  [/^the plate leaves no room for a purge line/, () => t('warning.purge')],
-  [/^a print of (\S+) mm stands on the bed/, ([height]) => t('warning.above', { height: Number(height) })],
-  [/^nothing is printed beside a print/, () => t('warning.unprimed')],
-  [
-    /^(startGcode|endGcode) moves along the bed at Z (\S+); what stands there is (\S+) mm high/,
-    ([block, z, height]) =>
-      t('warning.low', {
-        block: t(block === 'endGcode' ? 'setting.printer.endGcode' : 'setting.printer.startGcode'),
-        z: Number(z),
-        height: Number(height),
-      }),
-  ],
-  [/^the skirt does not fit the bed/, () => t('warning.skirt')],
-  [/^the base layers cover only (\S+) %/, ([percent]) => t('warning.base', { percent: Number(percent) })],
-  [/^filamentDiameter is (\S+) mm/, ([value]) => t('warning.diameter', { value: Number(value) })],
-  [/^layerHeight is (\S+) mm/, ([value]) => t('warning.layerHeight', { value: Number(value) })],
-  [/^(?:flow|baseFlow) is ([\d.]+);/, ([value]) => t('warning.flow', { value: Number(value) })],
-  [
-    /^(\d+) points have beads no wider than the layer is high \((\S+) mm\)/,
-    ([n, value]) => t('warning.flat', { n: Number(n), value: Number(value) }),
-  ],
-  [/^the beads cover (\S+) %/, ([percent]) => t('warning.fill', { percent: Number(percent) })],
-  [/^pressure advance is 0 after the print/, () => t('warning.pressureAdvance')],
-  [/^(\d+) points of the path lie more than/, ([n]) => t('warning.outside', { n: Number(n) })],
-  [
-    /^(\S+) % of the path is printed with a width held at (\S+) or (\S+) mm/,
-    ([percent, low, high]) => t('warning.held', { percent: Number(percent), low: Number(low), high: Number(high) }),
-  ],
-  [/^maxFlow slows (\S+) %/, ([percent]) => t('warning.maxFlow', { percent: Number(percent) })],
-  [/^maxSegmentsPerSecond slows (\S+) %/, ([percent]) => t('warning.segments', { percent: Number(percent) })],
-  [/^the file has (\d+) moves/, ([n]) => t('warning.moves', { n: Number(n) })],
-  [/^the file has (\d+) MB/, ([mb]) => t('warning.bytes', { mb: Number(mb) })],
-];
-
 const findingRules = [
+  'commands',
   'layers',
   'grammar',
   'homing',
@@ -184,7 +166,12 @@ const findingRules = [
 ] as const;
 
 /** A finding of GcodeCheck in the page's language, with its line; one of an unknown rule as the engine says it. */
-export function findingText({ rule, line, count, message }: GcodeFinding): string {
+export function findingText({
+  rule,
+  line,
+  count,
+  message,
+}: Pick<GcodeFinding, 'rule' | 'line' | 'count' | 'message'>): string {
   const known = findingRules.find((name) => name === rule);
   const what = known === undefined ? message : t(`finding.${known}`);
   if (line === 0) return what;
@@ -199,22 +186,23 @@ export interface StartLine {
   what: string;
 }
 
-/** The lines of the start block that the engine's sentences name. */
-export function startLines(sentences: readonly string[], startGcode: string): StartLine[] {
+/** The lines of the start block that warnings name, and an error's sentence: errors carry no values. */
+export function startLines(warnings: readonly GcodeWarning[], error: string, startGcode: string): StartLine[] {
   const lines = startGcode.split('\n');
-  return sentences.flatMap((sentence) => {
-    const [, number = '', what = ''] = /^line (\d+) of startGcode: (.*)$/.exec(sentence) ?? [];
-    const line = Number(number);
-    const code = lines[line - 1];
-    return code === undefined ? [] : [{ line, code: code.trim(), what }];
+  const [, refused, why = ''] = /^line (\d+) of startGcode: (.*)$/.exec(error) ?? [];
+  const named = warnings.flatMap(({ code, values: { line, what } }) => (code === 'StartLine' ? [{ line, what }] : []));
+  if (refused !== undefined) named.unshift({ line: refused, what: why });
+  return named.flatMap(({ line, what }) => {
+    const code = lines[Number(line) - 1];
+    return code === undefined ? [] : [{ line: Number(line), code: code.trim(), what: String(what) }];
   });
 }
 
-/** A warning of GcodeSummary in the page's language; one that is not known stays as it is. */
-export function warningText(warning: string): string {
-  for (const [pattern, say] of warnings) {
-    const found = pattern.exec(warning);
-    if (found !== null) return say(found.slice(1));
-  }
-  return warning;
+/** A warning of GcodeSummary in the page's language. */
+export function warningText({ code, values }: GcodeWarning): string {
+  const { block } = values;
+  return t(
+    `warning.${code}`,
+    block === 'startGcode' || block === 'endGcode' ? { ...values, block: t(`setting.printer.${block}`) } : values,
+  );
 }

@@ -1,5 +1,6 @@
 // The page's words. English is always there; another language is loaded when it is chosen, and what it lacks would be a
 // type error.
+import { languages, type Language } from '../model/language.js';
 import { en } from './en.js';
 
 export type TextId = keyof typeof en;
@@ -7,9 +8,6 @@ export type TextId = keyof typeof en;
 export type Text = string | { readonly one: string; readonly other: string };
 export type Dictionary = Readonly<Record<TextId, Text>>;
 export type Values = Readonly<Record<string, string | number>>;
-
-export const languages = { en: 'English', fr: 'Français' } as const;
-export type Language = keyof typeof languages;
 
 let current: Language = 'en';
 let dictionary: Dictionary = en;

@@ -1,8 +1,17 @@
 // What comes from elsewhere - a link, a project, storage - may have been written by anybody: it becomes a plate only as far
 // as a control could have set it.
-import { fileKinds, generatorKinds, newFileDirections, newGenerator, newPlate, newShape } from './defaults.js';
+import {
+  fileKinds,
+  generatorKinds,
+  newFileDirections,
+  newGenerator,
+  newLampDirections,
+  newPlate,
+  newShape,
+} from './defaults.js';
 import { filaments } from './filaments.js';
-import type { DirectionSource, ModeSource, Plate, ShapeSource, SourceFile, Stroke } from './plate.js';
+import { mostPictures } from './lamp.js';
+import type { DirectionSource, LampPicture, ModeSource, Plate, ShapeSource, SourceFile, Stroke } from './plate.js';
 import { accepts, settings, type SectionName } from './settings.js';
 
 export type Fields = Record<string, unknown>;
@@ -118,6 +127,9 @@ const ranges: Readonly<Record<string, [number, number]>> = {
   contrast: [0.01, 100],
   smoothing: [0, 1],
   threshold: [0, 1],
+  lampSize: [0, 2],
+  smoothness: [0.001, 10],
+  localContrast: [0, 2],
 };
 const longestText = 2000;
 
@@ -138,11 +150,38 @@ function like(pattern: unknown, given: unknown, name: string): unknown {
 const includes = <Kind extends string>(kinds: readonly Kind[], kind: string): kind is Kind =>
   (kinds as readonly string[]).includes(kind);
 
+function lampFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
+  const usual = newLampDirections([]);
+  const { pictures, ...fields } = fieldsOf(value, 'directions', Object.keys(usual));
+  if (!Array.isArray(pictures) || pictures.length < 1 || pictures.length > mostPictures) {
+    throw new Unfit('directions.pictures', pictures);
+  }
+  const read = pictures.map((one: unknown, k): LampPicture => {
+    const where = `directions.pictures[${k}]`;
+    const { file, lamp } = fieldsOf(one, where, ['file', 'lamp']);
+    if (lamp !== null && (!Array.isArray(lamp) || lamp.length !== 2)) throw new Unfit(`${where}.lamp`, lamp);
+    const stands =
+      lamp === null
+        ? null
+        : ([numberIn(lamp[0], `${where}.lamp`, -360, 360), numberIn(lamp[1], `${where}.lamp`, 1, 90)] as const);
+    return { file: fileFrom(file, `${where}.file`), lamp: stands };
+  });
+  const number = (name: 'lampSize' | 'smoothness' | 'localContrast'): number => like(0, fields[name], name) as number;
+  return {
+    kind: 'lamp',
+    pictures: read,
+    lampSize: number('lampSize'),
+    smoothness: number('smoothness'),
+    localContrast: number('localContrast'),
+  };
+}
+
 /** @param fileFrom  undefined: files are not allowed */
 export function directionsFrom(value: unknown, fileFrom?: FileFrom): DirectionSource {
-  const kinds = fileFrom === undefined ? generatorKinds : ([...generatorKinds, ...fileKinds] as const);
+  const kinds = fileFrom === undefined ? generatorKinds : ([...generatorKinds, ...fileKinds, 'lamp'] as const);
   const given = (value as Fields | null | undefined) ?? {};
   const kind = oneOf(given['kind'], 'directions.kind', kinds);
+  if (kind === 'lamp') return lampFrom(value, fileFrom as FileFrom);
   const file = includes(fileKinds, kind) ? fileFrom?.(given['file'], 'directions.file') : undefined;
   const usual =
     includes(fileKinds, kind) && file !== undefined ? newFileDirections(kind, file) : newGenerator(kind as 'angle');
@@ -200,7 +239,7 @@ function sectionFrom(section: SectionName, value: unknown): Fields {
 
 /** A whole plate. @throws Unfit */
 export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
-  const fields = fieldsOf(value, '', Object.keys(newPlate()));
+  const fields = fieldsOf(value, '', [...Object.keys(newPlate()), 'brought']);
   return {
     name: nameFrom(fields['name']),
     shape: shapeFrom(fields['shape'], fileFrom),
@@ -212,6 +251,9 @@ export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
     toolpath: sectionFrom('toolpath', fields['toolpath']) as unknown as Plate['toolpath'],
     print: sectionFrom('print', fields['print']) as unknown as Plate['print'],
     printer: sectionFrom('printer', fields['printer']) as unknown as Plate['printer'],
+    ...(fields['brought'] === undefined
+      ? {}
+      : { brought: sectionFrom('printer', fields['brought']) as unknown as Plate['printer'] }),
     filament: filamentFrom(fields['filament']),
   };
 }

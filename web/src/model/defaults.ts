@@ -1,11 +1,11 @@
 // What a plate is before anybody changes it.
 import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
-import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
+import type { DirectionSource, LampPicture, Plate, ShapeSource, SourceFile } from './plate.js';
 
-/** As docs/project.md has them; a test compares. */
+/** As docs/reference/project.md has them; a test compares. */
 export const toolpathDefaults: Readonly<ToolpathParams> = {
   spacing: 0.4,
-  spacingBend: 0.3,
+  spacingVariation: 0.3,
   perimeterMode: 'count',
   perimeters: 1,
   bridge: null,
@@ -14,9 +14,9 @@ export const toolpathDefaults: Readonly<ToolpathParams> = {
   jitter: 0.025,
   phaseTransport: 'midpoint',
   sweepsPerLevel: 8,
-  lineGive: 0,
-  waveReach: 1,
-  borderPull: 1,
+  directionTolerance: 0,
+  kernelRadius: 1,
+  borderWeight: 1,
   stitchAlignment: 1.1,
   relaxationRounds: 2,
   relaxationStrength: 0.08,
@@ -39,6 +39,7 @@ export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
   constantFlow: false,
   strict: false,
   coast: 0,
+  scarf: 0,
   copies: [1, 1],
   copyGap: 10,
   layerHeight: 0.2,
@@ -46,6 +47,9 @@ export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
   firstLayerHeight: 0,
   flow: 0.95,
   baseFlow: 1,
+  bedFlow: 1,
+  basePerimeters: 1,
+  purgeLength: 10,
   rotate: 0,
   mirror: false,
   place: null,
@@ -69,6 +73,13 @@ export const printerDefaults: Readonly<PrinterValues> = {
   bedTemperature: 60,
   speed: 50,
   firstLayerSpeed: 20,
+  baseSpeed: 0,
+  showSpeed: 0,
+  firstLayerAcceleration: 0,
+  firstLayerFan: 0,
+  baseFan: -1,
+  showFan: -1,
+  minLayerTime: 8,
   travelSpeed: 120,
   acceleration: 1000,
   machineAcceleration: 0,
@@ -93,8 +104,9 @@ export const printerDefaults: Readonly<PrinterValues> = {
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
 
 /** Each kind of directions as it is first chosen. */
-const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file'> } = {
+const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'pictures'> } = {
   angle: { kind: 'angle', angle: 0 },
+  lamp: { kind: 'lamp', lampSize: 0.1, smoothness: 0.05, localContrast: 0 },
   map: { kind: 'map', encoding: 'angle' },
   // Under the light from 60° that the appearance begins with, bright is bright.
   tone: { kind: 'tone', from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },
@@ -109,7 +121,7 @@ const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file'> } =
 };
 
 export type FileKind = 'map' | 'tone' | 'edges' | 'levels';
-export type GeneratorKind = Exclude<DirectionSource['kind'], FileKind>;
+export type GeneratorKind = Exclude<DirectionSource['kind'], FileKind | 'lamp'>;
 
 export const generatorKinds = ['angle', 'radial', 'spiral', 'waves', 'noise', 'text', 'qr'] as const;
 export const fileKinds = ['tone', 'edges', 'levels', 'map'] as const;
@@ -119,6 +131,11 @@ export const newGenerator = <Kind extends GeneratorKind>(kind: Kind): Generated[
 
 export const newFileDirections = <Kind extends FileKind>(kind: Kind, file: SourceFile): Generated[Kind] =>
   ({ ...directions[kind], file }) as unknown as Generated[Kind];
+
+export const newLampDirections = (pictures: readonly LampPicture[]): Generated['lamp'] => ({
+  ...directions.lamp,
+  pictures,
+});
 
 export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource =>
   kind === 'rounded' ? { kind, radius: 6 } : { kind };

@@ -1,5 +1,5 @@
-// A short list of filaments: how they are printed, and how they look. Roughness is what Table 1 of the paper reports: RMS
-// slopes [degrees] along and across the bead, on the side that the nozzle passed over and on the one that lay on the bed.
+// A short list of filaments: how they are printed, and how they look, which is the core's table of spools.
+import { spools } from './appearance.js';
 import type { Plate } from './plate.js';
 
 /** Along, across. */
@@ -10,7 +10,7 @@ interface Roughness {
   bedSide: Slopes;
 }
 
-export type FilamentKey = 'clearPetg' | 'redPetg' | 'goldPla' | 'bluePla' | 'greyPla';
+export type FilamentKey = keyof typeof spools;
 
 /** Its name is in the dictionary: `filament.KEY`. */
 export interface Filament {
@@ -33,52 +33,17 @@ const wideNozzle = 0.8;
 const pla = { type: 'PLA', density: 1.24, nozzleTemperature: 210, bedTemperature: 60 } as const;
 const petg = { type: 'PETG', density: 1.27, nozzleTemperature: 235, bedTemperature: 80 } as const;
 
+const withLook = (key: FilamentKey, made: typeof pla | typeof petg): Filament => {
+  const { colour, fine, wide } = spools[key];
+  return { key, ...made, colour, roughness: { fine, wide } };
+};
+
 export const filaments: readonly Filament[] = [
-  {
-    key: 'goldPla',
-    ...pla,
-    colour: [201, 148, 46],
-    roughness: {
-      fine: { nozzleSide: [8.93, 15.6], bedSide: [2.43, 9.72] },
-      wide: { nozzleSide: [6.36, 16.66], bedSide: [2.19, 19.34] },
-    },
-  },
-  {
-    key: 'bluePla',
-    ...pla,
-    colour: [24, 78, 168],
-    roughness: {
-      fine: { nozzleSide: [2.36, 17.32], bedSide: [2.56, 13.54] },
-      wide: { nozzleSide: [2.31, 17.69], bedSide: [2.43, 20.9] },
-    },
-  },
-  {
-    key: 'greyPla',
-    ...pla,
-    colour: [112, 115, 120],
-    roughness: {
-      fine: { nozzleSide: [4.46, 15.81], bedSide: [2.57, 12.46] },
-      wide: { nozzleSide: [4.38, 11.92], bedSide: [2.38, 19.16] },
-    },
-  },
-  {
-    key: 'redPetg',
-    ...petg,
-    colour: [176, 24, 30],
-    roughness: {
-      fine: { nozzleSide: [6.2, 12.98], bedSide: [2.34, 18.82] },
-      wide: { nozzleSide: [1.36, 4.6], bedSide: [2.23, 21.29] },
-    },
-  },
-  {
-    key: 'clearPetg',
-    ...petg,
-    colour: [206, 212, 214],
-    roughness: {
-      fine: { nozzleSide: [0.88, 11.63], bedSide: [2.36, 11.78] },
-      wide: { nozzleSide: [0.25, 14.2], bedSide: [1.9, 18.26] },
-    },
-  },
+  withLook('goldPla', pla),
+  withLook('bluePla', pla),
+  withLook('greyPla', pla),
+  withLook('redPetg', petg),
+  withLook('clearPetg', petg),
 ];
 
 /** The first of the list for a key that is not in it: plates come from files, too. */
@@ -121,7 +86,7 @@ export function viewLook(plate: Plate): { colour: [number, number, number]; slop
 }
 
 /** Along and across the bead, on the side that is seen, for the nozzle [degrees]. */
-function slopesOf({ filament, print, printer }: Plate): [number, number] {
+export function slopesOf({ filament, print, printer }: Plate): [number, number] {
   const { roughness } = filamentOf(filament);
   const side = print.mirror ? 'bedSide' : 'nozzleSide';
   const share = Math.min(1, Math.max(0, (printer.nozzle - fineNozzle) / (wideNozzle - fineNozzle)));

@@ -1,6 +1,6 @@
 // What another page that shows the studio in a frame may ask of it. It comes as text - attributes, an address - and may
 // have been written by anybody.
-import { languages, type Language } from '../i18n/text.js';
+import { type Language, languages } from './language.js';
 import { oneOf, Unfit } from './check-plate.js';
 import { printers, type PrinterKey } from './printers.js';
 import { settings, type SettingId } from './settings.js';

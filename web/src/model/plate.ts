@@ -17,10 +17,26 @@ export type ShapeSource =
   /** SVG, or a mask picture: bright, opaque pixels are inside. */
   | { kind: 'file'; file: SourceFile; unitless: 'px' | 'mm' };
 
+/** A picture to be seen while its lamp shines: azimuth counter-clockwise from the right, and elevation [degrees]; null: the
+ * engine chooses. */
+export interface LampPicture {
+  file: SourceFile;
+  lamp: readonly [number, number] | null;
+}
+
 /** Where directions come from. Angles are degrees, counter-clockwise from the right; a bead has no sense: 180° is 0°.
  * Places are in the page's unit square, y up; lengths are shares of the page's width. */
 export type DirectionSource =
   | { kind: 'angle'; angle: number }
+  /** Up to four pictures, each solved for by the engine: the directions that show it under its lamp. `lampSize` is the slope of
+   * the surface that would blur a point as much. */
+  | {
+      kind: 'lamp';
+      pictures: readonly LampPicture[];
+      lampSize: number;
+      smoothness: number;
+      localContrast: number;
+    }
   /** A picture that tells angles as the engine reads them. */
   | { kind: 'map'; file: SourceFile; encoding: DirectionEncoding }
   /** Tone to angle: black is `from`, white is `to`. Smoothing is a blur radius; contrast 1 leaves tones as they are. */
@@ -67,6 +83,8 @@ export interface Plate {
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: PrinterValues;
+  /** Printer that came with a design from elsewhere and is not used before the visitor says so; kept with the work alone. */
+  brought?: PrinterValues | undefined;
   /** Key of the filament whose colour and gloss the appearance shows. */
   filament: string;
 }

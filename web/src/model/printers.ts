@@ -1,10 +1,10 @@
 // The printers that come with the engine, from the same table; what a filament asks for is in filaments.ts.
 import type { PrinterValues } from 'sillon';
-import table from '../../../core/data/printers.json' with { type: 'json' };
+import table from 'sillon/printers.json' with { type: 'json' };
 import { printerDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 
-const ofFilament = [
+export const ofFilament = [
   'filamentDensity',
   'filamentType',
   'nozzleTemperature',
@@ -25,31 +25,26 @@ export interface PrinterChoice {
   machine: Machine;
 }
 
-const makers: Readonly<Record<string, string>> = {
-  anycubic: 'Anycubic',
-  creality: 'Creality',
-  elegoo: 'Elegoo',
-  prusa: 'Prusa',
-  qidi: 'QIDI',
-  sovol: 'Sovol',
-};
-
 const usual = Object.fromEntries(
   Object.entries(printerDefaults).filter(([key]) => !(ofFilament as readonly string[]).includes(key)),
 ) as unknown as Machine;
 
-function choice(key: PrinterKey, values: Partial<Machine>): PrinterChoice {
+/** A row of the table: what differs from the usual printer, and whose it is. */
+interface Row extends Partial<Machine> {
+  maker?: string;
+  models?: string[];
+  source?: string;
+}
+
+function choice(key: PrinterKey, { maker = '', models: _models, source: _source, ...values }: Row): PrinterChoice {
   const machine = { ...usual, ...values };
-  const maker = makers[key.split('-')[0] ?? ''];
-  return { key, label: maker === undefined ? machine.name : `${maker} ${machine.name}`, machine };
+  return { key, label: machine.name.startsWith(maker) ? machine.name : `${maker} ${machine.name}`, machine };
 }
 
 const isGeneric = ({ key }: PrinterChoice): boolean => key.startsWith('generic');
 
 /** Generic ones first, then by name. Bambu's need a start block of the owner's own: those come from a file. */
-export const printers: readonly PrinterChoice[] = Object.entries(
-  table.printers as unknown as Record<string, Partial<Machine>>,
-)
+export const printers: readonly PrinterChoice[] = Object.entries(table.printers as unknown as Record<string, Row>)
   .map(([key, values]) => choice(key, values))
   .filter(({ machine }) => machine.flavor !== 'bambu')
   .sort((a, b) => Number(isGeneric(b)) - Number(isGeneric(a)) || a.label.localeCompare(b.label, 'en'));
@@ -59,9 +54,20 @@ export function withPrinter(plate: Plate, key: PrinterKey): Plate {
   const chosen = printers.find((one) => one.key === key);
   if (chosen === undefined) throw new Error(`there is no printer ${key}`);
   const { nozzle } = plate.printer;
-  return { ...plate, printer: { ...plate.printer, ...structuredClone(chosen.machine), nozzle } };
+  const printer = { ...plate.printer, ...structuredClone(chosen.machine), nozzle };
+  return { ...plate, printer };
 }
 
+/** Chosen for a print, not what a machine is. */
+const ofPrint: readonly string[] = ['nozzle', 'speed', 'firstLayerSpeed', ...ofFilament];
+
+/** By all values of the machine: a name is quickly written. */
+export const sameMachine = (a: Machine, b: Machine): boolean =>
+  Object.keys(usual).every(
+    (key) =>
+      ofPrint.includes(key) || JSON.stringify(a[key as keyof Machine]) === JSON.stringify(b[key as keyof Machine]),
+  );
+
 /** undefined: of its own making, as from a project file. */
-export const printerOf = (plate: Plate): PrinterChoice | undefined =>
-  printers.find(({ machine }) => machine.name === plate.printer.name);
+export const profileOf = (printer: Machine): PrinterChoice | undefined =>
+  printers.find(({ machine }) => sameMachine(machine, printer));

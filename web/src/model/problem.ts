@@ -7,6 +7,10 @@ export type ProblemCode =
   | 'UnknownFile'
   /** A printer's file among those for a plate. */
   | 'PrinterFileHere'
+  /** A picture of a kind that this browser cannot read. */
+  | 'BrowserPicture'
+  /** A picture of one tone: nothing of it could be seen. */
+  | 'OneTone'
   /** A drawing's text and pictures are not in its shape. */
   | 'LeftOut'
   /** A project whose zip, or whose studio.json, cannot be read. */

@@ -1,7 +1,7 @@
 // The engine's settings as rows of data, from which the panels are drawn and links are checked. Defaults and ranges are
-// those of docs/project.md; a test compares.
+// those of docs/reference/project.md; a test compares.
 import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
-import table from '../../../core/data/recipes.json' with { type: 'json' };
+import table from 'sillon/presets.json' with { type: 'json' };
 import { printDefaults, printerDefaults, toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 
@@ -18,7 +18,7 @@ export type SettingId =
   `toolpath.${keyof ToolpathParams}` | `print.${keyof PrintSettings}` | `printer.${keyof PrinterValues}`;
 
 /** 'spacing': multiples of the spacing. */
-export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | 'spacing';
+export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | '%' | 'spacing';
 
 interface Row {
   id: SettingId;
@@ -184,15 +184,15 @@ export const settings: readonly Setting[] = [
   number('toolpath', 'relaxationStrength', advanced, { min: 0, max: 0.5, step: 0.01 }),
   number('toolpath', 'relaxationSmoothing', advanced, { min: 0, max: 1, step: 0.05 }),
   number('toolpath', 'stitchAlignment', advanced, { min: 0, max: 10, step: 0.1, usual: [0, 3] }),
-  number('toolpath', 'lineGive', advanced, { unit: '°', min: 0, max: 30, step: 1 }),
-  number('toolpath', 'waveReach', advanced, { unit: 'spacing', min: 0.45, max: 1.5, step: 0.05 }),
-  number('toolpath', 'borderPull', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
+  number('toolpath', 'directionTolerance', advanced, { unit: '°', min: 0, max: 30, step: 1 }),
+  number('toolpath', 'kernelRadius', advanced, { unit: 'spacing', min: 0.45, max: 1.5, step: 0.05 }),
+  number('toolpath', 'borderWeight', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
   number('toolpath', 'widthBalance', advanced, { min: 0, max: 1, step: 0.05 }),
   number('toolpath', 'beadOverlap', advanced, { unit: 'spacing', min: 0, max: 1, step: 0.0001, usual: [0, 0.05] }),
   number('toolpath', 'minWidth', advanced, { unit: 'spacing', min: 0.1, max: 1, step: 0.05 }),
   number('toolpath', 'maxWidth', advanced, { unit: 'spacing', min: 1, max: 4, step: 0.05 }),
-  number('toolpath', 'bridge', advanced, { unit: 'mm', min: 0, max: 10000, step: 0.05, usual: [0, 5], nullable }),
-  number('toolpath', 'spacingBend', advanced, { min: 0, max: 0.5, step: 0.05 }),
+  number('toolpath', 'bridge', advanced, { unit: 'mm', min: 0, max: 100, step: 0.05, usual: [0, 5], nullable }),
+  number('toolpath', 'spacingVariation', advanced, { min: 0, max: 0.5, step: 0.05 }),
   choice('toolpath', 'mapFilter', advanced, ['average', 'nearest']),
   number('toolpath', 'simplifyTolerance', advanced, { unit: 'mm', min: 0, max: 1, step: 0.0005, usual: [0, 0.05] }),
 
@@ -200,6 +200,7 @@ export const settings: readonly Setting[] = [
   number('print', 'base', basic, { min: 0, max: 1000, step: 1, usual: [0, 10], integer }),
   number('print', 'layerHeight', basic, { unit: 'mm', min: 0.05, max: 1.6, step: 0.01, usual: [0.05, 0.6] }),
   choice('print', 'basePattern', advanced, ['hatched', 'concentric', 'same']),
+  number('print', 'basePerimeters', advanced, { min: 0, max: 10, step: 1, usual: [0, 4], integer }),
   choice('print', 'showSide', basic, ['up', 'bed', 'both']),
   number('print', 'brim', basic, { min: 0, max: 50, step: 1, usual: [0, 15], integer }),
   pair('print', 'copies', basic, { min: 1, max: 20, step: 1, integer }),
@@ -210,11 +211,14 @@ export const settings: readonly Setting[] = [
   number('print', 'firstLayerHeight', advanced, { unit: 'mm', min: 0, max: 1.6, step: 0.01, usual: [0, 0.6] }),
   number('print', 'flow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
   number('print', 'baseFlow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
+  number('print', 'bedFlow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
   number('print', 'elephantFoot', advanced, { unit: 'mm', min: 0, max: 0.5, step: 0.01 }),
   flag('print', 'constantFlow', advanced),
   flag('print', 'strict', advanced),
   number('print', 'coast', advanced, { unit: 'mm', min: 0, max: 1, step: 0.05 }),
+  number('print', 'scarf', advanced, { unit: 'mm', min: 0, max: 20, step: 1 }),
   number('print', 'copyGap', advanced, { unit: 'mm', min: 1, max: 100, step: 1, usual: [1, 30] }),
+  number('print', 'purgeLength', advanced, { unit: 'mm', min: 0, max: 100, step: 1, usual: [0, 30] }),
   number('print', 'skirt', advanced, { min: 0, max: 20, step: 1, usual: [0, 5], integer }),
 
   number('printer', 'nozzle', basic, { unit: 'mm', min: 0.05, max: 2, step: 0.05, usual: [0.2, 1.2] }),
@@ -241,6 +245,19 @@ export const settings: readonly Setting[] = [
   }),
   flag('printer', 'anyTemperature', advanced),
   number('printer', 'firstLayerSpeed', advanced, { unit: 'mm/s', min: 5, max: 1000, step: 1, usual: [5, 60] }),
+  number('printer', 'baseSpeed', advanced, { unit: 'mm/s', min: 0, max: 1000, step: 1, usual: [0, 150] }),
+  number('printer', 'showSpeed', advanced, { unit: 'mm/s', min: 0, max: 1000, step: 1, usual: [0, 100] }),
+  number('printer', 'firstLayerAcceleration', advanced, {
+    unit: 'mm/s²',
+    min: 0,
+    max: 100000,
+    step: 50,
+    usual: [0, 5000],
+  }),
+  number('printer', 'firstLayerFan', advanced, { unit: '%', min: 0, max: 100, step: 5 }),
+  number('printer', 'baseFan', advanced, { unit: '%', min: -1, max: 100, step: 1 }),
+  number('printer', 'showFan', advanced, { unit: '%', min: -1, max: 100, step: 1 }),
+  number('printer', 'minLayerTime', advanced, { unit: 's', min: 0, max: 300, step: 1, usual: [0, 30] }),
   number('printer', 'travelSpeed', advanced, { unit: 'mm/s', min: 5, max: 1000, step: 1, usual: [50, 500] }),
   number('printer', 'machineSpeed', advanced, { unit: 'mm/s', min: 0, max: 1000, step: 10, usual: [0, 500] }),
   number('printer', 'acceleration', advanced, { unit: 'mm/s²', min: 1, max: 100000, step: 50, usual: [200, 10000] }),
@@ -278,6 +295,22 @@ export const settings: readonly Setting[] = [
   text('endGcode', advanced, 65536),
   text('screenSizes', advanced, 200),
 ];
+
+/** Constants of the method, in files and presets only; those that `sillon settings --json` calls expert. */
+export const expertSettings: ReadonlySet<SettingId> = new Set([
+  'toolpath.jitter',
+  'toolpath.phaseTransport',
+  'toolpath.sweepsPerLevel',
+  'toolpath.kernelRadius',
+  'toolpath.borderWeight',
+  'toolpath.stitchAlignment',
+  'toolpath.relaxationRounds',
+  'toolpath.relaxationStrength',
+  'toolpath.relaxationSmoothing',
+  'toolpath.widthBalance',
+  'toolpath.beadOverlap',
+  'toolpath.simplifyTolerance',
+]);
 
 const byId = new Map(settings.map((setting) => [setting.id, setting]));
 
@@ -331,14 +364,14 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
   }
 }
 
-type Recipe = Partial<ToolpathParams>;
-const recipes = table.recipes as Record<keyof typeof table.recipes, Recipe>;
+type Preset = Partial<ToolpathParams>;
+const presets = table.presets as Record<keyof typeof table.presets, Preset>;
 
-/** What any recipe changes, as it is without one. The border and the seed are the person's own choice, which only
- * recipes that name them change. */
-const neutral: Recipe = Object.fromEntries(
-  Object.values(recipes)
-    .flatMap((recipe) => Object.keys(recipe) as KeyOf<'toolpath', unknown>[])
+/** What any preset changes, as it is without one. The border and the seed are the person's own choice, which only
+ * presets that name them change. */
+const neutral: Preset = Object.fromEntries(
+  Object.values(presets)
+    .flatMap((preset) => Object.keys(preset) as KeyOf<'toolpath', unknown>[])
     .filter((key) => !['perimeterMode', 'perimeters', 'seed'].includes(key))
     .map((key) => [key, toolpathDefaults[key]]),
 );
@@ -347,8 +380,8 @@ const neutral: Recipe = Object.fromEntries(
  * fewer hairpins and next to no kinks for up to twice the time, strict follows the directions best and leaves gaps and
  * kinks as they come. */
 export const qualities = Object.fromEntries(
-  Object.entries(recipes).map(([name, recipe]) => [name, { ...neutral, ...recipe }]),
-) as Record<keyof typeof recipes, Recipe>;
+  Object.entries(presets).map(([name, preset]) => [name, { ...neutral, ...preset }]),
+) as Record<keyof typeof presets, Preset>;
 
 export type Quality = keyof typeof qualities;
 

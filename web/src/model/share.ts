@@ -8,12 +8,15 @@ import {
   modeFrom,
   nameFrom,
   shapeFrom,
+  textIn,
   Unfit,
   widthFrom,
   type Fields,
 } from './check-plate.js';
 import { fileKinds, newGenerator, newPlate, newShape } from './defaults.js';
-import type { Plate } from './plate.js';
+import type { DirectionSource, Plate, SourceFile } from './plate.js';
+import { mostPictures } from './lamp.js';
+import { profileOf } from './printers.js';
 import { StudioError } from './problem.js';
 import { accepts, settings, settingOf, type Setting, type SettingValue } from './settings.js';
 
@@ -24,7 +27,15 @@ const mostCharacters = 16_000;
 const mostBytes = 200_000;
 
 /** What a link cannot carry. */
-export type Untold = 'shape' | 'directions' | 'modes' | 'strokes';
+export type Untold = 'shape' | 'directions' | 'detail' | 'modes' | 'strokes' | 'blocks';
+
+/** Of all pictures of a link together [bytes]. */
+export const mostPictureBytes = 8000;
+
+/** A picture made small enough; undefined: it cannot be. @param most  [bytes] */
+export type Shrink = (file: SourceFile, most: number) => Promise<Uint8Array | undefined>;
+/** A file of a link. */
+export type Unpack = (name: string, bytes: Uint8Array<ArrayBuffer>) => Promise<SourceFile>;
 
 export interface Link {
   /** With its '#'. */
@@ -79,31 +90,54 @@ function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {
 
 // --- Out ---------------------------------------------------------------------------------------------------------------
 
+/** What would move and heat the machine of whoever opens the link, and may hold names and passwords of a network. */
+const ownAlone: readonly string[] = ['printer.startGcode', 'printer.endGcode', 'printer.anyTemperature'];
+
 const isFileKind = (kind: string): boolean => (fileKinds as readonly string[]).includes(kind);
 
 /** Settings that are not the default's. */
 function changed(plate: Plate): Record<string, SettingValue> {
   const values: Record<string, SettingValue> = {};
+  const profile = profileOf(plate.printer) !== undefined;
   for (const setting of settings) {
+    if (!profile && ownAlone.includes(setting.id)) continue;
     const value = (plate[setting.section] as unknown as Record<string, SettingValue>)[setting.key] as SettingValue;
     if (JSON.stringify(value) !== JSON.stringify(setting.default)) values[setting.id] = value;
   }
   return values;
 }
 
-export async function writeLink(plate: Plate): Promise<Link> {
+/** What a link tells of directions; undefined: it cannot. */
+async function toldDirections(directions: DirectionSource, shrink: Shrink | undefined): Promise<unknown> {
+  if (directions.kind !== 'lamp') return isFileKind(directions.kind) ? undefined : directions;
+  const most = mostPictureBytes / directions.pictures.length;
+  const pictures = [];
+  for (const { file, lamp } of directions.pictures) {
+    const bytes = await shrink?.(file, most);
+    if (bytes === undefined) return undefined;
+    pictures.push({ file: { name: file.name, data: toBase64Url(bytes) }, lamp });
+  }
+  return { ...directions, pictures };
+}
+
+/** @param shrink  left out: pictures do not travel */
+export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
   const untold: Untold[] = [];
   const { name, shape, width, height, directions, modes, filament } = plate;
   if (shape.kind === 'file') untold.push('shape');
-  if (isFileKind(directions.kind)) untold.push('directions');
+  const toldOf = await toldDirections(directions, shrink);
+  if (toldOf === undefined) untold.push('directions');
+  else if (directions.kind === 'lamp') untold.push('detail');
   if (modes.file !== undefined) untold.push('modes');
   if (plate.strokes.length > 0) untold.push('strokes');
+  if (profileOf(plate.printer) === undefined && plate.printer.startGcode + plate.printer.endGcode !== '')
+    untold.push('blocks');
   const told = {
     name,
     shape: shape.kind === 'file' ? undefined : shape,
     width,
     height,
-    directions: isFileKind(directions.kind) ? undefined : directions,
+    directions: toldOf,
     mode: modes.base,
     filament,
     settings: changed(plate),
@@ -129,7 +163,27 @@ function settingsFrom(plate: Plate, value: unknown): Plate {
   return { ...plate, ...sections };
 }
 
-function toldPlate(value: unknown): Plate {
+/** Of the pictures in a link, which may have been written by anybody. */
+async function filesIn(value: unknown, unpack: Unpack): Promise<Map<unknown, SourceFile>> {
+  const files = new Map<unknown, SourceFile>();
+  const pictures = ((value as Fields | null)?.['directions'] as Fields | null | undefined)?.['pictures'];
+  if (!Array.isArray(pictures)) return files;
+  for (const [k, one] of pictures.slice(0, mostPictures).entries()) {
+    const told = (one as Fields | null)?.['file'];
+    const where = `directions.pictures[${k}].file`;
+    const { name, data } = fieldsOf(told, where, ['name', 'data']);
+    const bytes = fromBase64Url(textIn(data, where, mostCharacters));
+    files.set(told, await unpack(textIn(name, where, 1000), bytes));
+  }
+  return files;
+}
+
+function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Plate {
+  const fileFrom = (told: unknown, where: string): SourceFile => {
+    const file = files.get(told);
+    if (file === undefined) throw new Unfit(where, told);
+    return file;
+  };
   const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'filament', 'settings'];
   const fields = fieldsOf(value, '', known);
   const { shape, directions } = fields; // undefined: it was a file
@@ -139,7 +193,10 @@ function toldPlate(value: unknown): Plate {
     shape: shape === undefined ? newShape('rectangle') : shapeFrom(shape),
     width: widthFrom(fields['width']),
     height: heightFrom(fields['height']),
-    directions: directions === undefined ? newGenerator('angle') : directionsFrom(directions),
+    directions:
+      directions === undefined
+        ? newGenerator('angle')
+        : directionsFrom(directions, files.size > 0 ? fileFrom : undefined),
     modes: { base: modeFrom(fields['mode'], 'mode') },
     strokes: [],
     filament: filamentFrom(fields['filament']),
@@ -148,8 +205,9 @@ function toldPlate(value: unknown): Plate {
 }
 
 /** @returns undefined where the hash is no plate's.
+ * @param unpack  left out: pictures are refused
  * @throws StudioError LinkTooLong, LinkTooNew, LinkBroken, LinkValue */
-export async function readLink(hash: string): Promise<Plate | undefined> {
+export async function readLink(hash: string, unpack?: Unpack): Promise<Plate | undefined> {
   const text = hash.replace(/^#/, '');
   if (!text.startsWith(key)) return undefined;
   if (text.length > mostCharacters) throw new StudioError('LinkTooLong', { bytes: text.length, most: mostCharacters });
@@ -165,7 +223,7 @@ export async function readLink(hash: string): Promise<Plate | undefined> {
     throw new StudioError('LinkBroken');
   }
   try {
-    return toldPlate(value);
+    return toldPlate(value, unpack === undefined ? new Map() : await filesIn(value, unpack));
   } catch (error) {
     if (error instanceof Unfit) throw new StudioError('LinkValue', { where: error.where, value: error.value });
     throw error;

@@ -1,8 +1,8 @@
 // All that the page shows, but for the cameras, which move too often.
 import type { GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
-import type { DirectionRaster } from '../directions/raster.js';
-import type { Language } from '../i18n/text.js';
-import type { ColourBy, Light, ViewName } from '../views/scene.js';
+import type { DirectionRaster } from './raster.js';
+import type { Language } from './language.js';
+import type { ColourBy, Light, ViewName } from './view.js';
 import { newPlate } from './defaults.js';
 import type { Plate } from './plate.js';
 import type { Problem } from './problem.js';

@@ -3,11 +3,21 @@
 import type { Report } from 'sillon';
 
 export type Measure =
-  'path' | 'coverage' | 'overlap' | 'alignment' | 'uTurns' | 'kinks' | 'widths' | 'fill' | 'lost' | 'crossings';
+  | 'path'
+  | 'coverage'
+  | 'overlap'
+  | 'alignment'
+  | 'uTurns'
+  | 'kinks'
+  | 'widths'
+  | 'fill'
+  | 'lost'
+  | 'crossings'
+  | 'picture';
 export type Level = 'good' | 'fair' | 'poor';
 
 export type VerdictText =
-  | `${'coverage' | 'overlap' | 'uTurns' | 'widths' | 'lost' | 'alignment'}.${Level}`
+  | `${'coverage' | 'overlap' | 'uTurns' | 'widths' | 'lost' | 'alignment' | 'picture'}.${Level}`
   | `${'kinks' | 'fill'}.${'good' | 'fair'}`
   | 'alignment.free'
   | 'path.one'
@@ -67,6 +77,10 @@ export function verdictsOf(report: Report): Verdict[] {
       values: { n: report.toolpaths, length: round(lengthMm / 1000, 2) },
     },
   ];
+  for (const { r, contrast } of report.pictures ?? []) {
+    const level = contrast < 2 ? 'poor' : levelBetween(r, 0.9, 0.7, false);
+    verdicts.push(judged('picture', level, { percent: round(100 * Math.max(0, r), 0), contrast: round(contrast, 1) }));
+  }
   if (crossings > 0) verdicts.push(judged('crossings', 'poor', { n: crossings }));
   verdicts.push(
     judged('coverage', levelBetween(coverage, 98.5, 96, false), { percent: round(coverage, 1) }),

@@ -3,18 +3,16 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { sections, type Section } from '../model/guest.js';
+import './brought-bar.js';
 import './directions-panel.js';
 import { StudioElement } from './element.js';
 import './header.js';
 import { icon, type IconName } from './icons.js';
-import './print-panel.js';
-import './quality-panel.js';
 import './shape-panel.js';
-import './own-panel.js';
 import { offers, ownControls, type Dialog } from './shown.js';
 import { onShortcut } from './shortcuts.js';
 import './stage.js';
-import './toolpath-panel.js';
+import './welcome.js';
 
 type Tab = [name: Section | 'own', image: IconName, label: string];
 
@@ -29,6 +27,16 @@ const loadDialog: Record<Dialog, () => Promise<unknown>> = {
   help: () => import('./help.js'),
   files: () => import('./files-dialog.js'),
   share: () => import('./share-dialog.js'),
+  brought: () => import('./blocks-dialog.js'),
+  blocks: () => import('./blocks-dialog.js'),
+};
+
+/** Sections that no first visit begins with. */
+const loadPanel: Record<string, () => Promise<unknown>> = {
+  own: () => import('./own-panel.js'),
+  print: () => import('./print-panel.js'),
+  toolpath: () => import('./toolpath-panel.js'),
+  quality: () => import('./quality-panel.js'),
 };
 
 @customElement('sillon-app')
@@ -40,7 +48,7 @@ export class App extends StudioElement {
     css`
       :host {
         display: grid;
-        grid-template: auto minmax(0, 1fr) / minmax(0, 1fr);
+        grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
         height: 100%;
       }
       .skip {
@@ -53,6 +61,7 @@ export class App extends StudioElement {
         clip-path: inset(50%);
       }
       .work {
+        grid-row: 4;
         display: grid;
         grid-template-columns: 80px auto minmax(0, 1fr);
         min-height: 0;
@@ -124,6 +133,9 @@ export class App extends StudioElement {
         }
       }
       @media (max-width: 720px) {
+        .beside {
+          display: none;
+        }
         .work {
           grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
         }
@@ -186,6 +198,8 @@ export class App extends StudioElement {
     return html`
       <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
       <sillon-header role="banner" .studio=${this.studio}></sillon-header>
+      <sillon-brought .studio=${this.studio}></sillon-brought>
+      <sillon-welcome class=${panel && 'beside'} .studio=${this.studio}></sillon-welcome>
       <div class="work">
         <nav aria-label=${t('app.settings')}>
           ${this.#sections().map(
@@ -234,6 +248,7 @@ export class App extends StudioElement {
   }
 
   #panel(panel: string): TemplateResult | typeof nothing {
+    if (!this.#isLoaded(panel, loadPanel[panel])) return nothing;
     switch (panel) {
       case 'own':
         return html`<sillon-own-panel .studio=${this.studio}></sillon-own-panel>`;
@@ -256,14 +271,7 @@ export class App extends StudioElement {
   #dialog(): TemplateResult | typeof nothing {
     const { dialog } = this.state;
     if (dialog === undefined) return nothing;
-    if (!this.#loaded.has(dialog)) {
-      void this.studio.attempt(async () => {
-        await loadDialog[dialog]();
-        this.#loaded.add(dialog);
-        this.requestUpdate();
-      });
-      return nothing;
-    }
+    if (!this.#isLoaded(dialog, loadDialog[dialog])) return nothing;
     switch (dialog) {
       case 'gallery':
         return html`<sillon-gallery .studio=${this.studio}></sillon-gallery>`;
@@ -273,10 +281,24 @@ export class App extends StudioElement {
         return html`<sillon-files .studio=${this.studio}></sillon-files>`;
       case 'share':
         return html`<sillon-share .studio=${this.studio}></sillon-share>`;
+      case 'brought':
+      case 'blocks':
+        return html`<sillon-blocks .studio=${this.studio} .purpose=${dialog}></sillon-blocks>`;
     }
   }
 
-  readonly #loaded = new Set<Dialog>();
+  /** Draws again once it is. @param load  undefined: it is always there */
+  #isLoaded(name: string, load: (() => Promise<unknown>) | undefined): boolean {
+    if (load === undefined || this.#loaded.has(name)) return true;
+    void this.studio.attempt(async () => {
+      await load();
+      this.#loaded.add(name);
+      this.requestUpdate();
+    });
+    return false;
+  }
+
+  readonly #loaded = new Set<string>();
 
   #skip = (): void => {
     const stage = this.renderRoot.querySelector<StudioElement>('sillon-stage');

@@ -3,11 +3,14 @@ import { css, html, type TemplateResult } from 'lit';
 import type { Shape } from 'sillon';
 import { customElement, query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
+import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
+import { homeLight, lampsOf } from '../model/lamp.js';
 import type { Plate, Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
-import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
+import { between, lightOfTilt, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
+import type { Light } from '../model/view.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from './element.js';
 import { drawOverlay, rulerWidth, type Cursor } from './overlay.js';
@@ -20,6 +23,7 @@ const margin = 40; // around the plate [CSS pixels]
 const toolsWidth = 60;
 const slowFrame = 120; // [ms]
 const mostSlowFrames = 8;
+const flipEach = 2600; // [ms] for each picture while the lamp turns
 const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
 
 @customElement('sillon-canvas')
@@ -185,10 +189,35 @@ export class PlateCanvas extends StudioElement implements Stage {
       marks: view === 'quality' ? marks : [],
       mark,
       shape: view === 'directions' ? this.#shapeOf(plate) : undefined,
+      picture: this.#picture(),
+      wipe: this.state.wipe,
       styles: getComputedStyle(this),
     });
     if (sways) this.#redraw();
   }
+
+  /** The one whose lamp shines, where it is laid over the plate. */
+  #picture(): ImageBitmap | undefined {
+    const { plate, view, wipe, lamp } = this.state;
+    if (plate.directions.kind !== 'lamp' || view !== 'appearance' || wipe <= 0) return undefined;
+    const bytes = plate.directions.pictures[lamp]?.file.bytes;
+    if (bytes === undefined) return undefined;
+    if (this.#bitmapOf !== bytes) {
+      this.#bitmapOf = bytes;
+      this.#bitmap = undefined;
+      createImageBitmap(bytes).then(
+        (bitmap) => {
+          if (this.#bitmapOf === bytes) this.#bitmap = bitmap;
+          this.#redraw();
+        },
+        () => undefined, // of a kind that browsers do not draw
+      );
+    }
+    return this.#bitmap;
+  }
+
+  #bitmap: ImageBitmap | undefined;
+  #bitmapOf: Blob | undefined;
 
   /** That of the toolpath, while it still is the plate's. */
   #shapeOf({ shape, width, height }: Plate): Shape | undefined {
@@ -202,12 +231,17 @@ export class PlateCanvas extends StudioElement implements Stage {
   scene(): Scene {
     const { plate, made, directions, view, colourBy, played, compare, light, marks, theme } = this.state;
     const { page } = this.#page();
+    const lit = plate.directions.kind === 'lamp' ? plate.directions : undefined;
+    // Which way beads run that show a picture is known once they are there.
+    const solved = lit !== undefined && view === 'directions';
     return {
       page,
       toolpath: made?.toolpath,
       directions,
-      view,
-      colourBy,
+      view: solved ? 'toolpath' : view,
+      colourBy: solved ? 'direction' : colourBy,
+      lampSlope: lit?.lampSize ?? appearance.softbox,
+      fromAfar: lit !== undefined,
       feed: {
         speed: plate.printer.speed,
         maxFlow: plate.printer.maxFlow,
@@ -247,16 +281,49 @@ export class PlateCanvas extends StudioElement implements Stage {
     if (view !== 'appearance' || recording || document.hidden) return false;
     const resting = now - this.#lastTouch > swayFor || this.#calm.matches;
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
-    const sways = lightMode === 'pointer' && !this.#hovered && !resting && this.#slowFrames < mostSlowFrames;
-    if (!orbits && !sways) return false;
-    if (now - this.#lastSway > slowFrame && now - this.#lastSway < 1000) ++this.#slowFrames;
-    else if (now - this.#lastSway <= slowFrame) this.#slowFrames = 0;
-    const azimuth = (light.azimuth + (360 * Math.min(50, now - (this.#lastSway || now))) / swayPeriod) % 360;
+    const free = lightMode === 'pointer' && (!this.#hovered || this.state.flipping);
+    if (!orbits && !free) return false;
+    const slow = this.#slowFrames >= mostSlowFrames;
+    const sways = free && !resting && !slow;
+    const elapsed = now - (this.#lastSway || now);
+    if (elapsed > slowFrame && elapsed < 1000) ++this.#slowFrames;
+    else if (elapsed <= slowFrame) this.#slowFrames = 0;
     this.#lastSway = now;
-    const elevation = sways ? swayedElevation(now) : light.elevation;
-    this.studio.store.set({ light: { azimuth, elevation } });
-    return true;
+    if (orbits) {
+      const azimuth = (light.azimuth + (360 * Math.min(50, elapsed)) / swayPeriod) % 360;
+      this.studio.store.set({ light: { azimuth, elevation: light.elevation } });
+      return true;
+    }
+    // Back to where the plate looks as it is meant to, and a little around it.
+    const home = this.#home(now);
+    const { flipping } = this.state;
+    const aim = sways && !flipping ? swayed(home, now) : home;
+    const jumps = this.#calm.matches || slow || flipping;
+    const next = jumps ? aim : turned(light, aim, Math.min(50, elapsed));
+    if (!near(next, light, 0.01)) this.studio.store.set({ light: near(next, aim, 0.05) ? aim : next });
+    return sways || flipping || !near(next, aim, 0.05);
   }
+
+  /** Of the picture that is shown; while the lamp turns, between two. */
+  #home(now: number): Light {
+    const { plate, made, lamp, flipping } = this.state;
+    const look = made?.toolpath.look;
+    const lamps = lampsOf(plate.directions, look);
+    if (!flipping || lamps.length < 2) {
+      this.#flipBegan = 0;
+      return lamps[lamp] ?? homeLight(plate, look);
+    }
+    if (this.#flipBegan === 0) this.#flipBegan = now - lamp * flipEach;
+    const turn = (now - this.#flipBegan) / flipEach;
+    const from = Math.floor(turn) % lamps.length;
+    const to = (from + 1) % lamps.length;
+    if (this.state.lamp !== from) this.studio.store.set({ lamp: from });
+    // It rests at each picture for half of the time.
+    const share = Math.min(1, Math.max(0, 2 * (turn % 1) - 0.5));
+    return between(lamps[from] as Light, lamps[to] as Light, (1 - Math.cos(Math.PI * share)) / 2);
+  }
+
+  #flipBegan = 0;
 
   #lastSway = 0;
   /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
@@ -441,13 +508,19 @@ export class PlateCanvas extends StudioElement implements Stage {
     return this.#renderer.capture({ ...this.scene(), view: 'appearance', progress: 1 }, width);
   }
 
-  /** One turn of the light, as a video. */
+  /** One turn of the light, or from one picture to the other and back, as a video. */
   async record(seconds: number): Promise<Blob> {
     const { recordCanvas } = await import('./video.js');
     const before = this.state.light;
     this.studio.store.set({ recording: true, view: 'appearance' });
     try {
+      const [first, second] = this.studio.lamps();
       return await recordCanvas(this.drawing, seconds, (share) => {
+        if (first !== undefined && second !== undefined) {
+          // From one picture to the other and back.
+          this.studio.store.set({ light: between(first, second, (1 - Math.cos(2 * Math.PI * share)) / 2) });
+          return;
+        }
         this.studio.store.set({ light: { ...before, azimuth: (before.azimuth + 360 * share) % 360 } });
       });
     } finally {

@@ -2,12 +2,21 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
-import { fileKinds, generatorKinds, newFileDirections, newGenerator, type FileKind } from '../model/defaults.js';
+import {
+  fileKinds,
+  generatorKinds,
+  newFileDirections,
+  newGenerator,
+  newLampDirections,
+  type FileKind,
+} from '../model/defaults.js';
+import { lampFor } from '../model/lamp.js';
 import type { DirectionSource, SourceFile } from '../model/plate.js';
 import { StudioElement } from './element.js';
 import { cards, numberField, select } from './fields.js';
 import { fileChip } from './file-chip.js';
 import { icon, type IconName } from './icons.js';
+import './lamps-panel.js';
 import { panelStyle } from './panel-style.js';
 import { sourceField } from './source-field.js';
 import { sourceRows } from './source-rows.js';
@@ -43,9 +52,10 @@ export class DirectionsPanel extends StudioElement {
         ${this.#picker(directions)}
         <p class="note">${t(`source.${directions.kind}.help`)}</p>
         ${'file' in directions ? fileChip(this.studio, directions.file, pictures) : nothing}
+        ${directions.kind === 'lamp' ? html`<sillon-lamps .studio=${this.studio}></sillon-lamps>` : nothing}
         ${sourceRows(directions).map((row) => sourceField(this.studio, directions, row))}
       </section>
-      ${this.#brushes()} ${this.#modes()}
+      ${directions.kind === 'lamp' ? nothing : this.#brushes()} ${this.#modes()}
     `;
   }
 
@@ -59,7 +69,7 @@ export class DirectionsPanel extends StudioElement {
       id: 'source',
       label: t('source.title'),
       value: kind,
-      options: [...generatorKinds, ...fileKinds].map(option),
+      options: (['lamp', ...generatorKinds, ...fileKinds] as const).map(option),
       onChoose: (chosen) => {
         void this.#choose(chosen);
       },
@@ -68,12 +78,15 @@ export class DirectionsPanel extends StudioElement {
 
   async #choose(kind: Kind): Promise<void> {
     const { directions } = this.state.plate;
-    if (!isFileKind(kind)) {
+    if (kind === directions.kind) return;
+    if (!isFileKind(kind) && kind !== 'lamp') {
       this.#set(newGenerator(kind));
       return;
     }
-    if ('file' in directions) {
-      this.#set(newFileDirections(kind, directions.file));
+    const file =
+      'file' in directions ? directions.file : directions.kind === 'lamp' ? directions.pictures[0]?.file : undefined;
+    if (file !== undefined) {
+      this.#set(this.#ofFile(kind, file));
       return;
     }
     this.requestUpdate(); // the card stays as it was until a picture is there
@@ -81,7 +94,13 @@ export class DirectionsPanel extends StudioElement {
     if (files.length === 0) return;
     await this.studio.open(files);
     const opened = this.state.plate.directions;
-    if ('file' in opened && opened.kind !== kind) this.#set(newFileDirections(kind, opened.file));
+    const chosen = 'file' in opened ? opened.file : opened.kind === 'lamp' ? opened.pictures[0]?.file : undefined;
+    if (chosen !== undefined && opened.kind !== kind) this.#set(this.#ofFile(kind, chosen));
+  }
+
+  #ofFile(kind: FileKind | 'lamp', file: SourceFile): DirectionSource {
+    if (kind !== 'lamp') return newFileDirections(kind, file);
+    return newLampDirections([{ file, lamp: lampFor([], this.studio.homeLight()) }]);
   }
 
   #set(directions: DirectionSource, gesture?: string): void {

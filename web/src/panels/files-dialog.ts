@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatBytes, t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
-import type { Opened, Role } from './shown.js';
+import type { Opened, Role } from '../model/file-role.js';
 
 @customElement('sillon-files')
 export class Files extends DialogElement {

@@ -1,13 +1,15 @@
 // The page's head: what the plate is called, back and forth, out of the door.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { languages, t } from '../i18n/text.js';
+import { t } from '../i18n/text.js';
+import { weaknessesOf } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
 import type { Theme } from '../model/state.js';
 import { StudioElement } from './element.js';
 import { icon, mark, type IconName } from './icons.js';
 import { offers } from './shown.js';
 import type { Product } from './studio.js';
+import { languages } from '../model/language.js';
 
 const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
@@ -21,7 +23,7 @@ const themes: readonly Theme[] = ['auto', 'light', 'dark'];
 
 @customElement('sillon-header')
 export class Header extends StudioElement {
-  static override reads = ['plate', 'theme', 'mode', 'controls', 'host'] as const;
+  static override reads = ['plate', 'made', 'theme', 'mode', 'controls', 'host'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -118,6 +120,11 @@ export class Header extends StudioElement {
         padding: 8px 10px;
         gap: 6px;
       }
+      .weak {
+        display: flex;
+        align-items: start;
+        color: var(--bad);
+      }
       .narrow {
         display: none;
       }
@@ -127,6 +134,28 @@ export class Header extends StudioElement {
         }
         .narrow {
           display: inline-flex;
+        }
+        .always {
+          width: var(--control);
+          padding: 0;
+        }
+        .always .words {
+          position: absolute;
+          clip-path: inset(50%);
+          width: 1px; /* else words would reach out of the page */
+          overflow: hidden;
+        }
+      }
+      @media (max-width: 400px) {
+        .main {
+          width: 44px;
+          padding: 0;
+        }
+        .main .words {
+          position: absolute;
+          clip-path: inset(50%);
+          width: 1px; /* else words would reach out of the page */
+          overflow: hidden;
         }
       }
       @media (max-width: 560px) {
@@ -175,7 +204,7 @@ export class Header extends StudioElement {
       ${
         offers(this.state, 'download')
           ? html`<button type="button" class="main" popovertarget="export">
-                ${icon('download')} ${t('verb.download')}</button
+                ${icon('download')} <span class="words">${t('verb.download')}</span></button
               >${this.#exports()}`
           : nothing
       }
@@ -200,13 +229,13 @@ export class Header extends StudioElement {
 
   /** What only those who may change everything need. */
   #all(): TemplateResult {
-    return html`${this.#worded('gallery', t('section.gallery'), () => {
+    return html`${this.#worded('gallery', t('section.gallery'), 'always', () => {
         this.studio.show('gallery');
       })}
-      ${this.#worded('open', t('verb.open'), () => {
+      ${this.#worded('open', t('verb.open'), 'always', () => {
         void this.#open();
       })}
-      ${this.#worded('share', t('verb.share'), () => {
+      ${this.#worded('share', t('verb.share'), 'wide', () => {
         this.studio.show('share');
       })}
       <span class="rule wide"></span>
@@ -250,8 +279,11 @@ export class Header extends StudioElement {
     </button>`;
   }
 
-  #worded(name: IconName, label: string, run: () => void): TemplateResult {
-    return html`<button type="button" class="plain wide" @click=${run}>${icon(name)} ${label}</button>`;
+  /** @param where  'always': as a picture alone where there is little room; 'wide': in the menu there */
+  #worded(name: IconName, label: string, where: 'always' | 'wide', run: () => void): TemplateResult {
+    return html`<button type="button" class="plain ${where}" title=${label} @click=${run}>
+      ${icon(name)} <span class="words">${label}</span>
+    </button>`;
   }
 
   #hide(): void {
@@ -279,7 +311,11 @@ export class Header extends StudioElement {
   }
 
   #exports(): TemplateResult {
+    const { plate, made } = this.state;
     return html`<div id="export" popover role="group" aria-label=${t('section.export')}>
+      ${weaknessesOf(plate, made?.plate.directions === plate.directions ? made.report.pictures : undefined).map(
+        (weakness) => html`<p class="note field weak">${icon('warn', 16)} ${t(`lamp.weak.${weakness}`)}</p>`,
+      )}
       ${products.map(([product, name]) => {
         const missing = product === 'body' && this.state.plate.print.base === 0;
         const help = t(missing ? 'export.body.none' : `export.${product}.help`);
@@ -299,24 +335,6 @@ export class Header extends StudioElement {
       ${this.#item('plus', t('verb.new'), '', () => {
         this.studio.services.newPlate();
       })}
-      ${this.#item(
-        'gallery',
-        t('section.gallery'),
-        '',
-        () => {
-          this.studio.show('gallery');
-        },
-        { where: 'narrow' },
-      )}
-      ${this.#item(
-        'open',
-        t('verb.open'),
-        '',
-        () => {
-          void this.#open();
-        },
-        { where: 'narrow' },
-      )}
       ${this.#item(
         'share',
         t('verb.share'),

@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { directionPalette, markColours, rampColour } from '../views/palette.js';
-import type { ColourBy, Mark } from '../views/scene.js';
+import type { ColourBy, Mark } from '../model/view.js';
 import { StudioElement } from './element.js';
 
 const kinds: readonly Mark['kind'][] = ['lost', 'gap', 'turn', 'narrow', 'wide'];

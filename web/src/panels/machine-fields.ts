@@ -2,8 +2,9 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { filamentLabel, printerLabel } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
+import { countLines } from '../model/brought.js';
 import { filaments, withFilament } from '../model/filaments.js';
-import { printerOf, printers, withPrinter, type PrinterKey } from '../model/printers.js';
+import { printers, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
 import { select } from './fields.js';
 import type { Studio } from './studio.js';
 
@@ -42,13 +43,15 @@ export const swatchStyle = css`
 `;
 
 export function printerField(studio: Studio): TemplateResult {
-  const current = printerOf(studio.store.state.plate);
+  const { plate } = studio.store.state;
+  const { name, startGcode } = plate.printer;
+  const current = profileOf(plate.printer);
   const options: { value: PrinterKey; label: string }[] = printers.map((printer) => ({
     value: printer.key,
     label: printerLabel(printer),
   }));
   if (current === undefined)
-    options.unshift({ value: '', label: studio.store.state.plate.printer.name || t('printer.own') });
+    options.unshift({ value: '', label: name === '' ? t('printer.own') : t('printer.ownNamed', { name }) });
   return html`${select<PrinterKey>({
       id: 'printer',
       label: t('section.printer'),
@@ -67,7 +70,24 @@ export function printerField(studio: Studio): TemplateResult {
     >
       ${t('printer.import')}
     </button>
-    ${studio.store.state.plate.printer.startGcode === '' ? html`<p class="note">${t('printer.start')}</p>` : nothing}`;
+    ${
+      startGcode === ''
+        ? html`<p class="note">${t('printer.start')}</p>`
+        : current === undefined
+          ? html`<p class="note">
+              ${t('printer.ownStart', { n: countLines(startGcode) })}
+              <button
+                type="button"
+                class="link"
+                @click=${() => {
+                  studio.show('blocks');
+                }}
+              >
+                ${t('brought.show')}
+              </button>
+            </p>`
+          : nothing
+    }`;
 }
 
 export function filamentField(studio: Studio): TemplateResult {

@@ -1,7 +1,8 @@
 // What lies above the plate: what is outside of the shape, places to look at, the brush, rulers in millimetres.
 import type { Shape } from 'sillon';
 import { markColours } from '../views/palette.js';
-import type { Camera, Mark } from '../views/scene.js';
+import type { Camera } from '../views/scene.js';
+import type { Mark } from '../model/view.js';
 
 export interface Cursor {
   x: number;
@@ -22,6 +23,9 @@ export interface Overlay {
   mark: number;
   /** Veils the page outside of it. */
   shape: Shape | undefined;
+  /** Laid over the page from the left, up to the share `wipe`. */
+  picture: ImageBitmap | undefined;
+  wipe: number;
   styles: CSSStyleDeclaration;
 }
 
@@ -50,9 +54,26 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
     drawVeil(context, overlay.shape, overlay);
     context.setTransform(pixels, 0, 0, pixels, 0, 0);
   }
+  drawPicture(context, overlay, toX, toY);
   drawMarks(context, overlay, toX, toY);
   if (overlay.cursor !== undefined) drawBrush(context, overlay, toX(overlay.cursor.x), toY(overlay.cursor.y), scale);
   drawRulers(context, overlay, width, height, scale, toX, toY);
+}
+
+function drawPicture(
+  context: CanvasRenderingContext2D,
+  { picture, wipe, page, styles }: Overlay,
+  toX: (x: number) => number,
+  toY: (y: number) => number,
+): void {
+  if (picture === undefined || wipe <= 0) return;
+  const [left, top] = [toX(0), toY(page[1])];
+  const [wide, tall] = [toX(page[0]) - left, toY(0) - top];
+  context.filter = 'grayscale(1)'; // colours are not the plate's to show
+  context.drawImage(picture, 0, 0, picture.width * wipe, picture.height, left, top, wide * wipe, tall);
+  context.filter = 'none';
+  context.fillStyle = styles.getPropertyValue('--accent');
+  context.fillRect(left + wide * wipe - 1, top, 2, tall);
 }
 
 function drawBrush(context: CanvasRenderingContext2D, overlay: Overlay, x: number, y: number, scale: number): void {

@@ -5,7 +5,7 @@ import { threadsWords, verdictText } from '../i18n/say.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from './histogram.js';
-import type { Mark } from '../views/scene.js';
+import type { Mark } from '../model/view.js';
 import { StudioElement } from './element.js';
 import { icon, type IconName } from './icons.js';
 import { panelStyle } from './panel-style.js';

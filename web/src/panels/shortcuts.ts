@@ -1,7 +1,7 @@
 // Keys that work anywhere on the page; the help sheet lists the same rows.
 import type { TextId } from '../i18n/text.js';
 import type { Tool } from '../model/state.js';
-import type { ViewName } from '../views/scene.js';
+import type { ViewName } from '../model/view.js';
 import { offers } from './shown.js';
 import type { Studio } from './studio.js';
 

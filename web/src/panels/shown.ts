@@ -3,23 +3,12 @@ import type { EngineInfo, DirectionMode } from 'sillon';
 import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
 import type { Problem } from '../model/problem.js';
-import type { SourceFile } from '../model/plate.js';
-import type { Mark } from '../views/scene.js';
+import type { Opened } from '../model/file-role.js';
+import type { Mark } from '../model/view.js';
 
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
-export type Dialog = 'gallery' | 'help' | 'files' | 'share';
-
-/** What a file may be for; the dictionary has `role.NAME`. */
-export type Role =
-  'shape' | 'mask' | 'tone' | 'edges' | 'levels' | 'angle' | 'rotation' | 'tangent' | 'modes' | 'project' | 'none';
-
-/** A file as it was opened, and what it is used as. */
-export interface Opened {
-  source: SourceFile;
-  role: Role;
-  /** What it may be used as. */
-  roles: readonly Role[];
-}
+/** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded. */
+export type Dialog = 'gallery' | 'help' | 'files' | 'share' | 'brought' | 'blocks';
 
 export interface Brush {
   /** Share of the page's width. */
@@ -48,6 +37,12 @@ export interface Shown extends State {
   played: number;
   playing: boolean;
   lightMode: LightMode;
+  /** Of pictures under lamps: whose lamp shines. */
+  lamp: number;
+  /** The lamp turns from one picture to the next, and on. */
+  flipping: boolean;
+  /** 0..1: how much of the plate lies under the picture that it was made from. */
+  wipe: number;
   marks: readonly Mark[];
   /** Index of the mark that is looked at; -1: none. */
   mark: number;
@@ -61,6 +56,8 @@ export interface Shown extends State {
   dropping: boolean;
   recording: boolean;
   notices: readonly Notice[];
+  /** What this is and what to do is said: a first visit, before anything was done. */
+  welcome: boolean;
   engine: EngineInfo | undefined;
   /** The engine was told to stop, and nothing has changed since. */
   cancelled: boolean;
@@ -86,6 +83,9 @@ export const newShown = (): Shown => ({
   played: 1,
   playing: false,
   lightMode: 'pointer',
+  lamp: 0,
+  flipping: false,
+  wipe: 0,
   marks: [],
   mark: -1,
   keepRatio: true,
@@ -95,6 +95,7 @@ export const newShown = (): Shown => ({
   dropping: false,
   recording: false,
   notices: [],
+  welcome: false,
   engine: undefined,
   cancelled: false,
 });

@@ -106,6 +106,10 @@ const smoothing = number('smoothing', 'field.smoothing', {
 });
 
 const rows: Record<DirectionSource['kind'], readonly SourceRow[]> = {
+  lamp: [
+    number('smoothness', 'field.calm', { min: 0.001, max: 10, step: 0.01, usual: [0.01, 0.5] }),
+    percent('localContrast', 'field.localContrast', 200),
+  ],
   angle: [angle('angle')],
   map: [
     choice('encoding', 'field.encoding', [

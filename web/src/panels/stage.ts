@@ -2,11 +2,12 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
-import type { ColourBy, ViewName } from '../views/scene.js';
+import type { ColourBy, ViewName } from '../model/view.js';
 import './canvas.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import './legend.js';
+import './lamp-bar.js';
 import './light-control.js';
 import './notices.js';
 import './player.js';
@@ -20,7 +21,7 @@ const videoSeconds = 6;
 
 @customElement('sillon-stage')
 export class StageElement extends StudioElement {
-  static override reads = ['view', 'colourBy', 'compare', 'recording', 'made', 'mode', 'controls'] as const;
+  static override reads = ['view', 'colourBy', 'compare', 'recording', 'made', 'mode', 'controls', 'plate'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -151,7 +152,8 @@ export class StageElement extends StudioElement {
       .light {
         margin-left: auto;
       }
-      @media (max-width: 1180px) {
+      /* Beside the views there is no room for words; what counts is the bench, not the window. */
+      @container (width < 1000px) {
         .actions {
           top: 78px;
           flex-direction: column;
@@ -232,7 +234,7 @@ export class StageElement extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { view, compare, mode } = this.state;
+    const { view, compare, mode, plate } = this.state;
     if (mode === 'view') {
       return html`<sillon-canvas .studio=${this.studio}></sillon-canvas>
         <div class="bench">
@@ -263,7 +265,7 @@ export class StageElement extends StudioElement {
           )}
         </div>
         ${
-          offers(this.state, 'directions')
+          offers(this.state, 'directions') && plate.directions.kind !== 'lamp'
             ? html`<sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>`
             : nothing
         }
@@ -272,6 +274,11 @@ export class StageElement extends StudioElement {
           ${view === 'toolpath' ? this.#colourBy() : nothing}
           ${view === 'appearance' ? nothing : html`<sillon-legend .studio=${this.studio}></sillon-legend>`}
           ${view === 'toolpath' ? html`<sillon-player .studio=${this.studio}></sillon-player>` : nothing}
+          ${
+            view === 'appearance' && plate.directions.kind === 'lamp'
+              ? html`<sillon-lamp-bar .studio=${this.studio}></sillon-lamp-bar>`
+              : nothing
+          }
           ${view === 'appearance' ? html`<sillon-light class="light" .studio=${this.studio}></sillon-light>` : nothing}
         </div>
         ${

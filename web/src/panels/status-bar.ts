@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { progressWords } from '../i18n/say.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
+import { isOf } from '../model/made.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { inUnits } from './size-fields.js';
@@ -132,11 +133,14 @@ export class StatusBar extends StudioElement {
   }
 
   #figures(): TemplateResult {
-    const { plate, made, summary, cancelled, units } = this.state;
+    const { plate, made, cancelled, units } = this.state;
     const size = [plate.width, plate.height || plate.width].map((length) =>
       formatNumber(inUnits(length, units), units === 'in' ? 2 : 1),
     );
-    const length = made?.report.lengthMm;
+    // Figures of another plate - the last one that could be made - would be taken for this one's.
+    const own = made !== undefined && isOf(made, plate);
+    const length = own ? made.report.lengthMm : undefined;
+    const summary = own ? this.state.summary : undefined;
     return html`<div class="figures">
       ${
         cancelled

@@ -1,15 +1,18 @@
 // What the elements can do. They know the state and this; what it takes stands in main.ts.
 import { download } from '../files/download.js';
-import type { Gcode } from 'sillon';
+import type { Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
+import { toReview, useBrought, withoutBrought } from '../model/brought.js';
+import { homeLight, lampsOf } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf } from '../model/problem.js';
 import type { Store } from '../model/store.js';
 import type { Language, Theme, Tool } from '../model/state.js';
-import type { Light, ViewName } from '../views/scene.js';
+import type { Light, ViewName } from '../model/view.js';
+import type { Role } from '../model/file-role.js';
 import type { Example } from './examples.js';
-import type { Dialog, LightMode, Notice, Role, Shown } from './shown.js';
+import type { Dialog, LightMode, Notice, Shown } from './shown.js';
 
 export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
 
@@ -30,14 +33,21 @@ export interface Services {
   link(plate: Plate): Promise<{ url: string; told: string }>;
   setLanguage(language: Language): Promise<void>;
   /** Opens files as they are guessed; they can be changed in the dialog 'files'. */
-  open(files: readonly File[]): Promise<void>;
+  open(files: readonly File[], role?: Role): Promise<void>;
   /** Uses one of the files that were opened last as something else. */
   setRole(index: number, role: Role): Promise<void>;
   openExample(example: Example): Promise<void>;
   /** Takes the printer from G-code or settings of another program. */
   importPrinter(file: File): Promise<void>;
   newPlate(): void;
+  /** What this is need not be said again. */
+  welcomed(): void;
   forget(): Promise<void>;
+  /** Whether what `toReview` says was seen already. */
+  reviewed(text: string): boolean;
+  setReviewed(text: string): void;
+  /** What a start or end block would do, line by line. */
+  examine(block: string, flavor: PrinterValues['flavor']): Promise<GcodeFinding[]>;
 }
 
 /** What the canvas lends to others. */
@@ -85,6 +95,9 @@ async function mayTilt(): Promise<boolean> {
   }
   return matchMedia('(pointer: coarse)').matches;
 }
+
+const same = (a: Problem, b: Problem): boolean =>
+  a.code === b.code && a.detail === b.detail && JSON.stringify(a.values) === JSON.stringify(b.values);
 
 export class Studio {
   stage: Stage | undefined;
@@ -142,6 +155,7 @@ export class Studio {
   }
 
   setTool(tool: Tool): void {
+    if (this.store.state.plate.directions.kind === 'lamp') return; // solved for as a whole: there is nothing to brush over
     this.store.set({ tool });
     if (tool !== 'pan') this.setView('directions');
   }
@@ -152,9 +166,34 @@ export class Studio {
     this.store.set(playing ? { playing: false } : { playing: true, played: played >= 1 ? 0 : played });
   }
 
+  /** Where the plate looks as it is meant to; the light comes back to it. */
+  homeLight(): Light {
+    const { plate, made, light, lightMode } = this.store.state;
+    return lightMode === 'fixed' ? light : homeLight(plate, made?.toolpath.look);
+  }
+
+  /** Of the plate's pictures. */
+  lamps(): Light[] {
+    const { plate, made } = this.store.state;
+    return lampsOf(plate.directions, made?.toolpath.look);
+  }
+
+  /** The light moves to a picture's lamp and stays near it. */
+  showLamp(lamp: number): void {
+    this.store.set({ lamp, flipping: false, lightMode: 'pointer', view: 'appearance' });
+  }
+
+  /** The lamp turns from each picture to the next until it is told to stop. */
+  flip(): void {
+    const { flipping, lamp } = this.store.state;
+    const next = (lamp + 1) % Math.max(1, this.lamps().length);
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.showLamp(next);
+    else this.store.set({ flipping: !flipping, lightMode: 'pointer', view: 'appearance' });
+  }
+
   /** By hand: whatever moved the light before leaves it alone. */
   setLight(change: Partial<Light>): void {
-    this.store.set({ light: { ...this.store.state.light, ...change }, lightMode: 'fixed' });
+    this.store.set({ light: { ...this.store.state.light, ...change }, lightMode: 'fixed', flipping: false });
   }
 
   async setLightMode(lightMode: LightMode): Promise<void> {
@@ -163,7 +202,7 @@ export class Studio {
       this.store.set({ lightMode: 'orbit' });
       return;
     }
-    this.store.set({ lightMode });
+    this.store.set({ lightMode, flipping: false });
   }
 
   lookAtMark(index: number): void {
@@ -175,6 +214,12 @@ export class Studio {
 
   setTheme(theme: Theme): void {
     this.store.set({ theme });
+  }
+
+  /** Not to be said again on this device. */
+  endWelcome(): void {
+    this.store.set({ welcome: false });
+    this.services.welcomed();
   }
 
   show(dialog: Dialog | undefined): void {
@@ -211,6 +256,8 @@ export class Studio {
   }
 
   #tell(words: Omit<Notice, 'id'>): void {
+    const { problem } = this.store.state;
+    if (problem !== undefined && words.problem !== undefined && same(problem, words.problem)) return; // it stands there already
     const id = this.#nextNotice++;
     const others = this.store.state.notices.filter(
       (notice) => notice.problem === undefined || words.problem === undefined,
@@ -225,8 +272,9 @@ export class Studio {
 
   // --- Files --------------------------------------------------------------------------------------------------------------
 
-  async open(files: readonly File[]): Promise<void> {
-    if (files.length > 0) await this.attempt(() => this.services.open(files));
+  /** @param role  of all of them, where it is known */
+  async open(files: readonly File[], role?: Role): Promise<void> {
+    if (files.length > 0) await this.attempt(() => this.services.open(files, role));
   }
 
   /** Asks for files; the plate is as before where none is chosen. */
@@ -247,12 +295,35 @@ export class Studio {
   }
 
   async save(product: Product): Promise<void> {
+    if (product === 'gcode' && this.#mustReview()) {
+      this.show('blocks');
+      return;
+    }
     await this.attempt(async () => {
       const { blob, name } = await this.make(product);
       this.deliver(blob, name);
       if (product === 'body') this.#offerRest(name);
       else this.notify(t('export.done', { name }));
     });
+  }
+
+  /** Nothing moves or heats a machine that nobody has seen. */
+  #mustReview(): boolean {
+    const text = toReview(this.store.state.plate.printer);
+    return text !== '' && !this.services.reviewed(text);
+  }
+
+  /** What the design brings is used from now on. @param seen  every line of it was on the screen */
+  useBrought(seen: boolean): void {
+    this.settle();
+    this.change(useBrought);
+    const text = toReview(this.store.state.plate.printer);
+    if (seen && text !== '') this.services.setReviewed(text);
+  }
+
+  keepOwnPrinter(): void {
+    this.settle();
+    this.change(withoutBrought);
   }
 
   /** Whoever prints the base elsewhere mostly wants the rest above it next. */

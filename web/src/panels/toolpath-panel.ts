@@ -2,7 +2,16 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
-import { adviceFor, nozzleAdvice, qualities, qualityOf, settings, withNozzle, withQuality } from '../model/settings.js';
+import {
+  adviceFor,
+  expertSettings,
+  nozzleAdvice,
+  qualities,
+  qualityOf,
+  settings,
+  withNozzle,
+  withQuality,
+} from '../model/settings.js';
 import { advancedSettings } from './advanced.js';
 import { StudioElement } from './element.js';
 import { segments } from './fields.js';
@@ -97,7 +106,9 @@ export class ToolpathPanel extends StudioElement {
       </section>
       ${advancedSettings(
         this.studio,
-        settings.filter((setting) => setting.section === 'toolpath' && setting.advanced),
+        settings.filter(
+          (setting) => setting.section === 'toolpath' && setting.advanced && !expertSettings.has(setting.id),
+        ),
       )}
     `;
   }

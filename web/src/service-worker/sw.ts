@@ -80,6 +80,22 @@ async function activate(): Promise<void> {
   await worker.clients.claim();
 }
 
+/** Headers as the host sends them now, who may frame the page among them; the page itself of the version that is kept, as the
+ * engine's files beside it are. */
+async function page(request: Request, url: string): Promise<Response> {
+  const kept = await (await caches.open(cacheName)).match(url);
+  const fresh = await fetch(request).catch(() => undefined);
+  if (kept === undefined) return fresh === undefined ? Response.error() : isolated(fresh);
+  if (fresh?.ok !== true) return isolated(kept);
+  const headers = new Headers(fresh.headers);
+  for (const name of ['Content-Encoding', 'Content-Length']) headers.delete(name); // of the body that is not used
+  void fresh.body?.cancel();
+  return isolated(new Response(kept.body, { headers }));
+}
+
+/** The page for frames is never kept: who may frame it is the host's to say, every time. */
+const frames = (request: Request): Promise<Response> => fetch(request).then(isolated, () => Response.error());
+
 async function answer(request: Request, url: string): Promise<Response> {
   const cache = await caches.open(cacheName);
   const kept = await cache.match(url);
@@ -110,6 +126,10 @@ worker.addEventListener('fetch', (event) => {
   url.search = '';
   url.hash = '';
   const asked = url.href.replace(/\/index\.html$/, '/');
+  if (asked === new URL('embed.html', scope).href) {
+    event.respondWith(frames(request));
+    return;
+  }
   if (!known.has(asked)) return; // neither another site's nor another page's below this one
-  event.respondWith(answer(request, asked));
+  event.respondWith(asked === scope ? page(request, asked) : answer(request, asked));
 });

@@ -1,6 +1,6 @@
 // Where the shape stays empty: between beads, and where it is too narrow for one.
 import type { Shape, Toolpath } from 'sillon';
-import type { Mark } from './scene.js';
+import type { Mark } from '../model/view.js';
 
 const cellsPerSpacing = 3;
 const mostCells = 4_000_000;

@@ -1,5 +1,5 @@
 // Where the light stands, by what moves it.
-import type { Light } from './scene.js';
+import type { Light } from '../model/view.js';
 
 export const swayPeriod = 9000; // [ms] of one turn
 
@@ -23,5 +23,32 @@ export function lightOfTilt(beta: number, gamma: number): Light {
   return { azimuth: (azimuth + 360) % 360, elevation: Math.max(10, 90 - 110 * Math.min(0.9, Math.hypot(x, y))) };
 }
 
-/** Of a light that moves by itself. @param now  [ms] */
+/** The shorter way round from a to b [degrees], -180..180. */
+const arc = (a: number, b: number): number => ((((b - a) % 360) + 540) % 360) - 180;
+
+/** @param share  0 is `a`, 1 is `b` */
+export const between = (a: Light, b: Light, share: number): Light => ({
+  azimuth: (a.azimuth + share * arc(a.azimuth, b.azimuth) + 360) % 360,
+  elevation: a.elevation + share * (b.elevation - a.elevation),
+});
+
+/** @param most  [degrees] */
+export const near = (a: Light, b: Light, most: number): boolean =>
+  Math.abs(arc(a.azimuth, b.azimuth)) <= most && Math.abs(a.elevation - b.elevation) <= most;
+
+const springs = 220; // [ms] in which two thirds of the way are gone
+
+/** On the way to another place. @param elapsed  [ms] */
+export const turned = (from: Light, to: Light, elapsed: number): Light =>
+  between(from, to, 1 - Math.exp(-elapsed / springs));
+
+/** Of a light that goes round. @param now  [ms] */
 export const swayedElevation = (now: number): number => 38 + 8 * Math.sin(now / 2900);
+
+const swaySpan = 25; // [degrees] to both sides
+
+/** Of a light that moves by itself around its place. @param now  [ms] */
+export const swayed = (home: Light, now: number): Light => ({
+  azimuth: (home.azimuth + swaySpan * Math.sin((2 * Math.PI * now) / swayPeriod) + 360) % 360,
+  elevation: Math.min(88, Math.max(8, home.elevation + 4 * Math.sin(now / 2900))),
+});

@@ -1,7 +1,7 @@
 // Places worth a look before printing: what stays empty, hairpin turns, beads whose width is far from the spacing.
 import type { Toolpath } from 'sillon';
 import { findGaps } from './gaps.js';
-import type { Mark } from './scene.js';
+import type { Mark } from '../model/view.js';
 
 const mostMarks = 200;
 const turnWithin = 1.5; // [spacings] of path in which a hairpin turns round

@@ -1,10 +1,11 @@
 // Draws the plate with WebGL2: beads as instanced capsules, their look by an anisotropic microfacet lobe (Beckmann).
 import type { Toolpath } from 'sillon';
-import type { DirectionRaster } from '../directions/raster.js';
+import type { DirectionRaster } from '../model/raster.js';
+import type { ColourBy } from '../model/view.js';
 import { lampOf } from './light.js';
 import { directionPalette } from './palette.js';
 import { compile, type Program } from './program.js';
-import type { Camera, ColourBy, Renderer, Scene } from './scene.js';
+import type { Camera, Renderer, Scene } from './scene.js';
 import { beadFragment, beadVertex, fieldFragment, fieldVertex } from './shaders.js';
 import { zigzag } from './zigzag.js';
 
@@ -154,6 +155,8 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.uniform4f(at('camera'), camera.x - offset, camera.y, camera.scale, 1);
     gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.uniform3f(at('lamp'), ...lampOf(scene.light));
+    gl.uniform1f(at('lampSlope'), scene.lampSlope);
+    gl.uniform1f(at('eyeNear'), scene.fromAfar ? 0 : 1);
     gl.uniform3f(at('body'), ...scene.filament.colour);
     gl.uniform2f(at('slopes'), scene.filament.along, scene.filament.across);
     gl.uniform2f(at('page'), ...scene.page);

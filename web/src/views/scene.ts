@@ -1,35 +1,13 @@
 // What the views draw. Arrays are read, never changed.
 import type { Toolpath } from 'sillon';
-import type { DirectionRaster } from '../directions/raster.js';
-
-export type ViewName = 'directions' | 'toolpath' | 'appearance' | 'quality';
-export type ColourBy = 'direction' | 'width' | 'speed' | 'order';
-
-/** Light and camera look at the plate from above; azimuth and elevation in degrees. */
-export interface Light {
-  azimuth: number;
-  elevation: number;
-}
-
-/** A filament's look: linear RGB of its body, RMS slopes along and across the bead (degrees in the paper's Table 1). */
-export interface FilamentLook {
-  colour: [number, number, number];
-  along: number;
-  across: number;
-}
+import type { DirectionRaster } from '../model/raster.js';
+import type { ColourBy, FilamentLook, Light, Mark, ViewName } from '../model/view.js';
 
 /** What limits the speed of a bead [mm/s, mm³/s, mm]; corners are left out. */
 export interface Feed {
   speed: number;
   maxFlow: number;
   layerHeight: number;
-}
-
-/** A place worth a look, found by the quality view [mm]. */
-export interface Mark {
-  x: number;
-  y: number;
-  kind: 'turn' | 'gap' | 'narrow' | 'wide' | 'lost';
 }
 
 export interface Scene {
@@ -44,6 +22,10 @@ export interface Scene {
   /** Beside the plate, the same shape under a plain 45° zigzag. */
   compare: boolean;
   light: Light;
+  /** The slope of the surface that blurs a point as much as the lamp's size. */
+  lampSlope: number;
+  /** Seen from straight above all over, as pictures are solved for. */
+  fromAfar: boolean;
   filament: FilamentLook;
   marks: readonly Mark[];
   dark: boolean;

@@ -1,4 +1,5 @@
 // GLSL of the views. Lengths are mm, y up; `camera` is the screen's middle and device pixels per mm.
+import { appearance } from '../model/appearance.js';
 
 const toScreen = `
 uniform vec4 camera;
@@ -40,41 +41,58 @@ void main() {
 }
 `;
 
-/** The look: light that a bead's round top sends to an eye straight above. Half vector against a normal distribution of
- * slopes, Gaussian along and across the bead (Beckmann); what is too fine to be seen widens it across. */
+/** Light that a bead's round top sends to an eye straight above: the core's model (core/src/look/appearance.cpp), by its
+ * constants. Scalars alone, so that a test can run it in JavaScript. `middle` and `reach` are the part of the top that is
+ * seen, in half widths; what of it is too fine to be seen counts as its mean. */
+export const highlightOfBead = `
+float highlightOf(float tiltAlong, float tiltAcross, float alongVariance, float acrossVariance, float middle, float reach) {
+  float sum = 0.0;
+  for (int k = 0; k < 8; ++k) {
+    float across = tiltAcross - ${appearance.profileSlope.toFixed(4)} * (middle + reach * ((float(k) + 0.5) / 4.0 - 1.0));
+    sum += exp(-tiltAlong * tiltAlong / (2.0 * alongVariance) - across * across / (2.0 * acrossVariance));
+    if (reach == 0.0) return sum;
+  }
+  return sum / 8.0;
+}
+`;
+
+/** The look, as the native preview draws it (core/src/look/preview.cpp). `lampSlope` is the lamp's size as the slope that
+ * would blur a point as much. */
 export const lookOfBead = `
 uniform vec3 lamp;
 uniform vec3 body;
 uniform vec2 slopes;
+uniform float lampSlope;
+uniform float eyeNear;  // 1: some page widths above the plate; 0: so far away that it sees all of it from straight above
 uniform vec2 page;
 
-const float kLampSlope = 0.10;     // a softbox, not a point
-const float kProfileSlope = 0.30;  // of the round top at its edge, flattened by the nozzle
-
+const float kDiffuse = ${appearance.diffuse.toFixed(4)};
+${highlightOfBead}
 vec3 encoded(vec3 c) { return mix(1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThan(c, vec3(0.0031308))); }
-// Reinhard's curve with a white point, so that highlights keep their colour until they are really bright.
-vec3 toned(vec3 c) { return encoded(clamp(c * (1.0 + c / 6.0) / (1.0 + c * 0.72), 0.0, 1.0)); }
+// As it is up to 0.8, with a soft shoulder above.
+vec3 toned(vec3 c) {
+  vec3 over = max(c - 0.8, 0.0);
+  return encoded(clamp(min(c, 0.8) + 0.2 * over / (0.2 + over), 0.0, 1.0));
+}
+float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 vec3 look(vec2 p, vec2 along, float side, float relief) {
-  vec2 eye = (0.5 * page - p) / (2.4 * max(page.x, page.y));
+  vec2 eye = eyeNear * (0.5 * page - p) / (2.4 * max(page.x, page.y));
   float eyeSize = inversesqrt(dot(eye, eye) + 1.0);
   vec2 tilt = (lamp.xy + eye * eyeSize) / (lamp.z + eyeSize);
-  float tiltAlong = dot(tilt, along);
-  float tiltAcross = along.x * tilt.y - along.y * tilt.x - kProfileSlope * side * relief;
   vec2 rough = tan(radians(slopes));
-  float blur = kProfileSlope * kProfileSlope * (1.0 - relief) / 3.0;
-  vec2 variance = rough * rough + kLampSlope * kLampSlope + vec2(0.0, blur);
-  // Exposed so that beads across the light are bright but not burnt.
-  vec2 lampTilt = lamp.xy / (1.0 + lamp.z);
-  float exposure = 1.0 / max(0.02, exp(-dot(lampTilt, lampTilt) / (2.0 * (variance.y + 0.09))));
-  float exponent = tiltAlong * tiltAlong / (2.0 * variance.x) + tiltAcross * tiltAcross / (2.0 * variance.y);
-  float highlight = exp(-exponent) * min(exposure, 6.0);
-  float room = exp(-exponent / 4.0);
-  float open = 1.0 - relief * 0.5 * side * side * side * side;
-  vec3 specular = vec3(1.0, 0.97, 0.92) * (1.9 * highlight) + vec3(0.82, 0.90, 1.0) * (0.15 * room + 0.015);
-  vec3 metal = mix(vec3(1.0), body, 0.8);
-  vec3 diffuse = body * (0.08 + 0.14 * lamp.z);
-  return (metal * specular + diffuse) * open;
+  vec2 variance = rough * rough + lampSlope * lampSlope;
+  // Exposed for the brightest direction, which is across the light, or along it where beads are rougher that way.
+  float middle = length(lamp.xy) / (1.0 + lamp.z);
+  float brightest = max(highlightOf(0.0, middle, variance.x, variance.y, 0.0, 1.0),
+                        highlightOf(middle, 0.0, variance.x, variance.y, 0.0, 1.0));
+  float highlight = highlightOf(dot(tilt, along), along.x * tilt.y - along.y * tilt.x, variance.x, variance.y,
+                                side * relief, 1.0 - relief) / max(brightest, 1e-6);
+  vec3 lit = mix(vec3(1.0), body, 0.85) * vec3(1.0, 0.97, 0.92);
+  lit *= 0.88 / max(lit.r, max(lit.g, lit.b));
+  vec3 diffuse = body * (luminance(lit) / max(luminance(body), 1e-4));
+  float open = 1.0 - relief * 0.5 * side * side * side * side;  // furrows see less of the room
+  return (lit * ((1.0 - kDiffuse) * highlight) + diffuse * kDiffuse) * open;
 }
 `;
 

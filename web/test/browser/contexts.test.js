@@ -1,5 +1,5 @@
 // The studio in frames of all kinds of pages, and on all kinds of hosts: as many threads as it can have there, and in every
-// one the native program's bytes. docs/embedding.md has the table.
+// one the native program's bytes. docs/guide/embedding.md has the table.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';

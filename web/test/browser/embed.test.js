@@ -141,7 +141,7 @@ test('files are fetched by the host’s page, and a project brings what it names
   });
   await stateIs(
     frame,
-    (state) => state.plate.shape.file?.name === 'logo.svg' && state.plate.directions.kind === 'tone',
+    (state) => state.plate.shape.file?.name === 'logo.svg' && state.plate.directions.kind === 'lamp',
   );
 });
 

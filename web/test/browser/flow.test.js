@@ -167,7 +167,7 @@ test('a photograph becomes directions, and a drawing from the clipboard a shape'
   const visit = await bench.open({ small: true });
   await visit.idle();
   await visit.paste([fileAt(join(inputs, 'photo.png'))]);
-  await visit.until((state) => 'file' in state.plate.directions);
+  await visit.until((state) => state.plate.directions.kind === 'lamp');
   await visit.idle();
   await visit.paste(
     [],
@@ -198,7 +198,7 @@ test('the base goes to another slicer, the native program’s to the byte, and t
   assert.equal(body.name, 'plate.base.3mf');
   const project = await visit.download('Project with its files');
   assert.ok(body.bytes.equals(bodyNatively(project.bytes)), 'another body than the native program’s');
-  await visit.button('Set that').click();
+  await visit.button('Use this height').click();
   await visit.until((state) => state.plate.print.base === 0 && state.plate.print.startHeight === 0.4);
   const { bytes } = await visit.download('G-code');
   const heights = [...bytes.toString('utf8').matchAll(/^;Z:(.*)$/gm)].map(([, z]) => z);

@@ -1,4 +1,4 @@
-// The snippets of docs/embedding.md for React and Vue, as they stand there: their types hold, and built they take what the
+// The snippets of docs/guide/embedding.md for React and Vue, as they stand there: their types hold, and built they take what the
 // visitor downloads, and show a view.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -18,7 +18,7 @@ import { patience, until } from './support/waits.js';
 
 const skip = lacking('Chromium');
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
-const page = readFileSync(at('../../../docs/embedding.md'), 'utf8');
+const page = readFileSync(at('../../../docs/guide/embedding.md'), 'utf8');
 const snippet = (language) => new RegExp(`\`\`\`${language}\n(.*?)\n\`\`\``, 's').exec(page)[1];
 
 /** Beside the packages, which are looked for from there. */

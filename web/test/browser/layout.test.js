@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { overlaps } from './support/covered.js';
 import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
 import { settled } from './support/waits.js';
@@ -31,81 +32,6 @@ const pages = [
   { mode: 'view', path: '/embed.html?mode=view', panels: [''] },
 ];
 const views = ['toolpath', 'appearance'];
-
-/** Runs in the page. @returns what lies over what, in words */
-function overlaps() {
-  const all = (root) =>
-    [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
-  const above = (one) => one.assignedSlot ?? one.parentElement ?? one.getRootNode().host;
-  /** What is seen of it: scrolled parts are not. */
-  const seen = (one) => {
-    let { left, top, right, bottom } = one.getBoundingClientRect();
-    for (let around = one; around; around = above(around)) {
-      const { overflow, clipPath, pointerEvents, position } = getComputedStyle(around);
-      if (clipPath !== 'none') return undefined; // for screen readers
-      if (around === one && pointerEvents === 'none') return undefined;
-      if (around !== one && overflow !== 'visible') {
-        const box = around.getBoundingClientRect();
-        [left, top] = [Math.max(left, box.left), Math.max(top, box.top)];
-        [right, bottom] = [Math.min(right, box.right), Math.min(bottom, box.bottom)];
-      }
-      if (position === 'fixed') break;
-    }
-    const width = Math.min(right, globalThis.innerWidth) - Math.max(left, 0);
-    const height = Math.min(bottom, globalThis.innerHeight) - Math.max(top, 0);
-    return width > 2 && height > 2 && one.checkVisibility({ visibilityProperty: true })
-      ? { left, top, right, bottom, width, height }
-      : undefined;
-  };
-  const within = (one, test) => {
-    for (let around = one; around; around = above(around)) if (test(around)) return around;
-    return undefined;
-  };
-  /** What sticks to an edge of its panel lies over what is scrolled there. */
-  const sticks = (one) => within(one, (around) => getComputedStyle(around).position === 'sticky') !== undefined;
-  const panel = (one) => within(one, ({ id }) => id === 'panel');
-  const scrolls = (one, other) => panel(one) && panel(one) === panel(other) && sticks(one) !== sticks(other);
-  const name = (one) =>
-    `${one.tagName.toLowerCase()} "${(one.ariaLabel ?? one.textContent).replace(/\s+/g, ' ').trim().slice(0, 40)}"`;
-  const ofNotices = (one) => one.getRootNode().host?.tagName === 'SILLON-NOTICES';
-  const boxes = all(document)
-    .filter((one) => one.matches('button, select, input, a[href], .notice'))
-    .filter((one) => !ofNotices(one) || one.matches('.notice'))
-    .flatMap((one) => {
-      const box = seen(one);
-      return box === undefined ? [] : [{ one, box }];
-    });
-  const found = boxes.flatMap(({ one, box }, k) =>
-    boxes
-      .slice(k + 1)
-      .filter(
-        ({ one: another, box: other }) =>
-          !scrolls(one, another) &&
-          Math.min(box.right, other.right) - Math.max(box.left, other.left) > 1 &&
-          Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top) > 1,
-      )
-      .map((other) => `${name(one)} and ${name(other.one)} overlap`),
-  );
-  const notices = boxes.filter(({ one }) => one.matches('.notice'));
-  const { notices: words, problem } = document.querySelector('sillon-app').studio.store.state;
-  if ((words.length > 0 || problem !== undefined) && !(notices[0]?.box.height >= 24)) found.push('no notice is seen');
-  // Hit where it is seen: nothing lies over it that is no button itself.
-  const deepest = (x, y) => {
-    let hit = document.elementFromPoint(x, y);
-    while (hit?.shadowRoot?.elementFromPoint(x, y)) {
-      const inner = hit.shadowRoot.elementFromPoint(x, y);
-      if (inner === hit) break;
-      hit = inner;
-    }
-    return hit;
-  };
-  for (const { one, box } of boxes.filter(({ one }) => one.matches('button'))) {
-    const hit = deepest((box.left + box.right) / 2, (box.top + box.bottom) / 2);
-    if (!within(hit, (around) => around === one) && !scrolls(one, hit))
-      found.push(`${name(one)} is under ${hit ? name(hit) : 'nothing'}`);
-  }
-  return found;
-}
 
 for (const { mode, path, panels } of pages) {
   test(`nothing lies over a button: ${path}`, { skip }, async () => {
@@ -158,9 +84,9 @@ test('figures and values are whole in a narrow page in French, and so is a comma
   assert.ok(await figures.evaluate((one) => one.scrollWidth <= one.clientWidth), await figures.innerText());
   await visit.section('Trajet');
   await visit.page.locator('summary').first().click();
-  const jitter = visit.page.getByLabel('Force de la graine', { exact: true });
-  assert.equal(await jitter.inputValue(), '0.025');
-  assert.ok(await jitter.evaluate((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 50));
+  const narrowest = visit.page.getByLabel('Cordon le plus étroit', { exact: true });
+  assert.equal(await narrowest.inputValue(), '0.5');
+  assert.ok(await narrowest.evaluate((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 50));
 
   const spacing = visit.page.locator('input[type=number]').first();
   await spacing.fill('');

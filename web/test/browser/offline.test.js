@@ -195,3 +195,22 @@ test('a version that came incompletely is not taken', { skip }, async () => {
   assert.equal(await nameInCache(page), name);
   assert.deepEqual(await caches(page), before);
 });
+
+test('changed headers reach those who come back, and the page for frames is not kept', { skip }, async () => {
+  const sent = {};
+  site = await servePlain({ '/studio/': folder }, sent);
+  const address = `${site.origin}/studio/`;
+  const { page } = await open(address);
+  await isolatedPage(page);
+  sent['Content-Security-Policy'] = "frame-ancestors 'none'";
+  for (const name of ['', 'index.html', 'embed.html']) {
+    const response = await page.goto(address + name);
+    assert.ok(response.fromServiceWorker(), name);
+    assert.equal(response.headers()['content-security-policy'], "frame-ancestors 'none'", name);
+  }
+  const kept = await page.evaluate(async () => {
+    const cache = await globalThis.caches.open((await globalThis.caches.keys())[0]);
+    return (await cache.keys()).map(({ url }) => new URL(url).pathname);
+  });
+  assert.ok(kept.includes('/studio/') && !kept.includes('/studio/embed.html'));
+});

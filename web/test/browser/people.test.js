@@ -188,5 +188,5 @@ test('the page can be used before the engine is there', { skip }, async () => {
   await visit.until((state) => state.plate.toolpath.spacing === 0.6 && state.progress?.job === 'loading');
   await visit.page.keyboard.press('Control+z');
   await visit.section('Print');
-  assert.ok(await visit.page.getByRole('combobox', { name: 'Printer' }).isVisible());
+  await visit.page.getByRole('combobox', { name: 'Printer' }).waitFor();
 });

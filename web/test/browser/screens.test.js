@@ -81,7 +81,7 @@ test('the views look as they should', { skip }, async () => {
   await visit.idle();
   await visit.page.evaluate(() => {
     const { store } = document.querySelector('sillon-app').studio;
-    store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', panel: '' });
+    store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', panel: '', welcome: false });
   });
   const canvas = visit.page.locator('sillon-canvas');
   for (const view of ['Directions', 'Toolpath', 'Appearance', 'Quality']) {

@@ -7,7 +7,7 @@ import { createEngine, type DirectionEncoding, type Engine, type Picture } from 
 import { degreesOf, storeDegrees, storeDouble } from '../../src/directions/angle.js';
 import { qrPicture } from '../../src/directions/qr.js';
 import { rasterise, type Pictures } from '../../src/directions/rasterise.js';
-import type { DirectionRaster } from '../../src/directions/raster.js';
+import type { DirectionRaster } from '../../src/model/raster.js';
 import type { DirectionSource, ModeSource } from '../../src/model/plate.js';
 import type { Page } from '../../src/directions/texels.js';
 import { newFileDirections, newGenerator } from '../../src/model/defaults.js';

@@ -11,9 +11,8 @@ import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-f
 import { newFileDirections, newPlate, newShape } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
-import type { Opened, Role } from '../../src/panels/shown.js';
+import type { Opened, Role } from '../../src/model/file-role.js';
 import { chances, fileOf, greyPicture } from './support/pictures.js';
-import { cpuTime } from './support/cpu.js';
 
 let engine: Engine;
 before(async () => {
@@ -64,11 +63,9 @@ test('the bytes tell what a file is, not its name', () => {
   assert.equal(told('G28\nG1 X1'), 'unknown');
 });
 
-test('hostile beginnings are told apart at once', () => {
-  const begin = cpuTime();
+test('hostile beginnings are no drawing', () => {
   for (const piece of ['<!--', '<!-- -->', '<?', '<?a?>', '<!doctype', '<!DOCTYPE [>', ' ', '<', '<a:'])
-    kindOf(Buffer.from(piece.repeat(20_000)), 'a.svg');
-  assert.ok(cpuTime() - begin < 1000);
+    assert.equal(kindOf(Buffer.from(piece.repeat(20_000)), 'a.svg').kind, 'unknown', piece);
 });
 
 test('equal bytes have one id, with and without the browser’s digest', async () => {
@@ -128,16 +125,16 @@ test('a picture’s figures tell what it is probably for', () => {
   const guess = (picture: Picture, name = 'x.png'): Role | undefined =>
     guessRoles([{ name, facts: factsOf(picture) }], newPlate())[0];
   const expected: Record<keyof typeof pictures, Role> = {
-    ramp: 'tone',
-    noise: 'tone',
+    ramp: 'lamp',
+    noise: 'lamp',
     deepRamp: 'angle',
-    flat: 'tone',
+    flat: 'lamp',
     logo: 'levels',
     scan: 'levels',
     modes: 'modes',
     tangents: 'tangent',
-    photo: 'tone',
-    sky: 'tone',
+    photo: 'lamp',
+    sky: 'lamp',
   };
   for (const [name, role] of Object.entries(expected)) {
     assert.equal(guess(pictures[name as keyof typeof pictures]), role, name);
@@ -145,7 +142,7 @@ test('a picture’s figures tell what it is probably for', () => {
   // As the engine decodes them, bytes come as multiples of 257.
   const { width, height, samples } = pictures.ramp;
   const wide = { width, height, channels: 1 as const, samples: Uint16Array.from(samples, (byte) => 257 * byte) };
-  assert.equal(guess(wide), 'tone');
+  assert.equal(guess(wide), 'lamp');
   // Black ink on nothing, as logos come.
   const ink = Uint8Array.from(Array.from(pictures.logo.samples).flatMap((tone) => [0, tone]));
   const transparent = { ...pictures.logo, channels: 2 as const, samples: ink };
@@ -160,12 +157,12 @@ test('names help where the pixels allow it', () => {
   assert.equal(guess('line-field.png', pictures.ramp), 'angle');
   assert.equal(guess('veins ROTATION 2.png', pictures.ramp), 'rotation');
   assert.equal(guess('veins_tangent.png', pictures.photo), 'tangent');
-  assert.equal(guess('veins_tangent.png', pictures.ramp), 'tone'); // grey tells no tangents
-  assert.equal(guess('angle.jpg', pictures.photo), 'tone');
+  assert.equal(guess('veins_tangent.png', pictures.ramp), 'lamp'); // grey tells no tangents
+  assert.equal(guess('angle.jpg', pictures.photo), 'lamp');
   assert.equal(guess('line_mode.png', pictures.logo), 'modes');
   assert.equal(guess('mask.png', pictures.logo), 'mask');
-  assert.equal(guess('modern house.png', pictures.ramp), 'tone');
-  assert.equal(guess('untitled.png', pictures.ramp), 'tone');
+  assert.equal(guess('modern house.png', pictures.ramp), 'lamp');
+  assert.equal(guess('untitled.png', pictures.ramp), 'lamp');
 });
 
 test('files that come together share the work', () => {
@@ -178,12 +175,12 @@ test('files that come together share the work', () => {
   assert.deepEqual(roles('svg'), ['shape']);
   assert.deepEqual(roles('svg', 'deepRamp', 'modes'), ['shape', 'angle', 'modes']);
   assert.deepEqual(roles('logo', 'deepRamp'), ['mask', 'angle']);
-  assert.deepEqual(roles('photo', 'logo'), ['tone', 'mask']);
+  assert.deepEqual(roles('photo', 'logo'), ['lamp', 'mask']);
   assert.deepEqual(roles('svg', 'logo'), ['shape', 'levels']);
   assert.deepEqual(roles('svg', 'logo', 'photo'), ['shape', 'levels', 'none']);
   assert.deepEqual(roles('ramp', 'modes'), ['angle', 'modes']);
-  assert.deepEqual(roles('photo', 'modes'), ['tone', 'modes']);
-  assert.deepEqual(roles('photo', 'ramp'), ['tone', 'none']);
+  assert.deepEqual(roles('photo', 'modes'), ['lamp', 'modes']);
+  assert.deepEqual(roles('photo', 'ramp'), ['lamp', 'more']);
   assert.deepEqual(roles('svg', 'svg'), ['shape', 'none']);
   // One after the other: a map of directions waits for an outline.
   const map = { ...newFileDirections('map', fileOf('a.png')) };
@@ -292,7 +289,7 @@ test('shapes come first, in whatever order files are dropped', async () => {
     new Uint8Array(400).map((_, k) => k % 251),
   );
   const found = await identify([new File([wide], 'photo.png'), text('shape.svg', svg)], newPlate(), engine);
-  assert.deepEqual(rolesOf(found), ['tone', 'shape']);
+  assert.deepEqual(rolesOf(found), ['lamp', 'shape']);
   const plate = await withFiles(newPlate(), found.opened, engine);
   assert.deepEqual([plate.width, plate.height, plate.shape.kind], [40, 30, 'file']);
 });

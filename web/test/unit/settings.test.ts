@@ -3,10 +3,11 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { newPlate, printDefaults, printerDefaults, toolpathDefaults } from '../../src/model/defaults.js';
 import { filamentOf, filaments, lookOf, withFilament } from '../../src/model/filaments.js';
-import { printerOf, printers, withPrinter } from '../../src/model/printers.js';
+import { printers, profileOf, withPrinter } from '../../src/model/printers.js';
 import {
   accepts,
   adviceFor,
+  expertSettings,
   nozzleAdvice,
   qualities,
   qualityOf,
@@ -29,11 +30,11 @@ interface Documented {
 }
 
 /** Names of whole printers and filaments: the page puts their values in instead. */
-const names = ['printer.preset', 'printer.filament'];
+const names = ['toolpath.preset', 'printer.profile', 'printer.filament'];
 
-/** The rows of the tables of docs/project.md. */
+/** The rows of the tables of docs/reference/project.md. */
 function documented(): Documented[] {
-  const text = readFileSync('docs/project.md', 'utf8');
+  const text = readFileSync('docs/reference/project.md', 'utf8');
   return Object.keys(sections)
     .flatMap((section) => {
       const [, table = ''] = text.split(new RegExp(`^## \`${section}\`$`, 'm'));
@@ -46,7 +47,7 @@ function documented(): Documented[] {
     .filter(({ id }) => !names.includes(id));
 }
 
-test('every setting of docs/project.md has a row, and no other', () => {
+test('every setting of docs/reference/project.md has a row, and no other', () => {
   assert.deepEqual(
     settings.map(({ id }) => id).sort(),
     documented()
@@ -59,7 +60,7 @@ test('every setting of docs/project.md has a row, and no other', () => {
   assert.deepEqual(settings.map(({ id }) => id as string).sort(), ids.sort());
 });
 
-test('defaults and units are those of docs/project.md', () => {
+test('defaults and units are those of docs/reference/project.md', () => {
   for (const { id, default: value, unit } of documented()) {
     const setting = settings.find((one) => one.id === id);
     assert.ok(setting !== undefined);
@@ -79,7 +80,7 @@ function parsed(value: string): unknown {
   }
 }
 
-test('ranges are those of docs/project.md, or what JavaScript and a control can hold of them', () => {
+test('ranges are those of docs/reference/project.md, or what JavaScript and a control can hold of them', () => {
   let compared = 0;
   for (const { id, range } of documented()) {
     const setting = settings.find((one) => one.id === id);
@@ -98,7 +99,14 @@ test('ranges are those of docs/project.md, or what JavaScript and a control can 
   });
 });
 
-test('choices are those of docs/project.md', () => {
+test('the studio leaves out what docs/reference/project.md calls expert', () => {
+  const [, table = ''] = readFileSync('docs/reference/project.md', 'utf8').split(/^## `toolpath`$/m);
+  const rows = (table.split(/^## /m)[0] ?? '').split('\n').filter((line) => line.includes('(expert)'));
+  const ids = rows.map((line) => `toolpath.${/^\| `(\w+)`/.exec(line)?.[1] ?? ''}`);
+  assert.deepEqual([...expertSettings].sort(), ids.sort());
+});
+
+test('choices are those of docs/reference/project.md', () => {
   for (const { id, range } of documented()) {
     const setting = settings.find((one) => one.id === id);
     if (setting?.kind !== 'choice') continue;
@@ -186,14 +194,14 @@ test('every printer has values that the engine takes, a bed, and a name of its o
       assert.ok(accepts(setting, valueOf(plate, setting)), `${key}: ${setting.id}`);
     }
     assert.ok(machine.bedMin[0] < machine.bedMax[0] && machine.bedMin[1] < machine.bedMax[1], key);
-    assert.equal(printerOf(plate)?.key, key);
+    assert.equal(profileOf(plate.printer)?.key, key);
     // What belongs to the filament and the nozzle stays.
     assert.equal(plate.printer.nozzleTemperature, 235);
     assert.equal(withPrinter(withNozzle(newPlate(), 0.8), key).printer.nozzle, 0.8);
     names.add(machine.name);
   }
   assert.equal(names.size, printers.length);
-  assert.equal(printerOf({ ...newPlate(), printer: { ...printerDefaults, name: 'Mine' } }), undefined);
+  assert.equal(profileOf({ ...printerDefaults, name: 'Mine' }), undefined);
 });
 
 test('printers share no lists that a change of one could spoil', () => {

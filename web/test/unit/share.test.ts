@@ -6,15 +6,17 @@ import {
   generatorKinds,
   newFileDirections,
   newGenerator,
+  newLampDirections,
   newPlate,
   newShape,
 } from '../../src/model/defaults.js';
 import { filaments, withFilament } from '../../src/model/filaments.js';
 import type { Plate, SourceFile } from '../../src/model/plate.js';
-import { printers, withPrinter } from '../../src/model/printers.js';
+import { profileOf, printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import { settings, withValue, type SettingValue } from '../../src/model/settings.js';
 import { readLink, writeLink } from '../../src/model/share.js';
+import { fileOf } from './support/pictures.js';
 
 const hashOf = (value: unknown, version = '1'): string =>
   `#plate=${version}.${deflateRawSync(JSON.stringify(value)).toString('base64url')}`;
@@ -74,11 +76,19 @@ function another(setting: (typeof settings)[number]): SettingValue {
   }
 }
 
-test('every setting travels', async () => {
+/** As a link carries it: of a machine that is no profile, without blocks and without leave for any heat. */
+const travelled = (plate: Plate): Plate =>
+  profileOf(plate.printer) !== undefined
+    ? plate
+    : { ...plate, printer: { ...plate.printer, startGcode: '', endGcode: '', anyTemperature: false } };
+
+test('every setting travels but what would move and heat another machine', async () => {
   let plate = newPlate();
   for (const setting of settings) plate = withValue(plate, setting, another(setting));
-  const { hash } = await writeLink(plate);
-  assert.deepEqual(await readLink(hash), plate);
+  const { hash, untold } = await writeLink(plate);
+  assert.notEqual(plate.printer.startGcode, '');
+  assert.deepEqual(await readLink(hash), travelled(plate));
+  assert.deepEqual(untold, ['blocks']);
   assert.ok(hash.length < 2500, `${hash.length} characters`);
   assert.ok((await writeLink(newPlate())).hash.length < 400);
 });
@@ -208,9 +218,42 @@ test('random damage ends in a plate that controls could have set, or in an error
     try {
       const plate = await readLink(damaged);
       assert.ok(plate !== undefined);
-      assert.deepEqual(await readLink((await writeLink(plate)).hash), plate);
+      assert.deepEqual(await readLink((await writeLink(plate)).hash), travelled(plate));
     } catch (error) {
       assert.ok(error instanceof StudioError, String(error));
     }
   }
+});
+
+test('pictures under lamps travel small, and only as pictures', async () => {
+  const plate: Plate = {
+    ...newPlate(),
+    directions: newLampDirections([
+      { file: fileOf('cat.jpg'), lamp: [60, 45] },
+      { file: fileOf('dog.jpg'), lamp: null },
+    ]),
+  };
+  const asked: number[] = [];
+  const shrink = ({ name }: SourceFile, most: number): Promise<Uint8Array> => {
+    asked.push(most);
+    return Promise.resolve(new TextEncoder().encode(`small ${name}`));
+  };
+  const unpack = (name: string, bytes: Uint8Array<ArrayBuffer>): Promise<SourceFile> =>
+    Promise.resolve({ id: new TextDecoder().decode(bytes), name, bytes: new Blob([bytes]) });
+  const { hash, untold } = await writeLink(plate, shrink);
+  assert.deepEqual(untold, ['detail']);
+  assert.deepEqual(asked, [4000, 4000]);
+  const read = await readLink(hash, unpack);
+  assert.ok(read?.directions.kind === 'lamp');
+  assert.deepEqual(
+    read.directions.pictures.map(({ file, lamp }) => [file.id, file.name, lamp]),
+    [
+      ['small cat.jpg', 'cat.jpg', [60, 45]],
+      ['small dog.jpg', 'dog.jpg', null],
+    ],
+  );
+  // Where they cannot, that is told; and no link makes a plate of files that it does not bring.
+  assert.deepEqual((await writeLink(plate)).untold, ['directions']);
+  assert.deepEqual((await writeLink(plate, () => Promise.resolve(undefined))).untold, ['directions']);
+  await assert.rejects(readLink(hash), { code: 'LinkValue' });
 });

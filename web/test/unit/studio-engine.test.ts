@@ -10,9 +10,9 @@ import type {
   Toolpath,
   ToolpathParams,
 } from 'sillon';
-import type { DirectionRaster } from '../../src/directions/raster.js';
+import type { DirectionRaster } from '../../src/model/raster.js';
 import { Cost, cellsOf } from '../../src/engine/coarse.js';
-import { engineInput, sameToolpath } from '../../src/engine/input.js';
+import { engineInput, sameToolpath } from '../../src/model/input.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
 import { TimeLeft } from '../../src/engine/time-left.js';
 import { newGenerator, newPlate } from '../../src/model/defaults.js';
@@ -449,7 +449,12 @@ test('a file is handed over with the width of its page', () => {
     ...newPlate(),
     shape: { kind: 'file', file: { id: 'a', name: 'a.svg', bytes }, unitless: 'mm' },
   };
-  assert.deepEqual(engineInput({ plate, raster }).input.shape, { file: bytes, pageWidth: 70, unitless: 'mm' });
+  assert.deepEqual(engineInput({ plate, raster }).input.shape, {
+    file: bytes,
+    pageWidth: 70,
+    unitless: 'mm',
+    paint: 'ignore',
+  });
 });
 
 test('what makes another toolpath, and what does not', () => {

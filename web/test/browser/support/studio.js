@@ -66,14 +66,13 @@ class Visit {
     this.problems = problems;
   }
 
-  /** Waits until the plate is whole and measured, and its file is written. */
+  /** Waits until the plate is whole and measured, and its file is written: a change takes the summary away at once. */
   async idle() {
     await this.page.waitForFunction(() => {
       const state = document.querySelector('sillon-app')?.studio.store.state;
       return (
         state?.made?.measured === true &&
         !state.made.coarse &&
-        state.made.plate === state.plate &&
         state.summary !== undefined &&
         state.progress === undefined
       );

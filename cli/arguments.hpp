@@ -1,0 +1,61 @@
+// The command line as values.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pictures.hpp"
+#include "rebrush.hpp"
+#include "shape.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/project/project.hpp"
+#include "zones.hpp"
+
+namespace cli {
+
+/// Where each output goes; empty: not wanted.
+struct OutputPaths {
+  std::string gcode;
+  std::string container;  ///< read: a .gcode.3mf or .bgcode whose other parts the G-code keeps
+  std::string svg;
+  std::string report;
+  std::string preview;
+  int previewWidth = 1600;  ///< of each panel [pixels]
+  std::string project;
+  std::string view;
+  std::string body;
+};
+
+/// What may be done to a plate that does not fit the bed where it is.
+enum class Placing {
+  AsGiven,
+  Rotate,  ///< centred, and turned by 90 degrees if only that fits
+  Fit,     ///< and scaled down if that does not fit either
+};
+
+struct Arguments {
+  std::string answer;      ///< help, version or a list: print it, done
+  std::string check;       ///< G-code file to check
+  std::string import;      ///< file to take a printer from; this and the files of the others empty: generate
+  std::string importName;  ///< printer of a bundle; empty: the active one
+  std::optional<sillon::Printer> checkPrinter;
+  bool checkJson = false;
+  RebrushArguments rebrush;
+  ZonesArguments zones;
+  ShapeArguments shape;
+  std::string scene;  ///< JSON file; empty: options only
+  /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
+  std::vector<std::function<std::string(sillon::Project&)>> changes;
+  PictureOptions pictures;
+  OutputPaths outputs;
+  Placing placing = Placing::AsGiven;
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// \return InvalidArgument with one sentence, or the arguments.
+sillon::Result<Arguments> readArguments(int argc, const char* const* argv);
+
+}  // namespace cli

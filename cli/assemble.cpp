@@ -1,0 +1,108 @@
+#include "assemble.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "files.hpp"
+#include "sillon/gcode/bed_fit.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+using sillon::Error;
+using sillon::Project;
+using sillon::Result;
+
+/// A name in the scene, seen from the working directory.
+/// \param up  how many folders above may hold it, where the scene's own does not.
+std::string fromFolder(const fs::path& folder, const std::string& name, int up) {
+  if (name.empty()) return name;
+  const fs::path beside = folder / name;
+  std::error_code error;
+  fs::path above = folder;
+  for (int k = 0; k < up && !fs::exists(beside, error); ++k) {
+    above /= "..";
+    const fs::path there = (above / name).lexically_normal();
+    if (fs::is_regular_file(there, error)) return there.string();
+  }
+  return beside.string();
+}
+
+/// A name on the command line, seen from a folder.
+std::string seenFrom(const fs::path& folder, const std::string& name) {
+  if (name.empty()) return name;
+  std::error_code error;
+  const fs::path relative = fs::proximate(name, folder, error);
+  return error ? name : relative.generic_string();
+}
+
+}  // namespace
+
+Result<Project> loadProject(const std::string& path) {
+  const Result<std::string> text = readFile(path, "scene", kMaxProjectBytes);
+  if (!text) return text.error();
+  Result<Project> project = sillon::readProject(text.value());
+  if (!project) return Error{project.error().code, "scene \"" + path + "\": " + project.error().message};
+  const fs::path folder = fs::path(path).parent_path();
+  Project& read = project.value();
+  // The repository of the paper keeps its scenes in folders, and names their files from its root. Only their keys set
+  // both.
+  const int up = read.unitlessIsMm && read.ignorePaint ? 3 : 0;
+  read.shapeFile = fromFolder(folder, read.shapeFile, up);
+  read.directionFile = fromFolder(folder, read.directionFile, up);
+  read.modeFile = fromFolder(folder, read.modeFile, up);
+  for (sillon::LampPicture& picture : read.pictures.files) picture.file = fromFolder(folder, picture.file, up);
+  return project;
+}
+
+Result<sillon::PlateInput> assemblePlate(const Project& project) {
+  return sillon::readPlateInput(project, readInputFile);
+}
+
+Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what) {
+  Result<std::string> bytes = readFile(name, what, kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  return sillon::InputFile(std::move(bytes).value());
+}
+
+bool bringUponBed(Project& project, const sillon::Shape& shape, bool mayScale) {
+  const sillon::BedFit fit = sillon::fitBed(shape, project.printer, project.print);
+  if (fit.centred) return false;
+  if (fit.turned) {
+    project.print.rotate += project.print.rotate > 270 ? -270 : 90;
+    return false;
+  }
+  if (!mayScale || fit.percent < 1) return false;
+  const double scale = fit.percent / 100.0;
+  if (project.shapeFile.empty()) {
+    const bool disc = project.builtin == sillon::BuiltinShape::Disc;
+    project.builtinSize = {scale * shape.page.x, disc ? 0 : scale * shape.page.y};
+    project.builtinRadius *= scale;
+  } else {
+    project.pageWidth = scale * shape.page.x;
+  }
+  return true;
+}
+
+std::vector<std::string> inputFiles(const Project& project) {
+  std::vector<std::string> files;
+  for (const std::string* name : {&project.shapeFile, &project.directionFile, &project.modeFile}) {
+    if (!name->empty()) files.push_back(*name);
+  }
+  for (const sillon::LampPicture& picture : project.pictures.files) files.push_back(picture.file);
+  return files;
+}
+
+std::string projectFor(const Project& project, const std::string& path) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(path, error).parent_path();
+  Project written = project;
+  written.shapeFile = seenFrom(folder, project.shapeFile);
+  written.directionFile = seenFrom(folder, project.directionFile);
+  written.modeFile = seenFrom(folder, project.modeFile);
+  for (sillon::LampPicture& picture : written.pictures.files) picture.file = seenFrom(folder, picture.file);
+  return sillon::writeProject(written);
+}
+
+}  // namespace cli

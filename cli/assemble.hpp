@@ -1,0 +1,33 @@
+// From a project and the files it names to what the pipeline eats.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
+
+namespace cli {
+
+/// Reads a scene; its file names come back relative to the working directory.
+sillon::Result<sillon::Project> loadProject(const std::string& path);
+
+/// Reads and decodes shape, directions and modes.
+sillon::Result<sillon::PlateInput> assemblePlate(const sillon::Project& project);
+
+/// Reads one file that a project names.
+sillon::Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what);
+
+/// Centres a plate that has no place of its own and does not fit the bed; turns it by 90 degrees if that helps, else,
+/// if it may be scaled, makes it as much smaller as it must be, in whole percent. What still does not fit stays as it
+/// is. \return whether its size has changed, so that it must be assembled anew.
+bool bringUponBed(sillon::Project& project, const sillon::Shape& shape, bool mayScale);
+
+/// The files a project names.
+std::vector<std::string> inputFiles(const sillon::Project& project);
+
+/// The project as a file at `path` would say it: file names relative to its folder.
+std::string projectFor(const sillon::Project& project, const std::string& path);
+
+}  // namespace cli

@@ -1,0 +1,16 @@
+// The result of sillon check as text and as JSON.
+#pragma once
+
+#include <string>
+
+#include "sillon/gcode_reader/check.hpp"
+
+namespace cli {
+
+/// Facts, then one line per finding, then the verdict.
+std::string checkText(const sillon::GcodeCheck& check);
+
+/// The same with the names of the npm package's GcodeCheck; what is unknown is null.
+std::string checkJson(const sillon::GcodeCheck& check);
+
+}  // namespace cli

@@ -1,0 +1,33 @@
+// Files in, files out. Outputs appear together or not at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+
+namespace cli {
+
+inline constexpr std::size_t kMaxProjectBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
+
+/// \param what  "shape", "direction picture", ...: for the message.
+sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
+
+struct OutputFile {
+  std::string path;
+  std::string bytes;
+};
+
+/// What can be known before the work begins: folders exist, names are files, no name is used twice or read from.
+std::optional<sillon::Error> checkOutputs(const std::vector<std::string>& outputs,
+                                          const std::vector<std::string>& inputs);
+
+/// Writes every file beside its target first and renames only when all are complete. A file that was there before
+/// stays as it was if anything fails on the way.
+std::optional<sillon::Error> writeTogether(const std::vector<OutputFile>& files);
+
+}  // namespace cli

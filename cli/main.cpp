@@ -1,0 +1,233 @@
+// sillon generate: reads, computes, then writes everything at once. sillon check: reads G-code and judges it.
+// Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "arguments.hpp"
+#include "assemble.hpp"
+#include "check.hpp"
+#include "files.hpp"
+#include "memory.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+#include "sillon/export/gcode_archive.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/printer_import/printer_import.hpp"
+#include "sillon/settings/presets.hpp"
+#include "sillon/settings/table.hpp"
+#include "threads.hpp"
+
+namespace {
+
+using sillon::Error;
+using sillon::ErrorCode;
+
+std::atomic<sillon::RunContext*> running{nullptr};
+static_assert(std::atomic<sillon::RunContext*>::is_always_lock_free, "used in a signal handler");
+
+// The first Ctrl-C asks the work to stop, the second one ends the program the hard way.
+extern "C" void cancelRun(int signal) {
+  if (sillon::RunContext* run = running.load()) run->requestCancel();
+  std::signal(signal, SIG_DFL);
+}
+
+/// Signals cancel `run` while this lives.
+class CancelOnSignal {
+ public:
+  explicit CancelOnSignal(sillon::RunContext& run) {
+    running.store(&run);
+    std::signal(SIGINT, cancelRun);
+    std::signal(SIGTERM, cancelRun);
+  }
+  ~CancelOnSignal() { running.store(nullptr); }
+  CancelOnSignal(const CancelOnSignal&) = delete;
+  CancelOnSignal& operator=(const CancelOnSignal&) = delete;
+};
+
+int exitCode(ErrorCode code) {
+  if (code == ErrorCode::Cancelled) return 3;
+  return code == ErrorCode::Internal ? 1 : 2;
+}
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "sillon: %s\n", error.message.c_str());
+  return exitCode(error.code);
+}
+
+/// The scene with the options laid over it, every field in range.
+sillon::Result<sillon::Project> readInput(const cli::Arguments& arguments) {
+  sillon::Project project;
+  // A bead along the border would frame the picture in tones that it does not have.
+  if (!arguments.pictures.files.empty()) project.toolpath.perimeterMode = sillon::PerimeterMode::Soft;
+  if (!arguments.scene.empty()) {
+    sillon::Result<sillon::Project> scene = cli::loadProject(arguments.scene);
+    if (!scene) return scene.error();
+    project = std::move(scene).value();
+  }
+  for (const auto& change : arguments.changes) {
+    if (std::string problem = change(project); !problem.empty()) {
+      return Error{ErrorCode::InvalidArgument, std::move(problem)};
+    }
+  }
+  if (std::string problem = cli::applyPictures(arguments.pictures, project); !problem.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  }
+  if (std::string problem = sillon::invalidSettings(project); !problem.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  }
+  return project;
+}
+
+/// Everything up to the first byte on the disk.
+sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& arguments, cli::Job& job,
+                                                     sillon::RunContext& run) {
+  cli::ProgressBar bar(!arguments.quiet);
+  run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
+
+  sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project);
+  if (!input) return input.error();
+  if (arguments.placing != cli::Placing::AsGiven &&
+      cli::bringUponBed(job.project, input.value().shape, arguments.placing == cli::Placing::Fit)) {
+    input = cli::assemblePlate(job.project);
+    if (!input) return input.error();
+  }
+  job.input = std::move(input).value();
+  auto pictures = sillon::solvePictures(job.project, cli::readInputFile, job.input, run);
+  if (!pictures) return pictures.error();
+  job.pictures = std::move(pictures).value();
+
+  // Measuring costs more than making: only if the report, the header of the G-code or the summary shows it.
+  const bool measure = !arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet;
+  const auto make = [&](const sillon::PlateInput& input, int /*round*/, int /*rounds*/) {
+    return sillon::generateToolpath(input, job.project.toolpath, run, measure);
+  };
+  sillon::Result<sillon::ToolpathResult> plate =
+      sillon::makeShownPlate(job.project, job.pictures, job.input, make, run);
+  if (!plate) return plate.error();
+  job.plate = std::move(plate).value();
+
+  if (measure) {
+    sillon::Result<sillon::Measures> measures =
+        sillon::measureToolpath(job.plate.toolpath, job.input.shape, job.input.directions, job.input.modes,
+                                job.project.toolpath, run, job.plate.dislocations);
+    if (!measures) return measures.error();
+    job.measures = std::move(measures).value();
+  }
+
+  auto files = cli::makeOutputs(job, arguments.outputs, run);
+  run.onProgress({});
+  return files;
+}
+
+/// What a command is asked for goes to stdout; a full disk or a closed pipe loses it.
+int answer(const std::string& text, int code) {
+  const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  if (written) return code;
+  return fail({ErrorCode::InvalidFile, std::string("stdout cannot be written: ") + std::strerror(errno)});
+}
+
+int check(const cli::Arguments& arguments) {
+  const sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  if (!file) return fail(file.error());
+  const sillon::Result<std::string> text = sillon::unpackGcode(file.value());
+  if (!text) return fail(text.error());
+  const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
+  return answer(arguments.checkJson ? cli::checkJson(result) : cli::checkText(result), result.errors() == 0 ? 0 : 2);
+}
+
+/// The printer as a project on stdout, what needs a look on stderr.
+int importFrom(const cli::Arguments& arguments) {
+  const sillon::Result<std::string> text = cli::readFile(arguments.import, "file", cli::kMaxInputBytes);
+  if (!text) return fail(text.error());
+  const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.importName);
+  if (!imported) return fail(imported.error());
+  const sillon::ImportedPrinter& printer = imported.value();
+  if (const int code = answer(sillon::writePrinter(printer.printer), 0); code != 0) return code;
+  const std::string under = printer.profile.empty() ? "" : ", the rest from the profile " + printer.profile;
+  std::fprintf(stderr, "sillon: read %zu settings as %s%s\n", printer.read.size(), printer.source.c_str(),
+               under.c_str());
+  for (const sillon::ImportNote& note : printer.notRead)
+    std::fprintf(stderr, "sillon: note: %s\n", note.message.c_str());
+  return 0;
+}
+
+int rebrush(const cli::RebrushArguments& arguments) {
+  sillon::RunContext run(cli::threadsHere(arguments.threads));
+  const CancelOnSignal cancelOnSignal(run);
+  const sillon::Result<std::string> text = cli::runRebrush(arguments, run);
+  return text ? answer(text.value(), 0) : fail(text.error());
+}
+
+int zones(const cli::Arguments& arguments) {
+  sillon::RunContext run(cli::threadsHere(arguments.threads));
+  const CancelOnSignal cancelOnSignal(run);
+  sillon::Result<sillon::Project> project = readInput(arguments);
+  if (!project) return fail(project.error());
+  const sillon::Result<std::string> text = cli::runZones(arguments.zones, std::move(project).value(), run);
+  return text ? answer(text.value(), 0) : fail(text.error());
+}
+
+int generate(const cli::Arguments& arguments) {
+  sillon::RunContext run(cli::threadsHere(arguments.threads));
+  const CancelOnSignal cancelOnSignal(run);
+
+  cli::Job job;
+  sillon::Result<std::string> date = cli::runDate();
+  if (!date) return fail(date.error());
+  job.date = std::move(date).value();
+
+  sillon::Result<sillon::Project> project = readInput(arguments);
+  if (!project) return fail(project.error());
+  job.project = std::move(project).value();
+
+  job.pictureOptions = arguments.pictures;
+  std::vector<std::string> inputs = cli::inputFiles(job.project);
+  if (!arguments.scene.empty()) inputs.push_back(arguments.scene);
+  if (const std::optional<Error> problem =
+          cli::checkOutputs(cli::outputNames(arguments.outputs, job.project.pictures.files.size()), inputs)) {
+    return fail(*problem);
+  }
+
+  const auto files = prepare(arguments, job, run);
+  if (!files) return fail(files.error());
+  // From here on it is faster to finish than to stop.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  if (run.cancelled()) return fail({ErrorCode::Cancelled, "cancelled; nothing was written"});
+  if (const std::optional<Error> problem = cli::writeTogether(files.value())) return fail(*problem);
+  if (!arguments.quiet) std::fputs(cli::summary(job, run.threads(), files.value()).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::keepFreedMemory();
+#ifdef SIGPIPE
+  std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is said may go away: what is written stays
+#endif
+  try {
+    const sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
+    if (!arguments) return fail(arguments.error());
+    if (!arguments.value().answer.empty()) return answer(arguments.value().answer, 0);
+    if (!arguments.value().check.empty()) return check(arguments.value());
+    if (!arguments.value().rebrush.file.empty()) return rebrush(arguments.value().rebrush);
+    if (!arguments.value().zones.out.empty()) return zones(arguments.value());
+    if (!arguments.value().shape.files.empty()) {
+      const cli::ShapeAnswer shapes = cli::describeShapes(arguments.value().shape);
+      return answer(shapes.text, shapes.failed ? 2 : 0);
+    }
+    if (!arguments.value().import.empty()) return importFrom(arguments.value());
+    return generate(arguments.value());
+  } catch (const std::exception& error) {  // out of memory, for one
+    std::fprintf(stderr, "sillon: stopped by %s; this is a fault of the program\n", error.what());
+    return 1;
+  }
+}

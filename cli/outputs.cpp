@@ -1,0 +1,340 @@
+#include "outputs.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include "assemble.hpp"
+#include "sillon/export/base_solid.hpp"
+#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/svg_drawing.hpp"
+#include "sillon/gcode/read_back.hpp"
+#include "sillon/input/image_io.hpp"
+#include "sillon/look/preview.hpp"
+#include "sillon/look/thumbnails.hpp"
+#include "sillon/look/view_file.hpp"
+#include "sillon/quality/report.hpp"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+namespace cli {
+namespace {
+
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::Measures;
+using sillon::Result;
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+std::string
+print(const char* format, ...) {
+  char text[512];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  return text;
+}
+
+/// The most memory the process held; 0 where the system does not tell.
+std::int64_t peakBytes() {
+#if defined(__unix__) || defined(__APPLE__)
+  rusage usage{};
+  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#if defined(__APPLE__)
+  return static_cast<std::int64_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+#endif
+#else
+  return 0;
+#endif
+}
+
+Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
+  sillon::PrintParams print = job.project.print;
+  print.date = job.date;
+  print.notes = sillon::plateNotes(job.project.toolpath, job.measures);
+  // Without a picture to show, as every other product draws them: the files are the same everywhere.
+  const sillon::LookParams thumbnailLook =
+      job.pictures.shown.empty() ? sillon::LookParams{} : sillon::lookOf(job.project, job.pictures, 0);
+  auto thumbnails = sillon::lookThumbnails(job.plate.toolpath, job.input.shape.page, job.project.printer.screenSizes,
+                                           thumbnailLook, run);
+  if (!thumbnails) return thumbnails.error();
+  print.thumbnails = std::move(thumbnails).value();
+  std::string text;
+  auto summary =
+      sillon::writeGcode(job.plate.toolpath, job.input.shape, job.project.printer, print, [&](std::string_view piece) {
+        text += piece;
+        return !run.cancelled();
+      });
+  if (!summary) return summary.error();
+  job.gcode = std::move(summary).value();
+  job.findings = sillon::checkGcode(text, job.project.printer).findings;
+  return text;
+}
+
+/// Judges the pictures by the G-code, or by the toolpath where there is none.
+std::optional<Error> judgePictures(Job& job, const std::string& gcode, const sillon::RunContext& run) {
+  if (job.pictures.shown.empty() || !job.measures) return std::nullopt;
+  const sillon::Vec2 page = job.input.shape.page;
+  sillon::Toolpath read;
+  if (!gcode.empty()) {
+    auto seen =
+        sillon::readBack(gcode, job.input.shape, job.project.printer, job.project.print, job.plate.toolpath.spacing);
+    if (!seen) return seen.error();
+    read = std::move(seen).value();
+  }
+  auto measures = sillon::measurePictures(gcode.empty() ? job.plate.toolpath : read, page, job.pictures.shown,
+                                          job.pictures.roughness, run);
+  if (!measures) return measures.error();
+  job.pictureMeasures = std::move(measures).value();
+  return std::nullopt;
+}
+
+// Of the plate, then of the G-code.
+std::vector<sillon::GcodeWarning> warningsOf(const Job& job) {
+  std::vector<sillon::GcodeWarning> all = sillon::drawingWarnings(job.input.shape.drawing);
+  if (job.measures) {
+    for (sillon::GcodeWarning& lost :
+         sillon::lossWarnings(*job.measures, job.input.shape.page, job.plate.toolpath.spacing)) {
+      all.push_back(std::move(lost));
+    }
+  }
+  if (job.gcode) all.insert(all.end(), job.gcode->warnings.begin(), job.gcode->warnings.end());
+  return all;
+}
+
+// The report with the warnings as its last entry: docs/reference/report.md.
+std::string withWarnings(std::string report, const std::vector<sillon::GcodeWarning>& all) {
+  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+  for (const sillon::GcodeWarning& warning : all) {
+    nlohmann::ordered_json values = nlohmann::ordered_json::object();
+    for (const sillon::WarningValue& value : warning.values) {
+      if (value.text.empty()) {
+        values[value.name] = value.number;
+      } else {
+        values[value.name] = value.text;
+      }
+    }
+    warnings.push_back({{"code", sillon::warningName(warning.code)},
+                        {"values", values},
+                        {"message", sillon::warningSentence(warning)}});
+  }
+  report.resize(report.rfind("\n}"));
+  return report +
+         ",\n  \"warnings\": " + warnings.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+         "\n}\n";
+}
+
+Result<std::string> previewPng(const Job& job, int width, std::size_t shown, const sillon::RunContext& run) {
+  sillon::PreviewParams params;
+  params.width = width;
+  params.look = previewLook(job.pictureOptions, job.project, job.pictures, shown);
+  const auto picture = sillon::renderPreview(job.plate.toolpath, job.input.shape.page, params, run);
+  if (!picture) return picture.error();
+  const sillon::RgbImage& image = picture.value();
+  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+  return std::string(png.begin(), png.end());
+}
+
+std::string durationText(double seconds) {
+  const auto minutes = static_cast<long long>(std::llround(seconds / 60));
+  if (minutes < 1) return print("%.0f s", seconds);
+  return minutes < 60 ? print("%lld min", minutes) : print("%lld h %02lld min", minutes / 60, minutes % 60);
+}
+
+}  // namespace
+
+std::vector<std::string> inputNotes(const sillon::Project& project, const sillon::DrawingFacts& drawing) {
+  const bool asDrawn = !project.shapeFile.empty() && project.pageWidth == 0;
+  std::vector<std::string> notes;
+  if (drawing.pixels && asDrawn) {
+    notes.emplace_back("the drawing is in pixels, each taken as 1/96 inch; --size sets its width");
+  }
+  if (project.shapeFile.empty() ? project.builtinSize.x == 0 : asDrawn && !drawing.svg) {
+    notes.emplace_back("no size is given, so it is 80 mm wide; --size sets it");
+  }
+  const auto left = [&](int count, const char* what) {
+    if (count == 0) return;
+    notes.push_back("the drawing has " + std::to_string(count) + " <" + what +
+                    ">, which is left out; convert it to paths in the program that made it");
+  };
+  left(drawing.texts, "text");
+  left(drawing.images, "image");
+  if (drawing.linesOnly) {
+    notes.emplace_back("nothing in the drawing is filled, so its lines are the shape; --paint ignore fills them");
+  }
+  return notes;
+}
+
+namespace {
+
+std::string sizeText(std::size_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size < 1e3) return print("%.0f bytes", size);
+  return size < 1e6 ? print("%.1f kB", size / 1e3) : print("%.1f MB", size / 1e6);
+}
+
+}  // namespace
+
+Result<std::string> runDate() {
+  std::int64_t seconds = 0;
+  if (const char* given = std::getenv("SOURCE_DATE_EPOCH"); given != nullptr && *given != '\0') {
+    const std::string text = given;
+    const bool digits = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 12;
+    seconds = digits ? std::strtoll(given, nullptr, 10) : -1;
+    if (seconds < 0 || seconds > 253402300799) {  // the last second of the year 9999
+      return Error{ErrorCode::InvalidArgument,
+                   "SOURCE_DATE_EPOCH is \"" + text + "\"; it must be whole seconds from 0 to 253402300799"};
+    }
+  } else {
+    seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  }
+  const std::int64_t days = seconds / 86400;
+  const std::int64_t rest = seconds % 86400;
+  const std::chrono::year_month_day date{std::chrono::sys_days{std::chrono::days{days}}};
+  return print("%04d-%02u-%02u at %02d:%02d:%02d UTC", static_cast<int>(date.year()),
+               static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(rest / 3600),
+               static_cast<int>(rest / 60 % 60), static_cast<int>(rest % 60));
+}
+
+std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures) {
+  std::vector<std::string> names;
+  for (const std::string* path :
+       {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.view, &paths.body, &paths.project}) {
+    if (!path->empty()) names.push_back(*path);
+  }
+  for (std::size_t k = 1; k < pictures && !paths.preview.empty(); ++k) names.push_back(previewName(paths.preview, k));
+  return names;
+}
+
+namespace {
+
+/// The G-code in the kind of file that its name asks for.
+Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
+  const bool package = paths.gcode.ends_with(".gcode.3mf");
+  const bool binary = paths.gcode.ends_with(".bgcode");
+  if (paths.container.empty()) {
+    return package ? sillon::packGcode(gcode) : binary ? sillon::packBinaryGcode(gcode) : std::move(gcode);
+  }
+  const Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  const Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(bytes.value());
+  if (!container) return container.error();
+  const auto kind = package  ? sillon::GcodeContainerKind::Package3mf
+                    : binary ? sillon::GcodeContainerKind::Binary
+                             : sillon::GcodeContainerKind::Text;
+  if (kind == sillon::GcodeContainerKind::Text || container.value().kind != kind) {
+    return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
+                                                 " must both be .gcode.3mf or both .bgcode"};
+  }
+  return sillon::writeGcodeContainer(container.value(), gcode);
+}
+
+}  // namespace
+
+Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
+  std::vector<OutputFile> files;
+  if (!paths.gcode.empty()) {
+    Result<std::string> text = gcodeText(job, run);
+    if (!text) return text.error();
+    if (const auto error = judgePictures(job, text.value(), run)) return *error;
+    text = packed(std::move(text).value(), paths);
+    if (!text) return text.error();
+    files.push_back({paths.gcode, std::move(text).value()});
+  } else if (const auto error = judgePictures(job, "", run)) {
+    return *error;
+  }
+  if (!paths.svg.empty()) {
+    Result<std::string> svg = sillon::toolpathSvg(job.plate.toolpath, job.input.shape.page);
+    if (!svg) return svg.error();
+    files.push_back({paths.svg, std::move(svg).value()});
+  }
+  if (!paths.preview.empty()) {
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, job.pictures.shown.size()); ++k) {
+      Result<std::string> png = previewPng(job, paths.previewWidth, k, run);
+      if (!png) return png.error();
+      files.push_back({previewName(paths.preview, k), std::move(png).value()});
+    }
+  }
+  if (!paths.view.empty()) {
+    const sillon::LookParams look = previewLook(job.pictureOptions, job.project, job.pictures, 0);
+    const auto view = sillon::viewFile(job.plate.toolpath, job.input.shape.page, {look.colour, look.roughness});
+    if (!view) return view.error();
+    files.push_back({paths.view, std::string(view.value().begin(), view.value().end())});
+  }
+  if (!paths.body.empty()) {
+    const auto mesh = sillon::baseBody(job.input.shape, job.project.printer, job.project.print);
+    if (!mesh) return mesh.error();
+    const bool zipped = paths.body.ends_with(".3mf");
+    files.push_back({paths.body, zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value())});
+  }
+  if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
+  // Last, so that the peak holds all that came before.
+  if (!paths.report.empty() && job.measures) {
+    std::string report = sillon::reportJson(job.plate, *job.measures, run.threads(), peakBytes());
+    report = sillon::withPictures(std::move(report), job.pictures.shown, job.pictureMeasures, job.gcode.has_value());
+    files.push_back({paths.report, withWarnings(std::move(report), warningsOf(job))});
+  }
+  return files;
+}
+
+std::string summary(const Job& job, int threads, const std::vector<OutputFile>& files) {
+  const sillon::ToolpathResult& plate = job.plate;
+  const std::size_t toolpaths = plate.toolpath.cycles.size();
+  double seconds = 0;
+  for (const sillon::StageTime& stage : plate.time) seconds += stage.seconds;
+
+  std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", job.input.shape.page.x, job.input.shape.page.y,
+                          plate.toolpath.spacing);
+  for (const std::string& note : inputNotes(job.project, job.input.shape.drawing)) out += "note       " + note + "\n";
+  out += print("toolpath   %lld cycles joined to %zu toolpath%s", static_cast<long long>(plate.contourCycles),
+               toolpaths, toolpaths == 1 ? "" : "s");
+  if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);
+  out += "\n";
+  if (plate.unjoined > 0) {
+    out += print("note       %d toolpath%s could not be joined to the rest of the part and %s printed separately\n",
+                 plate.unjoined, plate.unjoined == 1 ? "" : "s", plate.unjoined == 1 ? "is" : "are");
+  }
+  if (job.measures) {
+    const Measures& m = *job.measures;
+    out += print("quality    alignment %.3f (interior %.3f), coverage %.1f %%, overlap %.2f %%, crossings %lld\n",
+                 m.alignment, m.alignmentInterior, m.coverage, m.overlap, static_cast<long long>(m.crossings));
+  }
+  out += pictureLines(job.pictures, job.pictureMeasures);
+  out += print("time       %.2f s on %d thread%s\n", seconds, threads, threads == 1 ? "" : "s");
+  if (job.gcode) {
+    out += print("print      %s, %.2f m filament, %.1f g\n", durationText(job.gcode->seconds).c_str(),
+                 job.gcode->filamentMm / 1000, job.gcode->filamentGrams);
+    if (job.gcode->curveSlowedMm > 0) {
+      out += print("curves     %.2f m of the oriented path slower than the rest\n", job.gcode->curveSlowedMm / 1000);
+    }
+  }
+  for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
+  for (const sillon::GcodeWarning& warning : warningsOf(job)) {
+    out += "warning    " + sillon::warningSentence(warning) + "\n";
+  }
+  if (job.gcode) {
+    for (const sillon::GcodeFinding& finding : job.findings) {
+      out += (finding.error ? "error      " : "warning    ") + finding.rule + ": " + finding.message;
+      out += finding.line > 0 ? " (line " + std::to_string(finding.line) + " of the file)\n" : "\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace cli

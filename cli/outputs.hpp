@@ -1,0 +1,50 @@
+// From a finished plate to the texts and pictures that were asked for, all in memory.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "files.hpp"
+#include "pictures.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/quality/metrics.hpp"
+
+namespace cli {
+
+/// A finished plate with all that its outputs tell of it.
+struct Job {
+  sillon::Project project;
+  sillon::PlateInput input;
+  sillon::ToolpathResult plate;
+  std::optional<sillon::Measures> measures;  ///< unset: nobody asked
+  PictureOptions pictureOptions;
+  sillon::PlatePictures pictures;  ///< empty: none were asked for
+  std::vector<sillon::PictureMeasures> pictureMeasures;
+  std::optional<sillon::GcodeSummary> gcode;   ///< unset: no G-code was asked for
+  std::vector<sillon::GcodeFinding> findings;  ///< of reading that G-code as a printer would
+  std::string date;                            ///< for line 1 of the G-code
+};
+
+/// What was taken for granted of a shape, or left out of it, in sentences.
+std::vector<std::string> inputNotes(const sillon::Project& project, const sillon::DrawingFacts& drawing);
+
+/// The date of this run: SOURCE_DATE_EPOCH [s] if set, else the clock.
+sillon::Result<std::string> runDate();
+
+/// Names of the outputs that are wanted.
+/// \param pictures  each has a preview.
+std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures);
+
+/// Makes every output; fills job.gcode and job.pictureMeasures.
+sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
+
+/// What a person wants to know of a plate, in a few lines.
+std::string summary(const Job& job, int threads, const std::vector<OutputFile>& files);
+
+}  // namespace cli

@@ -1,0 +1,175 @@
+#include "pictures.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "files.hpp"
+#include "sillon/look/spools.hpp"
+#include "sillon/settings/table.hpp"
+
+namespace cli {
+namespace {
+
+using sillon::Vec2;
+
+constexpr double kWeakContrast = 6;
+constexpr double kElevation = 45;  // [degrees], unless one is given
+
+/// The whole of a text as a number.
+std::optional<double> numberIn(std::string_view given) {
+  const std::string text(given);
+  if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);  // "C" locale: the program never sets another
+  if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> slopeOf(const std::string& size) {
+  if (size == "bulb") return sillon::bulbSlope();
+  if (size == "softbox") return sillon::softboxSlope();
+  if (size == "window") return sillon::windowSlope();
+  return numberIn(size);
+}
+
+/// "AZ" or "AZ,EL".
+std::optional<Vec2> lampOf(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const std::optional<double> azimuth = numberIn(std::string_view(text).substr(0, comma));
+  if (!azimuth || !(std::abs(*azimuth) <= 360)) return std::nullopt;
+  if (comma == std::string::npos) return Vec2{*azimuth, kElevation};
+  const std::optional<double> elevation = numberIn(std::string_view(text).substr(comma + 1));
+  if (!elevation || !(*elevation >= 1 && *elevation <= 90)) return std::nullopt;
+  return Vec2{*azimuth, *elevation};
+}
+
+std::string countOf(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+void addPictures(CLI::App& app, PictureOptions& pictures) {
+  const char* group = "Pictures";
+  CLI::Option* picture =
+      app.add_option("--picture", pictures.files, "picture to be seen under a lamp; again for more, each under its own")
+          ->option_text("F")
+          ->allow_extra_args(false)
+          ->group(group);
+  picture->excludes(app.get_option("--directions"))->excludes(app.get_option("--angle"));
+  app.add_option("--lamp", pictures.lamps,
+                 "where the lamp of the first, then of the next picture stands, in degrees; also of --preview [chosen]")
+      ->option_text("AZ[,EL]")
+      ->allow_extra_args(false)
+      ->group(group);
+  app.add_option("--lamp-size", pictures.lampSize, "how large the lamps are, or their slope [softbox]")
+      ->option_text("bulb|softbox|window|SLOPE")
+      ->group(group);
+  app.add_option("--spool", pictures.spool, "what the filament looks like [bluePla]")->option_text("KEY")->group(group);
+  app.add_option("--smoothness", pictures.smoothness, "more: fewer U-turns, less detail [0.02]")
+      ->option_text("F")
+      ->group(group);
+  app.add_option("--local-contrast", pictures.localContrast, "raises what differs from its surroundings [0]")
+      ->option_text("F")
+      ->group(group);
+}
+
+std::string applyPictures(const PictureOptions& options, sillon::Project& project) {
+  std::vector<std::optional<Vec2>> lamps;
+  for (const std::string& text : options.lamps) {
+    lamps.push_back(lampOf(text));
+    if (lamps.back()) continue;
+    return "--lamp is \"" + text +
+           "\"; it must be AZ or AZ,EL: azimuth from -360 to 360 degrees counter-clockwise from the right, elevation "
+           "from 1 to 90 degrees";
+  }
+  if (options.lampSize) {
+    const std::optional<double> slope = slopeOf(*options.lampSize);
+    if (!slope || !(*slope >= 0 && *slope <= 2)) {
+      return "--lamp-size is \"" + *options.lampSize + "\"; it must be bulb, softbox, window or a slope from 0 to 2";
+    }
+    project.pictures.lampSize = *slope;
+  }
+  if (options.spool) {
+    const sillon::Setting& row = *sillon::findSetting(sillon::Section::Pictures, "spool");
+    const std::vector<std::string> words = sillon::splitWords(row.choices);
+    const auto found = std::find(words.begin(), words.end(), *options.spool);
+    if (found == words.end()) {
+      std::string all;
+      for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+      return "--spool is \"" + *options.spool + "\"; it must be one of " + all;
+    }
+    sillon::choose(row.field(sillon::viewOf(project)), static_cast<std::size_t>(found - words.begin()));
+  }
+  if (options.smoothness) project.pictures.smoothness = *options.smoothness;
+  if (options.localContrast) project.pictures.localContrast = *options.localContrast;
+  std::vector<sillon::LampPicture>& pictures = project.pictures.files;
+  if (!options.files.empty()) {
+    pictures.clear();
+    for (const std::string& file : options.files) pictures.push_back({file, std::nullopt});
+    project.directionFile.clear();
+  }
+  if (lamps.size() > std::max<std::size_t>(1, pictures.size())) {
+    return "--lamp is given " + countOf(lamps.size(), "time") + " for " + countOf(pictures.size(), "picture") +
+           "; give at most one for each picture";
+  }
+  for (std::size_t k = 0; k < std::min(lamps.size(), pictures.size()); ++k) pictures[k].lamp = lamps[k];
+  return "";
+}
+
+bool looksLikePicture(const std::string& path) {
+  constexpr std::array<std::string_view, 5> kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+  std::string name = path;
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return name.ends_with(end); });
+}
+
+sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
+                               const sillon::PlatePictures& pictures, std::size_t picture) {
+  sillon::LookParams look = sillon::lookOf(project, pictures, picture);
+  if (picture < pictures.shown.size() || options.lamps.empty()) return look;
+  const Vec2 lamp = lampOf(options.lamps[0]).value_or(Vec2{look.lamp.azimuth, look.lamp.elevation});
+  look.lamp.azimuth = lamp.x;
+  look.lamp.elevation = lamp.y;
+  return look;
+}
+
+std::string previewName(const std::string& path, std::size_t picture) {
+  if (picture == 0) return path;
+  const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
+  const bool ends = dot != std::string::npos && (slash == std::string::npos || dot > slash);
+  const std::size_t at = ends ? dot : path.size();
+  return path.substr(0, at) + "-" + std::to_string(picture + 1) + path.substr(at);
+}
+
+std::string pictureLines(const sillon::PlatePictures& pictures, const std::vector<sillon::PictureMeasures>& measures) {
+  std::string out;
+  for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
+    const sillon::ShownPicture& shown = pictures.shown[k];
+    char text[160];
+    std::snprintf(text, sizeof text, " under a lamp at %.0f degrees, %.0f high%s", shown.lamp.azimuth,
+                  shown.lamp.elevation, pictures.chosen[k] ? " (chosen)" : "");
+    out += "picture    " + shown.file + text;
+    if (k < measures.size()) {
+      const sillon::PictureMeasures& m = measures[k];
+      std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", m.r, m.ssim, m.contrast);
+      out += text;
+    }
+    out += "\n";
+  }
+  if (!pictures.shown.empty() && pictures.contrast < kWeakContrast) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "note       this spool under this lamp shows white only %.1f times as bright as black\n",
+                  pictures.contrast);
+    out += text;
+  }
+  return out;
+}
+
+}  // namespace cli

@@ -1,0 +1,48 @@
+// Pictures that a plate shall show, each under its lamp: their options, and what is told of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sillon/project/pictures.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/quality/picture_measures.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace cli {
+
+/// As given: the first lamp is the first picture's.
+struct PictureOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> lamps;       ///< "AZ" or "AZ,EL"; fewer than files: the rest is chosen
+  std::optional<std::string> lampSize;  ///< "bulb", "softbox", "window" or a slope
+  std::optional<std::string> spool;
+  std::optional<double> smoothness;
+  std::optional<double> localContrast;
+};
+
+/// Adds the options. \param app  has --directions and --angle already, which they exclude.
+void addPictures(CLI::App& app, PictureOptions& pictures);
+
+/// Lays the options over a project: pictures replace its own and its directions, lamps alone move its own pictures'.
+/// \return what is wrong; empty: nothing.
+std::string applyPictures(const PictureOptions& options, sillon::Project& project);
+
+/// Whether a file is a picture, by its name, and not a scene.
+bool looksLikePicture(const std::string& path);
+
+/// How the preview looks at the plate: as lookOf, but under the first lamp that was given, where there is no picture.
+sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
+                               const sillon::PlatePictures& pictures, std::size_t picture);
+
+/// "plate.png" for the first picture, "plate-2.png" for the second.
+std::string previewName(const std::string& path, std::size_t picture);
+
+/// Lines of the summary. \param measures  one per picture, or none.
+std::string pictureLines(const sillon::PlatePictures& pictures, const std::vector<sillon::PictureMeasures>& measures);
+
+}  // namespace cli

@@ -1,0 +1,60 @@
+#include "progress.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#if defined(__EMSCRIPTEN__)
+#include <emscripten.h>
+// isatty always says yes.
+EM_JS(int, nodeStderrIsTerminal, (), { return process.stderr.isTTY ? 1 : 0; });
+#elif defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#elif defined(_WIN32)
+#include <io.h>
+#endif
+
+namespace cli {
+namespace {
+
+constexpr int kCells = 30;
+constexpr std::chrono::milliseconds kPause{50};  // 20 times a second is smooth enough and costs nothing
+
+bool stderrIsTerminal() {
+#if defined(__EMSCRIPTEN__)
+  return nodeStderrIsTerminal() != 0;
+#elif defined(__unix__) || defined(__APPLE__)
+  return ::isatty(STDERR_FILENO) != 0;
+#elif defined(_WIN32)
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return false;
+#endif
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar(bool wanted) : enabled_(wanted && stderrIsTerminal()) {}
+
+void ProgressBar::show(std::string_view stage, double fraction) {
+  if (!enabled_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (drawn_ && now - last_ < kPause) return;
+  last_ = now;
+  drawn_ = true;
+  const int full = std::clamp(static_cast<int>(fraction * kCells), 0, kCells);
+  const std::string bar =
+      std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(kCells - full), '.');
+  std::fprintf(stderr, "\r[%s] %3d %% %.*s\x1b[K", bar.c_str(), static_cast<int>(fraction * 100),
+               static_cast<int>(stage.size()), stage.data());
+  std::fflush(stderr);
+}
+
+void ProgressBar::clear() {
+  if (!drawn_) return;
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+  drawn_ = false;
+}
+
+}  // namespace cli

@@ -1,0 +1,418 @@
+#include "rebrush.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "assemble.hpp"
+#include "files.hpp"
+#include "sillon/export/gcode_archive.hpp"
+#include "sillon/input/image_io.hpp"
+#include "sillon/look/spools.hpp"
+#include "sillon/project/pictures.hpp"
+#include "sillon/settings/table.hpp"
+#include "threads.hpp"
+
+namespace cli {
+namespace {
+
+using sillon::DirectionEncoding;
+using sillon::DirectionMode;
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::PerimeterMode;
+using sillon::PictureFit;
+using sillon::RebrushedSurface;
+using sillon::Result;
+using sillon::SlicedFile;
+using sillon::SlicedSurface;
+using sillon::SurfaceSide;
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  sillon rebrush part.gcode --list\n"
+    "  sillon rebrush part.gcode --angle 30 -o part_brushed.gcode\n"
+    "  sillon rebrush part.gcode --directions waves.png --report part.json -o part_brushed.gcode\n"
+    "  sillon rebrush part.gcode.3mf --picture face.png --lamp 60 --preview face_shown.png -o part_brushed.gcode.3mf\n"
+    "\n"
+    "Without -o the file itself is changed, as slicers want it of post-processing scripts.\n"
+    "Exit codes: 0 done, 2 refused, 3 cancelled, 1 a fault of the program. Nothing is written unless all is done.";
+
+template <class Value>
+std::function<void(const std::string&)> choice(const char* option, std::vector<std::pair<std::string, Value>> words,
+                                               std::function<void(Value)> take) {
+  return [=](const std::string& text) {
+    std::string all;
+    for (const auto& [word, value] : words) {
+      if (word == text) return take(value);
+      all += (all.empty() ? "" : ", ") + word;
+    }
+    throw CLI::ValidationError(std::string(option) + " is \"" + text + "\"; it must be one of " + all,
+                               CLI::ExitCodes::ValidationError);
+  };
+}
+
+const char* sideName(const SlicedSurface& surface) { return surface.side == SurfaceSide::Top ? "top" : "bottom"; }
+
+std::string listText(const SlicedFile& file) {
+  char line[256];
+  std::snprintf(line, sizeof line, "%s, %d layers, %lld lines, %zu surfaces\n", file.program.c_str(), file.layers,
+                static_cast<long long>(file.lines), file.surfaces.size());
+  std::string out = line;
+  for (const SlicedSurface& surface : file.surfaces) {
+    std::snprintf(line, sizeof line,
+                  "%-6s layer %-4d z %-7.2f %9.2f mm2, beads %.2f x %.2f mm at %.0f mm/s, lines %lld to %lld",
+                  sideName(surface), surface.layer, surface.z, surface.areaMm2, surface.width, surface.height,
+                  surface.speed, static_cast<long long>(surface.firstLine), static_cast<long long>(surface.lastLine));
+    out += line;
+    if (!surface.object.empty()) out += ", of " + surface.object;
+    if (surface.left != sillon::LeftBecause::None) out += ", left: " + std::string(surfaceReason(surface.left));
+    out += "\n";
+  }
+  return out;
+}
+
+nlohmann::ordered_json surfaceJson(const SlicedSurface& surface) {
+  const auto place = [](sillon::Vec2 p) { return nlohmann::ordered_json{p.x, p.y}; };
+  return {{"side", sideName(surface)},
+          {"layer", surface.layer},
+          {"z", surface.z},
+          {"height", surface.height},
+          {"object", surface.object},
+          {"tool", surface.tool},
+          {"areaMm2", surface.areaMm2},
+          {"width", surface.width},
+          {"spacing", surface.spacing},
+          {"volumeMm3", surface.volumeMm3},
+          {"speed", surface.speed},
+          {"entry", place(surface.entry)},
+          {"exit", place(surface.exit)},
+          {"firstLine", surface.firstLine},
+          {"lastLine", surface.lastLine},
+          {"left", surface.left == sillon::LeftBecause::None ? nlohmann::ordered_json()
+                                                             : nlohmann::ordered_json(surfaceReason(surface.left))}};
+}
+
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+nlohmann::ordered_json fileJson(const SlicedFile& file) {
+  return {
+      {"program", file.program}, {"slicer", slicerName(file.slicer)}, {"layers", file.layers}, {"lines", file.lines}};
+}
+
+std::string listJson(const SlicedFile& file) {
+  nlohmann::ordered_json json = fileJson(file);
+  json["surfaces"] = nlohmann::ordered_json::array();
+  for (const SlicedSurface& surface : file.surfaces) json["surfaces"].push_back(surfaceJson(surface));
+  return dumped(json);
+}
+
+nlohmann::ordered_json picturesJson(const RebrushedSurface& made) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < made.pictures.size(); ++k) {
+    list.push_back({{"lamp", {made.lamps[k].azimuth, made.lamps[k].elevation}},
+                    {"r", made.pictures[k].r},
+                    {"ssim", made.pictures[k].ssim},
+                    {"contrast", made.pictures[k].contrast}});
+  }
+  return list;
+}
+
+std::string reportJson(const sillon::Rebrushed& done) {
+  nlohmann::ordered_json json = fileJson(done.file);
+  json["seconds"] = done.seconds;
+  json["totals"] = done.totals;
+  json["surfaces"] = nlohmann::ordered_json::array();
+  for (const RebrushedSurface& made : done.surfaces) {
+    nlohmann::ordered_json entry = surfaceJson(done.file.surfaces[made.surface]);
+    entry["left"] = made.replaced ? nlohmann::ordered_json() : nlohmann::ordered_json(made.why);
+    entry["replaced"] = made.replaced;
+    if (made.replaced) {
+      entry["newVolumeMm3"] = made.volumeMm3;
+      entry["alignment"] = made.alignment;
+      entry["coverage"] = made.coverage;
+      entry["spill"] = made.spill;
+      entry["beyond"] = made.beyond;
+      entry["moves"] = made.moves;
+      entry["seconds"] = made.seconds;
+      if (!made.pictures.empty()) entry["pictures"] = picturesJson(made);
+    }
+    json["surfaces"].push_back(std::move(entry));
+  }
+  return dumped(json);
+}
+
+std::string summaryText(const sillon::Rebrushed& done) {
+  std::string out;
+  for (const RebrushedSurface& made : done.surfaces) {
+    const SlicedSurface& surface = done.file.surfaces[made.surface];
+    char line[200];
+    if (made.replaced) {
+      std::snprintf(line, sizeof line, "%-6s layer %-4d %9.2f mm2 replaced, coverage %.1f %%, alignment %.3f\n",
+                    sideName(surface), surface.layer, surface.areaMm2, made.coverage, made.alignment);
+      out += line;
+      for (std::size_t k = 0; k < made.pictures.size(); ++k) {
+        std::snprintf(line, sizeof line, "       picture %zu under a lamp at %.0f degrees, %.0f high: r %.3f\n", k + 1,
+                      made.lamps[k].azimuth, made.lamps[k].elevation, made.pictures[k].r);
+        out += line;
+      }
+    } else {
+      std::snprintf(line, sizeof line, "%-6s layer %-4d %9.2f mm2 left: ", sideName(surface), surface.layer,
+                    surface.areaMm2);
+      out += line + made.why + "\n";
+    }
+  }
+  char line[200];
+  std::snprintf(line, sizeof line, "time   %+.0f s as estimated; %lld lines of the file tell it\n", done.seconds,
+                static_cast<long long>(done.totals));
+  out += line;
+  return out;
+}
+
+Result<sillon::Image> readPicture(const std::string& path, const char* what) {
+  const Result<std::string> bytes = readFile(path, what, kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  const std::string& text = bytes.value();
+  return sillon::decodeImage({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, path);
+}
+
+std::optional<DirectionMode> modeWord(const std::string& text) {
+  if (text == "parallel") return DirectionMode::Parallel;
+  if (text == "orthogonal") return DirectionMode::Orthogonal;
+  if (text == "smoothest") return DirectionMode::Smoothest;
+  if (text == "constrained" || text.empty()) return DirectionMode::Constrained;
+  return std::nullopt;
+}
+
+/// A project with the pictures that are asked for.
+Result<sillon::Project> pictureProject(const PictureOptions& pictures) {
+  sillon::Project project;
+  std::string problem = applyPictures(pictures, project);
+  if (problem.empty()) problem = sillon::invalidSettings(project);
+  if (!problem.empty()) return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  return project;
+}
+
+Result<sillon::RebrushOptions> readOptions(const RebrushArguments& arguments, const sillon::PictureParams& asked) {
+  sillon::RebrushOptions options = arguments.options;
+  if (!arguments.pictures.files.empty()) {
+    Result<std::vector<sillon::LitPicture>> pictures = sillon::readPictures(asked, readInputFile);
+    if (!pictures) return pictures.error();
+    options.pictures = std::move(pictures).value();
+    options.inversion = sillon::inversionOf(asked);
+    options.spool = sillon::spoolOf(asked.spool).key;
+    // A bead along the border would frame the picture in tones that it does not have.
+    if (!arguments.perimeters) options.toolpath.perimeterMode = PerimeterMode::Soft;
+  }
+  Result<sillon::DirectionMap> directions = sillon::uniformDirection(arguments.angle);
+  if (!arguments.directions.empty()) {
+    const Result<sillon::Image> picture = readPicture(arguments.directions, "direction picture");
+    if (!picture) return picture.error();
+    directions = sillon::directionMap(picture.value(), arguments.encoding);
+  }
+  if (!directions) return directions.error();
+  options.directions = std::move(directions).value();
+  if (const auto word = modeWord(arguments.modes)) {
+    options.modes = sillon::uniformMode(*word);
+    return options;
+  }
+  const Result<sillon::Image> picture = readPicture(arguments.modes, "mode picture");
+  if (!picture) return picture.error();
+  Result<sillon::ModeMap> modes = sillon::modeMap(picture.value());
+  if (!modes) return modes.error();
+  options.modes = std::move(modes).value();
+  return options;
+}
+
+/// Files of 200 MB are not held twice.
+Result<sillon::GcodeContainer> readContainer(const std::string& path) {
+  const Result<std::string> bytes = readFile(path, "G-code", kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  return sillon::readGcodeContainer(bytes.value());
+}
+
+/// The new text in the kind of file that the old one is, or the plain text of it. Nothing is packed anew but by gzip:
+/// what else a printer wants of a package only its slicer knows.
+Result<std::string> packed(const sillon::GcodeContainer& container, std::string gcode, const std::string& out) {
+  using Kind = sillon::GcodeContainerKind;
+  const auto ends = [&](const char* tail) { return out.ends_with(tail); };
+  const std::optional<Kind> wanted = ends(".3mf")                                   ? std::optional(Kind::Package3mf)
+                                     : ends(".bgcode") || ends(".bgc")              ? std::optional(Kind::Binary)
+                                     : ends(".gz")                                  ? std::optional(Kind::Gzip)
+                                     : ends(".gcode") || ends(".gco") || ends(".g") ? std::optional(Kind::Text)
+                                                                                    : std::nullopt;
+  if (!wanted || *wanted == container.kind) return sillon::writeGcodeContainer(container, gcode);
+  if (*wanted == Kind::Text) return gcode;
+  if (*wanted == Kind::Gzip && container.kind == Kind::Text) return sillon::gzipGcode(gcode);
+  return Error{ErrorCode::InvalidArgument,
+               "\"" + out +
+                   "\" would be another kind of file than what the slicer wrote; give it the same ending, or "
+                   ".gcode for its text"};
+}
+
+Result<std::string> previewPng(const RebrushArguments& arguments, const sillon::Spool& spool,
+                               const sillon::Rebrushed& done, const RebrushedSurface& made,
+                               const sillon::RunContext& run) {
+  sillon::PreviewParams params;
+  params.width = arguments.previewWidth;
+  const SlicedSurface& surface = done.file.surfaces[made.surface];
+  params.look.colour = spool.colour;
+  params.look.roughness = sillon::roughnessOf(spool, 0.4, surface.side == SurfaceSide::Bottom);
+  if (!made.lamps.empty()) {
+    params.look.lamp = made.lamps.front();
+    // Bottoms are drawn as they lie, seen through the plate.
+    if (surface.side == SurfaceSide::Bottom) params.look.lamp.azimuth = 180 - params.look.lamp.azimuth;
+    params.look.eyeDistance = 0;  // as the directions were solved for
+  }
+  const auto picture = sillon::renderPreview(made.toolpath, surface.region.page, params, run);
+  if (!picture) return picture.error();
+  const sillon::RgbImage& image = picture.value();
+  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+  return std::string(png.begin(), png.end());
+}
+
+}  // namespace
+
+void addRebrush(CLI::App& app, RebrushArguments& arguments) {
+  CLI::App* command = app.add_subcommand("rebrush", "Lay other beads on the top surfaces of a file by your slicer");
+  command->footer(kExamples);
+  command->add_option("file", arguments.file, "what PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura wrote")
+      ->option_text("FILE.gcode")
+      ->required();
+  command->add_flag("--list", arguments.list, "show the surfaces, write nothing");
+  command->add_flag("--json", arguments.json, "the list as JSON");
+  command->add_option("-o,--output", arguments.out, "where the new file goes [the file itself]")->option_text("F");
+  command->add_option("--report", arguments.report, "what became of each surface, JSON")->option_text("F");
+  command->add_option("--preview", arguments.preview, "picture of each new surface: its directions, and its look")
+      ->option_text("F");
+  command->add_option("--preview-width", arguments.previewWidth, "of each of its panels [1600]")->option_text("PX");
+  command
+      ->add_option_function<std::string>("--surfaces",
+                                         choice<int>("--surfaces", {{"top", 1}, {"bottom", 2}, {"both", 3}},
+                                                     [&arguments](int which) {
+                                                       arguments.options.tops = (which & 1) != 0;
+                                                       arguments.options.bottoms = (which & 2) != 0;
+                                                     }),
+                                         "top, bottom (of the first layer) or both [top]")
+      ->option_text("WHICH");
+  command->add_option("--angle", arguments.angle, "direction of the beads, counter-clockwise from +x [0]")
+      ->option_text("DEG");
+  command->add_option("--directions,--lines", arguments.directions, "picture of directions, instead of an angle")
+      ->option_text("F");
+  command
+      ->add_option_function<std::string>(
+          "--encoding,--lines-as",
+          choice<DirectionEncoding>("--encoding",
+                                    {{"angle", DirectionEncoding::Angle},
+                                     {"rotation", DirectionEncoding::Rotation},
+                                     {"tangent", DirectionEncoding::Tangent}},
+                                    [&arguments](DirectionEncoding encoding) { arguments.encoding = encoding; }),
+          "how the picture tells directions: angle, rotation, tangent [angle]")
+      ->option_text("HOW");
+  command
+      ->add_option("--modes", arguments.modes,
+                   "parallel, orthogonal, smoothest, constrained, or a picture of modes [constrained]")
+      ->option_text("M");
+  command
+      ->add_option_function<std::string>(
+          "--fit",
+          choice<PictureFit>("--fit",
+                             {{"face", PictureFit::Face},
+                              {"object", PictureFit::Object},
+                              {"bed", PictureFit::Bed},
+                              {"all", PictureFit::All}},
+                             [&arguments](PictureFit fit) { arguments.options.fit = fit; }),
+          "what the pictures are stretched over: each face, each object, the bed, or the box around all [face]")
+      ->option_text("WHAT");
+  command
+      ->add_option_function<std::string>(
+          "--perimeters",
+          [&arguments](const std::string& text) {
+            sillon::ToolpathParams& params = arguments.options.toolpath;
+            arguments.perimeters = true;
+            if (text == "none" || text == "soft") {
+              params.perimeterMode = text == "none" ? PerimeterMode::None : PerimeterMode::Soft;
+              return;
+            }
+            if (text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string::npos) {
+              throw CLI::ValidationError("--perimeters is \"" + text + "\"; it must be none, soft or 0 to 100",
+                                         CLI::ExitCodes::ValidationError);
+            }
+            params.perimeterMode = PerimeterMode::Count;
+            params.perimeters = std::atoi(text.c_str());
+          },
+          "beads along the border of each surface: none, soft or a number [1]")
+      ->option_text("N");
+  addPictures(*command, arguments.pictures);
+  arguments.threads = threadsOfMachine();
+  command->add_option("--threads", arguments.threads, "how many may work; never changes the result [all]")
+      ->option_text("N")
+      ->check(CLI::Range(1, 256));
+}
+
+Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run) {
+  const Result<sillon::Project> project = pictureProject(arguments.pictures);
+  if (!project) return project.error();
+  const sillon::PictureParams& pictures = project.value().pictures;
+  const auto named = [&](const Error& error) {
+    return Error{error.code, "\"" + arguments.file + "\": " + error.message};
+  };
+  const Result<sillon::GcodeContainer> container = readContainer(arguments.file);
+  if (!container) {
+    // readFile names the file itself.
+    const Error& error = container.error();
+    return error.message.find(arguments.file) == std::string::npos ? named(error) : error;
+  }
+  const std::string& gcode = container.value().gcode;
+  if (arguments.list) {
+    const Result<SlicedFile> file = sillon::readSlicedFile(gcode);
+    if (!file) return named(file.error());
+    return arguments.json ? listJson(file.value()) : listText(file.value());
+  }
+  if (container.value().plates > 1) {
+    return named({ErrorCode::InvalidFile, "it holds " + std::to_string(container.value().plates) +
+                                              " plates; export them one by one, so that none is forgotten"});
+  }
+  const Result<sillon::RebrushOptions> options = readOptions(arguments, pictures);
+  if (!options) return options.error();
+  std::vector<std::string> outputs;
+  for (const std::string* name : {&arguments.out, &arguments.report, &arguments.preview}) {
+    if (!name->empty()) outputs.push_back(*name);
+  }
+  std::vector<std::string> inputs = arguments.pictures.files;
+  if (!arguments.directions.empty()) inputs.push_back(arguments.directions);
+  if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
+  Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options.value(), run);
+  if (!done) return named(done.error());
+  std::vector<OutputFile> files;
+  const std::string& out = arguments.out.empty() ? arguments.file : arguments.out;
+  // In place the kind of file stays, whatever its name.
+  Result<std::string> file = arguments.out.empty() ? sillon::writeGcodeContainer(container.value(), done.value().gcode)
+                                                   : packed(container.value(), std::move(done.value().gcode), out);
+  if (!file) return file.error();
+  files.push_back({out, std::move(file).value()});
+  std::size_t shown = 0;
+  for (const RebrushedSurface& made : done.value().surfaces) {
+    if (arguments.preview.empty() || !made.replaced) continue;
+    Result<std::string> png = previewPng(arguments, sillon::spoolOf(pictures.spool), done.value(), made, run);
+    if (!png) return png.error();
+    files.push_back({previewName(arguments.preview, shown++), std::move(png).value()});
+  }
+  if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
+  if (const auto problem = writeTogether(files)) return *problem;
+  return summaryText(done.value());
+}
+
+}  // namespace cli

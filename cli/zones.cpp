@@ -1,0 +1,110 @@
+#include "zones.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "assemble.hpp"
+#include "files.hpp"
+#include "sillon/project/pictures.hpp"
+
+namespace cli {
+namespace {
+
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::Result;
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  sillon zones --shape badge.svg --directions waves.png --zones 6 -o badge.3mf\n"
+    "  sillon zones --body part.stl --picture face.png --lamp 60 --zones 12 -o part.3mf\n"
+    "\n"
+    "Open the file in PrusaSlicer, OrcaSlicer or Bambu Studio and slice it with the layer heights given here: slicers\n"
+    "turn their lines by 90 degrees on every other layer.";
+
+}  // namespace
+
+void addZones(CLI::App& command, ZonesArguments& arguments) {
+  const char* group = "Zones";
+  command.footer(kExamples);
+  command.add_option("-o,--output", arguments.out, "the 3MF")->option_text("F.3mf")->required()->group(group);
+  command.add_option("--body", arguments.body, "STL whose tops shall have the zones [a prism of the shape]")
+      ->option_text("F.stl")
+      ->group(group);
+  command.add_option("--height", arguments.height, "of that prism [2]")->option_text("MM")->group(group);
+  command.add_option("--zones", arguments.params.most, "how many directions at most, 2 to 12 [6]")
+      ->option_text("N")
+      ->group(group);
+  command.add_option("--least", arguments.params.least, "narrowest place of a zone, 0.5 to 100 [3]")
+      ->option_text("MM")
+      ->group(group);
+  command.add_option("--layer-height", arguments.layers.height, "of your slicer's profile [0.2]")
+      ->option_text("MM")
+      ->group(group);
+  command.add_option("--first-layer-height", arguments.layers.firstHeight, "of your slicer's profile [0.2]")
+      ->option_text("MM")
+      ->group(group);
+}
+
+Result<std::string> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
+  if (!arguments.out.ends_with(".3mf")) {
+    return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
+  }
+  std::vector<std::string> inputs = inputFiles(project);
+  if (!arguments.body.empty()) inputs.push_back(arguments.body);
+  if (const auto problem = checkOutputs({arguments.out}, inputs)) return *problem;
+
+  sillon::Mesh body;
+  sillon::Shape seen;
+  sillon::Vec2 corner;
+  if (!arguments.body.empty()) {
+    const Result<std::string> bytes = readFile(arguments.body, "body", kMaxInputBytes);
+    if (!bytes) return bytes.error();
+    Result<sillon::Mesh> read = sillon::readStl(bytes.value());
+    if (!read) return Error{read.error().code, "\"" + arguments.body + "\": " + read.error().message};
+    body = std::move(read).value();
+    Result<sillon::Shape> outline = sillon::silhouetteOf(body, corner);
+    if (!outline) return Error{outline.error().code, "\"" + arguments.body + "\": " + outline.error().message};
+    seen = std::move(outline).value();
+    // What is laid over the page lies over the body's box.
+    project.shapeFile.clear();
+    project.builtin = sillon::BuiltinShape::Rectangle;
+    project.builtinSize = seen.page;
+  }
+  Result<sillon::PlateInput> input = assemblePlate(project);
+  if (!input) return input.error();
+  const auto pictures = sillon::solvePictures(project, readInputFile, input.value(), run);
+  if (!pictures) return pictures.error();
+  if (arguments.body.empty()) {
+    seen = input.value().shape;
+    Result<sillon::Mesh> prism = sillon::prismOf(seen, arguments.height);
+    if (!prism) return prism.error();
+    body = std::move(prism).value();
+    corner = 0.5 * (project.printer.bedMin + project.printer.bedMax - seen.page);
+    for (auto& point : body.points) {
+      point[0] += corner.x;
+      point[1] += corner.y;
+    }
+  }
+  const Result<sillon::DirectionZones> zones =
+      sillon::directionZones(seen, input.value().directions, arguments.params, run);
+  if (!zones) return zones.error();
+  Result<std::string> package = sillon::zones3mf(body, zones.value(), corner, arguments.layers);
+  if (!package) return package.error();
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
+  if (const auto problem = writeTogether({{arguments.out, std::move(package).value()}})) return *problem;
+
+  std::string out;
+  char line[160];
+  for (const sillon::DirectionZone& zone : zones.value().zones) {
+    std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);
+    out += line;
+  }
+  std::snprintf(line, sizeof line, "error  %.1f degrees in the mean against the directions that were given\n",
+                zones.value().error);
+  return out + line;
+}
+
+}  // namespace cli

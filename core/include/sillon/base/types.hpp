@@ -1,0 +1,92 @@
+// Plain data shared by all stages: vectors, boxes, images and the toolpath itself.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sillon {
+
+/// A point or vector of two components. World space: mm, x right, y up, origin at the page's lower left.
+template <class T>
+struct Vec2T {
+  T x{};
+  T y{};
+
+  friend constexpr bool operator==(const Vec2T&, const Vec2T&) = default;
+  friend constexpr Vec2T operator+(Vec2T a, Vec2T b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vec2T operator-(Vec2T a, Vec2T b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vec2T operator-(Vec2T a) { return {-a.x, -a.y}; }
+  friend constexpr Vec2T operator*(Vec2T a, T s) { return {a.x * s, a.y * s}; }
+  friend constexpr Vec2T operator*(T s, Vec2T a) { return {a.x * s, a.y * s}; }
+  friend constexpr T dot(Vec2T a, Vec2T b) { return a.x * b.x + a.y * b.y; }
+  /// z component of the cross product; positive when b lies to the left of a.
+  friend constexpr T cross(Vec2T a, Vec2T b) { return a.x * b.y - a.y * b.x; }
+  friend T length(Vec2T a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+};
+
+using Vec2 = Vec2T<double>;  ///< outlines and everything computed once
+using Vec2f = Vec2T<float>;  ///< dense fields and paths: 0.03 µm at 400 mm
+
+/// Axis-parallel box [mm]; empty while max < min.
+struct Bounds {
+  Vec2 min{1e30, 1e30};
+  Vec2 max{-1e30, -1e30};
+
+  void add(Vec2 p) {
+    if (p.x < min.x) min.x = p.x;
+    if (p.y < min.y) min.y = p.y;
+    if (p.x > max.x) max.x = p.x;
+    if (p.y > max.y) max.y = p.y;
+  }
+  [[nodiscard]] bool empty() const { return max.x < min.x || max.y < min.y; }
+  [[nodiscard]] Vec2 size() const { return empty() ? Vec2{} : max - min; }
+};
+
+/// A decoded picture, row 0 on top, channels interleaved. 8-bit sources are widened by 257, so that
+/// sample / 65535 equals the 8-bit value / 255 exactly.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 0;                    ///< 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
+  std::vector<std::uint16_t> samples;  ///< width * height * channels
+
+  [[nodiscard]] std::uint16_t at(int x, int y, int channel) const {
+    return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                       static_cast<std::size_t>(channels) +
+                   static_cast<std::size_t>(channel)];
+  }
+};
+
+/// A picture for a screen.
+struct RgbImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< row 0 on top
+};
+
+/// Closed curves, one after the other.
+struct ClosedCurves {
+  std::vector<Vec2f> points;  ///< [mm]
+  std::vector<int> begin;     ///< curve k is points[begin[k]] .. points[begin[k + 1] - 1]; size: curves + 1
+
+  [[nodiscard]] int count() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
+  [[nodiscard]] int size(int curve) const {
+    return begin[static_cast<std::size_t>(curve) + 1] - begin[static_cast<std::size_t>(curve)];
+  }
+};
+
+/// One closed path of beads. The segment from the last point to the first is extruded like any other.
+struct Cycle {
+  std::vector<Vec2f> points;  ///< [mm], no repeated first point, at least 3
+  std::vector<float> widths;  ///< bead width ω at each point [mm]: room between the half-way lines to the neighbours
+};
+
+/// What the pipeline makes: one cycle per connected part of the shape, in printing order.
+struct Toolpath {
+  std::vector<Cycle> cycles;
+  double spacing = 0;  ///< τ [mm]
+};
+
+}  // namespace sillon

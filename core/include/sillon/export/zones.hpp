@@ -1,0 +1,64 @@
+// The field of directions cut into a few zones of one direction each, for slicers that lay straight lines only.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/export/base_solid.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/input/direction_map.hpp"
+
+namespace sillon {
+
+struct ZoneParams {
+  int most = 6;      ///< zones of different directions, 2..12; parts of one direction count once
+  double least = 3;  ///< narrowest place of a zone within the shape [mm], 0.5..100
+};
+
+/// Where the lines run one way; may be of several parts.
+struct DirectionZone {
+  double degrees = 0;       ///< 0 <= degrees < 180, counter-clockwise from +x, whole tenths
+  double areaMm2 = 0;       ///< within the shape
+  std::vector<Ring> rings;  ///< on the page, inside on their left; beyond the shape they go on to 1 mm off the page
+};
+
+/// Together they cover the page and a border of 1 mm; no two overlap.
+struct DirectionZones {
+  std::vector<DirectionZone> zones;  ///< by angle
+  double error = 0;                  ///< mean angle between the map and the zones, over the shape [degrees]
+};
+
+/// Directions that are nearest to the map's in the mean square, then places as even as their borders allow; what is
+/// narrower than `least` goes to its neighbours. The same bytes for the same arguments. \return InvalidArgument,
+/// EmptyShape or Cancelled.
+Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions, const ZoneParams& params,
+                                      const RunContext& run);
+
+/// Layers as the slicer will cut the body.
+struct ZoneLayers {
+  double height = 0.2;       ///< [mm], 0.01..2
+  double firstHeight = 0.2;  ///< [mm], 0.01..2
+};
+
+/// A 3MF with the body as one object, and each zone as a modifier volume with the angle that makes the slicer's top
+/// lines run along it: fill_angle (PrusaSlicer), solid_infill_direction and infill_direction (OrcaSlicer, Bambu
+/// Studio), to which they add 90 degrees on every other layer, and top_layer_direction (OrcaSlicer from 2.4.2), to
+/// which nothing is added. In PrusaSlicer's form, which all three open. Each level top of the body gets its own angles.
+/// \param corner  of the zones' page on the bed [mm]. \return InvalidArgument or TooLarge.
+Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers);
+
+/// The shape less its holes in height: a prism from the bed up. \param height  [mm], above 0.
+/// \return EmptyShape, InvalidFile or TooLarge.
+Result<Mesh> prismOf(const Shape& shape, double height);
+
+/// STL, as bytes or as text. \return InvalidFile; TooLarge for more than 10 million triangles.
+Result<Mesh> readStl(std::string_view bytes);
+
+/// The body as seen from above, on a page as large as its box. \param corner  receives the page's place on the bed.
+/// \return EmptyShape or TooLarge.
+Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner);
+
+}  // namespace sillon

@@ -1,0 +1,52 @@
+// What each cell is asked for: its zone, its mode and the line of the direction map (Sec. 4, 5).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/geometry/signed_distance.hpp"
+#include "sillon/input/direction_map.hpp"
+#include "sillon/settings/toolpath_params.hpp"
+
+namespace sillon {
+
+/// Bands parallel to the border, from outside in.
+enum class Zone : std::uint8_t {
+  Masked,  ///< distance > -tau/2: no bead's centre lies here
+  Ring,    ///< -tau < distance <= -tau/2: the first bead
+  Shell,   ///< -perimeters tau < distance <= -tau: further perimeters
+  Infill,
+};
+
+/// A line d is kept as the number z = e^{2i angle(d)}, which is the same for d and -d. Maps speak of the bead's
+/// direction t, the optimiser of d = t turned by 90 degrees, in which the field varies: z(d) = -z(t).
+inline Vec2f acrossBead(Vec2f beadLine) { return -beadLine; }
+
+struct CellConstraints {
+  Grid grid;
+  std::vector<Zone> zone;
+  std::vector<DirectionMode> mode;
+  std::vector<Vec2f> mapLine;  ///< z of d as the map asks, unit
+};
+
+/// Zones from the distance; modes from the nearest texel; lines averaged over the cell in z (or nearest), and taken
+/// from the nearest texel where the average is below 0.1: the edges of mosaics, where it means nothing.
+/// \param page  over which both maps are stretched [mm].
+Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
+                                        const ModeMap& modes, Vec2 page, const ToolpathParams& params,
+                                        const RunContext& run);
+
+/// z of the bead direction of a texel. \param angle  as in DirectionMap.
+Vec2f beadLine(std::uint16_t angle);
+
+/// A texel of a map; row 0 on top.
+struct TexelIndex {
+  int x = 0;
+  int y = 0;
+};
+/// The texel under a point of the page [mm], clamped at the edges. \param width, height  of the map [texels].
+TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height);
+
+}  // namespace sillon

@@ -1,0 +1,78 @@
+// What the user should know of a file that was written: a code with its values, and the English sentence made of them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sillon/geometry/shape.hpp"
+#include "sillon/quality/metrics.hpp"
+
+namespace sillon {
+
+/// The values that each code carries stand in `gcode/warning.cpp`, in the braces of its sentence.
+enum class WarningCode {
+  AccelerationHeld,
+  BaseTooThin,
+  BlockMovesLow,
+  DetailLost,
+  DrawingOffPage,
+  DrawingUnpainted,
+  EndHot,
+  EndLine,
+  FillRatio,
+  FlatBeads,
+  ManyBytes,
+  ManyMoves,
+  MaxFlowSlows,
+  MirroredUp,
+  NoPressureAdvance,
+  NotPrimed,
+  NotPrimedAbovePrint,
+  OutsideShape,
+  PressureAdvanceReset,
+  PrintOnBed,
+  SegmentsSlow,
+  SkirtLeftOut,
+  SpeedHeld,
+  StartLine,
+  StartScales,
+  StartTemperature,
+  ThinLayers,
+  UnusualFilament,
+  UnusualFlow,
+  WidthHeld,
+};
+
+/// A number, or a word where `text` is not empty: the name of a setting, or what a reader of the file says.
+struct WarningValue {
+  WarningValue(const char* named, double value) : name(named), number(value) {}
+  WarningValue(const char* named, std::string value) : name(named), text(std::move(value)) {}
+
+  const char* name;
+  double number = 0;
+  std::string text;
+};
+
+struct GcodeWarning {
+  WarningCode code;
+  std::vector<WarningValue> values;
+
+  /// Null if there is no value of that name.
+  [[nodiscard]] const WarningValue* value(const std::string& name) const;
+};
+
+/// "SkirtLeftOut", as reports, the npm package and the studio call it.
+const char* warningName(WarningCode code);
+
+/// What a reader of a drawing should say, whatever becomes of it.
+std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing);
+
+/// What is narrower than a bead, where that is more than 0.5 % of the shape.
+/// \param page  of the plate [mm]. \param spacing  tau [mm].
+std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, double spacing);
+
+/// One English sentence without a full stop.
+std::string warningSentence(const GcodeWarning& warning);
+
+}  // namespace sillon

@@ -1,0 +1,47 @@
+// The border of a shape: what separates inside from outside once paths overlap, touch or cross themselves.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/geometry/shape.hpp"
+
+namespace sillon {
+
+/// One straight piece of the border; the inside lies on its left.
+struct BorderSegment {
+  Vec2 a;
+  Vec2 b;
+};
+
+/// The border as a soup of segments: no interior edges, no duplicates, in a fixed order.
+struct Outline {
+  std::vector<BorderSegment> segments;
+  Bounds bounds;
+  double area = 0;  ///< |Omega| [mm²]
+};
+
+/// Splits all rings where they meet and keeps the pieces with inside on exactly one side.
+/// \return EmptyShape if no area remains; TooLarge beyond 4 million pieces.
+Result<Outline> resolveOutline(const Shape& shape);
+
+/// Whether a place counts as inside, by which paths are filled there (1) and which not (0), in the order of the paths.
+using InsideRule = std::function<bool(const std::vector<char>& filled)>;
+
+/// The area that a rule makes of several paths, such as what two have in common.
+/// \return rings that run with the inside on their left, points on a grid of 1 nm; no rings if nothing is inside;
+///   TooLarge beyond 4 million pieces.
+Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRule& rule);
+
+struct Interval {
+  double begin = 0;
+  double end = 0;
+};
+
+/// The inside of the shape along horizontal lines y = firstY + row * step [mm]: for each row ascending, disjoint
+/// intervals of x [mm]. Exact for any winding and overlap.
+/// \param rows  >= 0.
+std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step, int rows);
+
+}  // namespace sillon

@@ -1,0 +1,38 @@
+// SVG text to a Shape.
+#pragma once
+
+#include <string_view>
+
+#include "sillon/geometry/shape.hpp"
+
+namespace sillon {
+
+struct SvgOptions {
+  /// Size of a page length without unit: 1/96 inch in SVG; the published scene files mean mm.
+  bool unitlessIsMm = false;
+  /// Outlines of all closed shapes count whatever their paint, strokes, clipping and the page's edges do not: how the
+  /// published scene files are meant.
+  bool ignorePaint = false;
+  double tolerance = 0.002;  ///< largest distance between a curve and its polygon [mm], 0.0001..10
+};
+
+/// Reads what an SVG document shows, in one colour: all that is painted is solid, white, faint and graded paint too.
+/// Fills and strokes count as viewers draw them, within the page. If nothing at all is painted, outlines count whatever
+/// their paint, and Shape::drawing says so. The page is width x height of the root; a side that is missing or in
+/// percent follows from the viewBox.
+///
+/// Read: all path commands and basic shapes, transforms, viewBox and preserveAspectRatio, nested `<svg>`, `<use>`,
+/// `<symbol>`, `<switch>`; fill, stroke with width, caps, joins, miter limit and dashes, opacities, fill-rule, display,
+/// visibility, clip-path, mask (by luminance or alpha: black hides, all else shows), overflow, from attributes, `style`
+/// and `<style>` rules that select by name, class or id. Not read: text and images, which Shape::drawing counts,
+/// markers, filters, CSS transforms, sizes of shapes in CSS, other selectors, non-scaling strokes, `pathLength`.
+/// A broken attribute is an error that names its element and line: half a drawing would be printed unnoticed.
+///
+/// \param text  the whole file, UTF-8, up to 64 MiB; hostile input ends in an error, never in a crash or a hang.
+/// \return points in mm, y up, snapped to 1 nm so that every platform reads the same bytes.
+///   InvalidFile (what, where), EmptyShape (no area, or all of it off the page), InvalidArgument (tolerance), TooLarge
+///   (page over 100000 mm, more than 2 million points, elements nested deeper than 200, `<use>` or clipping without
+///   measure).
+Result<Shape> readSvg(std::string_view text, const SvgOptions& options = {});
+
+}  // namespace sillon

@@ -1,0 +1,39 @@
+// Filaments as they look: colour, and roughness as Tab. 1 of the paper measured it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/look/appearance.hpp"
+#include "sillon/settings/picture_params.hpp"
+
+namespace sillon {
+
+/// Roughness of both sides of a layer.
+struct SideRoughness {
+  Roughness nozzleSide;  ///< that the nozzle passed over
+  Roughness bedSide;     ///< that lay on the bed
+};
+
+struct Spool {
+  std::string key;                       ///< "bluePla"
+  std::array<std::uint8_t, 3> colour{};  ///< of the body, sRGB
+  SideRoughness fine;                    ///< printed with a nozzle of 0.4 mm
+  SideRoughness wide;                    ///< and of 0.8 mm
+};
+
+/// All measured spools, sorted by key.
+const std::vector<Spool>& spools();
+
+/// \return nullptr for a key that is none of them.
+const Spool* findSpool(std::string_view key);
+
+const Spool& spoolOf(SpoolName name);
+
+/// \param nozzle  diameter [mm]; between those measured in proportion, beyond them as the nearer one.
+Roughness roughnessOf(const Spool& spool, double nozzle, bool bedSide);
+
+}  // namespace sillon

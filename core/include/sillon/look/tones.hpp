@@ -1,0 +1,36 @@
+// Grey pictures as light: sRGB codes, levels, areas.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sillon/base/types.hpp"
+
+namespace sillon {
+
+/// A grey picture, row 0 on top. Values are sRGB codes 0..1 unless a function says light.
+struct Tones {
+  int width = 0;
+  int height = 0;
+  std::vector<float> value;
+
+  [[nodiscard]] float at(int x, int y) const {
+    return value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+};
+
+/// IEC 61966-2-1, within 1e-6. \param code  0..1; others are clamped.
+float lightOfCode(float code);
+/// Its inverse, within 1e-5.
+float codeOfLight(float light);
+
+/// Luminance (Rec. 709) of the picture's sRGB colours, again as a code; what is transparent counts as black.
+Tones tonesOf(const Image& image);
+
+/// Means of light over the areas of a new raster: for pictures that shrink; linear between texels for those that grow.
+Tones resampled(const Tones& tones, int width, int height);
+
+/// Stretched so that the 1st and 99th percentile become 0 and 1; a picture of one tone becomes 0.5.
+Tones levelled(const Tones& tones);
+
+}  // namespace sillon

@@ -1,0 +1,30 @@
+// Plates made one after the other, as while somebody edits: what the next one needs again is kept.
+#pragma once
+
+#include <memory>
+
+#include "sillon/pipeline/pipeline.hpp"
+
+namespace sillon {
+
+/// Keeps the fields that depend on the shape (some 17 bytes a cell) and those of its waves (some 27 more) from one call
+/// to the next, with copies of the inputs they were made of. Whatever changed is made
+/// anew, so that results are those of generateToolpath, to the byte. Of a plate with more than 0.4 of the most cells
+/// nothing is kept. One call at a time.
+class Session {
+ public:
+  Session();
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  /// As the function of this name.
+  Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+                                          bool countDislocations = false);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sillon

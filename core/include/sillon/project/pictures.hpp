@@ -1,0 +1,56 @@
+// From the pictures that a project names to the directions that show them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/look/inversion.hpp"
+#include "sillon/look/preview.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
+
+namespace sillon {
+
+/// A project's pictures as solved for. All lists have one entry per picture.
+struct PlatePictures {
+  std::vector<ShownPicture> shown;
+  std::vector<bool> chosen;  ///< whether its lamp was
+  Roughness roughness;       ///< of the spool, on the side that is seen
+  double level = 1;          ///< SolvedDirections::level
+  double contrast = 1;       ///< of the first lamp's brightest and darkest direction
+};
+
+/// Slopes of the project's spool as its nozzle prints it, on the side that is seen.
+Roughness roughnessOf(const Project& project);
+
+/// Reads and decodes the pictures; a lamp that is not given is to be chosen, as high as the first.
+/// \return what reading and decodeImage return.
+Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const ReadInput& read);
+
+/// How the pictures are solved for.
+InversionParams inversionOf(const PictureParams& params);
+
+/// Reads the pictures and puts the directions that show them into the input. A project without pictures: nothing is
+/// read and none are shown. \return what reading, decodeImage and solveDirections return.
+Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
+                                    const RunContext& run);
+
+/// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
+using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
+
+/// Makes the plate that solvePictures has prepared. A single picture is then looked at: what its beads, above all their
+/// ends, take from its tones is asked for on top of them, and the plate is made again, `corrections` times; the plate
+/// with the highest r is returned, and `input` has its directions. Several pictures, and one with local contrast, are
+/// made once. \return what make, seePlate and solveDirections return.
+Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePictures& pictures, PlateInput& input,
+                                      const MakeToolpath& make, const RunContext& run);
+
+/// How previews and thumbnails look at the plate. \param picture  under whose lamp, from far above, as it was solved
+/// for; beyond the pictures: under the preview's own lamp.
+LookParams lookOf(const Project& project, const PlatePictures& pictures, std::size_t picture);
+
+}  // namespace sillon

@@ -1,0 +1,26 @@
+// From a project and the files it names to what the pipeline eats.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <variant>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/project/project.hpp"
+
+namespace sillon {
+
+/// An input as it comes: a file's bytes, or a picture decoded elsewhere.
+using InputFile = std::variant<std::string, Image>;
+
+/// Hands over the file that a project names. \param what  "shape", "direction picture", "mode picture": for messages.
+using ReadInput = std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
+
+/// Reads and decodes shape, directions and modes. A shape file is SVG if it begins like one or is called .svg, else a
+/// mask picture.
+/// \return what `read` returned, or the errors of readSvg, decodeImage and the maps, with the file's name.
+Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read);
+
+}  // namespace sillon

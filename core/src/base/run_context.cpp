@@ -1,0 +1,152 @@
+#include "sillon/base/run_context.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "base/parallel_for.hpp"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace sillon {
+
+namespace {
+
+// How long an idle worker looks for the next loop before it sleeps. The sweeps of a hierarchy are hundreds of loops of
+// some 100 us each; waking a sleeper takes 50 us.
+constexpr int kSpins = 4000;
+
+constexpr int kMaxThreads = 256;
+
+// Lets the other thread of a core have it, and now and then the other threads of the machine.
+void pause(int spin) {
+#if defined(__SSE2__)
+  _mm_pause();
+#endif
+  if (spin % 64 == 63) std::this_thread::yield();
+}
+
+}  // namespace
+
+// A loop is published as its number in the upper half of `next` and `limit`. Whoever draws a chunk number compares
+// both: a worker that comes late for one loop can neither run its chunks twice nor mistake them for the next loop's.
+struct ThreadPool::State {
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::vector<std::thread> workers;
+  const std::function<void(int)>* task = nullptr;
+  std::atomic<std::uint64_t> next{0};
+  std::atomic<std::uint64_t> limit{0};
+  std::atomic<int> unfinished{0};
+  std::atomic<int> sleepers{0};
+  std::atomic<bool> stop{false};
+
+  void drain() {
+    for (;;) {
+      const std::uint64_t drawn = next.fetch_add(1);
+      const std::uint64_t bound = limit.load();
+      if ((drawn >> 32) != (bound >> 32) || drawn >= bound) return;
+      (*task)(static_cast<int>(drawn & 0xffffffffu));
+      unfinished.fetch_sub(1);
+    }
+  }
+
+  [[nodiscard]] bool idle(std::uint64_t seen) const { return !stop.load() && (next.load() >> 32) == seen; }
+
+  void loop() {
+    std::uint64_t seen = 0;
+    for (;;) {
+      for (int spin = 0; spin < kSpins && idle(seen); ++spin) pause(spin);
+      if (idle(seen)) {
+        std::unique_lock lock(mutex);
+        sleepers.fetch_add(1);
+        wake.wait(lock, [&] { return !idle(seen); });
+        sleepers.fetch_sub(1);
+      }
+      if (stop.load()) return;
+      seen = next.load() >> 32;
+      drain();
+    }
+  }
+};
+
+ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads_(std::clamp(threads, 1, kMaxThreads)) {
+  for (int k = 1; k < threads_; ++k) state_->workers.emplace_back([this] { state_->loop(); });
+}
+
+ThreadPool::~ThreadPool() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stop.store(true);
+  }
+  state_->wake.notify_all();
+  for (std::thread& worker : state_->workers) worker.join();
+}
+
+void ThreadPool::run(int chunks, const std::function<void(int)>& task) {
+  State& state = *state_;
+  const std::uint64_t number = ((state.limit.load() >> 32) + 1) << 32;
+  state.task = &task;
+  state.unfinished.store(chunks);
+  state.limit.store(number | static_cast<std::uint32_t>(chunks));
+  state.next.store(number);
+  if (state.sleepers.load() > 0) {
+    { const std::lock_guard lock(state.mutex); }  // a worker about to sleep has either seen the loop or gets the call
+    state.wake.notify_all();
+  }
+  state.drain();
+  for (int spin = 0; state.unfinished.load() > 0; ++spin) pause(spin & 0xffff);
+}
+
+void forRanges(const RunContext& run, int count, int grain, const RangeBody& body) {
+  if (count <= 0) return;
+  grain = std::max(grain, 1);
+  const int chunks = (count - 1) / grain + 1;
+  const auto chunkBody = [&](int chunk) {
+    if (run.cancelled()) return;
+    const int begin = chunk * grain;
+    body.call(body.body, begin, std::min(count - begin, grain) + begin);
+  };
+  if (chunks == 1 || run.threads() == 1) {
+    for (int chunk = 0; chunk < chunks && !run.poll(); ++chunk) chunkBody(chunk);
+  } else {
+    run.pool().run(chunks, chunkBody);
+  }
+}
+
+RunContext::RunContext(int threads) : pool_(std::make_unique<ThreadPool>(threads)) {}
+RunContext::~RunContext() = default;
+
+int RunContext::threads() const { return pool_->threads(); }
+
+bool RunContext::poll() const {
+  if (poll_ && !cancelled() && poll_()) cancelled_.store(true, std::memory_order_relaxed);
+  return cancelled();
+}
+
+void RunContext::beginJob() const {
+  stage_ = {};
+  stageBegin_ = 0;
+  stageEnd_ = 1;
+  reported_ = 0;
+}
+
+void RunContext::beginStage(std::string_view stage, double begin, double end) const {
+  stage_ = stage;
+  stageBegin_ = begin;
+  stageEnd_ = end;
+  report(0);
+}
+
+void RunContext::report(double fraction) const {
+  const double total = stageBegin_ + (stageEnd_ - stageBegin_) * std::clamp(fraction, 0.0, 1.0);
+  reported_ = std::max(reported_, std::min(total, 1.0));
+  if (progress_) progress_(stage_, reported_);
+}
+
+}  // namespace sillon

@@ -1,0 +1,125 @@
+#include "sillon/export/base_solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "base/decimal_text.hpp"
+#include "export/prism.hpp"
+#include "export/zip.hpp"
+#include "gcode/job.hpp"
+#include "gcode/layout.hpp"
+#include "gcode/plate_transform.hpp"
+#include "gcode/validation.hpp"
+#include "geometry/triangulate.hpp"
+#include "sillon/geometry/outline.hpp"
+
+namespace sillon {
+namespace {
+
+std::array<double, 3> normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const auto& p = mesh.points[triangle[0]];
+  std::array<double, 3> u{};
+  std::array<double, 3> v{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = mesh.points[triangle[1]][k] - p[k];
+    v[k] = mesh.points[triangle[2]][k] - p[k];
+  }
+  std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (double& value : n) value = size > 0 ? value / size : 0;
+  return n;
+}
+
+}  // namespace
+
+Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintParams& params) {
+  if (auto error = checkPlateInput(given, printer, params)) return *error;
+  if (params.base == 0) {
+    return Error{ErrorCode::InvalidArgument, "base is 0; it must be at least 1 for a body of the base layers"};
+  }
+  PrintParams turning = params;
+  if (params.showSide == ShowSide::Bed) turning.mirror = !params.mirror;
+  const PlateTransform turn(turning, given.page);
+  const Shape& shape = turn.none() ? given : turn.apply(given);
+  const Bounds box = sillon::bounds(shape);
+  if (box.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+  const Result<Outline> outline = resolveOutline(shape);
+  if (!outline) return outline.error();
+
+  std::vector<PointUm> points;
+  const PrismRings rings = ringsOn(outline.value(), placement(box, printer, params), points);
+  const Triangulation flat = triangulate(points, rings);
+  if (!flat.complete) {
+    return Error{ErrorCode::TooLarge, "the outline has " + std::to_string(points.size()) +
+                                          " points, too entangled to cut into triangles; it must be simpler"};
+  }
+  if (flat.triangles.empty()) {
+    return Error{ErrorCode::EmptyShape, "the shape has no area at 0.001 mm; there is no body of it"};
+  }
+  // Rings that did not close, or cross by more than rounding, would make another body than the shape's.
+  double area = 0;
+  for (const Triangle& t : flat.triangles) {
+    area += static_cast<double>(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2e6;
+  }
+  double border = 0;
+  for (const BorderSegment& piece : outline.value().segments) border += length(piece.b - piece.a);
+  if (std::abs(area - outline.value().area) > 0.001 * border + 1e-6) {
+    return Error{ErrorCode::InvalidFile, "the outline does not close at 0.001 mm; there is no body of it"};
+  }
+  const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // oriented layers on the bed
+  const double bottom = below == 0 ? params.startHeight : layerTop(params, below - 1);
+  const double top = layerTop(params, below + params.base - 1);
+  Mesh mesh;
+  for (const PointUm copy : copyPlaces(box, printer, params)) addPrism(flat, points, copy, bottom, top, mesh);
+  return mesh;
+}
+
+std::string writeStl(const Mesh& mesh) {
+  std::string out = "base body by Sillon, mm";  // must not begin with "solid", the other kind's first word
+  out.resize(80, ' ');
+  append(out, mesh.triangles.size(), 4);
+  const auto number = [&](double value) {
+    const auto narrow = static_cast<float>(value);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &narrow, sizeof bits);
+    append(out, bits, 4);
+  };
+  for (const auto& triangle : mesh.triangles) {
+    for (const double value : normal(mesh, triangle)) number(value);
+    for (const std::uint32_t k : triangle) {
+      for (const double value : mesh.points[k]) number(value);
+    }
+    append(out, 0, 2);
+  }
+  return out;
+}
+
+std::string write3mf(const Mesh& mesh) {
+  std::string model =
+      std::string(kXml) +
+      "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+      " <metadata name=\"Application\">Sillon</metadata>\n"
+      " <resources>\n  <object id=\"1\" type=\"model\">\n   <mesh>\n    <vertices>\n";
+  for (const auto& p : mesh.points) {
+    model +=
+        "     <vertex x=\"" + decimal(p[0], 3) + "\" y=\"" + decimal(p[1], 3) + "\" z=\"" + decimal(p[2], 6) + "\"/>\n";
+  }
+  model += "    </vertices>\n    <triangles>\n";
+  for (const auto& t : mesh.triangles) {
+    model += "     <triangle v1=\"" + std::to_string(t[0]) + "\" v2=\"" + std::to_string(t[1]) + "\" v3=\"" +
+             std::to_string(t[2]) + "\"/>\n";
+  }
+  model +=
+      "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\"/>\n </build>\n"
+      "</model>\n";
+  Zip zip;
+  addPackageParts(zip);
+  zip.add("3D/3dmodel.model", model);
+  return zip.finish();
+}
+
+}  // namespace sillon

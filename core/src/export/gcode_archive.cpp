@@ -1,0 +1,320 @@
+#include "sillon/export/gcode_archive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/decimal_text.hpp"
+#include "base/json.hpp"
+#include "export/binary_gcode.hpp"
+#include "export/gcode_facts.hpp"
+#include "export/gzip.hpp"
+#include "export/md5.hpp"
+#include "export/zip.hpp"
+#include "export/zip_reader.hpp"
+
+namespace sillon {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr std::size_t kMostPacked = std::size_t{1} << 30;
+constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
+constexpr std::size_t kMostMetadata = std::size_t{64} << 20;
+constexpr double kMoved = 0.5;      // [mm] by which a box is another
+constexpr int kSmallPicture = 128;  // [pixels], of plate_1_small.png
+
+Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gcode.3mf ") + what}; }
+
+// ---- a new one
+
+std::string metadata(std::string_view key, const std::string& value) {
+  return "    <metadata key=\"" + std::string(key) + "\" value=\"" + value + "\"/>\n";
+}
+
+std::string weightOf(std::string_view gcode) {
+  const std::string prusa = toldValue(gcode, "total filament used [g]");
+  return prusa.empty() ? toldValue(gcode, "total filament weight [g]") : prusa;
+}
+
+std::string metresOf(std::string_view gcode) {
+  const std::string mm = toldValue(gcode, "filament used [mm]");
+  const std::string text = mm.empty() ? toldValue(gcode, "total filament length [mm]") : mm;
+  const std::optional<double> value = plainNumber(text);
+  return value ? fixed(*value / 1000, 2) : "";
+}
+
+// Bambu's own files tell it in their header block.
+std::string secondsOf(std::string_view gcode) {
+  const std::string prusa = toldValue(gcode, "estimated printing time (normal mode)");
+  const std::string text = prusa.empty() ? toldValue(gcode, "model printing time") : prusa;
+  return text.empty() ? "" : std::to_string(toldSeconds(text));
+}
+
+std::string sliceInfo(std::string_view gcode) {
+  std::string out = std::string(kXml) + "<config>\n  <plate>\n" + metadata("index", "1");
+  out += metadata("nozzle_diameters", toldValue(gcode, "nozzle_diameter"));
+  out += metadata("prediction", secondsOf(gcode).empty() ? "0" : secondsOf(gcode));
+  out += metadata("weight", weightOf(gcode));
+  out += metadata("outside", "false") + metadata("support_used", "false") + metadata("label_object_enabled", "false");
+  const std::string colour = toldValue(gcode, "filament_colour");
+  return out + "    <filament id=\"1\" tray_info_idx=\"\" type=\"" + toldValue(gcode, "filament_type") + "\" color=\"" +
+         (colour.empty() ? "#FFFFFF" : colour) + "\" used_m=\"" + metresOf(gcode) + "\" used_g=\"" + weightOf(gcode) +
+         "\"/>\n  </plate>\n</config>\n";
+}
+
+double rounded(double value) { return std::round(value * 1000) / 1000; }
+
+OrderedJson corners(const Bounds& box) {
+  return OrderedJson::array({rounded(box.min.x), rounded(box.min.y), rounded(box.max.x), rounded(box.max.y)});
+}
+
+// What the printer's screen and the slicers read of a plate: where it lies.
+std::string plateInfo(std::string_view gcode) {
+  OrderedJson object = OrderedJson::object();
+  const Bounds box = printedBox(gcode);
+  const Bounds shown = box.empty() ? Bounds{{0, 0}, {0, 0}} : box;
+  object["bbox"] = corners(shown);
+  object["id"] = 1;
+  object["name"] = "plate";
+  OrderedJson root = OrderedJson::object();
+  root["bbox_all"] = corners(shown);
+  root["bbox_objects"] = OrderedJson::array({object});
+  root["first_extruder"] = 0;
+  root["is_seq_print"] = false;
+  root["nozzle_diameter"] = plainNumber(toldValue(gcode, "nozzle_diameter")).value_or(0.4);
+  root["version"] = 2;
+  return root.dump() + "\n";
+}
+
+// The PNG whose width is nearest; empty: there is none.
+std::string nearestPng(const std::vector<ToldPicture>& pictures, int width) {
+  const ToldPicture* best = nullptr;
+  for (const ToldPicture& picture : pictures) {
+    if (picture.format != "PNG" || !picture.bytes.starts_with("\x89PNG")) continue;
+    if (best == nullptr || std::abs(picture.width - width) < std::abs(best->width - width)) best = &picture;
+  }
+  return best == nullptr ? "" : best->bytes;
+}
+
+// ---- one with another file in it
+
+// The first plate: plate_2 before plate_10.
+const ZipEntry* plateOf(const ZipDirectory& directory) {
+  const ZipEntry* best = nullptr;
+  for (const ZipEntry& entry : directory.entries) {
+    if (!entry.name.ends_with(".gcode")) continue;
+    const bool shorter =
+        best != nullptr &&
+        (entry.name.size() != best->name.size() ? entry.name.size() < best->name.size() : entry.name < best->name);
+    if (best == nullptr || shorter) best = &entry;
+  }
+  return best;
+}
+
+int widthOfPng(std::string_view png) {
+  if (!png.starts_with("\x89PNG") || png.size() < 24) return 0;
+  int width = 0;
+  for (std::size_t k = 16; k < 20; ++k) width = width << 8 | static_cast<std::uint8_t>(png[k]);
+  return width;
+}
+
+/// The text with another value in `name="..."`, the first after `from` and before `to`.
+void replaceAttribute(std::string& xml, std::string_view before, std::string_view name, const std::string& value,
+                      std::size_t from, std::size_t& to) {
+  if (value.empty()) return;
+  std::size_t at = xml.find(before, from);
+  if (at == std::string::npos || at >= to) return;
+  at = xml.find(std::string(name) + "=\"", at + before.size());
+  if (at == std::string::npos || at >= to) return;
+  at += name.size() + 2;
+  const std::size_t end = xml.find('"', at);
+  if (end == std::string::npos || end >= to) return;
+  xml.replace(at, end - at, value);
+  to = to + value.size() - (end - at);
+}
+
+// Time and weight of the plate, where the new file tells others than the old one.
+std::string newSliceInfo(std::string xml, std::string_view plate, std::string_view before, std::string_view after) {
+  const std::string index = "<metadata key=\"index\" value=\"" + std::string(plate) + "\"/>";
+  const std::size_t from = xml.find(index);
+  if (from == std::string::npos) return xml;
+  std::size_t to = std::min(xml.find("</plate>", from), xml.size());
+  if (secondsOf(before) != secondsOf(after)) {
+    replaceAttribute(xml, "<metadata key=\"prediction\"", "value", secondsOf(after), from, to);
+  }
+  if (weightOf(before) == weightOf(after) && metresOf(before) == metresOf(after)) return xml;
+  replaceAttribute(xml, "<metadata key=\"weight\"", "value", weightOf(after), from, to);
+  const std::size_t filament = xml.find("<filament ", from);
+  const bool single = filament < to && xml.find("<filament ", filament + 1) >= to;
+  if (single) {  // of several it is not told which one gave what
+    replaceAttribute(xml, "<filament ", "used_m", metresOf(after), from, to);
+    replaceAttribute(xml, "<filament ", "used_g", weightOf(after), from, to);
+  }
+  return xml;
+}
+
+std::string newPlateInfo(const std::string& text, std::string_view gcode) {
+  OrderedJson root = OrderedJson::parse(text, nullptr, false);
+  const Bounds box = printedBox(gcode);
+  if (!root.is_object() || box.empty()) return text;
+  root["bbox_all"] = corners(box);
+  if (root.contains("bbox_objects") && root["bbox_objects"].is_array() && !root["bbox_objects"].empty() &&
+      root["bbox_objects"][0].is_object()) {
+    OrderedJson object = root["bbox_objects"][0];
+    object["bbox"] = corners(box);
+    root["bbox_objects"] = OrderedJson::array({object});
+  }
+  return root.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+}  // namespace
+
+Result<std::string> packGcode(std::string_view gcode) {
+  if (gcode.size() > kMostPacked) {
+    return Error{ErrorCode::TooLarge, "the G-code is " + std::to_string(gcode.size() >> 20) +
+                                          " MiB; in a .gcode.3mf it must be at most 1024"};
+  }
+  const std::vector<ToldPicture> pictures = toldPictures(gcode);
+  const std::string png = nearestPng(pictures, 4096);
+  Zip zip;
+  addPackageParts(zip,
+                  " <Default Extension=\"png\" ContentType=\"image/png\"/>\n"
+                  " <Default Extension=\"gcode\" ContentType=\"text/x.gcode\"/>\n");
+  zip.add("3D/3dmodel.model",
+          std::string(kXml) +
+              "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+              " <metadata name=\"Application\">Sillon</metadata>\n <resources/>\n <build/>\n</model>\n");
+  const std::string thumbnails = png.empty() ? ""
+                                             : metadata("thumbnail_file", "Metadata/plate_1.png") +
+                                                   metadata("thumbnail_no_light_file", "Metadata/plate_no_light_1.png");
+  zip.add("Metadata/model_settings.config",
+          std::string(kXml) + "<config>\n  <plate>\n" + metadata("plater_id", "1") + metadata("plater_name", "") +
+              metadata("locked", "false") + metadata("gcode_file", "Metadata/plate_1.gcode") + thumbnails +
+              metadata("pattern_bbox_file", "Metadata/plate_1.json") + "  </plate>\n</config>\n");
+  zip.add("Metadata/_rels/model_settings.config.rels",
+          std::string(kXml) +
+              "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
+              " <Relationship Target=\"/Metadata/plate_1.gcode\" Id=\"rel-1\" "
+              "Type=\"http://schemas.bambulab.com/package/2021/gcode\"/>\n</Relationships>\n");
+  zip.add("Metadata/slice_info.config", sliceInfo(gcode));
+  if (!png.empty()) {
+    zip.add("Metadata/plate_1.png", png);
+    zip.add("Metadata/plate_1_small.png", nearestPng(pictures, kSmallPicture));
+    zip.add("Metadata/plate_no_light_1.png", png);
+  }
+  zip.add("Metadata/plate_1.json", plateInfo(gcode));
+  zip.add("Metadata/plate_1.gcode.md5", md5(gcode));
+  zip.add("Metadata/plate_1.gcode", gcode);
+  return zip.finish();
+}
+
+Result<GcodeContainer> readGcodeContainer(std::string_view bytes) {
+  GcodeContainer container;
+  if (isBinaryGcode(bytes)) {
+    Result<std::string> text = binaryToText(bytes);
+    if (!text) return text.error();
+    container.kind = GcodeContainerKind::Binary;
+    container.gcode = std::move(text).value();
+    container.file = bytes;
+    return container;
+  }
+  if (isGzip(bytes)) {
+    Result<std::string> text = unzipped(bytes);
+    if (!text) return text.error();
+    container.kind = GcodeContainerKind::Gzip;
+    container.gcode = std::move(text).value();
+    container.file = bytes;
+    return container;
+  }
+  if (!bytes.starts_with("PK\x03\x04")) {
+    container.gcode = bytes;
+    return container;
+  }
+  const Result<ZipDirectory> directory = readZip(bytes);
+  if (!directory) return directory.error();
+  const ZipEntry* plate = plateOf(directory.value());
+  if (plate == nullptr) return damaged("holds no .gcode; slice the plate before it is exported");
+  Result<std::string> text = unpackEntry(bytes, *plate, kMostUnpacked);
+  if (!text) return text.error();
+  container.kind = GcodeContainerKind::Package3mf;
+  const auto& entries = directory.value().entries;
+  container.plates = static_cast<int>(std::count_if(
+      entries.begin(), entries.end(), [](const ZipEntry& entry) { return entry.name.ends_with(".gcode"); }));
+  container.gcode = std::move(text).value();
+  container.file = bytes;
+  return container;
+}
+
+Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string_view gcode) {
+  if (container.kind == GcodeContainerKind::Text) return std::string(gcode);
+  if (container.kind == GcodeContainerKind::Binary) return binaryWithText(container.file, gcode);
+  if (container.kind == GcodeContainerKind::Gzip) return zippedLike(container.file, gcode);
+  if (gcode.size() > kMostPacked) {
+    return Error{ErrorCode::TooLarge, "the G-code is " + std::to_string(gcode.size() >> 20) +
+                                          " MiB; in a .gcode.3mf it must be at most 1024"};
+  }
+  const std::string_view file = container.file;
+  const Result<ZipDirectory> directory = readZip(file);
+  if (!directory) return directory.error();
+  const ZipEntry* plate = plateOf(directory.value());
+  if (plate == nullptr) return damaged("holds no .gcode; slice the plate before it is exported");
+
+  const std::string_view path = plate->name.substr(0, plate->name.size() - 6);          // Metadata/plate_1
+  const std::string_view folder = path.substr(0, path.rfind('/') + 1);                  // Metadata/
+  const std::string_view index = path.substr(path.find_last_not_of("0123456789") + 1);  // 1
+  const std::vector<ToldPicture> pictures = toldPictures(gcode);
+  const bool newPictures =
+      !pictures.empty() && nearestPng(pictures, 4096) != nearestPng(toldPictures(container.gcode), 4096);
+  const Bounds before = printedBox(container.gcode);
+  const Bounds after = printedBox(gcode);
+  // A bead that lies otherwise by a hair is no other place; objects keep the boxes that their slicer gave them.
+  const bool moved =
+      before.empty() != after.empty() ||
+      (!after.empty() && std::max(length(before.min - after.min), length(before.max - after.max)) > kMoved);
+
+  std::vector<std::string> made(directory.value().entries.size());
+  std::vector<const std::string*> contents(made.size(), nullptr);
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    const ZipEntry& entry = directory.value().entries[k];
+    const auto is = [&](std::string_view head, std::string_view tail) {
+      return entry.name.starts_with(head) && entry.name.substr(head.size()) == tail;
+    };
+    const std::string noLight = std::string(folder) + "plate_no_light_" + std::string(index);
+    std::optional<std::string> other;
+    if (&entry == plate) {
+      other = gcode;
+    } else if (is(plate->name, ".md5")) {
+      other = md5(gcode);
+    } else if (newPictures && (is(path, ".png") || is(path, "_small.png") || is(noLight, ".png"))) {
+      const Result<std::string> old = unpackEntry(file, entry, kMostMetadata);
+      const std::string png = nearestPng(pictures, old ? widthOfPng(old.value()) : kSmallPicture);
+      if (!png.empty()) other = png;
+    } else if (is(folder, "slice_info.config") || (moved && is(path, ".json"))) {
+      const Result<std::string> old = unpackEntry(file, entry, kMostMetadata);
+      if (!old) return old.error();
+      other = entry.name.ends_with(".json") ? newPlateInfo(old.value(), gcode)
+                                            : newSliceInfo(old.value(), index, container.gcode, gcode);
+      if (*other == old.value()) other.reset();
+    }
+    if (!other) continue;
+    made[k] = std::move(*other);
+    contents[k] = &made[k];
+  }
+  return withContents(file, directory.value(), contents);
+}
+
+Result<std::string> gzipGcode(std::string_view gcode) { return zipped(gcode); }
+
+Result<std::string> unpackGcode(std::string_view bytes) {
+  Result<GcodeContainer> container = readGcodeContainer(bytes);
+  if (!container) return container.error();
+  return std::move(container.value().gcode);
+}
+
+}  // namespace sillon

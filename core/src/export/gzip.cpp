@@ -1,0 +1,83 @@
+#include "export/gzip.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "base/crc32.hpp"
+#include "export/bytes.hpp"
+#include "input/inflate.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kHeader = 10;
+constexpr std::size_t kTrailer = 8;  // checksum and size
+constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
+constexpr std::size_t kMostPacked = std::size_t{1} << 30;
+constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
+
+Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gz ") + what}; }
+
+// One past the header; 0 if it does not end.
+std::size_t endOfHeader(std::string_view file) {
+  if (file.size() < kHeader + kTrailer || file[2] != '\x08') return 0;
+  const auto flags = static_cast<std::uint8_t>(file[3]);
+  std::size_t at = kHeader;
+  if ((flags & 4) != 0) {
+    if (at + 2 > file.size()) return 0;
+    at += 2 + static_cast<std::size_t>(number(file, at, 2));
+  }
+  for (const int text : {8, 16}) {  // name, comment
+    if ((flags & text) == 0) continue;
+    const std::size_t end = file.find('\0', at);
+    if (end == std::string_view::npos) return 0;
+    at = end + 1;
+  }
+  if ((flags & 2) != 0) at += 2;
+  return at + kTrailer <= file.size() ? at : 0;
+}
+
+Result<std::string> packed(std::string header, std::string_view text) {
+  if (text.size() > kMostPacked) {
+    return Error{ErrorCode::TooLarge,
+                 "the G-code is " + std::to_string(text.size() >> 20) + " MiB; in a .gz it must be at most 1024"};
+  }
+  header += deflated(text);
+  append(header, crc32(text), 4);
+  append(header, text.size(), 4);
+  return header;
+}
+
+}  // namespace
+
+Result<std::string> unzipped(std::string_view file) {
+  const std::size_t begin = endOfHeader(file);
+  if (begin == 0) return damaged("is cut off, or packed in an unknown way");
+  const auto size = static_cast<std::size_t>(number(file, file.size() - 4, 4));
+  const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
+  if (size > kMostUnpacked) {
+    return Error{ErrorCode::TooLarge,
+                 "the .gz holds " + std::to_string(size >> 20) + " MiB of text; it must be at most 256"};
+  }
+  if (size > data.size() * kBestDeflate) return damaged("is damaged: its size does not fit");
+  // stb_image's inflate looks 4 bytes beyond the end; the trailer follows there.
+  std::optional<std::string> text = size == 0 ? std::string() : inflated(file.substr(begin, data.size() + 4), size);
+  if (!text || crc32(*text) != number(file, file.size() - kTrailer, 4)) {
+    return damaged("is damaged, or made of several parts: its checksum does not fit");
+  }
+  return std::move(*text);
+}
+
+Result<std::string> zippedLike(std::string_view file, std::string_view text) {
+  const std::size_t begin = endOfHeader(file);
+  if (begin == 0) return damaged("is cut off, or packed in an unknown way");
+  return packed(std::string(file.substr(0, begin)), text);
+}
+
+Result<std::string> zipped(std::string_view text) {
+  return packed(std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", kHeader), text);
+}
+
+}  // namespace sillon

@@ -1,0 +1,107 @@
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "base/sort_key.hpp"
+#include "export/bytes.hpp"
+#include "sillon/export/zones.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kHeader = 84;
+constexpr std::size_t kFacet = 50;
+constexpr std::size_t kMostFacets = 10'000'000;
+constexpr double kLargest = 10000;  // [mm]
+
+using Corner = std::array<double, 3>;
+
+Error broken(const char* why) { return {ErrorCode::InvalidFile, std::string("the STL ") + why}; }
+
+Result<std::vector<Corner>> cornersOfBytes(std::string_view bytes, std::size_t facets) {
+  std::vector<Corner> corners;
+  corners.reserve(3 * facets);
+  for (std::size_t facet = 0; facet < facets; ++facet) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Corner& p = corners.emplace_back();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto bits =
+            static_cast<std::uint32_t>(number(bytes, kHeader + facet * kFacet + 12 * (corner + 1) + 4 * axis, 4));
+        float value = 0;
+        std::memcpy(&value, &bits, sizeof value);
+        p[axis] = static_cast<double>(value);
+      }
+    }
+  }
+  return corners;
+}
+
+Result<std::vector<Corner>> cornersOfText(std::string_view text) {
+  constexpr std::string_view kVertex = "vertex";
+  std::vector<Corner> corners;
+  for (std::size_t at = text.find(kVertex); at != std::string_view::npos; at = text.find(kVertex, at)) {
+    at += kVertex.size();
+    Corner& p = corners.emplace_back();
+    for (double& value : p) {
+      while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '+')) ++at;
+      const auto read = fast_float::from_chars(text.data() + at, text.data() + text.size(), value);
+      if (read.ec != std::errc{}) return broken("has a corner that is no three numbers");
+      at = static_cast<std::size_t>(read.ptr - text.data());
+    }
+    if (corners.size() > 3 * kMostFacets) break;
+  }
+  return corners;
+}
+
+}  // namespace
+
+Result<Mesh> readStl(std::string_view bytes) {
+  const std::size_t facets = bytes.size() >= kHeader ? static_cast<std::size_t>(number(bytes, 80, 4)) : 0;
+  const bool binary = bytes.size() >= kHeader && facets <= kMostFacets && bytes.size() == kHeader + kFacet * facets;
+  if (!binary && !bytes.starts_with("solid")) return broken("is cut off, or another kind of file");
+  const Result<std::vector<Corner>> read = binary ? cornersOfBytes(bytes, facets) : cornersOfText(bytes);
+  if (!read) return read.error();
+  const std::vector<Corner>& corners = read.value();
+  if (corners.size() > 3 * kMostFacets) {
+    return Error{ErrorCode::TooLarge, "the STL has more than 10 million triangles; it must have at most that"};
+  }
+  if (corners.empty() || corners.size() % 3 != 0) return broken("has no triangles, or an unfinished one");
+
+  // Corners at the same place, to 1 µm, are one point.
+  std::vector<SortKey> keys;
+  keys.reserve(corners.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    for (const double value : corners[k]) {
+      if (!(std::abs(value) <= kLargest)) return broken("reaches further than 10000 mm");
+    }
+    const auto micrometres = [&](std::size_t axis) { return std::llround(1000 * corners[k][axis]); };
+    keys.push_back({{micrometres(0), micrometres(1), micrometres(2), 0}, k});
+  }
+  std::sort(keys.begin(), keys.end());
+  Mesh mesh;
+  std::vector<std::uint32_t> pointOf(corners.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (k == 0 || keys[k].first != keys[k - 1].first) {
+      const auto& [x, y, z, none] = keys[k].first;
+      mesh.points.push_back(
+          {static_cast<double>(x) / 1000, static_cast<double>(y) / 1000, static_cast<double>(z) / 1000});
+    }
+    pointOf[keys[k].second] = static_cast<std::uint32_t>(mesh.points.size() - 1);
+  }
+  for (std::size_t k = 0; k < corners.size(); k += 3) {
+    const std::array<std::uint32_t, 3> triangle{pointOf[k], pointOf[k + 1], pointOf[k + 2]};
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+    mesh.triangles.push_back(triangle);
+  }
+  if (mesh.triangles.empty()) return broken("has no triangle with an area");
+  return mesh;
+}
+
+}  // namespace sillon

@@ -1,0 +1,148 @@
+#include "export/zip_reader.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/crc32.hpp"
+#include "export/bytes.hpp"
+#include "input/inflate.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kListedSize = 46;
+constexpr std::size_t kLocalSize = 30;
+constexpr std::size_t kEndSize = 22;
+constexpr std::size_t kMostComment = 65535;
+constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
+constexpr std::uint64_t kUtf8Names = 0x0800;
+
+Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gcode.3mf ") + what}; }
+
+}  // namespace
+
+Result<ZipDirectory> readZip(std::string_view zip) {
+  const std::size_t from = zip.size() - std::min(zip.size(), kEndSize + kMostComment);
+  const std::size_t last = zip.substr(from).rfind("PK\x05\x06");
+  if (last == std::string_view::npos || from + last + kEndSize > zip.size()) return damaged("is cut off");
+  ZipDirectory directory;
+  directory.end = from + last;
+  const std::uint64_t count = number(zip, directory.end + 10, 2);
+  std::uint64_t at = number(zip, directory.end + 16, 4);
+  directory.begin = static_cast<std::size_t>(at);
+  std::vector<std::size_t> begins;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    if (at + kListedSize > directory.end || number(zip, static_cast<std::size_t>(at), 4) != 0x02014b50) {
+      return damaged("has a broken directory");
+    }
+    ZipEntry entry;
+    entry.listed = static_cast<std::size_t>(at);
+    const std::uint64_t name = number(zip, entry.listed + 28, 2);
+    if (at + kListedSize + name > directory.end) return damaged("has a broken directory");
+    entry.name = zip.substr(entry.listed + kListedSize, static_cast<std::size_t>(name));
+    entry.flags = number(zip, entry.listed + 8, 2);
+    entry.method = number(zip, entry.listed + 10, 2);
+    entry.crc = number(zip, entry.listed + 16, 4);
+    entry.packed = number(zip, entry.listed + 20, 4);
+    entry.size = number(zip, entry.listed + 24, 4);
+    entry.begin = static_cast<std::size_t>(number(zip, entry.listed + 42, 4));
+    begins.push_back(entry.begin);
+    directory.entries.push_back(entry);
+    at += kListedSize + name + number(zip, entry.listed + 30, 2) + number(zip, entry.listed + 32, 2);
+  }
+  std::sort(begins.begin(), begins.end());
+  for (ZipEntry& entry : directory.entries) {
+    const auto next = std::upper_bound(begins.begin(), begins.end(), entry.begin);
+    entry.end = std::min(next == begins.end() ? directory.begin : *next, directory.begin);
+    if (entry.begin + kLocalSize > entry.end) entry.end = entry.begin;  // broken: unpackEntry says so
+  }
+  return directory;
+}
+
+Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std::size_t most) {
+  if ((entry.flags & 1) != 0) return damaged("is encrypted");
+  if (entry.method != 0 && entry.method != 8) return damaged("is packed in an unknown way");
+  if (entry.size > most) {
+    return Error{ErrorCode::TooLarge, "the G-code in the .gcode.3mf is " + std::to_string(entry.size >> 20) +
+                                          " MiB; it must be at most " + std::to_string(most >> 20)};
+  }
+  if (entry.end == entry.begin || entry.begin + kLocalSize > zip.size() || number(zip, entry.begin, 4) != 0x04034b50) {
+    return damaged("has a broken entry");
+  }
+  const std::uint64_t data =
+      entry.begin + kLocalSize + number(zip, entry.begin + 26, 2) + number(zip, entry.begin + 28, 2);
+  if (data + entry.packed > zip.size() || entry.size > entry.packed * kBestDeflate ||
+      (entry.method == 0 && entry.size != entry.packed)) {
+    return damaged("has a broken entry");
+  }
+  // stb_image's inflate looks 4 bytes beyond the end; the directory follows there.
+  const auto begin = static_cast<std::size_t>(data);
+  const auto length = static_cast<std::size_t>(entry.packed);
+  std::optional<std::string> out = entry.method == 0
+                                       ? std::string(zip.substr(begin, length))
+                                       : inflated(zip.substr(begin, length + 4), static_cast<std::size_t>(entry.size));
+  if (!out || crc32(*out) != entry.crc) return damaged("is damaged: its checksum does not fit");
+  return std::move(*out);
+}
+
+std::string withContents(std::string_view zip, const ZipDirectory& directory,
+                         const std::vector<const std::string*>& contents) {
+  // In the order of the file, which need not be that of the directory.
+  std::vector<std::size_t> order(directory.entries.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return directory.entries[a].begin < directory.entries[b].begin;
+  });
+  std::string out;
+  std::vector<std::size_t> begins(order.size());
+  for (const std::size_t k : order) {
+    const ZipEntry& entry = directory.entries[k];
+    begins[k] = out.size();
+    if (contents[k] == nullptr) {
+      out += zip.substr(entry.begin, entry.end - entry.begin);
+      continue;
+    }
+    append(out, 0x04034b50, 4);
+    append(out, 10, 2);  // version 1.0
+    append(out, entry.flags & kUtf8Names, 2);
+    append(out, 0, 2);                        // stored
+    out += zip.substr(entry.listed + 12, 4);  // date and time
+    append(out, crc32(*contents[k]), 4);
+    append(out, contents[k]->size(), 4);
+    append(out, contents[k]->size(), 4);
+    append(out, entry.name.size(), 2);
+    append(out, 0, 2);
+    out += entry.name;
+    out += *contents[k];
+  }
+  const std::size_t begin = out.size();
+  for (std::size_t k = 0; k < directory.entries.size(); ++k) {
+    const ZipEntry& entry = directory.entries[k];
+    const std::size_t next = k + 1 < directory.entries.size() ? directory.entries[k + 1].listed : directory.end;
+    std::string record(zip.substr(entry.listed, next - entry.listed));
+    const auto put = [&](std::size_t at, std::uint64_t value, int bytes) {
+      std::string digits;
+      append(digits, value, bytes);
+      record.replace(at, digits.size(), digits);
+    };
+    put(42, begins[k], 4);
+    if (contents[k] != nullptr) {
+      put(6, 10, 2);
+      put(8, entry.flags & kUtf8Names, 2);
+      put(10, 0, 2);
+      put(16, crc32(*contents[k]), 4);
+      put(20, contents[k]->size(), 4);
+      put(24, contents[k]->size(), 4);
+    }
+    out += record;
+  }
+  std::string tail(zip.substr(directory.end));
+  std::string size;
+  append(size, out.size() - begin, 4);
+  append(size, begin, 4);
+  tail.replace(12, 8, size);
+  return out + tail;
+}
+
+}  // namespace sillon

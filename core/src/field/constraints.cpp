@@ -1,0 +1,116 @@
+#include "sillon/field/constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/fast_math.hpp"
+#include "base/parallel_for.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kNoAverage = 0.1f;  ///< below this length an average of lines says nothing
+
+// Texels covered by [centre - reach, centre + reach] along one axis, with the share of each.
+struct Footprint {
+  int first = 0;
+  std::vector<float> weight;
+};
+
+// A box as wide as the cell, or as a texel where texels are larger: then the average is bilinear interpolation.
+std::vector<Footprint> footprints(int count, double origin, double cell, double page, int texels, bool flipped) {
+  std::vector<Footprint> all(static_cast<std::size_t>(count));
+  const double scale = texels / page;
+  const double reach = 0.5 * std::max(cell * scale, 1.0);
+  for (int k = 0; k < count; ++k) {
+    double centre = (origin + (k + 0.5) * cell) * scale;
+    if (flipped) centre = texels - centre;
+    const double limit = static_cast<double>(texels);
+    const double low = std::clamp(centre - reach, 0.0, limit - 1);
+    const double high = std::clamp(centre + reach, 1.0, limit);
+    Footprint& footprint = all[static_cast<std::size_t>(k)];
+    footprint.first = static_cast<int>(low);
+    for (int texel = footprint.first; texel < high; ++texel) {
+      footprint.weight.push_back(
+          static_cast<float>(std::min(high, texel + 1.0) - std::max(low, static_cast<double>(texel))));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Vec2f beadLine(std::uint16_t angle) {
+  // 2 (angle / 65535 pi - pi/2)
+  const SinCos v = sinCos(static_cast<float>(angle) * (2 * kPi / 65535) - kPi);
+  return {v.cos, v.sin};
+}
+
+TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height) {
+  const double u = std::clamp(p.x / page.x * width, 0.0, width - 1.0);
+  const double v = std::clamp((page.y - p.y) / page.y * height, 0.0, height - 1.0);
+  return {static_cast<int>(u), static_cast<int>(v)};
+}
+
+Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
+                                        const ModeMap& modes, Vec2 page, const ToolpathParams& params,
+                                        const RunContext& run) {
+  const Grid& grid = sdf.grid;
+  CellConstraints cells{grid, std::vector<Zone>(grid.size()), std::vector<DirectionMode>(grid.size()),
+                        std::vector<Vec2f>(grid.size())};
+  const float spacing = static_cast<float>(params.spacing);
+  const float shellDepth =
+      params.perimeterMode == PerimeterMode::Count ? static_cast<float>(params.perimeters) * spacing : 0;
+
+  std::vector<Vec2f> lineOf(65536);
+  for (int k = 0; k < 65536; ++k)
+    lineOf[static_cast<std::size_t>(k)] = acrossBead(beadLine(static_cast<std::uint16_t>(k)));
+  const auto columns = footprints(grid.nx, grid.origin.x, grid.cell, page.x, directions.width, false);
+  const auto rows = footprints(grid.ny, grid.origin.y, grid.cell, page.y, directions.height, true);
+  const auto texel = [&](int x, int y) {
+    return lineOf[directions.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(directions.width) +
+                                   static_cast<std::size_t>(x)]];
+  };
+
+  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const Footprint& row = rows[static_cast<std::size_t>(y)];
+      for (int x = 0; x < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        const float distance = sdf.distance[i];
+        cells.zone[i] = distance > -0.5f * spacing ? Zone::Masked
+                        : distance > -spacing      ? Zone::Ring
+                        : distance > -shellDepth   ? Zone::Shell
+                                                   : Zone::Infill;
+        if (cells.zone[i] == Zone::Masked) continue;
+        const Vec2 centre = grid.centre(x, y);
+        const TexelIndex m = texelAt(centre, page, modes.width, modes.height);
+        cells.mode[i] = modes.mode[static_cast<std::size_t>(m.y) * static_cast<std::size_t>(modes.width) +
+                                   static_cast<std::size_t>(m.x)];
+        Vec2f sum{};
+        float total = 0;
+        if (params.mapFilter == MapFilter::Average) {
+          const Footprint& column = columns[static_cast<std::size_t>(x)];
+          for (std::size_t v = 0; v < row.weight.size(); ++v) {
+            for (std::size_t u = 0; u < column.weight.size(); ++u) {
+              const float weight = row.weight[v] * column.weight[u];
+              sum = sum + texel(column.first + static_cast<int>(u), row.first + static_cast<int>(v)) * weight;
+              total += weight;
+            }
+          }
+        }
+        const float size = length(sum);
+        if (size > kNoAverage * total) {
+          cells.mapLine[i] = sum * (1 / size);
+        } else {
+          const TexelIndex t = texelAt(centre, page, directions.width, directions.height);
+          cells.mapLine[i] = texel(t.x, t.y);
+        }
+      }
+    }
+  });
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return cells;
+}
+
+}  // namespace sillon

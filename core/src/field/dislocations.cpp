@@ -1,0 +1,158 @@
+#include "sillon/field/dislocations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/parallel_for.hpp"
+#include "field/double_angle.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+constexpr int kSigma = 4;           ///< of the smoothing [cells], 2 tau
+constexpr int kReach = 3 * kSigma;  ///< of its Gaussian [cells]
+
+struct Wave {
+  Vec2f k;
+  Vec2f q;
+};
+
+// The same wave seen along a direction that agrees with `k`: (k, phi) = (-k, pi - phi).
+Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, {-w.q.x, w.q.y}} : w; }
+
+struct PhaseTurn {
+  int index = 0;
+  bool flips = false;
+};
+
+// Round the block whose lower left cell is (x, y), counter-clockwise.
+PhaseTurn roundBlock(const SineField& waves, int x, int y) {
+  constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  constexpr double kHalfStep = kTurn / 8;  // of the unit wave over half a cell of tau/2
+  const auto at = [&](std::size_t corner) {
+    const std::size_t i = waves.grid.index(x + kCorners[corner][0], y + kCorners[corner][1]);
+    return Wave{waves.wave[i], waves.phase[i]};
+  };
+  const Wave first = at(0);
+  Wave here = first;
+  double sum = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t to = (k + 1) % 4;
+    const Wave there = alike(here.k, at(to));
+    const Vec2f move{static_cast<float>(kCorners[to][0] - kCorners[k][0]),
+                     static_cast<float>(kCorners[to][1] - kCorners[k][1])};
+    const double step = kHalfStep * static_cast<double>(dot(move, here.k + there.k));
+    const double gain = std::atan2(static_cast<double>(there.q.y), static_cast<double>(there.q.x)) -
+                        std::atan2(static_cast<double>(here.q.y), static_cast<double>(here.q.x)) - step;
+    sum += step + gain - kTurn * std::round(gain / kTurn);
+    here = there;
+  }
+  return {static_cast<int>(std::lround(sum / kTurn)), dot(here.k, first.k) < 0};
+}
+
+// Sums of z along rows, then columns, weighted by the Gaussian; masked cells count nothing.
+std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const RunContext& run) {
+  std::array<float, kReach + 1> weight{};
+  for (int k = 0; k <= kReach; ++k) {
+    weight[static_cast<std::size_t>(k)] = static_cast<float>(std::exp(-0.5 * k * k / (kSigma * kSigma)));
+  }
+  std::vector<Vec2f> rows(z.size());
+  std::vector<Vec2f> out(z.size());
+  const auto pass = [&](const std::vector<Vec2f>& from, std::vector<Vec2f>& to, bool across) {
+    parallelFor(run, grid.ny, rowGrain(run, grid.ny, 30.0 * grid.nx), [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        for (int x = 0; x < grid.nx; ++x) {
+          const int place = across ? y : x;
+          const int last = (across ? grid.ny : grid.nx) - 1;
+          Vec2f sum{};
+          for (int k = std::max(0, place - kReach); k <= std::min(last, place + kReach); ++k) {
+            const std::size_t i = across ? grid.index(x, k) : grid.index(k, y);
+            sum = sum + from[i] * weight[static_cast<std::size_t>(std::abs(k - place))];
+          }
+          to[grid.index(x, y)] = sum;
+        }
+      }
+    });
+  };
+  pass(z, rows, false);
+  pass(rows, out, true);
+  return out;
+}
+
+double boundOf(const LineField& lines, const CellConstraints& cells, const RunContext& run) {
+  const Grid& grid = lines.grid;
+  std::vector<Vec2f> z(grid.size());
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (cells.zone[i] == Zone::Infill || cells.zone[i] == Zone::Shell) z[i] = lineOf(lines.direction[i]);
+  }
+  z = smoothed(grid, z, run);
+  const double most = 0.25 / grid.cell;  // 1/(2 tau), as the cell is tau/2
+  std::vector<double> sums(static_cast<std::size_t>(grid.ny), 0.0);
+  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < grid.nx; ++x) {
+        if (cells.zone[grid.index(x, y)] != Zone::Infill) continue;
+        const auto direction = [&](int cx, int cy) {
+          const Vec2f v = z[grid.index(cx, cy)];
+          const float size = length(v);
+          return size > 0 ? directionOf(v * (1 / size)) : Vec2f{};
+        };
+        const Vec2f d = direction(x, y);
+        // t = (d_y, -d_x): div t is the slope of d_y along x less that of d_x along y.
+        const auto slope = [&](int dx, int dy) {
+          Vec2f sum{};
+          double span = 0;
+          for (const int side : {-1, 1}) {
+            const int cx = x + side * dx;
+            const int cy = y + side * dy;
+            if (cx < 0 || cy < 0 || cx >= grid.nx || cy >= grid.ny) continue;
+            const Vec2f n = direction(cx, cy);
+            if (n == Vec2f{}) continue;
+            sum = sum + (n * (dot(n, d) < 0 ? -1.0f : 1.0f) - d) * static_cast<float>(side);
+            span += grid.cell;
+          }
+          return span > 0 ? Vec2{static_cast<double>(sum.x) / span, static_cast<double>(sum.y) / span} : Vec2{};
+        };
+        sums[static_cast<std::size_t>(y)] += std::min(std::abs(slope(1, 0).y - slope(0, 1).x), most);
+      }
+    }
+  });
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total * grid.cell * grid.cell / (4 * grid.cell);
+}
+
+}  // namespace
+
+Dislocations findDislocations(const LineField& lines, const SineField& waves, const CellConstraints& cells,
+                              const RunContext& run) {
+  const Grid& grid = waves.grid;
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(grid.ny), 0);
+  std::vector<std::int64_t> singular(static_cast<std::size_t>(grid.ny), 0);
+  parallelFor(run, grid.ny - 1, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x + 1 < grid.nx; ++x) {
+        const std::size_t i = grid.index(x, y);
+        const std::size_t up = grid.index(x, y + 1);
+        if (cells.zone[i] == Zone::Masked || cells.zone[i + 1] == Zone::Masked || cells.zone[up] == Zone::Masked ||
+            cells.zone[up + 1] == Zone::Masked) {
+          continue;
+        }
+        const PhaseTurn turn = roundBlock(waves, x, y);
+        (turn.flips ? singular : counts)[static_cast<std::size_t>(y)] += turn.flips ? 1 : std::abs(turn.index);
+      }
+    }
+  });
+  Dislocations found;
+  for (std::size_t y = 0; y < counts.size(); ++y) {
+    found.count += counts[y];
+    found.singularities += singular[y];
+  }
+  found.bound = boundOf(lines, cells, run);
+  return found;
+}
+
+}  // namespace sillon

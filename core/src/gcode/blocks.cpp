@@ -1,0 +1,176 @@
+#include "gcode/blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "base/decimal_text.hpp"
+#include "gcode/layout.hpp"
+#include "gcode/template.hpp"
+#include "sillon/gcode_reader/check.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kColdest = 170;  // [degrees Celsius]
+
+std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
+
+// \param height  of what stands on the bed while the block runs [mm].
+void warnLow(GcodeJob& job, const std::string& block, const GcodeCheck& check, double height) {
+  if (check.lowest >= height) return;
+  job.warn(WarningCode::BlockMovesLow, {{"block", block}, {"z", check.lowest}, {"height", height}});
+}
+
+// Of a block that may be printed with all the same.
+bool isWorthALook(const GcodeFinding& finding) {
+  return finding.rule == "bounds" || finding.rule == "settings" || finding.rule == "modes";
+}
+
+// Harms the machine, or reaches beyond the print: refused whatever dialect the block's writer claims.
+bool isDangerous(const GcodeFinding& finding) {
+  return finding.error && (finding.rule == "commands" || finding.code == "too-hot" || finding.code == "below-bed" ||
+                           finding.code == "volumetric");
+}
+
+GcodeWarning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& finding) {
+  return {code, {{"line", static_cast<double>(line)}, {"what", finding.message}, {"rule", finding.rule}}};
+}
+
+// A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
+std::optional<Error> checkStart(const std::string& block, const Printer& printer, const PrintParams& params,
+                                GcodeJob& job) {
+  // Makers of Bambu machines wipe far off the bed, in code that is theirs.
+  const bool trusted = printer.flavor == GcodeFlavor::Bambu;
+  const GcodeCheck check = checkGcode(block, printer);
+  if (!check.homes) return invalid("startGcode does not home; it must have G28 or a start macro");
+  job.startRetracted = check.retracted;
+  job.hotStart = check.heatsNozzle && check.nozzleTarget >= kColdest;
+  // What it lays itself is laid at its own temperature; the job's own is written after it.
+  if (check.filamentMm > 0 && std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > 20) {
+    job.warn(WarningCode::StartTemperature,
+             {{"hot", check.nozzleTarget}, {"meant", printer.firstLayerNozzleTemperature}});
+  }
+  warnLow(job, "startGcode", check, params.startHeight);
+  for (const GcodeFinding& finding : check.findings) {
+    if (finding.line == 0) continue;  // of whole files
+    const GcodeWarning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
+    if (isDangerous(finding) || (finding.error && !trusted)) return invalid(warningSentence(warning));
+    if (isWorthALook(finding)) job.warnings.push_back(warning);
+  }
+  return std::nullopt;
+}
+
+// The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
+std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height, const Printer& printer,
+                              GcodeJob& job) {
+  const std::string before = "G28\nM190 S60\nM109 S200\nG1 X" + fixed(from.x, 3) + " Y" + fixed(from.y, 3) + " Z" +
+                             fixed(height, 3) + " F300\nG91\nG1 X0.1 E0.0002\nG90\nG92 E0\n" +
+                             (printer.absoluteE ? "M82\n" : "M83\n");
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  bool hot = false;
+  for (const GcodeFinding& finding : checkGcode(before + block, printer).findings) {
+    hot = hot || finding.rule == "end";
+    if (finding.line <= lines) continue;
+    const GcodeWarning warning = lineWarning(WarningCode::EndLine, finding.line - lines, finding);
+    const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
+    if (isDangerous(finding) || (fault && printer.flavor != GcodeFlavor::Bambu)) {
+      return invalid(warningSentence(warning));
+    }
+    if (finding.error || isWorthALook(finding)) job.warnings.push_back(warning);
+  }
+  if (hot) job.warn(WarningCode::EndHot);
+  return std::nullopt;
+}
+
+// Homing while it warms up. Lifting, going aside and waiting for heat follow every start block.
+std::string ownStart(const Printer& printer) {
+  return std::string(printer.flavor == GcodeFlavor::RepRap ? "T0\n" : "") + "M140 S" +
+         fixed(printer.bedTemperature, 0) + "\nM104 S150\nG28\n";
+}
+
+// Percentages that the block leaves on all flow (M221) or speed (M220), which are put back to 100 after it.
+void warnScaled(GcodeJob& job, std::string_view block) {
+  for (const auto& [command, setting] :
+       {std::pair<std::string_view, const char*>{"M221 ", "flow"}, {"M220 ", "speed"}}) {
+    double percent = 100;
+    std::size_t begin = 0;
+    while (begin < block.size()) {
+      const std::size_t end = std::min(block.find('\n', begin), block.size());
+      std::string_view line = block.substr(begin, end - begin);
+      begin = end + 1;
+      line = line.substr(0, line.find(';'));
+      const std::size_t at = line.find(" S");
+      if (!line.starts_with(command) || at == std::string_view::npos) continue;
+      double value = 0;
+      int digits = 0;
+      for (const char c : line.substr(at + 2)) {
+        if (c < '0' || c > '9' || ++digits > 4) break;
+        value = 10 * value + (c - '0');
+      }
+      if (digits > 0) percent = value;
+    }
+    if (percent != 100) job.warn(WarningCode::StartScales, {{"setting", std::string(setting)}, {"percent", percent}});
+  }
+}
+
+}  // namespace
+
+bool setsPressureAdvance(std::string_view block) {
+  bool sets = false;
+  std::size_t begin = 0;
+  while (begin < block.size()) {
+    const std::size_t end = std::min(block.find('\n', begin), block.size());
+    std::string_view line = block.substr(begin, end - begin);
+    begin = end + 1;
+    line = line.substr(0, line.find(';'));
+    for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
+                                       {"M572", " S"},
+                                       {"SET_PRESSURE_ADVANCE", " ADVANCE="}}) {
+      const std::size_t at = line.find(key);
+      if (!line.starts_with(command) || at == std::string_view::npos) continue;
+      const std::string_view value = line.substr(at + key.size(), line.find(' ', at + 1) - at - key.size());
+      sets = value.find_first_of("123456789") != std::string_view::npos;
+    }
+  }
+  return sets;
+}
+
+bool primesItself(const Printer& printer, const PrintParams& params, const Bounds& beads) {
+  if (printer.startGcode.empty()) return false;
+  if (printer.flavor == GcodeFlavor::Bambu) return true;
+  const Result<std::string> start =
+      expandTemplate(printer.startGcode, templateValues(printer, params, beads), "startGcode");
+  return start && checkGcode(start.value(), printer).filamentMm > 0;
+}
+
+std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Printer& printer,
+                               const PrintParams& params) {
+  if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
+    return invalid(
+        "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
+        "which can be imported");
+  }
+  for (const BeadPath& path : job.skirt) addBeads(beads, path);
+  const std::vector<TemplateValue> values = templateValues(printer, params, beads);
+  Result<std::string> start = expandTemplate(printer.startGcode, values, "startGcode");
+  if (!start) return start.error();
+  Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");
+  if (!end) return end.error();
+  if (!printer.startGcode.empty()) {
+    if (auto error = checkStart(start.value(), printer, params, job)) return error;
+  }
+  warnLow(job, "endGcode", checkGcode(end.value(), printer), layerTop(params, layerCount(params) - 1));
+  if (!printer.endGcode.empty()) {
+    const double top = layerTop(params, layerCount(params) - 1) + printer.lift + kParkLift;
+    if (auto error = checkEnd(end.value(), last, std::min(top, printer.maxZ), printer, job)) return error;
+  }
+  warnScaled(job, start.value());
+  job.ownStart = printer.startGcode.empty();
+  job.startBlock = job.ownStart ? ownStart(printer) : std::move(start).value();
+  job.endBlock = std::move(end).value();
+  return std::nullopt;
+}
+
+}  // namespace sillon

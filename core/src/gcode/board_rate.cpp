@@ -1,0 +1,156 @@
+#include "gcode/board_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sillon {
+namespace {
+
+// Moves per second are averaged over half of a small firmware's buffer of 16: a short move between long ones does no
+// harm.
+constexpr std::size_t kWindow = 8;
+constexpr std::size_t kMostJoined = 64;  // [moves]
+constexpr double kLongest = 3;           // [mm], so that speeds can follow curves
+constexpr double kFewSlowed = 0.02;      // [length], then no coarser moves are tried
+constexpr double kManySlowed = 0.25;     // [length]: what the common speed leaves to be slower
+constexpr double kStep = 0.9;            // between the speeds of one path
+constexpr double kCrawl = 12;            // [mm/s], what is slower is not slowed for the sake of few speeds
+constexpr double kHold = 1;              // [mm] before and after a slow stretch that stay slow with it
+
+struct Tolerance {
+  double position;  // [um]
+  double width;     // [mm]
+};
+constexpr Tolerance kTolerances[] = {{1, 0.01}, {2, 0.02}, {4, 0.04}, {6, 0.06}, {8, 0.07}, {10, 0.08}};
+
+double distanceToLine(PointUm p, PointUm a, PointUm b) {
+  const Vec2 d{static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)};
+  const Vec2 q{static_cast<double>(p.x - a.x), static_cast<double>(p.y - a.y)};
+  const double square = dot(d, d);
+  const double along = square > 0 ? std::clamp(dot(q, d) / square, 0.0, 1.0) : 0;
+  return length(q - along * d);
+}
+
+// Highest speed of each segment such that no window of moves passes faster than the limit.
+std::vector<double> windowSpeeds(const std::vector<double>& lengths, const MotionLimits& limits) {
+  std::vector<double> speeds(lengths.size(), limits.speed);
+  double window = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    // Summed anew now and then, so that rounding cannot pile up over a long path.
+    if (i % 1024 == 0) {
+      window = 0;
+      for (std::size_t k = i < kWindow ? 0 : i - kWindow; k < i; ++k) window += lengths[k];
+    }
+    window += lengths[i];
+    if (i >= kWindow) window -= lengths[i - kWindow];
+    if (i + 1 < kWindow) continue;
+    const double speed = limits.maxSegmentsPerSecond * window / static_cast<double>(kWindow);
+    if (speed >= limits.speed) continue;
+    for (std::size_t k = i + 1 - kWindow; k <= i; ++k) speeds[k] = std::min(speeds[k], speed);
+  }
+  return speeds;
+}
+
+double slowedLength(const std::vector<double>& lengths, const std::vector<double>& speeds, double speed) {
+  double sum = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) sum += speeds[i] < speed ? lengths[i] : 0;
+  return sum;
+}
+
+double total(const std::vector<double>& lengths) {
+  double sum = 0;
+  for (const double length : lengths) sum += length;
+  return sum;
+}
+
+Motion joined(const Motion& motion, const Tolerance& tolerance) {
+  Motion out;
+  const std::size_t segments = motion.lengths.size();
+  std::size_t from = 0;
+  while (from < segments) {
+    const std::size_t last = from < motion.beads ? motion.beads : segments;  // coasting begins where it began
+    std::size_t to = from + 1;
+    double area = motion.areas[from];
+    double along = motion.lengths[from];
+    double low = std::min(motion.widths[from], motion.widths[to]);
+    double high = std::max(motion.widths[from], motion.widths[to]);
+    while (to < last && to - from < kMostJoined) {
+      const double nextArea = area + motion.areas[to];
+      const double nextAlong = along + motion.lengths[to];
+      const double nextLow = std::min(low, motion.widths[to + 1]);
+      const double nextHigh = std::max(high, motion.widths[to + 1]);
+      const double mean = nextArea / nextAlong;
+      if (nextAlong > kLongest || nextHigh - mean > tolerance.width || mean - nextLow > tolerance.width) break;
+      bool straight = motion.points[to + 1] != motion.points[from];
+      for (std::size_t k = from + 1; k <= to && straight; ++k) {
+        straight = distanceToLine(motion.points[k], motion.points[from], motion.points[to + 1]) <= tolerance.position;
+      }
+      if (!straight) break;
+      area = nextArea;
+      along = nextAlong;
+      low = nextLow;
+      high = nextHigh;
+      ++to;
+    }
+    out.points.push_back(motion.points[from]);
+    out.widths.push_back(motion.widths[from]);
+    const PointUm d = motion.points[to] - motion.points[from];
+    const bool alone = to == from + 1;
+    out.lengths.push_back(alone ? along : length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000);
+    out.areas.push_back(area);
+    if (to == motion.beads) out.beads = out.lengths.size();
+    from = to;
+  }
+  out.points.push_back(motion.points.back());
+  out.widths.push_back(motion.widths.back());
+  return out;
+}
+
+}  // namespace
+
+void joinMoves(Motion& motion, const MotionLimits& limits) {
+  const double few = kFewSlowed * total(motion.lengths);
+  const auto slowed = [&](const Motion& tried) {
+    return slowedLength(tried.lengths, windowSpeeds(tried.lengths, limits), limits.speed);
+  };
+  if (slowed(motion) <= few) return;
+  Motion best;
+  for (const Tolerance& tolerance : kTolerances) {
+    best = joined(motion, tolerance);
+    if (slowed(best) <= few) break;
+  }
+  motion = std::move(best);
+}
+
+std::vector<double> boardSpeeds(Motion& motion, const MotionLimits& limits) {
+  const std::vector<double>& lengths = motion.lengths;
+  std::vector<double> speeds = windowSpeeds(lengths, limits);
+  motion.segmentSlowedMm = slowedLength(lengths, speeds, limits.speed);
+  if (motion.segmentSlowedMm <= 0) return speeds;
+
+  // One speed for all of the path but its thickest places, and few steps below it.
+  const double most = kManySlowed * total(lengths);
+  double common = limits.speed;
+  while (common > 1 && slowedLength(lengths, speeds, common) > most) common *= kStep;
+  for (double& speed : speeds) {
+    double step = common;
+    while (step > speed && step > kCrawl) step *= kStep;
+    speed = std::min(step, speed);
+  }
+  for (const bool back : {false, true}) {
+    double held = limits.speed;
+    double rest = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      const std::size_t i = back ? lengths.size() - 1 - k : k;
+      rest -= lengths[i];
+      if (rest < 0 || speeds[i] <= held) {
+        held = speeds[i];
+        rest = kHold;
+      }
+      speeds[i] = held;
+    }
+  }
+  return speeds;
+}
+
+}  // namespace sillon

@@ -1,0 +1,93 @@
+// A job that is ready to be written, and the heights of its layers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gcode/motion.hpp"
+#include "sillon/gcode/warning.hpp"
+#include "sillon/settings/print_params.hpp"
+#include "sillon/settings/printer.hpp"
+
+namespace sillon {
+
+inline constexpr double kLeastBead = 0.6;   ///< [nozzle], thinner beads tear
+inline constexpr double kWidestBead = 1.6;  ///< [nozzle], wider beads do not reach their sides
+
+constexpr double kParkLift = 10;  ///< [mm], above the finished plate, before the end block
+
+/// Above clips and screws of the bed, and above what stands there: no travel to or from its edge is lower [mm].
+inline double safeHeight(const Printer& printer, const PrintParams& params) {
+  return std::min(params.startHeight + 10, printer.maxZ);
+}
+
+/// A job that is known to be printable, on the bed [µm].
+struct GcodeJob {
+  BeadPath purge;                              ///< before the first layer; without points where there is none
+  double purgeHeight = 0;                      ///< [mm]
+  PointUm aside;                               ///< off the plates: where the nozzle waits for heat
+  std::vector<BeadPath> skirt;                 ///< layer on the bed only
+  std::vector<BeadPath> brim;                  ///< first layer of each copy
+  std::vector<BeadPath> firstBase;             ///< the first layer, where it is a base layer
+  std::array<std::vector<BeadPath>, 2> bases;  ///< of the other base layers, taking turns
+  std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
+  std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
+  std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
+  double spacing = 0;                          ///< of the toolpath [mm]
+  Vec2 plate;                                  ///< size of the shape [mm]
+  double clampedMm = 0;                        ///< length with a width held at a limit, per oriented layer
+  double fillRatio = 0;                        ///< bead area over shape area, per oriented layer
+  bool knowsAdvance = false;                   ///< something sets pressure advance: turns may be slower than straights
+  double showSpeed = 0;                        ///< of oriented layers [mm/s]
+  Bounds firstPlate;                           ///< the first copy with its brim, on the bed [mm]
+  bool ownStart = false;                       ///< the start block is ours, and leaves the nozzle where it homes
+  bool hotStart = false;                       ///< the start block leaves the nozzle hot: what is in it drips
+  double startRetracted = 0;                   ///< filament that the start block draws back and leaves so [mm]
+  std::string startBlock;                      ///< values put in
+  std::string endBlock;
+  std::vector<GcodeWarning> warnings;
+
+  void warn(WarningCode code, std::vector<WarningValue> values = {}) { warnings.push_back({code, std::move(values)}); }
+};
+
+/// A share as warnings tell it, to a tenth.
+inline double percent(double share) { return std::round(1000 * share) / 10; }
+
+/// Cross-section of filament [mm²].
+inline double filamentArea(double diameter) { return 3.14159265358979323846 * diameter * diameter / 4; }
+
+/// Whether the first layer lies on the bed and not on a print that stands there: only then is it a special one.
+inline bool beginsOnBed(const PrintParams& params) { return !(params.startHeight > 0); }
+
+/// Height of the first layer, which has a default [mm].
+inline double firstLayerHeight(const PrintParams& params) {
+  return params.firstLayerHeight > 0 && beginsOnBed(params) ? params.firstLayerHeight : params.layerHeight;
+}
+
+/// Of one plate.
+inline int layerCount(const PrintParams& params) {
+  return params.base + params.layers * (params.showSide == ShowSide::Both ? 2 : 1);
+}
+
+/// Of all plates in the file.
+inline int fileLayers(const GcodeJob& job, const PrintParams& params) {
+  return layerCount(params) * static_cast<int>(job.copies.size());
+}
+
+/// Whether a layer, counted from 0, is an oriented one.
+inline bool isOriented(const PrintParams& params, int layer) {
+  const bool onBed = params.showSide != ShowSide::Up && layer < params.layers;
+  const int below = params.showSide == ShowSide::Up ? params.base : params.layers + params.base;
+  return onBed || layer >= below;
+}
+
+/// Top of a layer, counted from 0 [mm].
+inline double layerTop(const PrintParams& params, int layer) {
+  return params.startHeight + firstLayerHeight(params) + layer * params.layerHeight;
+}
+
+}  // namespace sillon

@@ -1,0 +1,89 @@
+#include "gcode/offset_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sillon/base/run_context.hpp"
+#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/signed_distance.hpp"
+#include "sillon/toolpath/contour.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kMostNodes = 4e6;
+constexpr double kTolerance = 0.005;  // [mm], of points left out
+constexpr double kLongest = 2;        // [mm], so that speeds can follow
+constexpr std::size_t kWindow = 40;   // points left out in one go
+
+double distanceToLine(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double size = length(d);
+  return size > 0 ? std::abs(cross(d, p - a)) / size : length(p - a);
+}
+
+// Leaves out what lies on the straight line between its neighbours.
+Polyline thinned(const Polyline& line) {
+  Polyline out;
+  std::size_t from = 0;
+  while (from < line.size()) {
+    out.push_back(line[from]);
+    std::size_t to = from + 1;
+    while (to + 1 < line.size() && to - from < kWindow && length(line[to + 1] - line[from]) <= kLongest) {
+      bool straight = true;
+      for (std::size_t k = from + 1; k <= to && straight; ++k) {
+        straight = distanceToLine(line[k], line[from], line[to + 1]) <= kTolerance;
+      }
+      if (!straight) break;
+      ++to;
+    }
+    from = to;
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, double step, int count) {
+  std::vector<Polyline> loops;
+  const Result<Outline> outline = resolveOutline(shape);
+  if (!outline) return outline.error();
+  const double reach = std::max({0.0, first, first + step * (count - 1)}) + std::abs(step);
+  const Bounds box = outline.value().bounds;
+  const Vec2 size = box.size() + Vec2{2 * reach, 2 * reach};
+  Grid lattice;
+  lattice.cell = std::max(std::abs(step) / 4, std::sqrt(size.x * size.y / kMostNodes));
+  lattice.nx = static_cast<int>(size.x / lattice.cell) + 3;
+  lattice.ny = static_cast<int>(size.y / lattice.cell) + 3;
+  lattice.origin = box.min - Vec2{reach + lattice.cell, reach + lattice.cell};
+
+  const RunContext run(1);
+  const Result<BorderIndex> border = buildBorderIndex(outline.value(), lattice, run);
+  if (!border) return border.error();
+  const Result<std::vector<float>> measured = bandDistance(shape, border.value(), lattice, 1e9F, run);
+  if (!measured) return measured.error();
+  const std::vector<float>& distance = measured.value();
+  std::vector<float> values(distance.size());
+  for (int k = 0; k < count; ++k) {
+    const auto level = static_cast<float>(first + step * k);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = distance[i] - level;
+    // Distances far outside: plain linear roots, no waves.
+    const std::vector<float> far(values.size(), 1e9F);
+    const Result<ClosedCurves> curves = contourCycles(lattice, values, far, std::abs(step), run);
+    if (!curves) return curves.error();
+    if (curves.value().count() == 0) break;
+    for (int c = 0; c < curves.value().count(); ++c) {
+      Polyline line;
+      const auto begin = static_cast<std::size_t>(curves.value().begin[static_cast<std::size_t>(c)]);
+      for (int i = 0; i < curves.value().size(c); ++i) {
+        const Vec2f p = curves.value().points[begin + static_cast<std::size_t>(i)];
+        line.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+      }
+      line = thinned(line);
+      if (line.size() >= 3) loops.push_back(std::move(line));
+    }
+  }
+  return loops;
+}
+
+}  // namespace sillon

@@ -1,0 +1,205 @@
+#include "gcode/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/decimal_text.hpp"
+#include "gcode/adhesion.hpp"
+#include "gcode/base_layers.hpp"
+#include "gcode/blocks.hpp"
+#include "gcode/layout.hpp"
+#include "gcode/plate_transform.hpp"
+#include "gcode/seams.hpp"
+#include "gcode/shape_scan.hpp"
+#include "gcode/validation.hpp"
+#include "sillon/quality/metrics.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kMinFlowSpeed = 5;  // [mm/s], slower than this the hot end is the wrong one
+constexpr double kEvenSpeed = 20;    // [mm/s], at which an extruder without pressure advance keeps up
+constexpr double kMinArea = 1e-6;    // [mm²], less is rounding
+
+std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
+
+// The hot end must melt the widest bead at a speed worth printing.
+std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  double widest = 0;
+  for (const BeadPath& path : job.cycles) {
+    for (const double width : path.widths) widest = std::max(widest, width);
+  }
+  const double height = std::max(params.layerHeight, firstLayerHeight(params));
+  double area = params.flow * height * widest;
+  if (params.base > 0 || params.skirt > 0) area = std::max(area, params.baseFlow * height * printer.nozzle);
+  if (printer.maxFlow >= kMinFlowSpeed * area) return std::nullopt;
+  return invalid("maxFlow is " + decimal(printer.maxFlow, 3) + " mm3/s; beads of " + decimal(area, 4) +
+                 " mm2 need at least " + decimal(kMinFlowSpeed * area, 3) + " to print at 5 mm/s");
+}
+
+// Nothing goes down to the bed where a print stands: no skirt, no purge line. Homing does, and is not ours to change.
+void warnAbovePrint(GcodeJob& job, const Printer& printer, double height) {
+  job.warn(WarningCode::PrintOnBed, {{"height", height}});
+  if (printer.startGcode.empty()) job.warn(WarningCode::NotPrimedAbovePrint);
+}
+
+// Of the bed, or near it: nothing is printed there.
+PointUm corner(const Printer& printer) {
+  const Bed bed(printer);
+  if (printer.roundBed) return rounded(bed.centre() - Vec2{0, 0.9 * bed.radius()});
+  return rounded(printer.bedMin + Vec2{1, 1});
+}
+
+// Seen from below, a plate is its mirror image; only shapes that are their own can show the same on both sides.
+std::optional<Error> addBedCycles(GcodeJob& job, const Toolpath& given, const Shape& givenShape,
+                                  const PlateTransform& turn, const ShapeScan& inside, PointUm offset,
+                                  const Printer& printer) {
+  const Bounds box = bounds(givenShape);
+  const double sum = box.min.x + box.max.x;
+  Toolpath flipped = given;
+  for (Cycle& cycle : flipped.cycles) {
+    for (Vec2f& p : cycle.points) p.x = static_cast<float>(sum - static_cast<double>(p.x));
+  }
+  const Toolpath toolpath = turn.none() ? flipped : turn.apply(flipped);
+  if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
+    return invalid("showSide is both, but the shape is not its own mirror image: " + std::to_string(outside) +
+                   " points of the path would lie outside; it must be up or bed here");
+  }
+  PlacedCycles placedCycles;
+  if (auto error = placeCycles(toolpath, offset, printer.nozzle, placedCycles)) return error;
+  job.bedCycles = std::move(placedCycles.paths);
+  return std::nullopt;
+}
+
+// Without pressure advance the extruder lags behind every change of speed: beads are thick where the nozzle slows down
+// and thin where it sets off. Slow and constant is even. Klipper and RepRapFirmware have it in their own settings.
+void setShowSpeed(GcodeJob& job, const Printer& printer, double cyclesMm, const PrintParams& params) {
+  const bool own = printer.flavor == GcodeFlavor::Klipper || printer.flavor == GcodeFlavor::RepRap;
+  job.knowsAdvance = own || printer.setPressureAdvance || setsPressureAdvance(job.startBlock);
+  job.showSpeed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
+  if (job.knowsAdvance || printer.showSpeed > 0 || job.showSpeed <= kEvenSpeed) return;
+  job.showSpeed = kEvenSpeed;
+  const double length = cyclesMm * (layerCount(params) - params.base) * static_cast<double>(job.copies.size());
+  const double minutes = length * (1 / kEvenSpeed - 1 / printer.speed) / 60;
+  job.warn(WarningCode::NoPressureAdvance,
+           {{"speed", kEvenSpeed}, {"minutes", std::ceil(minutes)}, {"asked", printer.speed}});
+}
+
+void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  const double d = printer.filamentDiameter;
+  if (std::abs(d - 1.75) > 0.1 && std::abs(d - 2.85) > 0.15) {
+    job.warn(WarningCode::UnusualFilament, {{"value", d}});
+  }
+  if (params.layerHeight < 0.2 * printer.nozzle) {
+    job.warn(WarningCode::ThinLayers, {{"value", params.layerHeight}});
+  }
+  const auto unusualFlow = [&](const std::string& field, double flow) {
+    if (flow >= 0.8 && flow <= 1.1) return;
+    job.warn(WarningCode::UnusualFlow, {{"field", field}, {"value", flow}});
+  };
+  unusualFlow("flow", params.flow);
+  unusualFlow("baseFlow", params.baseFlow);
+  if (params.showSide != ShowSide::Up) unusualFlow("bedFlow", params.bedFlow);
+  std::int64_t flat = 0;
+  for (const BeadPath& path : job.cycles) {
+    flat += std::count_if(path.widths.begin(), path.widths.end(), [&](double w) {
+      return w <= params.layerHeight && w >= kLeastBead * printer.nozzle - 1e-6;  // threads are no beads
+    });
+  }
+  if (flat > 0) {
+    job.warn(WarningCode::FlatBeads, {{"n", static_cast<double>(flat)}, {"height", params.layerHeight}});
+  }
+  if (job.fillRatio < 0.97 || job.fillRatio > 1.05) {
+    job.warn(WarningCode::FillRatio, {{"percent", percent(job.fillRatio)}});
+  }
+  if (params.mirror && params.showSide == ShowSide::Up) {
+    job.warn(WarningCode::MirroredUp);
+  }
+  if (printer.setPressureAdvance) {
+    const bool stays = printer.flavor == GcodeFlavor::Klipper;
+    job.warn(WarningCode::PressureAdvanceReset, {{"value", stays ? printer.pressureAdvance : 0}});
+  }
+}
+
+}  // namespace
+
+Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape, const Printer& printer,
+                                 const PrintParams& params) {
+  if (auto error = checkGcodeInput(given, givenShape, printer, params)) return *error;
+  PrintParams turning = params;
+  if (params.showSide == ShowSide::Bed) turning.mirror = !params.mirror;
+  const PlateTransform turn(turning, givenShape.page);
+  const Toolpath& toolpath = turn.none() ? given : turn.apply(given);
+  const Shape& shape = turn.none() ? givenShape : turn.apply(givenShape);
+  const Bounds shapeBox = bounds(shape);
+  if (shapeBox.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+
+  GcodeJob job;
+  job.spacing = toolpath.spacing;
+  job.plate = shapeBox.size();
+  const PointUm offset = placement(shapeBox, printer, params);
+  job.copies = copyPlaces(shapeBox, printer, params);
+  PlacedCycles cycles;
+  if (auto error = placeCycles(toolpath, offset, printer.nozzle, cycles)) return *error;
+  job.cycles = std::move(cycles.paths);
+  job.clampedMm = cycles.heldMm;
+  if (cycles.heldMm > 0.01 * cycles.lengthMm) {
+    job.warn(WarningCode::WidthHeld, {{"percent", percent(cycles.heldMm / cycles.lengthMm)},
+                                      {"low", kLeastBead * printer.nozzle},
+                                      {"high", kWidestBead * printer.nozzle}});
+  }
+  if (auto error = checkFlow(job, printer, params)) return *error;
+  const ShapeScan inside = scanShape(shape, shapeBox);
+  if (!(inside.area > kMinArea))
+    return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
+  if (params.showSide == ShowSide::Both) {
+    if (auto error = addBedCycles(job, given, givenShape, turn, inside, offset, printer)) return *error;
+  }
+  if (auto error = addBrim(job, shape, offset, printer, params)) return *error;
+
+  Bounds box{shapeBox.min + mm(offset), shapeBox.max + mm(offset)};
+  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
+    for (const BeadPath& path : *paths) addBeads(box, path);
+  }
+  const Bounds first = box;
+  for (const PointUm copy : job.copies) {
+    box.add(first.min + mm(copy));
+    box.add(first.max + mm(copy));
+  }
+  if (auto error = checkFit(box, shape, mm(offset), job, printer)) {
+    error->message += wayOut(givenShape, printer, params);
+    return *error;
+  }
+
+  job.fillRatio = cycles.beadArea / inside.area;
+  if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
+    const GcodeWarning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
+    if (params.strict) return *invalid(warningSentence(warning) + "; strict refuses that");
+    job.warnings.push_back(warning);
+  }
+  if (params.strict) {
+    if (const std::int64_t crossings = countCrossings(toolpath); crossings > 0) {
+      return *invalid("the path crosses itself " + std::to_string(crossings) + (crossings == 1 ? " time" : " times") +
+                      "; strict refuses that");
+    }
+  }
+  markSeams(job.cycles, offset, shape, inside, job.spacing);
+  markSeams(job.bedCycles, offset, shape, inside, job.spacing);
+  if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
+  if (beginsOnBed(params)) {
+    addSkirt(job, box, printer, params.skirt);
+    if (!primesItself(printer, params, box)) addPurge(job, box, printer, params);
+  } else {
+    warnAbovePrint(job, printer, params.startHeight);
+  }
+  job.firstPlate = first;
+  job.aside = job.purge.points.empty() ? corner(printer) : job.purge.points.front();
+  const Vec2 last = 0.5 * (first.min + first.max) + mm(job.copies.back());
+  if (auto error = addBlocks(job, box, last, printer, params)) return *error;
+  setShowSpeed(job, printer, cycles.lengthMm, params);
+  addWarnings(job, printer, params);
+  return job;
+}
+
+}  // namespace sillon

@@ -1,0 +1,22 @@
+// Ranges of everything G-code export is given.
+#pragma once
+
+#include <optional>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/settings/print_params.hpp"
+#include "sillon/settings/printer.hpp"
+
+namespace sillon {
+
+/// What can be judged number by number, before anything is placed: text, ranges, finite coordinates and widths.
+/// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles).
+std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+                                     const PrintParams& params);
+
+/// The part of it that needs no toolpath.
+std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params);
+
+}  // namespace sillon

@@ -1,0 +1,133 @@
+#include "sillon/gcode/warning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "base/decimal_text.hpp"
+
+namespace sillon {
+namespace {
+
+struct Row {
+  WarningCode code;
+  const char* name;
+  const char* sentence;  // {name} stands for a value
+};
+
+constexpr Row kRows[] = {
+    {WarningCode::AccelerationHeld, "AccelerationHeld",
+     "acceleration is {asked} mm/s2; it is held at machineAcceleration, {held}"},
+    {WarningCode::BaseTooThin, "BaseTooThin",
+     "the base layers cover only {percent} % of the shape; what is thinner than their lines has nothing below it"},
+    {WarningCode::BlockMovesLow, "BlockMovesLow",
+     "{block} moves along the bed at Z {z}; what stands there is {height} mm high"},
+    {WarningCode::DetailLost, "DetailLost",
+     "{area} mm2 are narrower than a bead and stay empty, in places: {n}; {share} % of that would print at a page "
+     "width "
+     "of {size} mm"},
+    {WarningCode::DrawingOffPage, "DrawingOffPage",
+     "{area} mm2 of the drawing lie off its page and are cut off, as viewers do"},
+    {WarningCode::DrawingUnpainted, "DrawingUnpainted",
+     "nothing in the drawing is painted, so its outlines were taken as the shape"},
+    {WarningCode::EndHot, "EndHot", "endGcode leaves the nozzle or the bed hot; M104 S0 and M140 S0 turn them off"},
+    {WarningCode::EndLine, "EndLine", "line {line} of endGcode: {what}"},
+    {WarningCode::FillRatio, "FillRatio", "the beads cover {percent} % of the shape's area; 97 to 105 print well"},
+    {WarningCode::FlatBeads, "FlatBeads", "{n} points have beads no wider than the layer is high ({height} mm)"},
+    {WarningCode::ManyBytes, "ManyBytes", "the file has {mb} MB; hosts get slow above 100"},
+    {WarningCode::ManyMoves, "ManyMoves", "the file has {n} moves; hosts get slow above 2 million"},
+    {WarningCode::MaxFlowSlows, "MaxFlowSlows", "maxFlow slows {percent} % of the path"},
+    {WarningCode::MirroredUp, "MirroredUp",
+     "the plate is mirrored but shown from above; writing on it reads backwards"},
+    {WarningCode::NoPressureAdvance, "NoPressureAdvance",
+     "nothing sets pressure advance on this printer, so oriented layers run evenly at {speed} mm/s, {minutes} min "
+     "longer "
+     "than at {asked}; set it, or showSpeed"},
+    {WarningCode::NotPrimed, "NotPrimed", "the plate leaves no room for a purge line; the first beads may be thin"},
+    {WarningCode::NotPrimedAbovePrint, "NotPrimedAbovePrint",
+     "nothing is printed beside a print that stands on the bed; the nozzle is not primed"},
+    {WarningCode::OutsideShape, "OutsideShape", "{n} points of the path lie more than 0.1 mm outside the shape"},
+    {WarningCode::PressureAdvanceReset, "PressureAdvanceReset",
+     "pressure advance is {value} after the print, until the printer restarts or another file sets it"},
+    {WarningCode::PrintOnBed, "PrintOnBed",
+     "a print of {height} mm stands on the bed while the start block homes; G28 and G29 must not come down on it on "
+     "this printer"},
+    {WarningCode::SegmentsSlow, "SegmentsSlow", "maxSegmentsPerSecond slows {percent} % of the path"},
+    {WarningCode::SkirtLeftOut, "SkirtLeftOut", "the skirt does not fit the bed and was left out"},
+    {WarningCode::SpeedHeld, "SpeedHeld", "{field} is {asked} mm/s; it is held at machineSpeed, {held}"},
+    {WarningCode::StartLine, "StartLine", "line {line} of startGcode: {what}"},
+    {WarningCode::StartScales, "StartScales",
+     "startGcode sets the {setting} to {percent} % (M220, M221); it is put back to 100 before the first bead"},
+    {WarningCode::StartTemperature, "StartTemperature",
+     "startGcode leaves the nozzle at {hot} degrees; the first layer is meant for {meant}"},
+    {WarningCode::ThinLayers, "ThinLayers", "layerHeight is {value} mm; below 0.2 nozzle layers tear"},
+    {WarningCode::UnusualFilament, "UnusualFilament",
+     "filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
+    {WarningCode::UnusualFlow, "UnusualFlow", "{field} is {value}; usual are 0.8 to 1.1"},
+    {WarningCode::WidthHeld, "WidthHeld",
+     "{percent} % of the path is printed with a width held at {low} or {high} mm (0.6 and 1.6 nozzle)"},
+};
+
+constexpr bool rowsStandInOrder() {
+  for (int k = 0; k < static_cast<int>(std::size(kRows)); ++k) {
+    if (static_cast<int>(kRows[k].code) != k) return false;
+  }
+  return true;
+}
+static_assert(rowsStandInOrder(), "one row per code, in the order of WarningCode");
+
+const Row& row(WarningCode code) { return kRows[static_cast<std::size_t>(code)]; }
+
+}  // namespace
+
+const WarningValue* GcodeWarning::value(const std::string& name) const {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const WarningValue& value) { return name == value.name; });
+  return found == values.end() ? nullptr : &*found;
+}
+
+const char* warningName(WarningCode code) { return row(code).name; }
+
+std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
+  std::vector<GcodeWarning> warnings;
+  // Edges that only graze the page's are no loss.
+  if (drawing.offPage >= 0.01) {
+    warnings.push_back({WarningCode::DrawingOffPage, {{"area", drawing.offPage}}});
+  }
+  if (drawing.unpainted) warnings.push_back({WarningCode::DrawingUnpainted, {}});
+  return warnings;
+}
+
+std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
+  if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
+  // The thinnest tenth may be hairlines that no size would save.
+  std::vector<LostPlace> byWidth = measures.lostPlaces;
+  std::stable_sort(byWidth.begin(), byWidth.end(),
+                   [](const LostPlace& a, const LostPlace& b) { return a.width > b.width; });
+  double printed = 0;
+  double width = byWidth.front().width;
+  for (const LostPlace& place : byWidth) {
+    if (printed >= 0.9 * measures.lostAreaMm2) break;
+    printed += place.areaMm2;
+    width = place.width;
+  }
+  const double size = std::ceil(page.x * spacing / std::max(width, 0.01 * spacing));
+  return {{WarningCode::DetailLost,
+           {{"area", measures.lostAreaMm2},
+            {"n", static_cast<double>(measures.lostPlaces.size())},
+            {"share", std::round(100 * printed / measures.lostAreaMm2)},
+            {"size", size}}}};
+}
+
+std::string warningSentence(const GcodeWarning& warning) {
+  std::string sentence = row(warning.code).sentence;
+  for (const WarningValue& value : warning.values) {
+    const std::string place = "{" + std::string(value.name) + "}";
+    const std::size_t at = sentence.find(place);
+    if (at == std::string::npos) continue;
+    sentence.replace(at, place.size(), value.text.empty() ? decimal(value.number, 3) : value.text);
+  }
+  return sentence;
+}
+
+}  // namespace sillon

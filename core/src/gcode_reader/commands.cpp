@@ -1,0 +1,496 @@
+#include "gcode_reader/commands.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "base/decimal_text.hpp"
+#include "gcode_reader/findings.hpp"
+
+namespace sillon {
+namespace {
+
+using enum CommandKind;
+
+// Where a command is described. Each row of the table names one of these pages, on which its commands are found by
+// name.
+//   Marlin   https://marlinfw.org/meta/gcode/
+//   Klipper  https://www.klipper3d.org/G-Codes.html
+//   RepRap   https://docs.duet3d.com/User_manual/Reference/Gcodes
+//   Prusa    https://help.prusa3d.com/article/prusa-specific-g-codes_112173 and https://reprap.org/wiki/G-code
+//   Bambu    the start and end blocks of https://github.com/bambulab/BambuStudio, resources/profiles/BBL/machine
+//   Wiki     https://reprap.org/wiki/G-code, for older firmwares
+enum Source : unsigned { Marlin = 1, Klipper = 2, RepRap = 4, Prusa = 8, Bambu = 16, Wiki = 32 };
+
+struct Row {
+  CommandKind kind;
+  unsigned sources;        ///< of these pages, and for the machines they are about
+  bool error;              ///< else a warning
+  std::string_view names;  ///< separated by spaces; G and M with a range: M201-M205
+};
+
+// Where two rows have the same command, that of the machine's own dialect counts. Such rows may differ in warnings
+// only.
+constexpr Row kRows[] = {
+    // Moves, modes, homing, levelling, waiting.
+    {Safe, Marlin, false,
+     "G0-G4 G10-G12 G17 G20-G21 G27-G32 G34-G35 G60-G61 G80 G90-G92 M82-M84 M17-M18 M400-M402 M420 T"},
+    {Safe, Wiki, false, "G22-G23 G75 G81 G161-G162 M101-M103 M126-M129 M70-M72 M132-M133"},
+    {Safe, RepRap, false, "G69 M116 M120-M121 M561 M557"},
+    {Safe, Prusa, false, "G29.1-G29.9 M555 M862 M863 M958 M970 M977 P L P0 P1 Tx Tc T?"},
+    {Safe, Bambu, false,
+     "G29.1-G29.9 G39-G39.9 G150-G152 G150.1-G150.9 G380 G383 G392 G1009 G2814 M9833 M620-M630 M960 M970-M985 M991 "
+     "M1000 "
+     "M1002-M1007 M1012 M1022 M1026 M1028 M142 M211 M412 M500 SYNC"},
+    {Safe, Klipper, false,
+     "BED_MESH_CALIBRATE BED_MESH_CLEAR QUAD_GANTRY_LEVEL Z_TILT_ADJUST SCREWS_TILT_CALCULATE SAVE_GCODE_STATE "
+     "RESTORE_GCODE_STATE SET_VELOCITY_LIMIT TEMPERATURE_WAIT STATUS GET_POSITION M204 M220-M221"},
+    // Heaters and fans: their targets are judged by value.
+    {Safe, Marlin, false, "M104 M109 M140-M141 M190-M192 M106-M107 M123 M144 M155 M105 M114-M115 M119 M122"},
+    {Safe, RepRap, false, "M568 M135"},
+    {Safe, Prusa, false, "M142 M410.1"},
+    {Safe, Klipper, false, "SET_HEATER_TEMPERATURE TURN_OFF_HEATERS SET_FAN_SPEED SET_TEMPERATURE_FAN_TARGET"},
+    // How it prints until the next file says otherwise.
+    {Safe, Marlin, false,
+     "M200-M205 M207-M209 M220-M221 M217 M302 M412-M413 M425 M486 M493 M572 M592-M593 M600-M603 M605 M851.1 M900 M569"},
+    {Safe, RepRap, false, "M566-M567 M571-M572 M591-M593 M309 M309.1 M280"},
+    {Safe, Klipper, false,
+     "SET_PRESSURE_ADVANCE SET_RETRACTION GET_RETRACTION SET_INPUT_SHAPER EXCLUDE_OBJECT EXCLUDE_OBJECT_DEFINE "
+     "EXCLUDE_OBJECT_START EXCLUDE_OBJECT_END SET_PRINT_STATS_INFO SET_FILAMENT_SENSOR QUERY_FILAMENT_SENSOR "
+     "ACTIVATE_EXTRUDER SET_GCODE_OFFSET BED_MESH_PROFILE BED_MESH_OFFSET SYNC_EXTRUDER_MOTION PAUSE RESUME "
+     "CLEAR_PAUSE TIMELAPSE_TAKE_FRAME SKEW_PROFILE"},
+    // Screen, host, sound, light, pauses, progress.
+    {Safe, Marlin, false,
+     "M0-M1 M20-M21 M25 M27 M31 M73 M75-M78 M80 M85-M86 M108 M110 M113 M117-M118 M145 M149-M150 M154 M163-M166 M226 "
+     "M240 "
+     "M250 M256 M280 M282 M300 M355 M403-M407 M503 M504 M701-M702 M710 M808.1 M862.1-M862.9 M876 M911 M913.1"},
+    {Safe, RepRap, false, "M36 M38 M39 M291-M292 M408-M409 M577"},
+    {Safe, Wiki, false, "M5 M16 M74 M530-M532 M907"},
+    {Safe, Klipper, false,
+     "SET_DISPLAY_TEXT SET_DISPLAY_GROUP RESPOND SET_LED SET_LED_TEMPLATE QUERY_PROBE QUERY_ENDSTOPS"},
+    // Printers' own start and end macros, by the names that their makers gave them.
+    {Safe, Klipper, false,
+     "PRINT_START START_PRINT PRINT_END END_PRINT PRINT_WARMUP SMART_PARK LINE_PURGE CLEAN_NOZZLE"},
+
+    {Outlives, Marlin, false,
+     "M92 M111 M121 M206 M210-M212 M218 M281 M290 M301 M304-M307 M340 M350-M351 M421-M423 M428 M500-M501 M540 "
+     "M569.1-M569.9 "
+     "M665-M666 M851-M852 M860-M861 M864-M871 M905-M906 M908-M910 M912-M919"},
+    {Outlives, RepRap, false,
+     "M305 M308 M555-M556 M558 M562-M564 M569 M573-M574 M579 M584 M594 M667-M672 M906 M913 M917 M950 M951 G31 G33"},
+    {Outlives, Prusa, false, "G82-G83 G86-G88 M45-M47 M310"},
+    {Outlives, Klipper, false,
+     "SAVE_VARIABLE SET_GCODE_VARIABLE SET_PIN SET_SERVO SET_IDLE_TIMEOUT SET_TMC_FIELD INIT_TMC "
+     "SET_EXTRUDER_ROTATION_DISTANCE "
+     "SET_STEPPER_ENABLE Z_OFFSET_APPLY_PROBE Z_OFFSET_APPLY_ENDSTOP SET_SKEW SET_Z_THERMAL_ADJUST"},
+
+    {Runs, RepRap, false, "M98 M99 M581-M582"},
+    {Runs, Marlin, false, "M808"},
+    {Runs, Klipper, false, "UPDATE_DELAYED_GCODE"},
+
+    {Unfollowed, Marlin, false, "G18-G19 G26 G38 G38.1-G38.9 G5 G42 G76 M3-M4 M7-M11 M42 M48 M360-M365 M380-M381 M430"},
+    {Unfollowed, Marlin, true, "G6 G53"},
+    {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
+    {Unfollowed, RepRap, false, "G68 G93 M585"},
+    {Unfollowed, RepRap, true, "M260-M261 M452"},
+    {Unfollowed, Klipper, true,
+     "FORCE_MOVE SET_KINEMATIC_POSITION MANUAL_STEPPER STEPPER_BUZZ MANUAL_PROBE TESTZ SET_TMC_CURRENT "
+     "SET_STEPPER_PHASE "
+     "SET_DUAL_CARRIAGE_OFFSET"},
+    {Unfollowed, Klipper, false, "TEST_RESONANCES MEASURE_AXES_NOISE PROBE_ACCURACY"},
+
+    {Files, Marlin, true, "M23-M24 M26 M28-M30 M32-M34 M928"},
+    {Files, RepRap, true, "M37 M470-M472 M505 M550-M554 M559-M560 M575 M586-M589 M929 M956"},
+    {Files, Klipper, true,
+     "RUN_SHELL_COMMAND RUN_GCODE_SHELL_COMMAND SDCARD_PRINT_FILE SDCARD_RESET_FILE SDCARD_LOOP SAVE_CONFIG "
+     "CALL_REMOTE_METHOD ACTION_CALL_REMOTE_METHOD ACTION_RESPOND_INFO UPDATE_MANAGER"},
+
+    {Never, Marlin, true, "M43 M81.1 M112 M303 M410 M502 M510-M513 M524 M575.1 M810-M819 M993-M999 D"},
+    {Outlives, Marlin, false, "M81"},  // powers off, which some end blocks do
+    {Never, RepRap, true, "M143 M570 M576 M952-M953"},
+    {Never, Klipper, true,
+     "RESTART FIRMWARE_RESTART HOST_RESTART PID_CALIBRATE MPC_CALIBRATE PROBE_CALIBRATE DELTA_CALIBRATE "
+     "Z_ENDSTOP_CALIBRATE "
+     "SHAPER_CALIBRATE SHUTDOWN REBOOT CANCEL_PRINT ACCEPT ABORT SET_HEATER_PID"},
+};
+
+std::string upperCase(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return out;
+}
+
+unsigned sourceOf(GcodeFlavor flavor) {
+  switch (flavor) {
+    case GcodeFlavor::Klipper:
+      return Klipper;
+    case GcodeFlavor::RepRap:
+      return RepRap;
+    case GcodeFlavor::PrusaBuddy:
+      return Prusa;
+    case GcodeFlavor::Bambu:
+      return Bambu;
+    case GcodeFlavor::Marlin:
+      break;
+  }
+  return Marlin;
+}
+
+using Rows = std::map<std::string, std::vector<const Row*>, std::less<>>;
+
+void addNames(Rows& rows, const Row& row) {
+  std::string_view rest = row.names;
+  while (!rest.empty()) {
+    const std::size_t space = std::min(rest.find(' '), rest.size());
+    const std::string_view name = rest.substr(0, space);
+    rest.remove_prefix(std::min(space + 1, rest.size()));
+    if (name.empty()) continue;
+    const std::size_t dash = name.find('-');
+    if (dash == std::string_view::npos) {
+      rows[std::string(name)].push_back(&row);
+      continue;
+    }
+    // M201-M205, G38.1-G38.9
+    const std::string_view first = name.substr(0, dash);
+    const std::string_view last = name.substr(dash + 1);
+    const std::size_t point = first.find('.');
+    const std::size_t begin = point == std::string_view::npos ? 1 : point + 1;
+    int from = 0;
+    int to = 0;
+    std::from_chars(first.data() + begin, first.data() + first.size(), from);
+    std::from_chars(last.data() + begin, last.data() + last.size(), to);
+    for (int number = from; number <= to; ++number) {
+      rows[std::string(first.substr(0, begin)) + std::to_string(number)].push_back(&row);
+    }
+  }
+}
+
+const Row* rowOf(std::string_view name, GcodeFlavor flavor) {
+  static const Rows rows = [] {
+    Rows made;
+    for (const Row& row : kRows) addNames(made, row);
+    return made;
+  }();
+  const auto found = rows.find(name);
+  if (found == rows.end()) return nullptr;
+  const Row* worst = nullptr;
+  for (const Row* row : found->second) {
+    if ((row->sources & sourceOf(flavor)) != 0) return row;
+    if (worst == nullptr || worst->kind < row->kind) worst = row;
+  }
+  return worst;
+}
+
+const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
+  if (command.letter == 0) {
+    const std::string name = upperCase(command.name);
+    // Prusa's D codes read and write the memory: D0, D-1, D3.
+    if (name.size() > 1 && name[0] == 'D' && (name[1] == '-' || (name[1] >= '0' && name[1] <= '9')))
+      return rowOf("D", flavor);
+    return rowOf(name, flavor);
+  }
+  if (command.letter == 'T') return rowOf("T", flavor);
+  if (command.code < 0) return nullptr;
+  const std::string name = command.letter + std::to_string(command.code);
+  if (command.sub != 0) {
+    if (const Row* row = rowOf(name + "." + std::to_string(command.sub), flavor)) return row;
+  }
+  return rowOf(name, flavor);
+}
+
+// What follows is text, a file's name or a list of its own, not words.
+bool takesText(const GcodeCommand& command) {
+  if (command.letter != 'M') return false;
+  switch (command.code) {
+    case 16:
+    case 23:
+    case 28:
+    case 30:
+    case 32:
+    case 36:
+    case 98:
+    case 117:
+    case 118:
+    case 486:
+    case 550:
+    case 587:
+    case 862:
+    case 1002:
+    case 1006:
+      return true;
+    default:
+      return command.code >= 810 && command.code <= 819;
+  }
+}
+
+// The value of NAME=value, where the name holds one of the parts.
+template <class Take>
+void forEachParameter(std::string_view text, Take&& take) {
+  for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
+    const std::size_t begin = text.find_last_of(" \t", equal);
+    const std::size_t from = begin == std::string_view::npos ? 0 : begin + 1;
+    double value = 0;
+    std::string_view right = text.substr(equal + 1);
+    while (!right.empty() && (right[0] == '"' || right[0] == '\'' || right[0] == ' ')) right.remove_prefix(1);
+    if (readNumber(right, value) > 0) take(upperCase(text.substr(from, equal - from)), value);
+  }
+}
+
+bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+class Judge {
+ public:
+  Judge(std::string_view code, GcodeFlavor flavor, double hottestNozzle, double hottestBed, bool strict)
+      : flavor_(flavor), hottestNozzle_(hottestNozzle), hottestBed_(hottestBed), strict_(strict) {
+    command(code, 0);
+  }
+  std::vector<GcodeFinding> take() { return std::move(findings_); }
+
+ private:
+  static constexpr int kMostCommands = 100;  // in one line
+
+  void add(std::string_view code, bool error, FindingValues values) {
+    GcodeFinding finding = makeFinding(code, error, std::move(values));
+    finding.count = 1;
+    for (const GcodeFinding& other : findings_) {
+      if (other.message == finding.message) return;
+    }
+    findings_.push_back(std::move(finding));
+  }
+
+  void command(std::string_view code, int depth) {
+    // Remarks in brackets, a block's mark, and whatever firmwares skip before the first letter.
+    while (!code.empty()) {
+      if (code[0] == '(') {
+        const std::size_t end = code.find(')');
+        code.remove_prefix(end == std::string_view::npos ? code.size() : end + 1);
+      } else if ((code[0] >= 'A' && code[0] <= 'Z') || (code[0] >= 'a' && code[0] <= 'z') || code[0] == '_' ||
+                 code[0] == '@') {
+        break;
+      } else {
+        code.remove_prefix(1);
+      }
+    }
+    if (code.empty() || depth > kMostCommands) return;
+    const GcodeCommand head = commandOf(code);
+    const std::string shown = shownName(head);
+    const Row* row = rowOf(head, flavor_);
+    byKind(head, row, shown, depth);
+    byValue(head, shown);
+    if (depth > 0 && head.letter == 0) return;
+    further(head, depth);
+  }
+
+  [[nodiscard]] static std::string shownName(const GcodeCommand& head) {
+    const std::string text = shownText(upperCase(head.name));
+    return text.substr(1, text.size() - 2);
+  }
+
+  void byKind(const GcodeCommand& head, const Row* row, const std::string& shown, int depth) {
+    if (row == nullptr) {
+      if (!strict_ || depth > 0) return;
+      const std::string name = upperCase(head.name);
+      const bool start = holds(name, "PRINT") && (holds(name, "START") || holds(name, "END"));
+      if (head.letter == 0 && name[0] != '@') {
+        if (!start) add("macro", false, {{"command", shown}});
+      } else {
+        add("unknown", false, {{"command", shown}});
+      }
+      return;
+    }
+    switch (row->kind) {
+      case Safe:
+      case Macro:
+      case Unknown:
+        return;
+      case Outlives:
+        return add("outlives", row->error, {{"command", shown}});
+      case Runs:
+        return add("runs", row->error, {{"command", shown}});
+      case Unfollowed:
+        return add("unfollowed", row->error, {{"command", shown}});
+      case Files:
+        return add("files", row->error, {{"command", shown}});
+      case Never:
+        return add("never", row->error, {{"command", shown}});
+    }
+  }
+
+  void heat(double degrees, double limit) {
+    if (degrees > limit) add("too-hot", true, {{"limit", decimal(limit, 0)}, {"degrees", decimal(degrees, 1)}});
+  }
+
+  // Magnitudes above `most` are errors.
+  void range(const std::string& what, double value, double most) {
+    if (std::abs(value) <= most) return;
+    add("out-of-range", true, {{"command", what + " " + decimal(value, 3)}, {"limits", decimal(most, 3)}});
+  }
+
+  void byValue(const GcodeCommand& head, const std::string& shown) {
+    if (head.letter == 0) return byName(head, shown);
+    if (takesText(head)) return;
+    const GcodeWords words = wordsOf(head.rest);
+    const auto all = [&](std::string_view letters, double most) {
+      for (const char letter : letters) {
+        if (words.has(letter)) range(shown + " " + letter, words.at(letter), most);
+      }
+    };
+    const auto hottest = [&](double limit) {
+      for (const char letter : {'S', 'R', 'I', 'B', 'F'}) {
+        if (words.has(letter)) heat(words.at(letter), limit);
+      }
+    };
+    if (head.letter == 'G') {
+      if (head.code == 4) {
+        const double minutes = std::max(words.at('S') / 60, words.at('P') / 60000);
+        if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
+      }
+      if (head.code == 10 && words.has('P')) hottest(hottestNozzle_);
+      if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", 2);
+      if (head.code == 29 && head.sub == 1) all("Z", 1);
+      return;
+    }
+    if (head.letter != 'M') return;
+    switch (head.code) {
+      case 104:
+      case 109:
+      case 568:
+        return hottest(hottestNozzle_);
+      case 140:
+      case 190:
+      case 144:
+        return hottest(hottestBed_);
+      case 141:
+      case 191:
+        return hottest(100);
+      case 145:
+        if (words.has('H')) heat(words.at('H'), hottestNozzle_);
+        if (words.has('B')) heat(words.at('B'), hottestBed_);
+        return;
+      case 149:
+        if (!holds(upperCase(head.rest), "C")) add("never", true, {{"command", shown}});  // degrees of another kind
+        return;
+      case 121:
+        return;
+      case 201:
+      case 204:
+        return all("XYZEPRTS", 200000);
+      case 203:
+        return all("XYZE", 60000);  // mm/s, or mm/min for RepRapFirmware
+      case 205:
+        return all("XYZE", 200);
+      case 206:
+      case 290:
+      case 428:
+        if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? 1 : 10);
+        return;
+      case 851:
+        return all("Z", 10);
+      case 421:
+        return all("ZQ", 2);
+      case 218:
+        return all("Z", 5);
+      case 220:
+      case 221:
+        if (words.has('S') && (words.at('S') < 20 || words.at('S') > 200))
+          range(shown + " S", words.at('S'), words.at('S') < 20 ? -1 : 200);
+        return;
+      case 302:
+        if (words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) {
+          add("cold-extrusion", false, {{"command", shown}});
+        } else if (words.at('S', 999) < 150) {
+          add("cold-extrusion", false, {{"command", shown}});
+        }
+        return;
+      case 211:
+        if (flavor_ != GcodeFlavor::Bambu && words.has('S') && words.at('S') == 0)
+          add("outlives", false, {{"command", shown}});
+        return;
+      case 906:
+      case 907:
+        return all("XYZEIJKS", 2000);
+      default:
+        return;
+    }
+  }
+
+  void byName(const GcodeCommand& head, const std::string& shown) {
+    const std::string name = upperCase(head.name);
+    if (name == "SET_VELOCITY_LIMIT") {
+      forEachParameter(head.rest,
+                       [&](const std::string& key, double value) { range(shown + " " + key, value, 200000); });
+      return;
+    }
+    if (name == "SET_GCODE_OFFSET") {
+      forEachParameter(head.rest, [&](const std::string& key, double value) {
+        if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? 1 : 10);
+      });
+      return;
+    }
+    if (name == "BED_MESH_PROFILE" && holds(upperCase(head.rest), "SAVE")) add("outlives", false, {{"command", shown}});
+    if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
+    // What a macro or a heater is given as a temperature.
+    forEachParameter(head.rest, [&](const std::string& key, double value) {
+      if (holds(key, "BED")) return heat(value, hottestBed_);
+      if (holds(key, "CHAMBER")) return heat(value, 100);
+      if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||
+          holds(key, "NOZZLE") || key == "TOOL0") {
+        const bool bed = holds(upperCase(head.rest), "HEATER_BED");
+        heat(value, bed ? hottestBed_ : hottestNozzle_);
+      }
+    });
+    // RepRapFirmware's language writes files.
+    if (name == "ECHO" && holds(head.rest, ">")) add("files", true, {{"command", shown}});
+  }
+
+  // RepRapFirmware runs several commands of a line, old Marlins what follows ':' or '#', OctoPrint what M118 says to
+  // it.
+  void further(const GcodeCommand& head, int depth) {
+    if (takesText(head)) {
+      if (head.code == 118 && holds(head.rest, "action")) add("runs", false, {{"command", "M118"}});
+      const std::size_t cut = head.rest.find_first_of(":#");
+      if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
+      return;
+    }
+    if (head.letter == 0) return;
+    for (std::size_t at = 1; at < head.rest.size(); ++at) {
+      const char letter = head.rest[at];
+      if (letter == '"') return;
+      if (letter != 'G' && letter != 'M' && letter != 'g' && letter != 'm') continue;
+      if (at + 1 < head.rest.size() && head.rest[at + 1] >= '0' && head.rest[at + 1] <= '9') {
+        return dangerous(head.rest.substr(at), depth);
+      }
+    }
+  }
+
+  // Of what may or may not be a command only faults are told.
+  void dangerous(std::string_view code, int depth) {
+    const std::size_t before = findings_.size();
+    command(trimmed(code), depth + 1);
+    findings_.erase(std::remove_if(findings_.begin() + static_cast<std::ptrdiff_t>(before), findings_.end(),
+                                   [](const GcodeFinding& finding) { return !finding.error; }),
+                    findings_.end());
+  }
+
+  GcodeFlavor flavor_;
+  double hottestNozzle_;
+  double hottestBed_;
+  bool strict_;
+  std::vector<GcodeFinding> findings_;
+};
+
+}  // namespace
+
+CommandKind commandKind(const GcodeCommand& command, GcodeFlavor flavor) {
+  if (const Row* row = rowOf(command, flavor)) return row->kind;
+  return command.letter == 0 ? Macro : Unknown;
+}
+
+std::vector<GcodeFinding> judgeCommand(std::string_view code, GcodeFlavor flavor, double hottestNozzle,
+                                       double hottestBed, bool strict) {
+  return Judge(code, flavor, hottestNozzle, hottestBed, strict).take();
+}
+
+}  // namespace sillon

@@ -1,0 +1,61 @@
+#include "sillon/gcode_reader/examine.hpp"
+
+#include <string>
+
+#include "base/decimal_text.hpp"
+#include "gcode_reader/commands.hpp"
+#include "gcode_reader/findings.hpp"
+#include "gcode_reader/machine.hpp"
+#include "gcode_reader/rules.hpp"
+
+namespace sillon {
+namespace {
+
+// {first_layer_temperature} and [bed_temperature] become a number that is right for a nozzle and for a bed.
+std::string filledIn(std::string_view line) {
+  std::string out;
+  while (!line.empty()) {
+    const std::size_t open = line.find_first_of("{[");
+    out += line.substr(0, open);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = line.find(line[open] == '{' ? '}' : ']', open);
+    if (close == std::string_view::npos) {
+      out += line.substr(open);
+      break;
+    }
+    out += "60";
+    line.remove_prefix(close + 1);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavor) {
+  std::vector<GcodeFinding> findings;
+  MachineState machine(flavor);
+  forEachLine(block, [&](const GcodeLine& line) {
+    const std::string text = filledIn(line.text);
+    const auto add = [&](GcodeFinding finding) {
+      finding.line = line.number;
+      finding.count = 1;
+      findings.push_back(std::move(finding));
+    };
+    if (line.end == "\r") add(makeFinding("cr", false));
+    const GcodeParts parts = partsOf(text);
+    if (parts.code.empty()) return;
+    for (GcodeFinding& finding : judgeCommand(parts.code, flavor, kHottestNozzle, kHottestBed, true)) {
+      add(std::move(finding));
+    }
+    const GcodeCommand command = commandOf(parts.code);
+    const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
+    const std::optional<MachineMove> move = runCommand(machine, command, words);
+    if (command.is('M', 200) && words.at('D') > 0) add(makeFinding("volumetric", true));
+    if (!move || move->z >= move->zFrom) return;
+    const Depth depth = depthOf(*move, {});
+    if (depth != Depth::Fine) add(makeFinding("below-bed", depth == Depth::InBed, {{"mm", decimal(move->z, 3)}}));
+  });
+  return findings;
+}
+
+}  // namespace sillon

@@ -1,0 +1,80 @@
+#include "gcode_reader/file_settings.hpp"
+
+#include "gcode_reader/parser.hpp"
+
+namespace sillon {
+namespace {
+
+// "0x0,220x0,220x220,0x220"
+Bounds readBed(std::string_view text) {
+  Bounds box;
+  while (!text.empty()) {
+    Vec2 corner;
+    const std::size_t x = readNumber(text, corner.x);
+    if (x == 0 || x >= text.size() || text[x] != 'x') return {};
+    text.remove_prefix(x + 1);
+    const std::size_t y = readNumber(text, corner.y);
+    if (y == 0) return {};
+    text.remove_prefix(y);
+    if (text.starts_with(',')) text.remove_prefix(1);
+    box.add(corner);
+  }
+  return box;
+}
+
+void readSetting(FileSettings& settings, std::string_view comment) {
+  const auto number = [&](std::string_view key, double low, double high, double& out) {
+    const auto value = numberAfter(comment, key);
+    if (value && *value >= low && *value <= high) out = *value;
+  };
+  number("nozzle_diameter =", 0.05, 2, settings.nozzle);
+  double diameter = 0;
+  number("filament_diameter =", 0.5, 5, diameter);
+  if (diameter > 0) {
+    settings.filamentDiameter = diameter;
+    settings.diameterTold = true;
+  }
+  number("max_print_height =", 1, 5000, settings.maxZ);
+  number("printable_height =", 1, 5000, settings.maxZ);
+  for (const std::string_view key : {"bed_shape = ", "printable_area = "}) {
+    if (comment.starts_with(key)) settings.bed = readBed(comment.substr(key.size()));
+  }
+  if (comment.starts_with("gcode_flavor = klipper")) settings.flavor = GcodeFlavor::Klipper;
+  if (comment.starts_with("gcode_flavor = reprapfirmware")) settings.flavor = GcodeFlavor::RepRap;
+  if (comment.starts_with("BambuStudio")) settings.flavor = GcodeFlavor::Bambu;
+}
+
+}  // namespace
+
+std::optional<double> numberAfter(std::string_view text, std::string_view key) {
+  if (!text.starts_with(key)) return std::nullopt;
+  double value = 0;
+  const std::string_view rest = trimmed(text.substr(key.size()));
+  return readNumber(rest, value) > 0 ? std::optional<double>(value) : std::nullopt;
+}
+
+FileSettings readFileSettings(std::string_view text, const std::optional<Printer>& printer) {
+  FileSettings settings;
+  settings.printer = printer;
+  if (printer) {
+    settings.maxZ = printer->maxZ;
+    settings.nozzle = printer->nozzle;
+    settings.filamentDiameter = printer->filamentDiameter;
+    settings.diameterTold = true;
+    settings.flavor = printer->flavor;
+  }
+  // Settings stand behind the moves in most files.
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    if (!line.starts_with(';')) continue;
+    const std::string_view comment = trimmed(line.substr(1));
+    if (comment.starts_with("FLAVOR:UltiGCode")) settings.ultimaker = settings.volumetric = true;
+    if (comment.starts_with("FLAVOR:Griffin")) settings.ultimaker = true;
+    if (!printer) readSetting(settings, comment);
+  }
+  return settings;
+}
+
+}  // namespace sillon

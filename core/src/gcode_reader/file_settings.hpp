@@ -1,0 +1,30 @@
+// What the comments of any slicer say of the machine that a file is for.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "sillon/base/types.hpp"
+#include "sillon/settings/printer.hpp"
+
+namespace sillon {
+
+struct FileSettings {
+  std::optional<Printer> printer;  ///< bed and limits, if given by the caller
+  Bounds bed;                      ///< else: the box of bed_shape
+  double maxZ = 0;                 ///< [mm], 0: unknown
+  double nozzle = 0;               ///< [mm], 0: unknown
+  double filamentDiameter = 1.75;  ///< [mm]
+  bool diameterTold = false;       ///< else it is only what most have
+  GcodeFlavor flavor = GcodeFlavor::Marlin;
+  bool ultimaker = false;   ///< the printer homes and heats before the file begins: UltiGCode, Griffin
+  bool volumetric = false;  ///< UltiGCode's E is mm³
+};
+
+/// \param printer  if given, nothing is read but the flavour of Cura's files.
+FileSettings readFileSettings(std::string_view text, const std::optional<Printer>& printer);
+
+/// A number behind a key that the text begins with.
+std::optional<double> numberAfter(std::string_view text, std::string_view key);
+
+}  // namespace sillon

@@ -1,0 +1,142 @@
+#include "gcode_reader/machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInch = 25.4;  // [mm]
+
+// G2 and G3 by their centre; without a target they are a full turn.
+void readArc(MachineMove& move, const GcodeWords& words, double unit) {
+  if (!words.has('I') && !words.has('J')) {
+    move.readable = false;
+    return;
+  }
+  move.centre = move.from + unit * Vec2{words.at('I'), words.at('J')};
+  const Vec2 a = move.from - move.centre;
+  const Vec2 b = move.to - move.centre;
+  double angle = std::atan2(cross(a, b), dot(a, b));
+  if (move.code == 2) angle = -angle;
+  if (angle <= 1e-9) angle += 2 * kPi;
+  move.turn = move.code == 2 ? -angle : angle;
+  move.length = length(a) * angle;
+}
+
+MachineMove runMove(MachineState& state, int code, const GcodeWords& words) {
+  const double unit = state.inches ? kInch : 1;
+  MachineMove move;
+  move.code = code;
+  move.from = state.at;
+  move.zFrom = state.z;
+  move.xy = words.has('X') || words.has('Y');
+  move.toldZ = words.has('Z');
+  move.toldF = words.has('F');
+  move.arc = code >= 2;
+  if (move.toldF) state.speed = words.at('F') * unit / 60;
+  const auto target = [&](char letter, double now, double origin) {
+    if (!words.has(letter)) return now;
+    const double told = words.at(letter) * unit;
+    return state.absolute ? told + origin : now + told;
+  };
+  state.at = {target('X', state.at.x, state.origin.x), target('Y', state.at.y, state.origin.y)};
+  state.z = target('Z', state.z, state.originZ);
+  if (words.has('E')) {
+    const double told = words.at('E') * unit;
+    move.e = state.absoluteE ? told - state.e : told;
+    state.e = state.absoluteE ? told : state.e + told;
+  }
+  if (state.absolute && move.toldZ) state.zKnown = true;
+  move.to = state.at;
+  move.z = state.z;
+  move.length = length(move.to - move.from);
+  if (move.arc) readArc(move, words, unit);
+  if (move.length == 0) {
+    if (move.e < 0) state.retracted -= move.e;
+    if (move.e > 0) state.retracted = std::max(0.0, state.retracted - move.e);
+  } else if (move.e < 0) {
+    state.retracted -= move.e;  // a wipe
+  }
+  return move;
+}
+
+// Writes another coordinate for the same place.
+void setOrigin(MachineState& state, const GcodeWords& words) {
+  const double unit = state.inches ? kInch : 1;
+  if (words.has('E')) state.e = words.at('E') * unit;
+  if (words.has('X')) state.origin.x = state.at.x - words.at('X') * unit;
+  if (words.has('Y')) state.origin.y = state.at.y - words.at('Y') * unit;
+  if (words.has('Z')) state.originZ = state.z - words.at('Z') * unit;
+}
+
+}  // namespace
+
+bool readsWords(const GcodeCommand& command) {
+  if (command.letter == 'G') {
+    return command.sub == 0 && (command.code <= 3 || command.code == 10 || command.code == 11 || command.code == 92);
+  }
+  if (command.letter != 'M') return false;
+  switch (command.code) {
+    case 104:
+    case 109:
+    case 140:
+    case 190:
+    case 200:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& command, const GcodeWords& words) {
+  if (command.sub != 0) return std::nullopt;
+  if (command.letter == 'T') {
+    if (command.code >= 0) state.tool = command.code;
+    return std::nullopt;
+  }
+  if (command.letter == 'M') {
+    if (command.code == 82 || command.code == 83) state.absoluteE = command.code == 82;
+    if (command.code == 200 && words.has('D')) state.volumetric = words.at('D') > 0;
+    return std::nullopt;
+  }
+  if (command.letter != 'G') return std::nullopt;
+  switch (command.code) {
+    case 0:
+    case 1:
+    case 2:
+    case 3:
+      if (!words.readable()) return std::nullopt;
+      return runMove(state, command.code, words);
+    case 10:
+    case 11:
+      if (!words.has('P') && !words.has('L')) state.firmwareRetracted = command.code == 10;  // else a tool's setting
+      break;
+    case 20:
+    case 21:
+      state.inches = command.code == 20;
+      break;
+    case 28:
+      state.homed = true;
+      state.at = {};
+      state.origin = {};
+      state.z = 0;
+      state.originZ = 0;
+      state.zKnown = false;
+      break;
+    case 90:
+    case 91:
+      state.absolute = command.code == 90;
+      if (state.ruledByG90) state.absoluteE = state.absolute;
+      break;
+    case 92:
+      if (words.readable()) setOrigin(state, words);
+      break;
+    default:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sillon

@@ -1,0 +1,144 @@
+#include "gcode_reader/parser.hpp"
+
+#include <fast_float/fast_float.h>
+#include <algorithm>
+#include <cmath>
+
+#include "gcode_reader/grammar.hpp"
+
+namespace sillon {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+std::size_t readNumber(std::string_view text, double& value) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  std::size_t end = sign + (text.substr(sign).starts_with('-') ? 1 : 0);
+  while (end < text.size() && (isDigit(text[end]) || text[end] == '.')) ++end;
+  const auto read =
+      fast_float::from_chars(text.data() + sign, text.data() + end, value, fast_float::chars_format::fixed);
+  if (read.ec != std::errc{} || !(std::abs(value) < 1e9)) return 0;
+  return static_cast<std::size_t>(read.ptr - text.data());
+}
+
+GcodeParts partsOf(std::string_view line) {
+  GcodeParts parts;
+  const std::size_t semicolon = line.find(';');
+  parts.code = trimmed(line.substr(0, semicolon));
+  if (semicolon != std::string_view::npos) parts.comment = trimmed(line.substr(semicolon + 1));
+  if (parts.code.size() > 1 && upper(parts.code[0]) == 'N' && isDigit(parts.code[1])) {
+    parts.numbered = true;
+    double number = 0;
+    parts.code = trimmed(parts.code.substr(1 + readNumber(parts.code.substr(1), number)));
+    parts.code = trimmed(parts.code.substr(0, parts.code.rfind('*')));
+  }
+  return parts;
+}
+
+GcodeCommand commandOf(std::string_view code) {
+  GcodeCommand command;
+  const std::size_t end = code.find_first_of(" \t");
+  command.name = code.substr(0, end);
+  command.rest = end == std::string_view::npos ? std::string_view{} : code.substr(end);
+  if (code.empty()) return command;
+  const char letter = upper(code[0]);
+  if (letter != 'G' && letter != 'M' && letter != 'T') return command;
+  // Marlin and Klipper skip blanks between the letter and its number.
+  std::size_t at = 1;
+  while (at < code.size() && isBlank(code[at])) ++at;
+  if (at >= code.size() || !isDigit(code[at])) {
+    if (letter == 'T' && code.size() > 1 && !isLetter(code[1])) command.letter = letter;  // T-1, T? and the like
+    return command;
+  }
+  std::size_t digits = at;
+  int number = 0;
+  while (digits < code.size() && isDigit(code[digits])) {
+    if (number <= 9999) number = 10 * number + (code[digits] - '0');
+    ++digits;
+  }
+  // G1_NAME is a name.
+  if (digits < code.size() && code[digits] == '_') return command;
+  command.letter = letter;
+  if (number <= 9999) command.code = number;
+  if (digits + 1 < code.size() && code[digits] == '.' && isDigit(code[digits + 1])) {
+    ++digits;
+    for (; digits < code.size() && isDigit(code[digits]); ++digits) {
+      if (command.sub <= 999) command.sub = 10 * command.sub + (code[digits] - '0');
+    }
+  }
+  command.name = code.substr(0, digits);
+  command.rest = code.substr(digits);
+  return command;
+}
+
+GcodeWords wordsOf(std::string_view text) {
+  GcodeWords words;
+  const auto odd = [&words](GcodeWords::Fault fault, std::string_view where) {
+    if (words.fault != GcodeWords::None) return;
+    words.fault = fault;
+    words.faultText = where;
+  };
+  bool spaced = true;
+  for (std::size_t at = 0; at < text.size();) {
+    if (isBlank(text[at])) {
+      spaced = true;
+      ++at;
+      continue;
+    }
+    if (!isLetter(text[at])) {
+      words.fault = GcodeWords::NotAWord;
+      words.faultText = text.substr(at);
+      return words;
+    }
+    const char letter = upper(text[at]);
+    const auto index = static_cast<std::size_t>(letter - 'A');
+    const std::uint32_t bit = std::uint32_t{1} << index;
+    if (letter != text[at]) words.lower = true;
+    if (!spaced) words.crowded = true;
+    if ((words.named & bit) != 0) odd(GcodeWords::Twice, text);
+    words.named |= bit;
+    spaced = false;
+    ++at;
+    // Klipper reads a number that stands apart from its letter.
+    std::size_t number = at;
+    while (number < text.size() && isBlank(text[number])) ++number;
+    if (number > at && number < text.size() && (isDigit(text[number]) || text[number] == '-' || text[number] == '.')) {
+      odd(GcodeWords::NotPlain, text.substr(at - 1, number - at + 2));
+      at = number;
+    }
+    // The next word begins at a blank or at a letter; E and other exponents belong to this one.
+    std::size_t end = at;
+    while (end < text.size() && !isBlank(text[end]) && !(text[end] >= 'A' && text[end] <= 'Z' && end > at)) ++end;
+    double value = 0;
+    const std::size_t read = readNumber(text.substr(at, end - at), value);
+    const bool exponent =
+        read > 0 && end + 1 < text.size() && text[end] == 'E' && (text[end + 1] == '-' || text[end + 1] == '+');
+    if (exponent) end = std::min(text.find_first_of(" \t", end), text.size());
+    if (read == 0) {
+      words.fault = GcodeWords::NoNumber;  // what cannot be read outweighs what is odd
+      words.faultText = text;
+    } else if (exponent || at + read < end) {
+      odd(GcodeWords::NotPlain, text.substr(at - 1, end - at + 1));
+    } else if (!isPlainNumber(text.substr(at, read))) {
+      words.unusual = true;
+    }
+    at = end;
+    if (read == 0) continue;
+    words.values[index] = value;
+    words.given |= bit;
+  }
+  return words;
+}
+
+}  // namespace sillon

@@ -1,0 +1,144 @@
+// G-code as a stream of lines, commands and words. Every byte keeps its place, so that a file can be put together again
+// from its lines. Knows no firmware: what commands do is in machine.hpp and commands.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sillon {
+
+/// One line and its place. The views live until the parser goes on.
+struct GcodeLine {
+  std::string_view text;     ///< without its end
+  std::string_view end;      ///< "\n", "\r\n" or "\r"; empty at the end of a file
+  std::uint64_t offset = 0;  ///< of its first byte
+  std::int64_t number = 0;   ///< from 1
+};
+
+/// Cuts bytes into lines. LF, CR LF and CR end a line, as they do for firmwares; a line without an end is cut after 1
+/// MiB, so that no file takes more memory than that.
+class GcodeParser {
+ public:
+  /// Calls `take(const GcodeLine&)` for each line that ends within `bytes`; the rest waits for more.
+  template <class Take>
+  void feed(std::string_view bytes, Take&& take) {
+    while (!bytes.empty()) {
+      // Whether LF follows a CR at the end of what is here is not known yet.
+      const bool split = !kept_.empty() && kept_.back() == '\r';
+      const std::size_t end = split ? 0 : bytes.find_first_of("\r\n");
+      if (end == std::string_view::npos || (!split && bytes[end] == '\r' && end + 1 == bytes.size())) {
+        kept_ += bytes;
+        while (kept_.size() > kLongestLine) {
+          const std::string piece = kept_.substr(0, kLongestLine);
+          kept_.erase(0, kLongestLine);
+          give(piece, {}, take);
+        }
+        return;
+      }
+      if (split) {
+        const bool lineFeed = bytes[0] == '\n';
+        const std::string line = std::move(kept_) + (lineFeed ? "\n" : "");
+        kept_.clear();
+        bytes.remove_prefix(lineFeed ? 1 : 0);
+        const std::size_t ending = lineFeed ? 2 : 1;
+        const std::string_view view = line;
+        give(view.substr(0, view.size() - ending), view.substr(view.size() - ending), take);
+        continue;
+      }
+      const std::size_t ending = bytes[end] == '\r' && bytes[end + 1] == '\n' ? 2 : 1;
+      if (kept_.empty()) {
+        give(bytes.substr(0, end), bytes.substr(end, ending), take);
+      } else {
+        const std::string line = std::move(kept_) + std::string(bytes.substr(0, end));
+        kept_.clear();
+        give(line, bytes.substr(end, ending), take);
+      }
+      bytes.remove_prefix(end + ending);
+    }
+  }
+
+  /// The last line, if it has no end.
+  template <class Take>
+  void finish(Take&& take) {
+    if (kept_.empty()) return;
+    const std::string line = std::move(kept_);
+    kept_.clear();
+    const std::string_view view = line;
+    const std::size_t ending = view.back() == '\r' ? 1 : 0;
+    give(view.substr(0, view.size() - ending), view.substr(view.size() - ending), take);
+  }
+
+ private:
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+  template <class Take>
+  void give(std::string_view text, std::string_view end, Take&& take) {
+    take(GcodeLine{text, end, offset_, ++number_});
+    offset_ += text.size() + end.size();
+  }
+
+  std::string kept_;
+  std::uint64_t offset_ = 0;
+  std::int64_t number_ = 0;
+};
+
+/// All lines of a text that is in memory.
+template <class Take>
+void forEachLine(std::string_view text, Take&& take) {
+  GcodeParser parser;
+  parser.feed(text, take);
+  parser.finish(take);
+}
+
+/// What a firmware runs of a line, without comment, a host's line number and checksum; and the comment.
+struct GcodeParts {
+  std::string_view code;     ///< trimmed
+  std::string_view comment;  ///< behind ';', trimmed
+  bool numbered = false;     ///< N... before it
+};
+GcodeParts partsOf(std::string_view line);
+
+/// The head of a command. G0 to M9999 and T are letters with a number; everything else is a name.
+struct GcodeCommand {
+  char letter = 0;        ///< upper case; 0: a name
+  int code = -1;          ///< -1: no whole number from 0 to 9999 behind the letter
+  int sub = 0;            ///< behind a point: 1 of G29.1
+  std::string_view name;  ///< as written: "G29.1", "PRINT_START"
+  std::string_view rest;  ///< as written
+
+  [[nodiscard]] bool is(char wanted, int number) const { return letter == wanted && code == number && sub == 0; }
+};
+GcodeCommand commandOf(std::string_view code);
+
+/// Letters with numbers, and what is odd about them.
+struct GcodeWords {
+  enum Fault { None, NotAWord, NoNumber, NotPlain, Twice };
+
+  std::array<double, 26> values{};
+  std::uint32_t given = 0;     ///< letters with a number
+  std::uint32_t named = 0;     ///< letters with or without
+  Fault fault = None;          ///< the first
+  std::string_view faultText;  ///< where it stands
+  bool lower = false;          ///< lower case letters
+  bool crowded = false;        ///< words without spaces between them
+  bool unusual = false;        ///< a number that firmwares read and the grammar of ours does not have: +1, .5
+
+  [[nodiscard]] bool has(char letter) const { return (given >> (letter - 'A') & 1) != 0; }
+  [[nodiscard]] double at(char letter, double otherwise = 0) const {
+    return has(letter) ? values[static_cast<std::size_t>(letter - 'A')] : otherwise;
+  }
+  /// All of it can be read: a firmware would do with it what is read here.
+  [[nodiscard]] bool readable() const { return fault != NotAWord && fault != NoNumber; }
+};
+GcodeWords wordsOf(std::string_view rest);
+
+/// The number that a text begins with, as firmwares read it: no exponent. \return characters read, 0 for none.
+std::size_t readNumber(std::string_view text, double& value);
+
+/// Without spaces, tabs and CR around it.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace sillon

@@ -1,0 +1,536 @@
+#include "gcode_reader/rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/decimal_text.hpp"
+#include "gcode_reader/commands.hpp"
+#include "gcode_reader/grammar.hpp"
+#include "printer/bed.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRounding = 0.0015;   // [mm], coordinates have 3 decimals
+constexpr double kBeyondBed = 10;      // [mm], how far makers' start blocks go to wipe and purge
+constexpr double kLongTravel = 2;      // [mm], shorter ones draw no thread
+constexpr double kCoast = 1.01;        // [mm], travel at a path's end that still belongs to it
+constexpr double kColdest = 170;       // [degrees Celsius]
+constexpr double kLongestPrime = 50;   // [mm of filament], Klipper's max_extrude_only_distance
+constexpr double kLongNoise = 1;       // [mm], a zigzag of longer legs is meant
+constexpr double kNoiseStep = 0.0001;  // [mm]
+// The tangent of 10 degrees: with Marlin's junction deviation of 0.013 mm, 1000 mm/s2 pass it at 58 mm/s.
+constexpr double kBrakingTurn = 0.1763;
+constexpr double kMostNoise = 0.005;           // [mm], more makes planners brake
+constexpr std::size_t kLongestOverlap = 4096;  // [moves]
+constexpr double kLeastCovered = 0.9;          // of the base
+constexpr std::size_t kMostBeads = 4000000;    // whose coverage is judged, in 100 MB
+constexpr double kTotalSlack = 0.006;          // [mm], two decimals
+constexpr double kForeignTotalSlack = 0.02;    // of other programs, who count their start block or do not
+constexpr double kBelowBed = 0.5;              // [mm], makers' blocks wipe so deep
+constexpr double kBelowBesideBed = 2;          // [mm], beside the sheet
+constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
+
+bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+// Klipper's and others' macros home and heat by themselves: PRINT_START, START_PRINT and their kin.
+bool isMacro(const GcodeCommand& command, std::string_view what) {
+  if (command.letter != 0) return false;
+  std::string name(command.name);
+  for (char& c : name) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return contains(name, what) && contains(name, "PRINT") &&
+         name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
+}
+
+// How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
+std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {
+  if (settings.printer) return Bed(*settings.printer).overhang(p, 0);
+  if (settings.bed.empty()) return std::nullopt;
+  const Bounds& bed = settings.bed;
+  return std::max({bed.min.x - p.x, p.x - bed.max.x, bed.min.y - p.y, p.y - bed.max.y});
+}
+
+std::string shownPlace(Vec2 p) { return "(" + decimal(p.x, 3) + ", " + decimal(p.y, 3) + ")"; }
+
+}  // namespace
+
+Depth depthOf(const MachineMove& move, const FileSettings& settings) {
+  if (move.z >= -kBelowBed - 1e-9) return Depth::Fine;
+  if (move.z < -kBelowBesideBed) return Depth::InBed;
+  const auto beyond = beyondBed(settings, move.to);
+  const bool beside = beyond ? *beyond > 0.5 : move.to.y > kFarSheet;
+  return beside ? Depth::BesideBed : Depth::InBed;
+}
+
+Rules::Rules(FileSettings settings, bool ours)
+    : settings_(std::move(settings)), ours_(ours), machine_(settings_.flavor) {
+  area_ = kPi * settings_.filamentDiameter * settings_.filamentDiameter / 4;
+  machine_.volumetric = settings_.volumetric;
+  // Printers of this kind home and heat before the file begins.
+  check_.homes = check_.heatsBed = check_.heatsNozzle = settings_.ultimaker;
+  if (settings_.ultimaker) check_.nozzleTarget = kColdest;
+}
+
+void Rules::found(std::string_view code, bool error, FindingValues values) {
+  found(makeFinding(code, error, std::move(values)));
+}
+
+void Rules::found(GcodeFinding finding) {
+  // One entry per code; of different commands, or beads and moves, one each.
+  const auto same = [&](const GcodeFinding& other) {
+    if (other.code != finding.code || other.error != finding.error) return false;
+    if (finding.values.empty() || other.values.empty()) return true;
+    const auto& [name, value] = finding.values.front();
+    return (name != "what" && name != "command") || other.values.front().second == value;
+  };
+  const auto before = std::find_if(check_.findings.begin(), check_.findings.end(), same);
+  if (before != check_.findings.end()) {
+    ++before->count;
+    return;
+  }
+  finding.line = check_.lines;
+  finding.count = 1;
+  check_.findings.push_back(std::move(finding));
+}
+
+void Rules::line(const GcodeLine& line) {
+  check_.lines = line.number;
+  if (line.end == "\r\n") found("cr-lf", ours_);
+  if (line.end == "\r") found("cr", ours_);
+  if (ours_ && !block()) {
+    if (const char* fault = lineFault(line.text); fault != nullptr) {
+      found("no-plain-line", true, {{"text", shownText(line.text)}, {"fault", fault}});
+    }
+  }
+  const GcodeParts parts = partsOf(line.text);
+  if (parts.numbered) found("line-numbers", false);
+  if (parts.code.empty()) {
+    if (line.text.find(';') != std::string_view::npos) comment(parts.comment);
+    return;
+  }
+  command(parts.code);
+}
+
+Rules::LayerMark Rules::layerMark(std::string_view comment) {
+  if (comment == "LAYER_CHANGE" || comment.starts_with("LAYER:")) return LayerMark::Usual;
+  if (comment == "CHANGE_LAYER") return LayerMark::Bambu;
+  return comment.starts_with("layer ") && contains(comment, ", Z = ") ? LayerMark::Simplify : LayerMark::None;
+}
+
+void Rules::comment(std::string_view text) {
+  // Ours for Bambu's printers have two marks for each layer: the kind that comes first counts.
+  const LayerMark mark = layerMark(text);
+  if (layerMark_ == LayerMark::None) layerMark_ = mark;
+  if (mark != LayerMark::None && mark == layerMark_) {
+    endPath();
+    endLayer();
+    ++layers_;
+  }
+  if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
+    endPath();
+    const std::string_view role = trimmed(text.substr(text.find(':') + 1));
+    custom_ = role == "Custom";
+    oriented_ = role == "Top solid infill" || role == "Top surface";
+    base_ = role == "Solid infill" || role == "Internal solid infill";
+  }
+  if (text.starts_with("printer_model = ")) check_.printer = std::string(text.substr(16, 60));
+  if (ours_ && layers_ == 0) startHeight_ = numberAfter(text, "start height =").value_or(startHeight_);
+  if (const auto value = numberAfter(text, "HEIGHT:")) layerHeight_ = *value;
+  if (const std::size_t at = text.find(", flow = "); ours_ && layers_ == 0 && at != std::string_view::npos) {
+    flow_ = std::clamp(numberAfter(text.substr(at + 2), "flow =").value_or(1), 0.01, 2.0);
+  }
+  if (const auto value = numberAfter(text, "filament used [mm] =")) fileTotal_ = *value;
+  if (const auto value = numberAfter(text, "total layers count =")) {
+    fileLayers_ = static_cast<int>(std::clamp(*value, 0.0, 1e6));
+  }
+}
+
+// The hottest value is the nozzle's, the next one the bed's.
+void Rules::startMacro(std::string_view text) {
+  check_.homes = true;
+  machine_.homed = true;
+  for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
+    double value = 0;
+    if (readNumber(text.substr(equal + 1), value) == 0) continue;
+    if (value >= kColdest) {
+      check_.nozzleTarget = value;
+      check_.heatsNozzle = true;
+    } else if (value > 0) {
+      check_.bedTarget = value;
+      check_.heatsBed = true;
+    }
+  }
+}
+
+void Rules::command(std::string_view text) {
+  if (text.size() > 95) found("long-command", false);
+  const GcodeCommand command = commandOf(text);
+  const bool moves = command.letter == 'G' && command.code <= 3 && command.code >= 0 && command.sub == 0;
+  if (!moves || command.rest.find_first_of("GMgm") != std::string_view::npos) {
+    const bool any = settings_.printer && settings_.printer->anyTemperature;
+    for (GcodeFinding& finding :
+         judgeCommand(text, settings_.flavor, any ? 1e9 : kHottestNozzle, any ? 1e9 : kHottestBed, false)) {
+      if (finding.code == "outlives" && ours_ && !block()) finding.error = true;
+      found(std::move(finding));
+    }
+  }
+  if (isMacro(command, "START")) return startMacro(text);
+  if (isMacro(command, "END")) {
+    endMacro_ = true;
+    return;
+  }
+  const char first = text[0];
+  if (!((first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z') || first == '_')) {
+    return found("no-command", false, {{"text", shownText(text)}});
+  }
+  if (command.letter == 0) return;
+  const GcodeWords words = readsWords(command) ? this->words(command) : GcodeWords{};
+  modes(command, words);
+  heat(command, words);
+  const double retracted = machine_.retracted;
+  const bool firmware = machine_.firmwareRetracted;
+  if (const auto made = runCommand(machine_, command, words)) {
+    move(*made);
+    if (made->length == 0 && made->e != 0) filament(made->e, retracted);
+  }
+  if (firmware != machine_.firmwareRetracted) endPath();
+  check_.homes = check_.homes || machine_.homed;
+}
+
+// What is no plain number is read as far as a firmware would.
+GcodeWords Rules::words(const GcodeCommand& command) {
+  const GcodeWords words = wordsOf(command.rest);
+  const std::string shown = shownText(words.faultText);
+  switch (words.fault) {
+    case GcodeWords::None:
+      break;
+    case GcodeWords::NotAWord:
+      found("not-a-word", true, {{"text", shown}});
+      break;
+    case GcodeWords::NoNumber:
+      found("no-number", true, {{"text", shown}});
+      break;
+    case GcodeWords::NotPlain:
+      found("no-plain-number", true, {{"text", shown}});
+      break;
+    case GcodeWords::Twice:
+      found("letter-twice", true, {{"text", shown}});
+      break;
+  }
+  if (words.fault == GcodeWords::None && words.unusual && ours_ && !block()) {
+    found("no-plain-number", true, {{"text", shownText(trimmed(command.rest))}});
+  }
+  if (words.lower) found("lower-case", false, {{"text", shownText(command.rest)}});
+  if (words.crowded) found("crowded", false, {{"text", shownText(command.rest)}});
+  return words;
+}
+
+void Rules::modes(const GcodeCommand& command, const GcodeWords& words) {
+  if (command.is('G', 20) && !block()) found("inches", true);
+  if (command.is('G', 92) && (words.has('X') || words.has('Y') || words.has('Z'))) found("origin", !block());
+  if (command.is('M', 200) && words.at('D') > 0 && !settings_.volumetric) found("volumetric", true);
+}
+
+void Rules::heat(const GcodeCommand& command, const GcodeWords& words) {
+  const bool nozzle = command.is('M', 104) || command.is('M', 109);
+  const bool bed = command.is('M', 140) || command.is('M', 190);
+  if ((!nozzle && !bed) || !words.readable() || words.at('T') != 0) return;  // other tools are not ours to follow
+  const double target = words.at('S', words.at('R', -1));
+  if (target < 0) return;
+  (nozzle ? check_.nozzleTarget : check_.bedTarget) = target;
+  if (command.code == 109 && target >= kColdest) check_.heatsNozzle = true;
+  if (command.code == 190 && target > 0) check_.heatsBed = true;
+}
+
+void Rules::checkPlace(Vec2 p, const char* what) {
+  if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
+  const double over = beyondBed(settings_, p).value_or(-1);
+  if (over <= kRounding) return;
+  if (block() && over <= kBeyondBed) {
+    found("block-off-bed", false, {{"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
+  } else {
+    found("off-bed", true, {{"what", what}, {"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
+  }
+}
+
+void Rules::checkRate(double seconds) {
+  window_[windowed_ % kWindow] = seconds;
+  if (++windowed_ < kWindow) return;
+  double sum = 0;
+  for (const double part : window_) sum += part;
+  if (!(sum > 0)) return;
+  const double rate = static_cast<double>(kWindow) / sum;
+  check_.mostMoves = std::max(check_.mostMoves, rate);
+  // Lengths are read back from 3 decimals here and there.
+  if (settings_.printer && rate > settings_.printer->maxSegmentsPerSecond * 1.001) {
+    found("rate", false, {{"rate", decimal(rate, 0)}});
+  }
+}
+
+void Rules::move(const MachineMove& move) {
+  ++check_.moves;
+  if (move.toldF && !(machine_.speed > 0)) found("speed-zero", true);
+  if (move.z != move.zFrom) {
+    endPath();
+    if (settings_.maxZ > 0 && move.z > settings_.maxZ + kRounding)
+      found("too-high", true, {{"mm", decimal(move.z, 3)}});
+    if (move.z < move.zFrom) {
+      const Depth depth = depthOf(move, settings_);
+      // Deltas home at the top, so that nothing is known before the first Z.
+      const bool top = !machine_.zKnown && settings_.printer && settings_.printer->roundBed;
+      if (depth != Depth::Fine && !top) found("below-bed", depth == Depth::InBed, {{"mm", decimal(move.z, 3)}});
+    }
+  }
+  if (move.arc && move.readable) {
+    constexpr int kPieces = 32;
+    const Vec2 a = move.from - move.centre;
+    for (int k = 1; k < kPieces; ++k) {
+      const double turn = move.turn * k / kPieces;
+      checkPlace(
+          move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)},
+          "an arc");
+    }
+  }
+  if (machine_.zKnown && move.xy) {  // from where is not told in a block by itself
+    const double low = lastZKnown_ ? std::min(move.zFrom, move.z) : move.z;
+    check_.lowest = std::min(check_.lowest, low);
+    if (low < startHeight_) found("below-print", !block(), {{"mm", decimal(low, 3)}});
+  }
+  lastZKnown_ = machine_.zKnown;
+  // Many blocks lift a little before they home.
+  const bool lift = move.length == 0 && !machine_.absolute && move.z > move.zFrom;
+  if (!check_.homes && !lift && (move.length > 0 || move.z != move.zFrom)) found("unhomed", true);
+  if (move.length > 0) {
+    if (machine_.speed <= 0) {
+      found("no-speed", true);
+      machine_.speed = 1;
+    }
+    const double e = machine_.volumetric ? move.e / area_ : move.e;
+    if (e > 0) return bead(move, e);
+    if (e < 0) filament(e, 0);
+    travel(move.length);
+  }
+}
+
+void Rules::bead(const MachineMove& move, double e) {
+  const Vec2 from = move.from;
+  const Vec2 to = move.to;
+  if (!moved_) {
+    moved_ = true;
+    if (!check_.heatsNozzle) found("cold-start", true);
+    if (!check_.heatsBed) found("cold-bed", false);
+  }
+  if (check_.heatsNozzle && check_.nozzleTarget < kColdest) {
+    found("cold-bead", true, {{"degrees", decimal(check_.nozzleTarget, 0)}});
+  }
+  if (!inPath_) {
+    if ((machine_.retracted > 1e-4 || machine_.firmwareRetracted) && !block()) {
+      found("bead-retracted", true, {{"mm", decimal(machine_.retracted, 3)}});
+    }
+    inPath_ = true;
+    pathOriented_ = oriented_;
+    pathStart_ = from;
+    pathHead_.clear();
+    overlap_ = -1;
+    windowed_ = 0;
+    trail_.clear();
+    if (oriented_) follow(from);
+  } else if (coasted_ > 0) {
+    if (!block()) found("gap", ours_ && pathOriented_);
+  }
+  if (block()) machine_.retracted = 0;  // what it purges fills the nozzle
+  coasted_ = 0;
+  pathEnd_ = to;
+  followOverlap(to);
+  const double speed = machine_.speed;
+  if (oriented_ && !block()) {
+    follow(to);
+    if (speed > layerFastest_) {
+      layerFastest_ = speed;
+      layerSlowedMm_ += layerAtFastestMm_;
+      layerAtFastestMm_ = 0;
+    }
+    (speed < layerFastest_ ? layerSlowedMm_ : layerAtFastestMm_) += move.length;
+  }
+  const double section = e * area_ / move.length;
+  if (ours_ && (oriented_ || base_) && !block()) lay(from, to, section);
+  check_.filamentMm += e;
+  if (!block()) counted_ += e;
+  check_.pathMm += move.length;
+  // One step of the last decimal of E is no fault of the path.
+  const double sure = (e - 1e-5) * area_ / move.length;
+  if (!block()) {
+    check_.box.add(from);
+    check_.box.add(to);
+    check_.top = std::max(check_.top, move.z);
+    check_.fastest = std::max(check_.fastest, speed);
+    check_.mostFlow = std::max(check_.mostFlow, sure * speed);
+  }
+  if (move.z <= 0) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
+  // Makers' blocks purge thick lines; Klipper stops there too.
+  if (settings_.nozzle > 0 && sure > 4 * settings_.nozzle * settings_.nozzle && (klipper() || !block())) {
+    found("too-thick", klipper() || ours_, {{"area", decimal(section, 3)}});
+  }
+  if (settings_.printer && !block() && sure * speed > settings_.printer->maxFlow * 1.0001) {
+    found("flow", true, {{"flow", decimal(sure * speed, 2)}});
+  }
+  if (settings_.printer && settings_.printer->machineSpeed > 0 && speed > settings_.printer->machineSpeed * 1.001) {
+    found("too-fast", true, {{"speed", decimal(speed, 1)}});
+  }
+  checkPlace(to, "a bead");
+  if (!block()) checkRate(move.length / speed);
+}
+
+// Noise is a zigzag: three turns in a row, left and right in turn. Its amplitude is half the middle's distance from the
+// line between its neighbours, so that curves and corners, which turn to one side, have none. A turn that no planner
+// brakes for is none either: else a curve that bends to and fro would have more noise the longer its moves are.
+void Rules::follow(Vec2 p) {
+  trail_.push_back(p);
+  if (trail_.size() < 5) return;
+  const auto turn = [&](std::size_t k) { return cross(trail_[k] - trail_[k - 1], trail_[k + 1] - trail_[k]); };
+  const Vec2 before = trail_[2] - trail_[1];
+  const Vec2 after = trail_[3] - trail_[2];
+  double amplitude = 0;
+  if (turn(1) * turn(2) < 0 && turn(2) * turn(3) < 0 && length(before) <= kLongNoise && length(after) <= kLongNoise) {
+    const double chord = length(before + after);
+    if (chord > 0) amplitude = std::abs(turn(2)) / chord / 2;
+  }
+  if (std::abs(turn(2)) < kBrakingTurn * dot(before, after)) amplitude = 0;
+  const double step = std::min(amplitude / kNoiseStep, static_cast<double>(zigzags_.size() - 1));
+  ++zigzags_[static_cast<std::size_t>(step)];
+  trail_.erase(trail_.begin());
+}
+
+void Rules::lay(Vec2 from, Vec2 to, double section) {
+  if (layerHeight_ <= 0 || beads_.size() >= kMostBeads) return;
+  const double width = std::min(section / layerHeight_ / (base_ ? baseFlow_ : flow_), 10.0);
+  const auto narrow = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
+  beads_.push_back(
+      {narrow(from), narrow(to), static_cast<float>(width), base_, layers_, static_cast<float>(machine_.z)});
+}
+
+void Rules::endLayer() {
+  check_.slowedMm += layerSlowedMm_;
+  layerFastest_ = layerSlowedMm_ = layerAtFastestMm_ = 0;
+}
+
+void Rules::judgeLayers() {
+  std::int64_t all = 0;
+  for (const std::int64_t count : zigzags_) all += count;
+  std::int64_t rest = all;
+  for (std::size_t k = 0; k < zigzags_.size() && all > 0; ++k) {
+    rest -= zigzags_[k];
+    if (rest * 100 > all) continue;
+    check_.noise = static_cast<double>(k) * kNoiseStep;
+    break;
+  }
+  const auto whole = [&](std::string_view code, FindingValues values) {
+    check_.findings.push_back(makeFinding(code, false, std::move(values)));
+    check_.findings.back().count = 1;
+  };
+  if (check_.noise > kMostNoise) whole("noise", {{"um", decimal(1000 * check_.noise, 1)}});
+  if (beads_.size() >= kMostBeads) return;
+  check_.coverage = orientedCoverage(beads_);
+  for (const double share : check_.coverage) {
+    if (share < 0 || share >= kLeastCovered) continue;
+    whole("coverage", {{"percent", fixed(100 * share, 1)}});
+    break;
+  }
+}
+
+void Rules::travel(double length) {
+  check_.travelMm += length;
+  checkPlace(machine_.at, "a move");
+  const bool tight = machine_.retracted > 0 || machine_.firmwareRetracted;
+  if (inPath_ && !tight && coasted_ + length <= kCoast) {
+    coasted_ += length;
+    if (pathEnd_ != pathStart_) pathEnd_ = machine_.at;  // else this is a wipe without retraction
+    return;
+  }
+  endPath();
+  if (moved_ && !tight && !block() && length > kLongTravel) {
+    const bool retracts = !settings_.printer || settings_.printer->retractLength >= 1e-5;  // else none is written
+    if (retracts) found("travel-unretracted", ours_, {{"mm", decimal(length, 1)}});
+  }
+}
+
+void Rules::filament(double e, double retractedBefore) {
+  if (e < 0) {
+    endPath();
+    ++check_.retractions;
+    if (machine_.retracted > 25) found("far-retracted", true);
+    return;
+  }
+  if (e > kLongestPrime) found("long-prime", klipper());
+  // Other programs give back a little less on purpose (retract_restart_extra below 0).
+  if (!ours_ && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
+  if (!check_.heatsNozzle) found("cold-start", true);
+}
+
+// A path that has come back may run on over its beginning, as a scarf joint does.
+void Rules::followOverlap(Vec2 to) {
+  const auto same = [](Vec2 a, Vec2 b) { return length(a - b) <= kRounding; };
+  const auto next = static_cast<std::size_t>(std::max<std::ptrdiff_t>(overlap_, 0));
+  if (overlap_ >= 0 && next < pathHead_.size() && same(to, pathHead_[next])) {
+    ++overlap_;
+  } else {
+    overlap_ = same(to, pathStart_) ? 0 : -1;
+  }
+  if (pathHead_.size() < kLongestOverlap) pathHead_.push_back(to);
+}
+
+void Rules::endPath() {
+  if (!inPath_) return;
+  inPath_ = false;
+  const bool closed = overlap_ >= 0 || length(pathEnd_ - pathStart_) <= kRounding;
+  ++(closed ? check_.closed : check_.open);
+  if (ours_ && pathOriented_ && !closed) {
+    found("open-cycle", true, {{"mm", decimal(length(pathEnd_ - pathStart_), 3)}});
+  }
+  coasted_ = 0;
+}
+
+void Rules::judgeTotals() {
+  const auto whole = [&](std::string_view code, bool error, FindingValues values = {}) {
+    check_.findings.push_back(makeFinding(code, error, std::move(values)));
+    check_.findings.back().count = 1;
+  };
+  if (check_.moves == 0) whole("no-move", true);
+  if (moved_ && layers_ == 0) whole("no-layers", false);
+  if (check_.moves > 0 && !moved_) whole("no-bead", false);
+  check_.retracted = machine_.retracted;
+  const bool left = !endMacro_ && !settings_.ultimaker;
+  if (moved_ && check_.nozzleTarget > 0 && left) whole("hot-nozzle", ours_);
+  if (moved_ && check_.bedTarget > 0 && left) whole("hot-bed", false);
+  const double slack = ours_ ? kTotalSlack : kForeignTotalSlack * check_.filamentMm + kTotalSlack;
+  if (fileTotal_ >= 0 && std::abs(fileTotal_ - counted_) > slack && std::abs(fileTotal_ - check_.filamentMm) > slack) {
+    whole("filament-total", ours_, {{"told", decimal(fileTotal_, 2)}, {"counted", decimal(counted_, 2)}});
+  }
+  if (fileLayers_ >= 0 && layers_ > 0 && fileLayers_ != layers_) {
+    whole("layer-total", ours_, {{"told", std::to_string(fileLayers_)}, {"counted", std::to_string(layers_)}});
+  }
+}
+
+GcodeCheck Rules::finish() {
+  endPath();
+  endLayer();
+  check_.layers = layers_;
+  judgeLayers();
+  judgeTotals();
+  // Those of lines came in their order, those of the file as a whole behind them.
+  std::vector<GcodeFinding> sorted;
+  for (const bool error : {true, false}) {
+    for (const bool ofFile : {true, false}) {
+      for (const GcodeFinding& finding : check_.findings) {
+        if (finding.error == error && (finding.line == 0) == ofFile) sorted.push_back(finding);
+      }
+    }
+  }
+  check_.findings = std::move(sorted);
+  return std::move(check_);
+}
+
+}  // namespace sillon

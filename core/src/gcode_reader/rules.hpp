@@ -1,0 +1,106 @@
+// The rules that a file is held to, line by line: what a printer would do, and what would go wrong.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "gcode_reader/coverage.hpp"
+#include "gcode_reader/file_settings.hpp"
+#include "gcode_reader/findings.hpp"
+#include "gcode_reader/machine.hpp"
+#include "gcode_reader/parser.hpp"
+#include "sillon/gcode_reader/check.hpp"
+
+namespace sillon {
+
+inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
+inline constexpr double kHottestBed = 120;
+
+/// What kind of move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'
+/// blocks wipe there.
+enum class Depth { Fine, BesideBed, InBed };
+Depth depthOf(const MachineMove& move, const FileSettings& settings);
+
+class Rules {
+ public:
+  /// \param ours  the file says that Sillon wrote it, and is held to more: closed cycles, plain lines, totals.
+  Rules(FileSettings settings, bool ours);
+
+  void line(const GcodeLine& line);
+  /// The verdict; after the last line.
+  GcodeCheck finish();
+
+ private:
+  // PrusaSlicer, Cura and Orca; Orca and Bambu Studio for Bambu's printers; Simplify3D.
+  enum class LayerMark { None, Usual, Bambu, Simplify };
+  static LayerMark layerMark(std::string_view comment);
+
+  void found(std::string_view code, bool error, FindingValues values = {});
+  void found(GcodeFinding finding);
+  void comment(std::string_view text);
+  void command(std::string_view text);
+  void startMacro(std::string_view text);
+  GcodeWords words(const GcodeCommand& command);
+  void modes(const GcodeCommand& command, const GcodeWords& words);
+  void heat(const GcodeCommand& command, const GcodeWords& words);
+  void move(const MachineMove& move);
+  void bead(const MachineMove& move, double e);
+  void travel(double length);
+  void filament(double e, double retractedBefore);
+  void endPath();
+  void checkPlace(Vec2 p, const char* what);
+  void checkRate(double seconds);
+  void follow(Vec2 p);
+  void followOverlap(Vec2 to);
+  void lay(Vec2 from, Vec2 to, double section);
+  void judgeLayers();
+  void judgeTotals();
+  void endLayer();
+
+  [[nodiscard]] bool block() const { return layers_ == 0 || custom_; }
+  [[nodiscard]] bool klipper() const { return settings_.flavor == GcodeFlavor::Klipper; }
+
+  static constexpr std::size_t kWindow = 8;  // [moves], half of a small firmware's buffer
+
+  FileSettings settings_;
+  bool ours_;
+  GcodeCheck check_;
+  MachineState machine_;
+  double area_ = 0;         // of the filament [mm²]
+  double startHeight_ = 0;  // of a print on the bed, in files of ours
+  bool endMacro_ = false;
+  bool moved_ = false;       // a bead was laid
+  bool lastZKnown_ = false;  // before the last move
+
+  int layers_ = 0;
+  LayerMark layerMark_ = LayerMark::None;
+  bool custom_ = false;
+  bool oriented_ = false;
+  bool base_ = false;
+
+  bool inPath_ = false;
+  bool pathOriented_ = false;
+  Vec2 pathStart_;
+  Vec2 pathEnd_;
+  std::vector<Vec2> pathHead_;   // ends of its first moves
+  std::ptrdiff_t overlap_ = -1;  // moves since it came back to its start, all over its first ones; -1: it has not
+  double coasted_ = 0;
+  std::array<double, kWindow> window_{};  // [s] of the last moves of a path
+  std::size_t windowed_ = 0;
+  std::vector<Vec2> trail_;                   // of an oriented path, the last five points
+  std::array<std::int64_t, 1000> zigzags_{};  // vertices by amplitude, in steps of kNoiseStep
+  std::vector<LaidBead> beads_;
+  double layerFastest_ = 0;  // of its oriented beads
+  double layerSlowedMm_ = 0;
+  double layerAtFastestMm_ = 0;
+  double layerHeight_ = 0;
+  double flow_ = 1;      // of oriented layers
+  double baseFlow_ = 1;  // not told by files: as it mostly is
+  double fileTotal_ = -1;
+  int fileLayers_ = -1;
+  double counted_ = 0;  // [mm of filament] outside start and end blocks
+};
+
+}  // namespace sillon

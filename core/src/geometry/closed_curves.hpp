@@ -1,0 +1,44 @@
+// Small tools on closed curves: resampling and exact crossings.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
+
+namespace sillon {
+
+/// The same curves with points at equal arc lengths of about `step`, at least `kMinPoints` each; the first point stays.
+ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run);
+inline constexpr int kMinPoints = 6;
+
+/// The same for curves that do not meet, such that they still do not: where two pass so closely that chords would
+/// touch, the original points stay.
+ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunContext& run);
+
+/// Index of the curve that holds each point.
+std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves);
+
+/// Index of the next point along its curve.
+inline int nextOf(const ClosedCurves& curves, int curve, int point) {
+  const std::size_t c = static_cast<std::size_t>(curve);
+  return point + 1 == curves.begin[c + 1] ? curves.begin[c] : point + 1;
+}
+
+inline int previousOf(const ClosedCurves& curves, int curve, int point) {
+  const std::size_t c = static_cast<std::size_t>(curve);
+  return point == curves.begin[c] ? curves.begin[c + 1] - 1 : point - 1;
+}
+
+/// Whether the segments ab and cd share a point, exact on coordinates rounded to 1 µm.
+bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d);
+
+/// All pairs of non-consecutive segments that share a point, exact on coordinates rounded to 1 µm, each pair once in
+/// ascending order. A segment is named by its first point. Segments that vanish in rounding are passed over.
+/// \param among  if not empty, only segments with a marked end (1 per point) are looked at.
+std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run,
+                                               const std::vector<char>& among = {});
+
+}  // namespace sillon

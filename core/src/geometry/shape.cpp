@@ -1,0 +1,331 @@
+// Built-in shapes, outlines of pictures (marching squares) and scaling.
+#include "sillon/geometry/shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMaxSize = 10'000;       // of a page side [mm]
+constexpr double kDiscTolerance = 0.001;  // between a circle and its polygon [mm]
+constexpr std::int64_t kMaxMaskPoints = 4'000'000;
+
+// Every platform reads the same bytes: what libm's last digit may change is far below 1 nm. The + 0 turns -0 into 0.
+double snapped(double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; }
+Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
+
+// Six decimals at most; printf would follow the locale.
+std::string decimal(double value) {
+  if (std::isnan(value)) return "not a number";
+  if (!(std::abs(value) < 1e12)) return value > 0 ? "more than 1e12" : "less than -1e12";
+  const long long scaled = std::llround(std::abs(value) * 1e6);
+  std::array<char, 24> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), 1'000'000 + scaled % 1'000'000).ptr;
+  std::string text = value < 0 && scaled != 0 ? "-" : "";
+  text += std::to_string(scaled / 1'000'000);
+  text += '.';
+  text.append(digits.data() + 1, end);  // without the 1 that keeps leading zeros
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+bool validSize(double mm) { return snapped(mm) > 0 && mm <= kMaxSize; }  // false for NaN
+
+Error sizeError(const std::string& what, double mm) {
+  return {ErrorCode::InvalidArgument,
+          what + " is " + decimal(mm) + " mm; it must be more than 0 and at most " + decimal(kMaxSize) + " mm"};
+}
+
+Shape oneRing(Ring ring, Vec2 page) {
+  Shape shape;
+  shape.page = snapped(page);
+  shape.paths.push_back({{std::move(ring)}, FillRule::NonZero});
+  return shape;
+}
+
+// Quarter of a circle from center + u to center + v, both ends included and exact.
+void addQuarter(Ring& ring, Vec2 center, Vec2 u, Vec2 v) {
+  const double radius = length(u);
+  // The sagitta of a chord over the angle s is below radius s²/8.
+  const int pieces = std::max(2, static_cast<int>(std::ceil(kPi / 2 * std::sqrt(radius / (8 * kDiscTolerance)))));
+  ring.push_back(snapped(center + u));
+  for (int i = 1; i < pieces; ++i) {
+    const double angle = kPi / 2 * i / pieces;
+    ring.push_back(snapped(center + std::cos(angle) * u + std::sin(angle) * v));
+  }
+  ring.push_back(snapped(center + v));
+}
+
+void dropRepeatedPoints(Ring& ring) {
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+}
+
+// Counter-clockwise, from the right end of the lower side.
+Ring roundedRing(Vec2 size, double radius) {
+  const double r = radius;
+  Ring ring;
+  addQuarter(ring, {size.x - r, r}, {0, -r}, {r, 0});
+  addQuarter(ring, {size.x - r, size.y - r}, {r, 0}, {0, r});
+  addQuarter(ring, {r, size.y - r}, {0, r}, {-r, 0});
+  addQuarter(ring, {r, r}, {-r, 0}, {0, -r});
+  dropRepeatedPoints(ring);
+  return ring;
+}
+
+// What the mask's level set is made of: brightness or opacity of pixels over 50 %, negative outside.
+class MaskField {
+ public:
+  explicit MaskField(const Image& image) : image_(image) {
+    const bool hasAlpha = image.channels == 2 || image.channels == 4;
+    if (hasAlpha) {
+      const auto channels = static_cast<std::size_t>(image.channels);
+      for (std::size_t i = channels - 1; i < image.samples.size() && !useAlpha_; i += channels) {
+        useAlpha_ = image.samples[i] != 65535;
+      }
+    }
+  }
+
+  [[nodiscard]] double at(int x, int y) const {
+    if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return -kHalf;
+    if (useAlpha_) return image_.at(x, y, image_.channels - 1) - kHalf;
+    if (image_.channels < 3) return image_.at(x, y, 0) - kHalf;
+    // Rec. 709 luma in integers, so that white is 65535 exactly.
+    const int luma = 2126 * image_.at(x, y, 0) + 7152 * image_.at(x, y, 1) + 722 * image_.at(x, y, 2);
+    return luma / 10000.0 - kHalf;
+  }
+  [[nodiscard]] bool inside(int x, int y) const { return at(x, y) >= 0; }
+
+ private:
+  static constexpr double kHalf = 32767.5;
+  const Image& image_;
+  bool useAlpha_ = false;
+};
+
+enum class Side { Top, Right, Bottom, Left };
+
+// Where a contour that enters a cell through `entry` leaves it. The cell's corners are the samples (x, y) .. (x+1,
+// y+1).
+Side exitOf(const MaskField& field, int x, int y, Side entry) {
+  const double topLeft = field.at(x, y), topRight = field.at(x + 1, y);
+  const double bottomLeft = field.at(x, y + 1), bottomRight = field.at(x + 1, y + 1);
+  const std::array<bool, 4> crossed{(topLeft >= 0) != (topRight >= 0), (topRight >= 0) != (bottomRight >= 0),
+                                    (bottomLeft >= 0) != (bottomRight >= 0), (topLeft >= 0) != (bottomLeft >= 0)};
+  if (crossed[0] && crossed[1] && crossed[2] && crossed[3]) {
+    // Saddle: the mean decides whether the two inner corners join; the contour goes round a corner of the other kind.
+    const bool joined = topLeft + topRight + bottomLeft + bottomRight >= 0;
+    const bool aroundTopLeft = (topLeft >= 0) != joined;
+    constexpr std::array<Side, 4> kTopLeft{Side::Left, Side::Bottom, Side::Right, Side::Top};
+    constexpr std::array<Side, 4> kTopRight{Side::Right, Side::Top, Side::Left, Side::Bottom};
+    return (aroundTopLeft ? kTopLeft : kTopRight)[static_cast<std::size_t>(entry)];
+  }
+  for (const Side side : {Side::Top, Side::Right, Side::Bottom, Side::Left}) {
+    if (side != entry && crossed[static_cast<std::size_t>(side)]) return side;
+  }
+  return entry;  // never: crossings come in pairs
+}
+
+// Follows the level set of a mask. Every ring crosses horizontal edges (between samples side by side), so marking
+// those suffices to find each ring once.
+class MaskTracer {
+ public:
+  MaskTracer(const Image& image, double scale)
+      : field_(image),
+        width_(image.width),
+        height_(image.height),
+        scale_(scale),
+        visited_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_)) {}
+
+  // False if there are too many points.
+  bool trace(std::vector<Ring>& rings) {
+    std::int64_t points = 0;
+    for (int y = 0; y < height_; ++y) {
+      bool left = false;
+      for (int x = -1; x < width_; ++x) {
+        const bool right = field_.inside(x + 1, y);
+        if (left != right && !visited_[edge(x, y)]) {
+          Ring ring = follow(x, y, left, kMaxMaskPoints - points);
+          points += static_cast<std::int64_t>(ring.size());
+          if (points > kMaxMaskPoints) return false;
+          if (ring.size() >= 3) rings.push_back(std::move(ring));
+        }
+        left = right;
+      }
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t edge(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) + static_cast<std::size_t>(x + 1);
+  }
+
+  // From sample units (y down, pixel centres at integers) to mm.
+  [[nodiscard]] Vec2 world(double x, double y) const {
+    return snapped(Vec2{(x + 0.5) * scale_, (height_ - y - 0.5) * scale_});
+  }
+
+  // The point where the level crosses a side of a cell.
+  [[nodiscard]] Vec2 crossing(int x, int y, Side side) const {
+    if (side == Side::Bottom) ++y;
+    if (side == Side::Right) ++x;
+    const bool horizontal = side == Side::Top || side == Side::Bottom;
+    const double a = field_.at(x, y);
+    const double b = horizontal ? field_.at(x + 1, y) : field_.at(x, y + 1);
+    const double t = a / (a - b);
+    return horizontal ? world(x + t, y) : world(x, y + t);
+  }
+
+  // The inside stays on the same hand all the way. Gives up after `limit` points.
+  Ring follow(int startX, int startY, bool leftInside, std::int64_t limit) {
+    Ring ring;
+    // Through the start edge downwards if the inside lies on its left sample, upwards otherwise.
+    int x = startX;
+    int y = leftInside ? startY : startY - 1;
+    Side entry = leftInside ? Side::Top : Side::Bottom;
+    while (true) {
+      if (entry == Side::Top || entry == Side::Bottom) {
+        const std::size_t mark = edge(x, entry == Side::Top ? y : y + 1);
+        if (visited_[mark]) break;
+        visited_[mark] = true;
+      }
+      add(ring, crossing(x, y, entry));
+      if (static_cast<std::int64_t>(ring.size()) > limit) return ring;
+      switch (exitOf(field_, x, y, entry)) {
+        case Side::Top:
+          --y;
+          entry = Side::Bottom;
+          break;
+        case Side::Right:
+          ++x;
+          entry = Side::Left;
+          break;
+        case Side::Bottom:
+          ++y;
+          entry = Side::Top;
+          break;
+        case Side::Left:
+          --x;
+          entry = Side::Right;
+          break;
+      }
+    }
+    dropRepeatedPoints(ring);
+    while (ring.size() > 3 && straight(ring[ring.size() - 2], ring.back(), ring.front())) ring.pop_back();
+    if (ring.size() > 3 && straight(ring.back(), ring[0], ring[1])) ring.erase(ring.begin());
+    return ring;
+  }
+
+  static bool straight(Vec2 a, Vec2 b, Vec2 c) { return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y); }
+
+  // Straight borders along rows and columns are most of many masks: keep their ends only.
+  static void add(Ring& ring, Vec2 p) {
+    if (!ring.empty() && ring.back() == p) return;
+    if (ring.size() >= 2 && straight(ring[ring.size() - 2], ring.back(), p)) ring.pop_back();
+    ring.push_back(p);
+  }
+
+  MaskField field_;
+  int width_;
+  int height_;
+  double scale_;
+  std::vector<bool> visited_;  // horizontal edges of the rows 0 .. height-1; beyond them nothing is inside
+};
+
+}  // namespace
+
+Result<Shape> makeRectangle(Vec2 size) {
+  if (!validSize(size.x)) return sizeError("The width of the rectangle", size.x);
+  if (!validSize(size.y)) return sizeError("The height of the rectangle", size.y);
+  return oneRing({snapped(Vec2{0, 0}), snapped(Vec2{size.x, 0}), snapped(size), snapped(Vec2{0, size.y})}, size);
+}
+
+Result<Shape> makeRoundedRectangle(Vec2 size, double radius) {
+  if (!(radius >= 0)) {
+    return Error{ErrorCode::InvalidArgument, "The corner radius is " + decimal(radius) + " mm; it must be 0 or more"};
+  }
+  Result<Shape> rectangle = makeRectangle(size);
+  if (!rectangle || radius == 0) return rectangle;
+  Ring ring = roundedRing(size, std::min(radius, std::min(size.x, size.y) / 2));
+  if (ring.size() < 3) return rectangle;  // a few nm: the corners are below the grid of points
+  return oneRing(std::move(ring), size);
+}
+
+Result<Shape> makeDisc(double diameter) {
+  if (!validSize(diameter)) return sizeError("The diameter of the disc", diameter);
+  return makeRoundedRectangle({diameter, diameter}, diameter / 2);
+}
+
+Result<Shape> shapeFromMask(const Image& mask, double width) {
+  if (mask.width <= 0 || mask.height <= 0 || mask.channels < 1 || mask.channels > 4 ||
+      mask.samples.size() != static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height) *
+                                 static_cast<std::size_t>(mask.channels)) {
+    return Error{ErrorCode::InvalidArgument, "The mask has no pixels; it needs a picture of 1 to 4 channels"};
+  }
+  if (!validSize(width)) return sizeError("The width of the mask", width);
+  const double scale = width / mask.width;
+  const double height = snapped(mask.height * scale);
+  if (!validSize(height)) return sizeError("The height of the mask at this width", height);
+
+  Shape shape;
+  shape.page = {width, height};
+  FilledPath path;
+  if (!MaskTracer(mask, scale).trace(path.rings)) {
+    return Error{ErrorCode::TooLarge,
+                 "The outline of the mask has more than 4 million points; use a smaller or less noisy picture"};
+  }
+  if (path.rings.empty()) {
+    return Error{ErrorCode::EmptyShape, "The mask is empty; some of its pixels must be at least 50 % bright or opaque"};
+  }
+  shape.paths.push_back(std::move(path));
+  return shape;
+}
+
+Result<Shape> scaledToWidth(const Shape& shape, double width) {
+  if (!validSize(width)) return sizeError("The width of the shape", width);
+  if (!(shape.page.x > 0)) return sizeError("The width of the shape's page", shape.page.x);
+  const double scale = width / shape.page.x;
+  const double height = snapped(shape.page.y * scale);
+  if (!validSize(height)) return sizeError("The height of the shape at this width", height);
+
+  Shape scaled;
+  scaled.page = {width, height};
+  scaled.drawing = shape.drawing;
+  scaled.drawing.offPage *= scale * scale;
+  for (const FilledPath& path : shape.paths) {
+    FilledPath copy;
+    copy.fillRule = path.fillRule;
+    for (const Ring& ring : path.rings) {
+      Ring points;
+      points.reserve(ring.size());
+      for (const Vec2 p : ring) points.push_back(snapped(p * scale));
+      dropRepeatedPoints(points);
+      if (points.size() >= 3) copy.rings.push_back(std::move(points));
+    }
+    if (!copy.rings.empty()) scaled.paths.push_back(std::move(copy));
+  }
+  if (scaled.paths.empty()) {
+    return Error{ErrorCode::EmptyShape, "Nothing of the shape is left at a width of " + decimal(width) + " mm"};
+  }
+  return scaled;
+}
+
+Bounds bounds(const Shape& shape) {
+  Bounds box;
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (const Vec2 p : ring) box.add(p);
+    }
+  }
+  return box;
+}
+
+}  // namespace sillon

@@ -1,0 +1,280 @@
+#include "sillon/geometry/signed_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel_for.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kBlockCells = 4;  ///< side of a leaf block in cells
+constexpr std::int64_t kMaxRowCrossings = 100'000'000;
+constexpr std::size_t kMaxCandidates = 400'000'000;
+
+struct Foot {
+  double distanceSquared;
+  double across;  ///< |component of the offset across the segment|, breaks ties at shared ends
+};
+
+Foot footOn(const BorderSegment& s, Vec2 p) {
+  const Vec2 along = s.b - s.a;
+  const double size2 = dot(along, along);
+  const double t = dot(p - s.a, along);
+  // Ends are taken as they are, so that two segments sharing one give bit-equal distances.
+  const Vec2 offset = t <= 0 ? p - s.a : (t >= size2 ? p - s.b : p - (s.a + along * (t / size2)));
+  const double across = cross(along, offset);
+  return {dot(offset, offset), across * across / size2};
+}
+
+double distanceTo(const BorderSegment& s, Vec2 p) { return std::sqrt(footOn(s, p).distanceSquared); }
+
+struct Block {
+  int x;  ///< in leaf blocks
+  int y;
+  int side;  ///< in leaf blocks, a power of two
+  std::vector<int> candidates;
+};
+
+// The segments of `list` that can be nearest to some point of the square with this centre and half diagonal.
+std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, const std::vector<int>& list,
+                                   Vec2 centre, double halfDiagonal, double& lowest) {
+  std::vector<double> distance(list.size());
+  double best = 1e300;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    distance[k] = distanceTo(segments[static_cast<std::size_t>(list[k])], centre);
+    best = std::min(best, distance[k]);
+  }
+  std::vector<int> kept;
+  const double limit = best + 2 * halfDiagonal * (1 + 1e-9);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (distance[k] <= limit) kept.push_back(list[k]);
+  }
+  lowest = std::max(0.0, best - halfDiagonal);
+  return kept;
+}
+
+class Subdivision {
+ public:
+  Subdivision(const std::vector<BorderSegment>& segments, const Grid& blocks) : segments_(segments), blocks_(blocks) {}
+
+  // Calls visit(block, lowest distance) for every block of side `leaf` under `block`.
+  template <class Visit>
+  void descend(Block block, int leaf, const Visit& visit) const {
+    if (block.x >= blocks_.nx || block.y >= blocks_.ny) return;
+    const double side = block.side * blocks_.cell;
+    const Vec2 centre{blocks_.origin.x + block.x * blocks_.cell + 0.5 * side,
+                      blocks_.origin.y + block.y * blocks_.cell + 0.5 * side};
+    double lowest = 0;
+    block.candidates = nearestCandidates(segments_, block.candidates, centre, side * 0.70710678118654757, lowest);
+    if (block.side <= leaf) {
+      visit(std::move(block), lowest);
+      return;
+    }
+    const int half = block.side / 2;
+    for (int k = 0; k < 4; ++k) {
+      descend({block.x + (k & 1) * half, block.y + (k >> 1) * half, half, block.candidates}, leaf, visit);
+    }
+  }
+
+ private:
+  const std::vector<BorderSegment>& segments_;
+  const Grid& blocks_;
+};
+
+// Work of insideIntervals, known before it is done.
+Result<int> checkRows(const Shape& shape, const Grid& lattice) {
+  double crossings = 0;
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        crossings += std::abs(ring[k].y - ring[k + 1 < ring.size() ? k + 1 : 0].y) / lattice.cell;
+      }
+    }
+  }
+  if (crossings > static_cast<double>(kMaxRowCrossings)) {
+    return Error{ErrorCode::TooLarge, "the outline is too detailed: it crosses the rows of the grid more than " +
+                                          std::to_string(kMaxRowCrossings) + " times"};
+  }
+  return 0;
+}
+
+// Marks the samples of one row that lie inside.
+void markInside(const std::vector<Interval>& intervals, const Grid& lattice, std::vector<char>& inside) {
+  std::fill(inside.begin(), inside.end(), char{0});
+  for (const Interval& interval : intervals) {
+    const double low = std::ceil((interval.begin - lattice.origin.x) / lattice.cell - 0.5);
+    const double high = std::floor((interval.end - lattice.origin.x) / lattice.cell - 0.5);
+    const int first = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(lattice.nx)));
+    const int last = static_cast<int>(std::clamp(high, -1.0, static_cast<double>(lattice.nx - 1)));
+    for (int x = first; x <= last; ++x) inside[static_cast<std::size_t>(x)] = 1;
+  }
+}
+
+}  // namespace
+
+Grid makeGrid(const Bounds& box, double spacing) {
+  Grid grid;
+  grid.cell = 0.5 * spacing;
+  grid.origin = {box.min.x - 1.5 * spacing, box.min.y - 1.5 * spacing};
+  const Vec2 size = box.size();
+  // A hair less, so that an exact multiple does not gain a cell by rounding.
+  grid.nx = static_cast<int>(std::ceil((size.x + 3 * spacing) / grid.cell - 1e-6));
+  grid.ny = static_cast<int>(std::ceil((size.y + 3 * spacing) / grid.cell - 1e-6));
+  return grid;
+}
+
+Grid nodeLattice(const Grid& grid) {
+  const double cell = 0.5 * grid.cell;
+  return {{grid.origin.x - 0.5 * cell, grid.origin.y - 0.5 * cell}, cell, 2 * grid.nx + 1, 2 * grid.ny + 1};
+}
+
+Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run) {
+  BorderIndex index;
+  index.segments_ = outline.segments;
+  index.blocks_ = {grid.origin, kBlockCells * grid.cell, (grid.nx - 1) / kBlockCells + 1,
+                   (grid.ny - 1) / kBlockCells + 1};
+  const Grid& blocks = index.blocks_;
+
+  Block root{0, 0, 1, {}};
+  while (root.side < std::max(blocks.nx, blocks.ny)) root.side *= 2;
+  root.candidates.resize(outline.segments.size());
+  for (std::size_t k = 0; k < root.candidates.size(); ++k) root.candidates[k] = static_cast<int>(k);
+
+  // A few large blocks on this thread, then each on any thread.
+  const Subdivision subdivision(index.segments_, blocks);
+  std::vector<Block> tasks;
+  subdivision.descend(root, std::max(1, root.side / 16),
+                      [&](Block block, double) { tasks.push_back(std::move(block)); });
+  struct Leaf {
+    std::size_t block;
+    float lowest;
+    std::vector<int> candidates;
+  };
+  std::vector<std::vector<Leaf>> leaves(tasks.size());
+  parallelFor(run, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      subdivision.descend(tasks[static_cast<std::size_t>(k)], 1, [&](Block block, double lowest) {
+        leaves[static_cast<std::size_t>(k)].push_back(
+            {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
+      });
+    }
+  });
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+
+  index.lowest_.assign(blocks.size(), 0);
+  index.begin_.assign(blocks.size() + 1, 0);
+  std::size_t total = 0;
+  for (const std::vector<Leaf>& task : leaves) {
+    for (const Leaf& leaf : task) {
+      index.begin_[leaf.block + 1] = static_cast<int>(leaf.candidates.size());
+      index.lowest_[leaf.block] = leaf.lowest;
+      total += leaf.candidates.size();
+    }
+  }
+  if (total > kMaxCandidates) {
+    return Error{ErrorCode::TooLarge, "the outline is too detailed for this spacing; simplify the drawing"};
+  }
+  for (std::size_t k = 0; k < blocks.size(); ++k) index.begin_[k + 1] += index.begin_[k];
+  index.candidates_.resize(total);
+  for (const std::vector<Leaf>& task : leaves) {
+    for (const Leaf& leaf : task) {
+      std::copy(leaf.candidates.begin(), leaf.candidates.end(), index.candidates_.begin() + index.begin_[leaf.block]);
+    }
+  }
+  index.outside_.assign(blocks.size(), 0);
+  parallelFor(run, blocks.ny, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < blocks.nx; ++x) {
+        index.outside_[blocks.index(x, y)] = index.nearest(blocks.centre(x, y)).distance > 0 ? 1 : 0;
+      }
+    }
+  });
+  return index;
+}
+
+std::size_t BorderIndex::blockOf(Vec2 p) const {
+  const double x = std::clamp((p.x - blocks_.origin.x) / blocks_.cell, 0.0, static_cast<double>(blocks_.nx - 1));
+  const double y = std::clamp((p.y - blocks_.origin.y) / blocks_.cell, 0.0, static_cast<double>(blocks_.ny - 1));
+  return blocks_.index(static_cast<int>(x), static_cast<int>(y));
+}
+
+float BorderIndex::blockDistance(Vec2 p) const { return lowest_[blockOf(p)]; }
+
+bool BorderIndex::outside(Vec2 p) const {
+  const std::size_t block = blockOf(p);
+  return lowest_[block] > 0 ? outside_[block] != 0 : nearest(p).distance > 0;
+}
+
+NearestBorder BorderIndex::nearest(Vec2 p) const {
+  const std::size_t block = blockOf(p);
+  const BorderSegment* best = nullptr;
+  Foot bestFoot{1e300, 0};
+  for (int k = begin_[block]; k < begin_[block + 1]; ++k) {
+    const BorderSegment& s = segments_[static_cast<std::size_t>(candidates_[static_cast<std::size_t>(k)])];
+    const Foot foot = footOn(s, p);
+    // Two segments that share the nearest corner are equally far; the one the point lies more across tells the side.
+    if (foot.distanceSquared < bestFoot.distanceSquared ||
+        (foot.distanceSquared == bestFoot.distanceSquared && foot.across > bestFoot.across)) {
+      bestFoot = foot;
+      best = &s;
+    }
+  }
+  const Vec2 along = best->b - best->a;
+  const double size2 = dot(along, along);
+  const double t = std::clamp(dot(p - best->a, along) / size2, 0.0, 1.0);
+  const Vec2 offset = t <= 0 ? p - best->a : (t >= 1 ? p - best->b : p - (best->a + along * t));
+  const double distance = std::sqrt(bestFoot.distanceSquared);
+  const bool inside = cross(along, p - best->a) >= 0;
+  Vec2 normal = Vec2{along.y, -along.x} * (1 / std::sqrt(size2));  // the inside is on the left
+  if (distance > 1e-6) normal = offset * ((inside ? -1 : 1) / distance);
+  return {static_cast<float>(inside ? -distance : distance),
+          {static_cast<float>(normal.x), static_cast<float>(normal.y)}};
+}
+
+Result<SignedDistanceField> signedDistanceField(const Shape& shape, const BorderIndex& index, const Grid& grid,
+                                                const RunContext& run) {
+  if (const Result<int> rows = checkRows(shape, grid); !rows) return rows.error();
+  SignedDistanceField field{grid, std::vector<float>(grid.size()), std::vector<Vec2f>(grid.size())};
+  const auto intervals = insideIntervals(shape, grid.centre(0, 0).y, grid.cell, grid.ny);
+  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 30.0 * grid.nx), [&](int begin, int end) {
+    std::vector<char> inside(static_cast<std::size_t>(grid.nx));
+    for (int y = begin; y < end; ++y) {
+      markInside(intervals[static_cast<std::size_t>(y)], grid, inside);
+      for (int x = 0; x < grid.nx; ++x) {
+        const NearestBorder nearest = index.nearest(grid.centre(x, y));
+        const bool in = inside[static_cast<std::size_t>(x)] != 0;
+        const std::size_t i = grid.index(x, y);
+        field.distance[i] = in ? -std::abs(nearest.distance) : std::abs(nearest.distance);
+        // On the border itself the normal is the segment's; elsewhere it follows the sign of the distance.
+        const bool flip = in != (nearest.distance < 0) && std::abs(nearest.distance) > 1e-6f;
+        field.normal[i] = flip ? -nearest.normal : nearest.normal;
+      }
+    }
+  });
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return field;
+}
+
+Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& index, const Grid& lattice, float band,
+                                        const RunContext& run) {
+  if (const Result<int> rows = checkRows(shape, lattice); !rows) return rows.error();
+  std::vector<float> distance(lattice.size());
+  const auto intervals = insideIntervals(shape, lattice.centre(0, 0).y, lattice.cell, lattice.ny);
+  parallelFor(run, lattice.ny, rowGrain(run, lattice.ny, 5.0 * lattice.nx), [&](int begin, int end) {
+    std::vector<char> inside(static_cast<std::size_t>(lattice.nx));
+    for (int y = begin; y < end; ++y) {
+      markInside(intervals[static_cast<std::size_t>(y)], lattice, inside);
+      for (int x = 0; x < lattice.nx; ++x) {
+        const Vec2 p = lattice.centre(x, y);
+        const float block = index.blockDistance(p);
+        const float size = block > band ? block : std::abs(index.nearest(p).distance);
+        distance[lattice.index(x, y)] = inside[static_cast<std::size_t>(x)] ? -size : size;
+      }
+    }
+  });
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return distance;
+}
+
+}  // namespace sillon

@@ -1,0 +1,239 @@
+#include "geometry/triangulate.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "base/sort_key.hpp"
+
+namespace sillon {
+namespace {
+
+using Point = Vec2T<std::int64_t>;
+
+constexpr std::uint64_t kMostWork = 1'000'000'000;  // points looked at, a few seconds; reached by hostile shapes only
+
+// > 0 where a, b, c turn left; exact.
+std::int64_t turn(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+// A point on a ring; holes are joined to what is around them by a bridge, whose two points are there twice.
+struct Node {
+  std::uint32_t point;
+  std::uint32_t before;
+  std::uint32_t after;
+};
+
+class Ears {
+ public:
+  explicit Ears(const std::vector<Point>& points) : points_(points) {}
+
+  // \return a node of it.
+  std::uint32_t addRing(const std::vector<std::uint32_t>& ring) {
+    const auto first = static_cast<std::uint32_t>(nodes_.size());
+    const auto count = static_cast<std::uint32_t>(ring.size());
+    for (std::uint32_t k = 0; k < count; ++k) {
+      nodes_.push_back({ring[k], first + (k > 0 ? k - 1 : count - 1), first + (k + 1 < count ? k + 1 : 0)});
+    }
+    return first;
+  }
+
+  /// Joins the ring added last, a hole, to what lies to the left of its leftmost point; drops it if there is nothing.
+  /// \param hole  its first node.
+  bool bridge(std::uint32_t hole);
+
+  /// Cuts all rings; those that were joined count as one. \return false if that would take too long.
+  bool cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& triangles);
+
+ private:
+  [[nodiscard]] Point at(std::uint32_t node) const { return points_[nodes_[node].point]; }
+  [[nodiscard]] bool opensTo(std::uint32_t node, Point target) const;
+  [[nodiscard]] bool isEar(std::uint32_t node);
+  [[nodiscard]] bool blocks(std::uint32_t node, Point a, Point b, Point c) const;
+
+  const std::vector<Point>& points_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> dents_;  // nodes that are no convex corner, by x
+  std::vector<char> gone_;
+  std::uint64_t work_ = 0;
+};
+
+// Whether a line from the node to the target begins inside.
+bool Ears::opensTo(std::uint32_t node, Point target) const {
+  const Point here = at(node);
+  const Point before = at(nodes_[node].before);
+  const Point after = at(nodes_[node].after);
+  const bool leftOfIn = turn(before, here, target) > 0;
+  const bool leftOfOut = turn(here, after, target) > 0;
+  return turn(before, here, after) > 0 ? leftOfIn && leftOfOut : leftOfIn || leftOfOut;
+}
+
+bool Ears::bridge(std::uint32_t hole) {
+  std::uint32_t from = hole;
+  for (std::uint32_t k = nodes_[hole].after; k != hole; k = nodes_[k].after) {
+    if (at(k).x < at(from).x || (at(k).x == at(from).x && at(k).y < at(from).y)) from = k;
+  }
+  const Point tip = at(from);
+  // The nearest edge to the left that has the inside on its right hand side as seen from there: one that runs down.
+  double nearest = -std::numeric_limits<double>::infinity();
+  std::uint32_t best = from;
+  std::vector<char> own(nodes_.size(), 0);
+  own[hole] = 1;
+  for (std::uint32_t k = nodes_[hole].after; k != hole; k = nodes_[k].after) own[k] = 1;
+  for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+    const Point a = at(k);
+    const Point b = at(nodes_[k].after);
+    if (own[k] || a.y < tip.y || b.y > tip.y || a.y == b.y) continue;
+    const double x = static_cast<double>(a.x) +
+                     static_cast<double>(tip.y - a.y) * static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
+    if (x > static_cast<double>(tip.x) || x <= nearest) continue;
+    nearest = x;
+    best = a.y == tip.y ? k : b.y == tip.y ? nodes_[k].after : a.x < b.x ? k : nodes_[k].after;
+  }
+  work_ += nodes_.size();
+  if (best == from || work_ > kMostWork) {
+    nodes_.resize(hole);
+    return false;
+  }
+  // A corner within the triangle of the tip, the point that was hit and that edge's end would be crossed; the one
+  // nearest to the horizontal is seen.
+  const Point end = at(best);
+  const double run = static_cast<double>(tip.x) - nearest;
+  double flattest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t k = 0; k < nodes_.size() && end.y != tip.y; ++k) {
+    const Point p = at(k);
+    if (own[k] || p.x < end.x || p.x > tip.x || p == tip) continue;
+    const bool side = end.y > tip.y ? p.y >= tip.y && p.y <= end.y : p.y <= tip.y && p.y >= end.y;
+    const std::int64_t ofLine = turn(tip, end, p);
+    if (!side || (end.y > tip.y ? ofLine < 0 : ofLine > 0)) continue;
+    const double rise = static_cast<double>(std::abs(p.y - tip.y));
+    // Left of the edge that was hit nothing is seen.
+    const double hit =
+        nearest + (static_cast<double>(end.x) - nearest) * rise / static_cast<double>(std::abs(end.y - tip.y));
+    if (static_cast<double>(p.x) < hit - 1e-3 * (1 + run)) continue;
+    const double slope = rise / std::max(1e-9, static_cast<double>(tip.x - p.x));
+    if (slope > flattest || (slope == flattest && p.x <= at(best).x) || !opensTo(k, tip)) continue;
+    flattest = slope;
+    best = k;
+  }
+  if (end.y != tip.y && !opensTo(best, tip)) {
+    // Another node at the same place, of a bridge or of a ring that touches, may be the one that faces the tip.
+    for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+      if (!own[k] && at(k) == at(best) && opensTo(k, tip)) best = k;
+    }
+  }
+  // best, from ... round the hole ... from', best'.
+  const auto twinFrom = static_cast<std::uint32_t>(nodes_.size());
+  const std::uint32_t twinBest = twinFrom + 1;
+  nodes_.push_back({nodes_[from].point, nodes_[from].before, twinBest});
+  nodes_.push_back({nodes_[best].point, twinFrom, nodes_[best].after});
+  nodes_[nodes_[from].before].after = twinFrom;
+  nodes_[nodes_[best].after].before = twinBest;
+  nodes_[best].after = from;
+  nodes_[from].before = best;
+  return true;
+}
+
+// Whether a node that is no convex corner keeps the triangle from being cut off.
+bool Ears::blocks(std::uint32_t node, Point a, Point b, Point c) const {
+  const Point p = at(node);
+  if (p != a && p != b && p != c) return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+  // On one of the corners: only if the path goes on within the triangle.
+  for (const std::uint32_t next : {nodes_[node].before, nodes_[node].after}) {
+    const Point q = at(next);
+    if (turn(a, b, q) > 0 && turn(b, c, q) > 0 && turn(c, a, q) > 0) return true;
+    if (p == b && turn(a, b, q) > 0 && turn(b, c, q) > 0) return true;
+  }
+  return false;
+}
+
+bool Ears::isEar(std::uint32_t node) {
+  const std::uint32_t before = nodes_[node].before;
+  const std::uint32_t after = nodes_[node].after;
+  const Point a = at(before);
+  const Point b = at(node);
+  const Point c = at(after);
+  ++work_;
+  if (turn(a, b, c) <= 0) return false;
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [low, high] = std::minmax({a.y, b.y, c.y});
+  auto k = std::lower_bound(dents_.begin(), dents_.end(), left,
+                            [&](std::uint32_t dent, std::int64_t x) { return at(dent).x < x; });
+  for (; k != dents_.end() && at(*k).x <= right; ++k) {
+    ++work_;
+    if (gone_[*k] || *k == before || *k == node || *k == after || at(*k).y < low || at(*k).y > high) continue;
+    if (blocks(*k, a, b, c)) return false;
+  }
+  return true;
+}
+
+bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& triangles) {
+  gone_.assign(nodes_.size(), 0);
+  // A convex corner stays one while its neighbours are cut off, so that none is missing here later.
+  std::vector<SortKey> byX;
+  for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
+    if (turn(at(nodes_[k].before), at(k), at(nodes_[k].after)) <= 0) byX.push_back({{at(k).x, 0, 0, 0}, k});
+  }
+  std::sort(byX.begin(), byX.end());
+  for (const auto& [x, k] : byX) dents_.push_back(static_cast<std::uint32_t>(k));
+  for (const std::uint32_t start : starts) {
+    std::uint32_t node = start;
+    std::size_t left = 1;
+    for (std::uint32_t k = nodes_[start].after; k != start; k = nodes_[k].after) ++left;
+    std::size_t refused = 0;
+    while (left >= 3) {
+      if (work_ > kMostWork) return false;
+      // Where the rings are no good there may be no ear at all; then anything is cut off, and the surface still closes.
+      if (left > 3 && refused < left && !isEar(node)) {
+        node = nodes_[node].after;
+        ++refused;
+        continue;
+      }
+      const std::uint32_t before = nodes_[node].before;
+      const std::uint32_t after = nodes_[node].after;
+      const Triangle t{nodes_[before].point, nodes_[node].point, nodes_[after].point};
+      // There and back along a bridge is no triangle.
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+      nodes_[before].after = after;
+      nodes_[after].before = before;
+      gone_[node] = 1;
+      --left;
+      refused = 0;
+      node = nodes_[after].after;  // the one after next: fewer slivers
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Triangulation triangulate(const std::vector<Point>& points, const std::vector<std::vector<std::uint32_t>>& rings) {
+  Triangulation result;
+  Ears ears(points);
+  std::vector<SortKey> holes;  // by their leftmost points
+  std::vector<std::uint32_t> starts;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    double area = 0;
+    Point tip = points[rings[r][0]];
+    for (std::size_t k = 0; k < rings[r].size(); ++k) {
+      const Point a = points[rings[r][k]];
+      const Point b = points[rings[r][k + 1 < rings[r].size() ? k + 1 : 0]];
+      area += static_cast<double>(a.x) * static_cast<double>(b.y) - static_cast<double>(a.y) * static_cast<double>(b.x);
+      if (a.x < tip.x || (a.x == tip.x && a.y < tip.y)) tip = a;
+    }
+    if (area > 0) {
+      starts.push_back(ears.addRing(rings[r]));
+      result.rings.push_back(rings[r]);
+    } else if (area < 0) {
+      holes.push_back({{tip.x, tip.y, 0, 0}, r});
+    }
+  }
+  // From the left, so that what a hole is joined to is joined already.
+  std::sort(holes.begin(), holes.end());
+  for (const auto& [tip, ring] : holes) {
+    if (ears.bridge(ears.addRing(rings[ring]))) result.rings.push_back(rings[ring]);
+  }
+  result.complete = ears.cut(starts, result.triangles);
+  return result;
+}
+
+}  // namespace sillon

@@ -1,0 +1,106 @@
+#include "sillon/input/direction_map.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Angle [half turns] as stored; any angle is turned into -1/2..1/2 first.
+std::uint16_t stored(double halfTurns) {
+  const double turned = halfTurns - std::floor(halfTurns + 0.5);
+  return static_cast<std::uint16_t>(std::lround((turned + 0.5) * 65535));
+}
+
+/// Grey of a texel. Rec. 709 weights in 1/65536, summing to one so that equal channels give exactly that grey.
+std::uint16_t greyAt(const Image& image, int x, int y) {
+  if (image.channels < 3) return image.at(x, y, 0);
+  const std::uint64_t sum = 13933ull * image.at(x, y, 0) + 46871ull * image.at(x, y, 1) + 4732ull * image.at(x, y, 2);
+  return static_cast<std::uint16_t>((sum + 32768) >> 16);
+}
+
+/// Grey 0..65535 as 0..180 degrees: a turn by 90 degrees, modulo 180.
+std::uint16_t fromRotation(std::uint16_t grey) {
+  return static_cast<std::uint16_t>(grey < 32768 ? grey + 32768 : grey - 32767);
+}
+
+/// The last digits of atan2 differ between platforms; rounding to 16 bit hides them.
+std::uint16_t fromTangent(std::uint16_t red, std::uint16_t green) {
+  constexpr int kNeutral = 257;  // 8-bit pictures can say 127 or 128, not one half
+  const int x = 2 * red - 65535;
+  const int y = 2 * green - 65535;
+  if (std::abs(x) <= kNeutral && std::abs(y) <= kNeutral) return stored(0);
+  return stored(std::atan2(y, x) / kPi);
+}
+
+std::string imageDefect(const Image& image) {
+  const bool consistent = image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4 &&
+                          image.samples.size() == static_cast<std::size_t>(image.width) *
+                                                      static_cast<std::size_t>(image.height) *
+                                                      static_cast<std::size_t>(image.channels);
+  if (consistent) return "";
+  return "picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels with " +
+         std::to_string(image.channels) + " channels and " + std::to_string(image.samples.size()) +
+         " samples; it must have pixels, 1 to 4 channels and a sample for each";
+}
+
+template <class Body>
+void forEachTexel(const Image& image, const Body& body) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) body(x, y);
+  }
+}
+
+}  // namespace
+
+Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding) {
+  if (const std::string defect = imageDefect(image); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, "direction map is a " + defect};
+  }
+  if (encoding == DirectionEncoding::Tangent && image.channels < 3) {
+    return Error{ErrorCode::InvalidArgument, "direction map is a picture with " + std::to_string(image.channels) +
+                                                 " channels; tangents need red and green, 3 or 4"};
+  }
+  DirectionMap map{image.width, image.height, {}};
+  map.angle.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  switch (encoding) {
+    case DirectionEncoding::Angle:
+      forEachTexel(image, [&](int x, int y) { map.angle.push_back(greyAt(image, x, y)); });
+      break;
+    case DirectionEncoding::Rotation:
+      forEachTexel(image, [&](int x, int y) { map.angle.push_back(fromRotation(greyAt(image, x, y))); });
+      break;
+    case DirectionEncoding::Tangent:
+      forEachTexel(image,
+                   [&](int x, int y) { map.angle.push_back(fromTangent(image.at(x, y, 0), image.at(x, y, 1))); });
+      break;
+  }
+  return map;
+}
+
+Result<DirectionMap> uniformDirection(double degrees) {
+  if (!std::isfinite(degrees)) {
+    const std::string value = std::isnan(degrees) ? "not a number" : "infinite";
+    return Error{ErrorCode::InvalidArgument, "angle is " + value + "; it must be a finite number of degrees"};
+  }
+  return DirectionMap{1, 1, {stored(std::fmod(degrees, 180.0) / 180)}};
+}
+
+Result<ModeMap> modeMap(const Image& image) {
+  if (const std::string defect = imageDefect(image); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, "mode map is a " + defect};
+  }
+  ModeMap map{image.width, image.height, {}};
+  map.mode.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  forEachTexel(image, [&](int x, int y) {
+    map.mode.push_back(static_cast<DirectionMode>((6 * greyAt(image, x, y) + 65535) / (2 * 65535)));
+  });
+  return map;
+}
+
+ModeMap uniformMode(DirectionMode mode) { return {1, 1, {mode}}; }
+
+}  // namespace sillon

@@ -1,0 +1,447 @@
+// stb_image decodes; the checks around it are ours, because it fills what is missing from cut-off files with zeros,
+// ignores checksums, and believes any size a file claims.
+#include "sillon/input/image_io.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "base/crc32.hpp"
+#include "input/inflate.hpp"
+
+namespace {
+
+// No allocation of the decoder may exceed what the announced size of the picture explains (zlib bombs).
+thread_local std::size_t allocationLimit = 0;
+
+// Zeroed: the decoder uses Huffman tables that a damaged JPEG never defined.
+void* limitedAllocate(std::size_t size) { return size <= allocationLimit ? std::calloc(1, size) : nullptr; }
+void* limitedReallocate(void* old, std::size_t size) {
+  return size <= allocationLimit ? std::realloc(old, size) : nullptr;
+}
+
+}  // namespace
+
+#define STBI_MALLOC(size) limitedAllocate(size)
+#define STBI_REALLOC(old, size) limitedReallocate(old, size)
+#define STBI_FREE(old) std::free(old)
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#if defined(__clang__)
+// Damaged JPEG coefficients overflow ints inside stb_image; they only make wrong pixels.
+#pragma clang attribute push(__attribute__((no_sanitize("undefined"))), apply_to = function)
+#endif
+#include <stb_image.h>
+#include <stb_image_write.h>
+#if defined(__clang__)
+#pragma clang attribute pop
+#endif
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace sillon {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+enum class Format { Png, Jpeg, Bmp, Tga, Unknown };
+
+constexpr const char* kFormatNames[] = {"PNG", "JPEG", "BMP", "TGA"};
+
+// Most pixels one byte can stand for: deflate packs 1032:1 and a pixel may have 1 bit; a JPEG block of 64 pixels takes
+// at least one bit of a chroma-subsampled scan; a BMP is not packed; a TGA run of 128 pixels takes 2 bytes.
+constexpr std::int64_t kPixelsPerByte[] = {1032 * 8, 64 * 8 * 16, 8, 128};
+
+// Real progressive JPEGs have about 10 scans; each costs a pass over the whole picture.
+constexpr int kMaxJpegScans = 100;
+
+std::uint32_t le16(Bytes b, std::size_t at) { return b[at] | static_cast<std::uint32_t>(b[at + 1]) << 8; }
+std::uint32_t be16(Bytes b, std::size_t at) { return b[at + 1] | static_cast<std::uint32_t>(b[at]) << 8; }
+std::uint32_t le32(Bytes b, std::size_t at) { return le16(b, at) | le16(b, at + 2) << 16; }
+std::uint32_t be32(Bytes b, std::size_t at) { return be16(b, at + 2) | be16(b, at) << 16; }
+
+bool startsWith(Bytes bytes, std::string_view magic) {
+  return bytes.size() >= magic.size() &&
+         std::equal(magic.begin(), magic.end(), bytes.begin(),
+                    [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
+}
+
+// ---- TGA ----
+
+struct TgaHeader {
+  std::uint32_t type = 0;  // 1 palette, 2 colour, 3 grey; + 8 if run-length packed
+  std::uint32_t pixelBytes = 0;
+  std::uint64_t pixels = 0;
+  std::size_t dataAt = 0;
+};
+
+// TGA has no magic number: only a header in which everything fits together counts.
+bool readTgaHeader(Bytes b, TgaHeader& header) {
+  if (b.size() < 18) return false;
+  const std::uint32_t hasPalette = b[1], type = b[2], paletteBits = b[7], bits = b[16], descriptor = b[17];
+  const std::uint32_t paletteFirst = le16(b, 3), paletteLength = le16(b, 5);
+  const std::uint32_t base = type & 7u;
+  if (base < 1 || base > 3 || (type & ~11u) != 0 || hasPalette != (base == 1 ? 1u : 0u)) return false;
+  if (hasPalette != 0) {
+    if (paletteFirst != 0 || paletteLength == 0 || bits != 8) return false;
+    if (paletteBits != 15 && paletteBits != 16 && paletteBits != 24 && paletteBits != 32) return false;
+  } else if (paletteFirst != 0 || paletteLength != 0 || (paletteBits != 0 && paletteBits != 24)) {
+    return false;  // 24: some writers fill in a depth for a palette that does not exist
+  }
+  if (base == 2 && bits != 15 && bits != 16 && bits != 24 && bits != 32) return false;
+  if (base == 3 && bits != 8 && bits != 16) return false;
+  // Alpha bits that the pixel can hold; no interleaving, no right-to-left rows.
+  if ((descriptor & 0xd0u) != 0 || (descriptor & 15u) > 8 || (bits == 24 && (descriptor & 15u) != 0)) return false;
+  header.type = type;
+  header.pixelBytes = (bits + 7) / 8;
+  header.pixels = static_cast<std::uint64_t>(le16(b, 12)) * le16(b, 14);
+  header.dataAt = 18 + static_cast<std::size_t>(b[0]) + paletteLength * ((paletteBits + 7) / 8);
+  return header.pixels > 0;
+}
+
+std::string tgaDefect(Bytes bytes) {
+  TgaHeader header;
+  readTgaHeader(bytes, header);
+  const std::uint64_t size = bytes.size();
+  if ((header.type & 8) == 0) return header.dataAt + header.pixels * header.pixelBytes > size ? "it is cut off" : "";
+  std::uint64_t at = header.dataAt, pixels = 0;
+  while (pixels < header.pixels) {
+    if (at >= size) return "it is cut off";
+    const std::uint64_t run = (bytes[static_cast<std::size_t>(at)] & 127u) + 1;
+    at += 1 + ((bytes[static_cast<std::size_t>(at)] & 128u) != 0 ? 1 : run) * header.pixelBytes;
+    pixels += run;
+  }
+  return at > size ? "it is cut off" : "";
+}
+
+// ---- PNG ----
+
+std::string_view textOf(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+std::string pngDefect(Bytes bytes) {
+  std::size_t at = 8;
+  while (bytes.size() - at >= 12) {
+    const std::size_t length = be32(bytes, at);
+    if (length > bytes.size() - at - 12) break;
+    const bool critical = (bytes[at + 4] & 32u) == 0;
+    if (critical && crc32(textOf(bytes.subspan(at + 4, length + 4))) != be32(bytes, at + 8 + length))
+      return "it is damaged (checksum)";
+    if (startsWith(bytes.subspan(at + 4), "IEND")) return "";
+    at += length + 12;
+  }
+  return "it is cut off";
+}
+
+// ---- JPEG ----
+
+struct JpegFacts {
+  std::string defect;   // empty: none
+  int orientation = 1;  // EXIF, 1..8
+};
+
+/// \param exif  contents of an APP1 segment. \return 1..8, 1 if nothing valid is found.
+int exifOrientation(Bytes exif) {
+  if (!startsWith(exif, std::string_view("Exif\0\0", 6)) || exif.size() < 14) return 1;
+  const Bytes tiff = exif.subspan(6);
+  const bool little = tiff[0] == 'I';
+  const auto u16 = [&](std::size_t at) { return little ? le16(tiff, at) : be16(tiff, at); };
+  const std::size_t directory = little ? le32(tiff, 4) : be32(tiff, 4);
+  if (tiff[0] != tiff[1] || (tiff[0] != 'I' && tiff[0] != 'M') || u16(2) != 42) return 1;
+  if (directory > tiff.size() - 2) return 1;
+  std::size_t entries = u16(directory);
+  for (std::size_t at = directory + 2; entries > 0 && tiff.size() - at >= 12; at += 12, --entries) {
+    constexpr std::uint32_t kOrientationTag = 0x0112, kShort = 3;
+    if (u16(at) != kOrientationTag || u16(at + 2) != kShort) continue;
+    const std::uint32_t orientation = u16(at + 8);
+    return orientation >= 1 && orientation <= 8 ? static_cast<int>(orientation) : 1;
+  }
+  return 1;
+}
+
+/// A table with more than 256 codes would be written past its end by the decoder.
+bool huffmanTablesValid(Bytes segment) {
+  while (segment.size() >= 17) {
+    std::size_t codes = 0;
+    for (std::size_t k = 1; k <= 16; ++k) codes += segment[k];
+    if (codes > 256 || segment.size() < 17 + codes) return false;
+    segment = segment.subspan(17 + codes);
+  }
+  return segment.empty();
+}
+
+JpegFacts inspectJpeg(Bytes bytes) {
+  JpegFacts facts;
+  int scans = 0;
+  std::size_t at = 2;
+  const auto isMarker = [&](std::size_t k) {  // not a stuffed zero, a fill byte or a restart inside a scan
+    return bytes[k] == 0xff && bytes[k + 1] != 0 && bytes[k + 1] != 0xff &&
+           (bytes[k + 1] < 0xd0 || bytes[k + 1] > 0xd7);
+  };
+  for (;;) {
+    while (at + 1 < bytes.size() && !isMarker(at)) ++at;
+    if (at + 1 >= bytes.size()) break;
+    const std::uint8_t marker = bytes[at + 1];
+    at += 2;
+    if (marker == 0xd9) {  // end of image
+      if (scans == 0) facts.defect = "it holds no picture";
+      return facts;
+    }
+    if (marker == 0xd8 || marker == 0x01) continue;  // no length follows
+    if (bytes.size() - at < 2) break;
+    const std::size_t length = be16(bytes, at);
+    if (length < 2 || length > bytes.size() - at) break;
+    const Bytes segment = bytes.subspan(at + 2, length - 2);
+    if (marker == 0xe1 && facts.orientation == 1) facts.orientation = exifOrientation(segment);
+    if (marker == 0xc4 && !huffmanTablesValid(segment)) facts.defect = "it is damaged (Huffman table)";
+    if (marker == 0xda && ++scans > kMaxJpegScans) facts.defect = "it has more than 100 scans";
+    if (!facts.defect.empty()) return facts;
+    at += length;
+  }
+  facts.defect = "it is cut off";
+  return facts;
+}
+
+/// Turns and mirrors the picture so that EXIF orientation `orientation` becomes 1.
+Image uprighted(Image image, int orientation) {
+  if (orientation <= 1) return image;
+  Image upright;
+  const bool swapped = orientation >= 5;
+  upright.width = swapped ? image.height : image.width;
+  upright.height = swapped ? image.width : image.height;
+  upright.channels = image.channels;
+  upright.samples.reserve(image.samples.size());
+  const bool mirrorX = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+  const bool mirrorY = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+  for (int y = 0; y < upright.height; ++y) {
+    for (int x = 0; x < upright.width; ++x) {
+      const int sx = swapped ? y : x, sy = swapped ? x : y;
+      const int storedX = mirrorX ? image.width - 1 - sx : sx;
+      const int storedY = mirrorY ? image.height - 1 - sy : sy;
+      for (int c = 0; c < image.channels; ++c) upright.samples.push_back(image.at(storedX, storedY, c));
+    }
+  }
+  return upright;
+}
+
+// ---- BMP ----
+
+std::string bmpDefect(Bytes bytes) {
+  if (bytes.size() < 26) return "it is cut off";
+  const std::uint64_t offset = le32(bytes, 10);
+  const bool oldHeader = le32(bytes, 14) == 12;
+  if (!oldHeader && bytes.size() < 54) return "it is cut off";
+  const std::uint64_t width = oldHeader ? le16(bytes, 18) : le32(bytes, 18);
+  const std::uint32_t signedHeight = oldHeader ? le16(bytes, 20) : le32(bytes, 22);
+  const std::uint64_t height = !oldHeader && (signedHeight >> 31) != 0 ? 0u - signedHeight : signedHeight;
+  const std::uint64_t bits = le16(bytes, oldHeader ? 24 : 28);
+  if (width == 0 || height == 0 || bits == 0 || bits > 32) return "it is damaged (header)";
+  const std::uint64_t rowBytes = (width * bits + 7) / 8;
+  const std::uint64_t stride = (rowBytes + 3) / 4 * 4;  // the last row may lack its padding
+  return offset + stride * (height - 1) + rowBytes > bytes.size() ? "it is cut off" : "";
+}
+
+// ---- all ----
+
+Format formatOf(Bytes bytes) {
+  TgaHeader tga;
+  if (startsWith(bytes, "\x89PNG\r\n\x1a\n")) return Format::Png;
+  if (startsWith(bytes, "\xff\xd8\xff")) return Format::Jpeg;
+  if (startsWith(bytes, "BM") && bytes.size() >= 18) {
+    const std::uint32_t header = le32(bytes, 14);
+    if (header == 12 || header == 40 || header == 56 || header == 108 || header == 124) return Format::Bmp;
+  }
+  return readTgaHeader(bytes, tga) ? Format::Tga : Format::Unknown;
+}
+
+/// First bytes as "47 49 46 38", so that people can tell what they opened.
+std::string firstBytes(Bytes bytes) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string text;
+  for (std::size_t k = 0; k < std::min<std::size_t>(bytes.size(), 4); ++k) {
+    if (k > 0) text += ' ';
+    text += kHex[bytes[k] >> 4];
+    text += kHex[bytes[k] & 15u];
+  }
+  return text;
+}
+
+Error unreadable(const std::string& name, Format format, const std::string& reason) {
+  return {ErrorCode::InvalidFile,
+          name + " cannot be read as " + kFormatNames[static_cast<int>(format)] + ": " + reason};
+}
+
+Error tooLarge(const std::string& name, const std::string& size) {
+  return {ErrorCode::TooLarge, name + " has " + size + " pixels; at most " + std::to_string(kMaxImageSide) +
+                                   " per side and " + std::to_string(kMaxImagePixels / 1'000'000) +
+                                   " million in all are allowed"};
+}
+
+using Decoded = std::unique_ptr<void, void (*)(void*)>;
+
+Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format, int orientation) {
+  const auto* data = bytes.data();
+  const int size = static_cast<int>(bytes.size());
+
+  // The decoder would say no more than "unknown" of a PNG that is too large for it.
+  if (format == Format::Png && size >= 24 && std::max(be32(bytes, 16), be32(bytes, 20)) > kMaxImageSide) {
+    return tooLarge(name, std::to_string(be32(bytes, 16)) + " x " + std::to_string(be32(bytes, 20)));
+  }
+  Image image;
+  allocationLimit = 1u << 20;
+  if (stbi_info_from_memory(data, size, &image.width, &image.height, &image.channels) == 0) {
+    return unreadable(name, format, "its header is damaged or of an unknown kind");
+  }
+  const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
+  if (image.width > kMaxImageSide || image.height > kMaxImageSide || pixels > kMaxImagePixels) {
+    return tooLarge(name, std::to_string(image.width) + " x " + std::to_string(image.height));
+  }
+  if (pixels / kPixelsPerByte[static_cast<int>(format)] > size) return unreadable(name, format, "it is cut off");
+
+  // Largest honest request: 4 channels of 16 bit, doubled once by the unpacker when rows of an interlaced PNG need more
+  // bytes than first guessed; a JPEG stores 16-bit coefficients of blocks padded to 32 pixels.
+  allocationLimit =
+      static_cast<std::size_t>(image.width + 64) * static_cast<std::size_t>(image.height + 64) * 16 + (1u << 20);
+  const bool deep = stbi_is_16_bit_from_memory(data, size) != 0;
+  const Decoded decoded(
+      deep ? static_cast<void*>(stbi_load_16_from_memory(data, size, &image.width, &image.height, &image.channels, 0))
+           : static_cast<void*>(stbi_load_from_memory(data, size, &image.width, &image.height, &image.channels, 0)),
+      stbi_image_free);
+  if (!decoded) return unreadable(name, format, stbi_failure_reason());
+
+  const std::size_t samples = static_cast<std::size_t>(pixels) * static_cast<std::size_t>(image.channels);
+  if (deep) {
+    const auto* stored = static_cast<const std::uint16_t*>(decoded.get());
+    image.samples.assign(stored, stored + samples);
+  } else {
+    const auto* stored = static_cast<const std::uint8_t*>(decoded.get());
+    image.samples.resize(samples);
+    std::transform(stored, stored + samples, image.samples.begin(),
+                   [](std::uint8_t s) { return static_cast<std::uint16_t>(s * 257); });
+  }
+  return uprighted(std::move(image), orientation);
+}
+
+void appendBytes(void* out, void* data, int size) {
+  const auto* bytes = static_cast<const std::uint8_t*>(data);
+  static_cast<std::vector<std::uint8_t>*>(out)->assign(bytes, bytes + size);
+}
+
+/// tEXt of keyword Comment.
+std::string textChunk(std::string_view text) {
+  constexpr std::string_view kHead("Comment\0", 8);
+  const auto big = [](std::uint32_t v) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(v >> shift & 0xff);
+    return bytes;
+  };
+  std::string chunk = "tEXt";
+  chunk += kHead;
+  chunk += text;
+  const std::uint32_t check = crc32(chunk);
+  return big(static_cast<std::uint32_t>(kHead.size() + text.size())) + chunk + big(check);
+}
+
+}  // namespace
+
+Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (bytes.empty())
+    return Error{ErrorCode::InvalidFile, name + " is empty; it must be a PNG, JPEG, BMP or TGA picture"};
+  constexpr std::size_t kMaxBytes = 0x7fffffff;
+  if (bytes.size() > kMaxBytes)
+    return Error{ErrorCode::TooLarge, name + " has more than 2 GiB; at most that is allowed"};
+
+  const Format format = formatOf(bytes);
+  JpegFacts jpeg;
+  std::string defect;
+  switch (format) {
+    case Format::Png:
+      defect = pngDefect(bytes);
+      break;
+    case Format::Jpeg:
+      jpeg = inspectJpeg(bytes);
+      defect = jpeg.defect;
+      break;
+    case Format::Bmp:
+      defect = bmpDefect(bytes);
+      break;
+    case Format::Tga:
+      defect = tgaDefect(bytes);
+      break;
+    case Format::Unknown:
+      return Error{ErrorCode::InvalidFile, name + " is no picture that can be read (it begins with bytes " +
+                                               firstBytes(bytes) + "); PNG, JPEG, BMP and TGA can"};
+  }
+  if (!defect.empty()) return unreadable(name, format, defect);
+  try {
+    return decodeChecked(bytes, name, format, jpeg.orientation);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::TooLarge, name + " needs more memory than there is"};
+  }
+}
+
+std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb,
+                                    std::string_view comment) {
+  if (width <= 0 || height <= 0) return {};
+  const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
+  if (pixels > kMaxImagePixels || static_cast<std::int64_t>(rgb.size()) != pixels * 3) return {};
+  try {
+    std::vector<std::uint8_t> png;
+    stbi_write_png_to_func(appendBytes, &png, width, height, 3, rgb.data(), width * 3);
+    constexpr std::size_t kHeaderEnd = 33;  // of signature and IHDR
+    if (!comment.empty() && png.size() > kHeaderEnd) {
+      const std::string chunk = textChunk(comment);
+      png.insert(png.begin() + kHeaderEnd, chunk.begin(), chunk.end());
+    }
+    return png;
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
+}
+
+std::optional<std::string> inflated(std::string_view data, std::size_t size) {
+  constexpr std::size_t kMost = 1U << 30;
+  if (data.size() > kMost || size > kMost) return std::nullopt;
+  try {
+    std::string out(size, '\0');
+    const int got = stbi_zlib_decode_noheader_buffer(out.data(), static_cast<int>(size), data.data(),
+                                                     static_cast<int>(data.size()));
+    if (got != static_cast<int>(size)) return std::nullopt;
+    return out;
+  } catch (const std::bad_alloc&) {
+    return std::nullopt;
+  }
+}
+
+std::string deflated(std::string_view data) {
+  constexpr int kQuality = 8;
+  int size = 0;
+  // It does not write there, for all that it takes no const.
+  auto* bytes = reinterpret_cast<unsigned char*>(const_cast<char*>(data.data()));
+  unsigned char* packed = stbi_zlib_compress(bytes, static_cast<int>(data.size()), &size, kQuality);
+  if (packed == nullptr) throw std::bad_alloc();
+  // Between the two bytes of its header and the four of its checksum.
+  std::string out(reinterpret_cast<const char*>(packed) + 2, static_cast<std::size_t>(size) - 6);
+  std::free(packed);
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,29 @@
+// Elements of an SVG document as RapidXML keeps them.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <rapidxml/rapidxml.hpp>
+
+#include "input/svg/svg_reader.hpp"
+
+namespace sillon::svg {
+
+using Node = rapidxml::xml_node<>;
+
+/// Local name of an SVG element; empty for text, comments and elements of other vocabularies.
+inline std::string_view elementName(const Node& node) {
+  if (node.type() != rapidxml::node_element) return {};
+  std::string_view name(node.name(), node.name_size());
+  if (startsWith(name, "svg:")) name.remove_prefix(4);
+  return name.find(':') == std::string_view::npos ? name : std::string_view{};
+}
+
+inline std::optional<std::string_view> attribute(const Node& node, std::string_view name) {
+  const auto* found = node.first_attribute(name.data(), name.size());
+  if (!found) return std::nullopt;
+  return std::string_view(found->value(), found->value_size());
+}
+
+}  // namespace sillon::svg

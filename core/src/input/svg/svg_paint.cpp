@@ -1,0 +1,170 @@
+#include "input/svg/svg_paint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <fast_float/fast_float.h>
+
+namespace sillon::svg {
+namespace {
+
+// A number, and what follows it.
+std::optional<double> leadingNumber(std::string_view text, std::string_view& rest) {
+  text = trimmed(text);
+  if (startsWith(text, "+")) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+  rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  return value;
+}
+
+// A number or a percentage of 1.
+std::optional<double> share(std::string_view text) {
+  std::string_view rest;
+  const std::optional<double> value = leadingNumber(text, rest);
+  if (!value || !(rest.empty() || rest == "%")) return std::nullopt;
+  return std::clamp(rest == "%" ? *value / 100 : *value, 0.0, 1.0);
+}
+
+Paint hexColor(std::string_view digits) {
+  const bool brief = digits.size() == 3 || digits.size() == 4;
+  const std::size_t each = brief ? 1 : 2;
+  Paint paint;
+  paint.black = digits.substr(0, 3 * each).find_first_not_of('0') == std::string_view::npos;
+  if (digits.size() != 4 * each) return paint;
+  const auto digit = [](char c) { return isDigit(c) ? c - '0' : lower(c) - 'a' + 10; };
+  paint.alpha = digit(digits[3 * each]) / 15.0;
+  if (!brief) paint.alpha = (16 * digit(digits[6]) + digit(digits[7])) / 255.0;
+  return paint;
+}
+
+// rgb(), rgba(), hsl(), hsla(): numbers between commas, spaces and a slash.
+Paint functionColor(std::string_view text) {
+  std::array<double, 4> v{0, 0, 0, 1};
+  std::size_t n = 0;
+  std::string_view rest = text.substr(text.find('(') + 1);
+  while (n < v.size()) {
+    while (!rest.empty() && (isSpace(rest.front()) || rest.front() == ',' || rest.front() == '/'))
+      rest.remove_prefix(1);
+    const auto end = std::min(rest.find_first_of(" \t\r\n,/)"), rest.size());
+    std::string_view unit;
+    const std::optional<double> value = leadingNumber(rest.substr(0, end), unit);
+    if (!value) break;
+    v[n] = n == 3 && unit == "%" ? *value / 100 : *value;
+    rest.remove_prefix(end);
+    ++n;
+  }
+  const bool hsl = startsWith(text, "hsl");
+  return {std::clamp(v[3], 0.0, 1.0), hsl ? v[2] <= 0 : v[0] <= 0 && v[1] <= 0 && v[2] <= 0};
+}
+
+Paint colorOf(std::string_view value, const Paint& current) {
+  const std::string text = lowered(trimmed(value));
+  if (text == "none" || text == "transparent") return {0, true};
+  if (text == "currentcolor") return current;
+  if (startsWith(text, "#")) return hexColor(std::string_view(text).substr(1));
+  if (startsWith(text, "rgb") || startsWith(text, "hsl")) return functionColor(text);
+  return {1, text == "black"};  // all other names are of colours that are not black
+}
+
+void setPaint(std::string_view value, const PaintContext& context, const Paint& current, Paint& paint) {
+  if (value.empty() || lowered(value) == "inherit") return;
+  const std::string_view id = urlOf(value);
+  if (id.empty()) {
+    paint = colorOf(value, current);
+  } else if (context.isPaint(id)) {
+    paint = {1, false};
+  } else {
+    const std::string_view fallback = trimmed(value.substr(std::min(value.find(')') + 1, value.size())));
+    paint = fallback.empty() ? Paint{0, true} : colorOf(fallback, current);
+  }
+}
+
+void setShare(std::string_view value, double& field) {
+  if (const auto read = share(value)) field = *read;
+}
+
+void setRule(const std::string& word, FillRule& rule) {
+  if (word == "evenodd") rule = FillRule::EvenOdd;
+  if (word == "nonzero") rule = FillRule::NonZero;
+}
+
+void setDashes(std::string_view value, const PaintContext& context, std::vector<double>& dashes) {
+  if (value.empty() || lowered(value) == "inherit") return;
+  std::vector<double> read;
+  double sum = 0;
+  while (!value.empty()) {
+    const std::size_t end = std::min(value.find_first_of(", \t\r\n"), value.size());
+    if (end > 0) {
+      const double length = context.length(value.substr(0, end));
+      if (!(length >= 0) || read.size() == 1000) {  // "none", or not to be read
+        read.clear();
+        break;
+      }
+      read.push_back(length);
+      sum += length;
+    }
+    value.remove_prefix(std::min(end + 1, value.size()));
+  }
+  if (!(sum > 0 && std::isfinite(sum))) read.clear();
+  if (read.size() % 2 == 1) {
+    const std::vector<double> again = read;
+    read.insert(read.end(), again.begin(), again.end());
+  }
+  dashes = std::move(read);
+}
+
+void setStroke(const Style& style, const PaintContext& context, Stroke& stroke) {
+  const double width = context.length(style.value(Property::StrokeWidth));
+  if (width >= 0) stroke.width = width;
+  const std::string cap = style.word(Property::StrokeLinecap);
+  if (cap == "butt") stroke.cap = StrokeCap::Butt;
+  if (cap == "round") stroke.cap = StrokeCap::Round;
+  if (cap == "square") stroke.cap = StrokeCap::Square;
+  const std::string join = style.word(Property::StrokeLinejoin);
+  if (startsWith(join, "miter")) stroke.join = StrokeJoin::Miter;
+  if (join == "round") stroke.join = StrokeJoin::Round;
+  if (join == "bevel") stroke.join = StrokeJoin::Bevel;
+  std::string_view rest;
+  const auto limit = leadingNumber(style.value(Property::StrokeMiterlimit), rest);
+  if (limit && *limit >= 1) stroke.miterLimit = *limit;
+  setDashes(style.value(Property::StrokeDasharray), context, stroke.dashes);
+  const double offset = context.length(style.value(Property::StrokeDashoffset));
+  if (std::isfinite(offset)) stroke.dashOffset = offset;
+}
+
+}  // namespace
+
+std::string_view urlOf(std::string_view value) {
+  value = trimmed(value);
+  if (!startsWith(value, "url(")) return {};
+  value = trimmed(value.substr(4, value.find(')') - 4));
+  while (!value.empty() && (value.front() == '"' || value.front() == '\'')) value.remove_prefix(1);
+  while (!value.empty() && (value.back() == '"' || value.back() == '\'')) value.remove_suffix(1);
+  return startsWith(value, "#") ? value.substr(1) : std::string_view{};
+}
+
+void apply(const Style& style, const PaintContext& context, PaintState& state) {
+  setPaint(style.value(Property::Color), context, state.color, state.color);
+  setPaint(style.value(Property::Fill), context, state.color, state.fill);
+  setPaint(style.value(Property::Stroke), context, state.color, state.stroke);
+  setShare(style.value(Property::FillOpacity), state.fillOpacity);
+  setShare(style.value(Property::StrokeOpacity), state.strokeOpacity);
+  double opacity = 1;
+  setShare(style.value(Property::Opacity), opacity);
+  state.opacity *= opacity;
+  const std::string visibility = style.word(Property::Visibility);
+  if (visibility == "visible") state.visible = true;
+  if (visibility == "hidden" || visibility == "collapse") state.visible = false;
+  setRule(style.word(Property::FillRule), state.fillRule);
+  setRule(style.word(Property::ClipRule), state.clipRule);
+  setStroke(style, context, state.line);
+}
+
+}  // namespace sillon::svg

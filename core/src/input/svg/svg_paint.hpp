@@ -1,0 +1,52 @@
+// What an element is painted with, as far as it matters where one bead is like the next: whether it is seen at all, and
+// whether it is black, which hides in a mask.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "input/svg/svg_stroke.hpp"
+#include "input/svg/svg_style.hpp"
+#include "sillon/geometry/shape.hpp"
+
+namespace sillon::svg {
+
+struct Paint {
+  double alpha = 1;  ///< 0: none
+  bool black = true;
+};
+
+/// Less shows on no screen.
+inline constexpr double kFaintest = 0.5 / 255;
+
+/// Inherited from element to element, but for `opacity`, which is the product of all around.
+struct PaintState {
+  Paint color;  ///< currentColor
+  Paint fill;
+  Paint stroke{0, true};
+  double fillOpacity = 1;
+  double strokeOpacity = 1;
+  double opacity = 1;
+  bool visible = true;
+  FillRule fillRule = FillRule::NonZero;
+  FillRule clipRule = FillRule::NonZero;
+  Stroke line;
+
+  [[nodiscard]] double fillAlpha() const { return visible ? fill.alpha * fillOpacity * opacity : 0; }
+  [[nodiscard]] double strokeAlpha() const { return visible ? stroke.alpha * strokeOpacity * opacity : 0; }
+};
+
+/// What a style needs to know of the document.
+struct PaintContext {
+  std::function<bool(std::string_view id)> isPaint;  ///< whether a gradient or pattern has this id
+  std::function<double(std::string_view)> length;    ///< in user units; NaN: not a length
+};
+
+/// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
+void apply(const Style& style, const PaintContext& context, PaintState& state);
+
+/// "#a" of "url(#a)", without the #; empty: no such reference.
+std::string_view urlOf(std::string_view value);
+
+}  // namespace sillon::svg

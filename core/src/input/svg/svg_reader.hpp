@@ -1,0 +1,121 @@
+// What all readers of SVG share: how they give up, and attributes from left to right.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <fast_float/fast_float.h>
+
+#include "sillon/base/result.hpp"
+
+namespace sillon::svg {
+
+/// Thrown and caught in svg*.cpp only: parsing is deep, and each level would have to hand errors on.
+struct Refused {
+  ErrorCode code;
+  std::string problem;
+};
+
+[[noreturn]] void refuse(const std::string& problem);  ///< InvalidFile
+[[noreturn]] void refuseTooLarge(const std::string& problem);
+
+inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+inline bool startsWith(std::string_view text, std::string_view head) { return text.substr(0, head.size()) == head; }
+
+inline std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+inline std::string lowered(std::string_view text) {
+  std::string copy(text);
+  std::transform(copy.begin(), copy.end(), copy.begin(), lower);
+  return copy;
+}
+
+/// Text of the file inside a message: short, printable.
+std::string quoted(std::string_view text);
+
+/// Calls body(piece) for the pieces between separators.
+template <class Body>
+void split(std::string_view text, char separator, const Body& body) {
+  while (true) {
+    const std::size_t end = text.find(separator);
+    body(text.substr(0, end));
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Numbers, flags and words of an attribute from left to right.
+class Reader {
+ public:
+  Reader(std::string_view text, const char* what) : text_(text), what_(what) {}
+
+  bool atEnd() {
+    skipSpace();
+    return at_ == text_.size();
+  }
+  [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  char take() { return text_[at_++]; }
+  [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
+
+  void skipSpace() {
+    while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+  }
+  void skipSeparator() {
+    skipSpace();
+    if (peek() != ',') return;
+    ++at_;
+    skipSpace();
+  }
+  void expect(char c) {
+    skipSpace();
+    if (peek() != c) fail(std::string("'") + c + "'");
+    ++at_;
+  }
+  std::string_view word() {
+    const std::size_t begin = at_;
+    while (isLetter(peek())) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  /// A finite number; separators before it are skipped.
+  double number() {
+    skipSeparator();
+    std::size_t begin = at_;
+    std::size_t first = begin + (peek() == '+' || peek() == '-' ? 1 : 0);
+    // The library would also take "inf" and "nan".
+    if (first >= text_.size() || !(isDigit(text_[first]) || text_[first] == '.')) fail("a number");
+    if (text_[begin] == '+') begin = first;
+    double value = 0;
+    const auto [end, error] = fast_float::from_chars(text_.data() + begin, text_.data() + text_.size(), value);
+    if (error != std::errc{}) fail("a number");
+    if (!std::isfinite(value)) refuse("the number " + quoted(rest()) + " in " + what_ + " is too large");
+    at_ = static_cast<std::size_t>(end - text_.data());
+    return value;
+  }
+
+  /// The flags of an arc may stand together: "a1 1 0 0110 10".
+  bool flag() {
+    skipSeparator();
+    if (peek() != '0' && peek() != '1') fail("a flag 0 or 1");
+    return take() == '1';
+  }
+
+  [[noreturn]] void fail(const std::string& expected) const;
+
+ private:
+  std::string_view text_;
+  std::string what_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace sillon::svg

@@ -1,0 +1,308 @@
+#include "input/svg/svg_stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <Eigen/LU>
+
+namespace sillon::svg {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kShortest = 1e-4;    // of a piece whose direction counts [mm]; points lie on a grid of 1 nm
+constexpr double kTightTurn = 0.1;    // within a bend tighter than the stroke is wide [radians]; see thinned()
+constexpr double kSmoothTurn = 0.95;  // cosine: between two chords of a curve; more is a cusp, which is rounded
+
+Vec2 by(const Matrix& m, Vec2 p) {
+  const Eigen::Vector2d out = m * Eigen::Vector2d(p.x, p.y);
+  return {out.x(), out.y()};
+}
+
+Vec2 leftOf(Vec2 direction) { return {-direction.y, direction.x}; }
+
+// A line in the element's units: a stroke is round there, whatever the transform makes of it.
+struct Track {
+  std::vector<Vec2> points;
+  std::vector<char> smooth;
+  bool closed = false;
+};
+
+Track trackOf(const Line& line, const Matrix& toUser) {
+  Track track;
+  track.closed = line.closed;
+  Vec2 last;
+  for (std::size_t k = 0; k < line.points.size(); ++k) {
+    const Vec2 p = line.points[k];
+    if (k > 0 && length(p - last) < kShortest) {
+      if (line.smooth[k] == 0) track.smooth.back() = 0;
+      continue;
+    }
+    track.points.push_back(by(toUser, p));
+    track.smooth.push_back(line.smooth[k]);
+    last = p;
+  }
+  if (track.closed && track.points.size() > 1 && length(last - line.points.front()) < kShortest) {
+    track.points.pop_back();
+    track.smooth.pop_back();
+  }
+  return track;
+}
+
+Track reversed(Track track) {
+  std::reverse(track.points.begin(), track.points.end());
+  std::reverse(track.smooth.begin(), track.smooth.end());
+  return track;
+}
+
+// The pieces of a track that its dashes cover.
+class Dashes {
+ public:
+  Dashes(const Stroke& stroke, std::int64_t& pointsLeft) : stroke_(stroke), pointsLeft_(pointsLeft) {}
+
+  std::vector<Track> cut(const Track& track) {
+    startPattern();
+    pieces_.clear();
+    piece_ = {};
+    const std::size_t n = track.points.size();
+    if (on()) add(track.points[0], 0);
+    for (std::size_t k = 1; k < n + (track.closed ? 1 : 0); ++k) {
+      const Vec2 from = track.points[k - 1], to = track.points[k % n];
+      const double size = length(to - from);
+      double at = 0;
+      while (left_ < size - at) {  // one that would begin at the very end is none
+        at += left_;
+        const Vec2 p = from + (to - from) * (size > 0 ? at / size : 0);
+        if (on()) {
+          add(p, 0);
+          finish();
+        }
+        index_ = (index_ + 1) % stroke_.dashes.size();
+        left_ = stroke_.dashes[index_];
+        if (on()) add(p, 0);
+        if (--pointsLeft_ < 0) refusePoints();
+      }
+      left_ -= size - at;
+      if (on()) add(to, track.smooth[k % n]);
+    }
+    finish();
+    return std::move(pieces_);
+  }
+
+ private:
+  [[nodiscard]] bool on() const { return index_ % 2 == 0; }
+
+  void startPattern() {
+    double period = 0;
+    for (const double dash : stroke_.dashes) period += dash;
+    double offset = std::fmod(stroke_.dashOffset, period);
+    if (offset < 0) offset += period;
+    index_ = 0;
+    while (offset > 0 && offset >= stroke_.dashes[index_] && index_ + 1 < stroke_.dashes.size()) {
+      offset -= stroke_.dashes[index_++];
+    }
+    left_ = std::max(0.0, stroke_.dashes[index_] - offset);
+  }
+
+  void add(Vec2 p, char smooth) {
+    if (!piece_.points.empty() && piece_.points.back() == p) return;
+    piece_.points.push_back(p);
+    piece_.smooth.push_back(smooth);
+  }
+
+  void finish() {
+    if (!piece_.points.empty()) pieces_.push_back(std::move(piece_));
+    piece_ = {};
+  }
+
+  const Stroke& stroke_;
+  std::int64_t& pointsLeft_;
+  std::vector<Track> pieces_;
+  Track piece_;
+  std::size_t index_ = 0;
+  double left_ = 0;  // of the dash or gap at hand
+};
+
+// Walks along tracks and leaves a ring on their left. A ring is the sum of the half rectangles beside the pieces, of
+// wedges on the outer side of turns and of caps, all with the same sense: inner sides either meet where the half
+// rectangles do, or go back to the turn itself.
+class Walker {
+ public:
+  Walker(const Stroke& stroke, const Matrix& toWorld, double tolerance, std::int64_t& pointsLeft)
+      : stroke_(stroke), toWorld_(toWorld), pointsLeft_(pointsLeft), half_(stroke.width / 2) {
+    const Eigen::Matrix2d m = toWorld.linear();
+    const double pp = m.col(0).squaredNorm(), qq = m.col(1).squaredNorm(), pq = m.col(0).dot(m.col(1));
+    const double radius = half_ * std::sqrt((pp + qq + std::sqrt((pp - qq) * (pp - qq) + 4 * pq * pq)) / 2);
+    step_ = std::min(kPi / 4, std::sqrt(8 * tolerance / std::max(radius, 1e-12)));
+  }
+
+  void walk(const Track& track, std::vector<Ring>& rings) {
+    if (track.points.size() < 2) {
+      if (!track.points.empty()) spot(track.points[0]);
+    } else if (track.closed) {
+      // Once wide enough to fill what it goes round, a stroke has no inner side.
+      const int turning = coversInside(track);
+      if (turning <= 0) side(thinned(track));
+      take(rings);
+      if (turning >= 0) side(thinned(reversed(track)));
+    } else {
+      side(thinned(track));
+      side(thinned(reversed(track)));
+    }
+    take(rings);
+  }
+
+ private:
+  // 1 for a convex track to the left, -1 to the right, whose stroke leaves no hole; else 0.
+  [[nodiscard]] int coversInside(const Track& track) const {
+    const std::size_t n = track.points.size();
+    Bounds box;
+    bool left = false, right = false;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec2 p = track.points[k];
+      box.add(p);
+      const double turn = cross(p - track.points[(k + n - 1) % n], track.points[(k + 1) % n] - p);
+      left = left || turn > 0;
+      right = right || turn < 0;
+    }
+    if (left == right || 2 * half_ < std::min(box.size().x, box.size().y)) return 0;
+    return left ? 1 : -1;
+  }
+
+  // Where a curve bends to the left more tightly than the stroke is wide, half rectangles fan out beyond its centre and
+  // all cross each other. A few of them do: what they miss is below a thousandth of the width.
+  [[nodiscard]] Track thinned(const Track& track) const {
+    const std::size_t n = track.points.size();
+    Track thin;
+    thin.closed = track.closed;
+    double turned = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec2 p = track.points[k];
+      const bool inner = k > 0 && k + 1 < n && track.smooth[k] != 0;
+      if (inner) {
+        const Vec2 from = p - track.points[k - 1], to = track.points[k + 1] - p;
+        const double angle = std::atan2(cross(from, to), dot(from, to));
+        const bool tight = angle > 0 && half_ * std::tan(angle / 2) > 0.5 * std::min(length(from), length(to));
+        turned += angle;
+        if (tight && turned < kTightTurn) continue;
+      }
+      turned = 0;
+      thin.points.push_back(p);
+      thin.smooth.push_back(track.smooth[k]);
+    }
+    return thin;
+  }
+
+  // The left side, and for an open track the cap at its end.
+  void side(const Track& track) {
+    const std::size_t n = track.points.size();
+    const auto point = [&](std::size_t k) { return track.points[k % n]; };
+    const auto direction = [&](std::size_t k) {
+      const Vec2 along = point(k + 1) - point(k);
+      return along * (1 / length(along));
+    };
+    if (!track.closed) put(point(0) + half_ * leftOf(direction(0)));
+    for (std::size_t k = track.closed ? 0 : 1; k + (track.closed ? 0 : 1) < n; ++k) {
+      const std::size_t before = k + n - 1;
+      const double room = 0.5 * std::min(length(point(k) - point(before)), length(point(k + 1) - point(k)));
+      turn(point(k), direction(before % n), direction(k), track.smooth[k] != 0, room);
+    }
+    if (!track.closed) cap(point(n - 1), direction(n - 2));
+  }
+
+  void turn(Vec2 p, Vec2 from, Vec2 to, bool smooth, double room) {
+    const double sine = cross(from, to), cosine = dot(from, to);
+    const Vec2 n0 = half_ * leftOf(from), n1 = half_ * leftOf(to);
+    const bool straight = 1 + cosine > 1e-9;
+    const Vec2 meeting = straight ? (n0 + n1) * (1 / (1 + cosine)) : n0;
+    if (sine > 0) {  // to the left: this is the inner side
+      if (straight && half_ * sine <= room * (1 + cosine)) return put(p + meeting);
+      put(p + n0);
+      put(p);
+      return put(p + n1);
+    }
+    StrokeJoin join = stroke_.join;
+    if (smooth) join = cosine > kSmoothTurn ? StrokeJoin::Miter : StrokeJoin::Round;
+    // The miter is 1 / cos(turn / 2) half widths long.
+    const double limit = smooth ? 4 : stroke_.miterLimit;
+    if (join == StrokeJoin::Miter && straight && 2 <= limit * limit * (1 + cosine)) return put(p + meeting);
+    put(p + n0);
+    if (join == StrokeJoin::Round) arc(p, n0, std::atan2(std::abs(sine), cosine));
+    put(p + n1);
+  }
+
+  void cap(Vec2 p, Vec2 direction) {
+    const Vec2 n = half_ * leftOf(direction);
+    const Vec2 ahead = stroke_.cap == StrokeCap::Square ? half_ * direction : Vec2{};
+    put(p + n + ahead);
+    if (stroke_.cap == StrokeCap::Round) arc(p, n, kPi);
+    put(p - n + ahead);
+  }
+
+  // A line without length shows its caps alone.
+  void spot(Vec2 p) {
+    const Vec2 u{half_, 0}, v{0, half_};
+    if (stroke_.cap == StrokeCap::Square) {
+      for (const Vec2 corner : {u + v, u - v, -u - v, v - u}) put(p + corner);
+    }
+    if (stroke_.cap != StrokeCap::Round) return;
+    put(p + u);
+    arc(p, u, 2 * kPi);
+  }
+
+  // Clockwise from p + n, both ends excluded.
+  void arc(Vec2 p, Vec2 n, double angle) {
+    const int pieces = static_cast<int>(std::ceil(angle / step_));
+    for (int k = 1; k < pieces; ++k) {
+      const double at = angle * k / pieces;
+      put(p + std::cos(at) * n - std::sin(at) * leftOf(n));
+    }
+  }
+
+  void put(Vec2 p) {
+    p = onGrid(by(toWorld_, p));
+    if (!ring_.empty() && ring_.back() == p) return;
+    if (--pointsLeft_ < 0) refusePoints();
+    ring_.push_back(p);
+  }
+
+  void take(std::vector<Ring>& rings) {
+    while (ring_.size() > 1 && ring_.back() == ring_.front()) ring_.pop_back();
+    if (ring_.size() >= 3) rings.push_back(std::move(ring_));
+    ring_.clear();
+  }
+
+  const Stroke& stroke_;
+  const Matrix& toWorld_;
+  std::int64_t& pointsLeft_;
+  double half_;
+  double step_ = 0;  // of arcs [radians]
+  Ring ring_;
+};
+
+}  // namespace
+
+std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stroke, const Matrix& toWorld,
+                              double tolerance, std::int64_t& pointsLeft) {
+  std::vector<Ring> rings;
+  const double scale = std::sqrt(std::abs(toWorld.linear().determinant()));
+  if (!(scale * stroke.width > 1e-6) || !(scale < 1e9)) return rings;
+  const Matrix toUser = toWorld.inverse();
+  double period = 0;
+  for (const double dash : stroke.dashes) period += dash;
+  const bool dashed = period * scale > kShortest;  // finer ones are as good as solid
+  Dashes dashes(stroke, pointsLeft);
+  Walker walker(stroke, toWorld, tolerance, pointsLeft);
+  for (const Line& line : lines) {
+    const Track track = trackOf(line, toUser);
+    if (!dashed) {
+      walker.walk(track, rings);
+      continue;
+    }
+    for (const Track& piece : dashes.cut(track)) walker.walk(piece, rings);
+  }
+  return rings;
+}
+
+}  // namespace sillon::svg

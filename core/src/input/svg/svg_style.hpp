@@ -1,0 +1,111 @@
+// The CSS that decides what an SVG element shows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "input/svg/svg_node.hpp"
+
+namespace sillon::svg {
+
+/// In the order of kPropertyNames.
+enum class Property : std::size_t {
+  ClipPath,
+  ClipRule,
+  Color,
+  Display,
+  Fill,
+  FillOpacity,
+  FillRule,
+  Mask,
+  MaskType,
+  Opacity,
+  Overflow,
+  Stroke,
+  StrokeDasharray,
+  StrokeDashoffset,
+  StrokeLinecap,
+  StrokeLinejoin,
+  StrokeMiterlimit,
+  StrokeOpacity,
+  StrokeWidth,
+  Visibility,
+};
+inline constexpr std::array<std::string_view, 20> kPropertyNames{"clip-path",
+                                                                 "clip-rule",
+                                                                 "color",
+                                                                 "display",
+                                                                 "fill",
+                                                                 "fill-opacity",
+                                                                 "fill-rule",
+                                                                 "mask",
+                                                                 "mask-type",
+                                                                 "opacity",
+                                                                 "overflow",
+                                                                 "stroke",
+                                                                 "stroke-dasharray",
+                                                                 "stroke-dashoffset",
+                                                                 "stroke-linecap",
+                                                                 "stroke-linejoin",
+                                                                 "stroke-miterlimit",
+                                                                 "stroke-opacity",
+                                                                 "stroke-width",
+                                                                 "visibility"};
+
+/// What a property may come from: the last of the most specific wins.
+struct Declared {
+  std::string value;  ///< trimmed, as written
+  std::int64_t weight = -1;
+
+  void set(std::string_view newValue, std::int64_t newWeight);
+};
+
+/// Weights: attributes 0, rules of <style> by their selectors and order, `style` attributes, each of them again above
+/// all others where it is !important.
+inline constexpr std::int64_t kStyleAttribute = std::int64_t{1} << 60;
+
+class Style {
+ public:
+  /// Empty where nothing is declared.
+  [[nodiscard]] const std::string& value(Property property) const { return of(property).value; }
+  /// In lower case.
+  [[nodiscard]] std::string word(Property property) const { return lowered(of(property).value); }
+
+  void set(Property property, std::string_view value, std::int64_t weight) {
+    declared_[static_cast<std::size_t>(property)].set(value, weight);
+  }
+  /// \param declarations  as in an attribute `style`.
+  void declare(std::string_view declarations, std::int64_t weight);
+  void add(const Style& other);
+  [[nodiscard]] bool empty() const;
+  /// Adds to the weight of all that is declared.
+  void raise(std::int64_t weight);
+
+ private:
+  [[nodiscard]] const Declared& of(Property property) const { return declared_[static_cast<std::size_t>(property)]; }
+
+  std::array<Declared, kPropertyNames.size()> declared_;
+};
+
+/// Rules of <style> elements whose selector is *, a name, a class, an id, or a name with a class or id.
+class StyleSheet {
+ public:
+  /// \param text  of a <style> element; rules that say nothing of these properties, and what is no CSS, are passed
+  /// over.
+  void add(std::string_view text);
+  /// What attributes, rules and `style` declare of an element.
+  [[nodiscard]] Style styleOf(const Node& node) const;
+
+ private:
+  void addRule(std::string_view selectors, std::string_view declarations);
+  void match(const Node& node, Style& style) const;
+
+  std::unordered_map<std::string, Style> rules_;
+  std::int64_t order_ = 0;
+};
+
+}  // namespace sillon::svg

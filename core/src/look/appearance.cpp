@@ -1,0 +1,98 @@
+#include "sillon/look/appearance.hpp"
+
+#include <algorithm>
+
+#include "base/fast_math.hpp"
+#include "look/appearance_data.hpp"
+#include "look/decay.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kProfileSamples = 16;
+constexpr int kSteps = 360;  // where the brightest and darkest directions are looked for
+
+float radians(double degrees) {
+  // Whole turns first: sinCos is exact near zero.
+  const double turns = degrees / 360;
+  return static_cast<float>((turns - std::floor(turns + 0.5)) * 2 * 3.14159265358979323846);
+}
+
+float squaredSlope(double degrees) {
+  const SinCos v = sinCos(radians(degrees));
+  return v.sin * v.sin / (v.cos * v.cos);
+}
+
+Vec2f directionAt(int step, int steps) {
+  const SinCos v = sinCos(kPi * static_cast<float>(step) / static_cast<float>(steps));
+  return {v.cos, v.sin};
+}
+
+bool within(double v, double low, double high) { return v >= low && v <= high; }  // false for NaN
+
+}  // namespace
+
+std::string invalidLamp(const Lamp& lamp) {
+  if (!within(lamp.azimuth, -36000, 36000)) return "lamp azimuth is outside its range of -36000 to 36000 degrees";
+  if (!within(lamp.elevation, 1, 90)) return "lamp elevation is outside its range of 1 to 90 degrees";
+  if (!within(lamp.slope, 0, 2)) return "lamp size is outside its range of 0 to 2";
+  return {};
+}
+
+std::string invalidRoughness(const Roughness& roughness) {
+  const bool fits = within(roughness.along, 0.1, 45) && within(roughness.across, 0.1, 45);
+  return fits ? "" : "a slope is outside its range of 0.1 to 45 degrees";
+}
+
+Lobe lobeOf(const Lamp& lamp, const Roughness& roughness) {
+  const SinCos azimuth = sinCos(radians(lamp.azimuth)), elevation = sinCos(radians(lamp.elevation));
+  const auto lampVariance = static_cast<float>(lamp.slope * lamp.slope);
+  Lobe lobe;
+  lobe.tilt = Vec2f{azimuth.cos, azimuth.sin} * (elevation.cos / (1 + elevation.sin));
+  lobe.alongVariance = squaredSlope(roughness.along) + lampVariance;
+  lobe.acrossVariance = squaredSlope(roughness.across) + lampVariance;
+  lobe.profile = static_cast<float>(kProfileSlopeData);
+  lobe.diffuse = static_cast<float>(kDiffuseData);
+  lobe.brightest = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    lobe.brightest = std::max(lobe.brightest, highlightOf(lobe, directionAt(k, kSteps)));
+  }
+  lobe.brightest = std::max(lobe.brightest, 1e-12f);
+  return lobe;
+}
+
+float highlightAt(const Lobe& lobe, Vec2f direction, float slope) {
+  const float along = dot(lobe.tilt, direction), across = cross(direction, lobe.tilt) - slope;
+  return decay(along * along / (2 * lobe.alongVariance) + across * across / (2 * lobe.acrossVariance));
+}
+
+float highlightOf(const Lobe& lobe, Vec2f direction) {
+  float sum = 0;
+  for (int k = 0; k < kProfileSamples; ++k) {
+    const float side = (static_cast<float>(k) + 0.5f) * (2.0f / kProfileSamples) - 1;
+    sum += highlightAt(lobe, direction, lobe.profile * side);
+  }
+  return sum / kProfileSamples;
+}
+
+float lightOf(const Lobe& lobe, Vec2f direction) {
+  return lobe.diffuse + (1 - lobe.diffuse) * std::min(1.0f, highlightOf(lobe, direction) / lobe.brightest);
+}
+
+std::vector<float> lightTable(const Lobe& lobe, int steps) {
+  std::vector<float> table;
+  for (int k = 0; k < steps; ++k) table.push_back(lightOf(lobe, directionAt(k, steps)));
+  return table;
+}
+
+double contrastOf(const Lobe& lobe) {
+  const std::vector<float> table = lightTable(lobe, kSteps);
+  const auto [least, most] = std::minmax_element(table.begin(), table.end());
+  return static_cast<double>(*most) / static_cast<double>(*least);
+}
+
+double bulbSlope() { return kBulbData; }
+double softboxSlope() { return kSoftboxData; }
+double windowSlope() { return kWindowData; }
+
+}  // namespace sillon

@@ -1,0 +1,163 @@
+#include "sillon/look/tones.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace sillon {
+namespace {
+
+constexpr int kCurveSteps = 4096;
+
+/// x^(1/5) by Newton's method, which needs + * / alone: the same bytes everywhere.
+double fifthRoot(double x) {
+  if (!(x > 0)) return 0;
+  double y = 1;
+  while (y * y * y * y * y > 2 * x) y *= 0.8;
+  for (int k = 0; k < 12; ++k) y = (4 * y + x / (y * y * y * y)) / 5;
+  return y;
+}
+
+double power2p4(double x) {  // x^(12/5)
+  const double root = fifthRoot(x);
+  const double squared = root * root;
+  return x * x * squared;
+}
+
+double lightOfCodeExactly(double c) { return c <= 0.04045 ? c / 12.92 : power2p4((c + 0.055) / 1.055); }
+
+struct Curves {
+  std::array<float, kCurveSteps + 2> light{};  // of codes k / kCurveSteps
+  std::array<float, kCurveSteps + 2> code{};   // of light (k / kCurveSteps)²: finest steps in the dark
+};
+
+const Curves& curves() {
+  static const Curves made = [] {
+    Curves c;
+    for (int k = 0; k <= kCurveSteps; ++k) {
+      const double x = static_cast<double>(k) / kCurveSteps;
+      c.light[static_cast<std::size_t>(k)] = static_cast<float>(lightOfCodeExactly(x));
+      // Bisection of the exact curve: the 2.4th root has no closed form in + * / and sqrt.
+      double low = 0, high = 1;
+      for (int step = 0; step < 40; ++step) {
+        const double middle = (low + high) / 2;
+        (lightOfCodeExactly(middle) < x * x ? low : high) = middle;
+      }
+      c.code[static_cast<std::size_t>(k)] = static_cast<float>((low + high) / 2);
+    }
+    c.light[kCurveSteps + 1] = c.light[kCurveSteps];
+    c.code[kCurveSteps + 1] = c.code[kCurveSteps];
+    return c;
+  }();
+  return made;
+}
+
+float between(const std::array<float, kCurveSteps + 2>& curve, float x) {
+  const float place = std::clamp(x, 0.0f, 1.0f) * kCurveSteps;
+  const auto k = static_cast<std::size_t>(place);
+  return curve[k] + (curve[k + 1] - curve[k]) * (place - static_cast<float>(k));
+}
+
+/// Where the samples of one axis come from: weights of up to `count` sources from `first` on.
+struct Span {
+  int first = 0;
+  std::vector<float> weights;
+};
+
+std::vector<Span> spansOf(int from, int to) {
+  std::vector<Span> spans(static_cast<std::size_t>(to));
+  const double step = static_cast<double>(from) / to;
+  for (int k = 0; k < to; ++k) {
+    Span& span = spans[static_cast<std::size_t>(k)];
+    if (step <= 1) {
+      const double place = std::clamp((k + 0.5) * step - 0.5, 0.0, from - 1.0);
+      span.first = std::min(static_cast<int>(place), std::max(0, from - 2));
+      const auto share = static_cast<float>(place - span.first);
+      span.weights = {1 - share};
+      if (from > 1) span.weights.push_back(share);
+      continue;
+    }
+    const double begin = k * step, end = std::min<double>(from, (k + 1) * step);
+    span.first = static_cast<int>(begin);
+    for (int i = span.first; i < from && i < end; ++i) {
+      span.weights.push_back(
+          static_cast<float>((std::min<double>(i + 1, end) - std::max<double>(i, begin)) / (end - begin)));
+    }
+  }
+  return spans;
+}
+
+}  // namespace
+
+float lightOfCode(float code) { return between(curves().light, code); }
+
+float codeOfLight(float light) { return between(curves().code, std::sqrt(std::clamp(light, 0.0f, 1.0f))); }
+
+Tones tonesOf(const Image& image) {
+  Tones tones{image.width, image.height, {}};
+  tones.value.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
+      const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
+      if (image.channels < 3) {
+        tones.value.push_back(channel(0) * solid);
+        continue;
+      }
+      const float light =
+          0.2126f * lightOfCode(channel(0)) + 0.7152f * lightOfCode(channel(1)) + 0.0722f * lightOfCode(channel(2));
+      tones.value.push_back(codeOfLight(light) * solid);
+    }
+  }
+  return tones;
+}
+
+Tones resampled(const Tones& tones, int width, int height) {
+  if (tones.width == width && tones.height == height) return tones;
+  const std::vector<Span> columns = spansOf(tones.width, width), rows = spansOf(tones.height, height);
+  Tones out{width, height, {}};
+  out.value.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<float> line(static_cast<std::size_t>(tones.width));
+  for (int y = 0; y < height; ++y) {
+    const Span& row = rows[static_cast<std::size_t>(y)];
+    std::fill(line.begin(), line.end(), 0.0f);
+    for (std::size_t j = 0; j < row.weights.size(); ++j) {
+      for (int x = 0; x < tones.width; ++x) {
+        line[static_cast<std::size_t>(x)] += row.weights[j] * lightOfCode(tones.at(x, row.first + static_cast<int>(j)));
+      }
+    }
+    for (int x = 0; x < width; ++x) {
+      const Span& column = columns[static_cast<std::size_t>(x)];
+      float sum = 0;
+      for (std::size_t i = 0; i < column.weights.size(); ++i) {
+        sum += column.weights[i] * line[static_cast<std::size_t>(column.first) + i];
+      }
+      out.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
+          codeOfLight(sum);
+    }
+  }
+  return out;
+}
+
+Tones levelled(const Tones& tones) {
+  Tones out = tones;
+  if (out.value.empty()) return out;
+  std::vector<float> sorted = out.value;
+  const auto percentile = [&](std::size_t percent) {
+    const std::size_t k = (sorted.size() - 1) * percent / 100;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(k), sorted.end());
+    return sorted[k];
+  };
+  const float low = percentile(1), high = percentile(99);
+  if (!(high > low)) {
+    const auto [least, most] = std::minmax_element(out.value.begin(), out.value.end());
+    const float from = *least, to = *most;
+    for (float& v : out.value) v = to > from ? (v - from) / (to - from) : 0.5f;
+    return out;
+  }
+  for (float& v : out.value) v = std::clamp((v - low) / (high - low), 0.0f, 1.0f);
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,94 @@
+#include "sillon/pipeline/session.hpp"
+
+#include <optional>
+
+#include "base/free_memory.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "pipeline/steps.hpp"
+
+namespace sillon {
+namespace {
+
+// A session keeps 44 bytes a cell more than a single run; see kMaxCells.
+constexpr double kMaxKeptCells = sizeof(void*) == 4 ? 3.2e6 : 40e6;
+
+// All parameters but those that only the path after the waves reads. A parameter that is not listed here counts as one
+// of the waves', so that to forget a new one costs time and never shows a stale toolpath.
+ToolpathParams ofWaves(ToolpathParams p) {
+  const ToolpathParams any;
+  p.kernelRadius = any.kernelRadius;
+  p.stitchAlignment = any.stitchAlignment;
+  p.relaxationRounds = any.relaxationRounds;
+  p.relaxationStrength = any.relaxationStrength;
+  p.relaxationSmoothing = any.relaxationSmoothing;
+  p.widthBalance = any.widthBalance;
+  p.beadOverlap = any.beadOverlap;
+  p.minWidth = any.minWidth;
+  p.maxWidth = any.maxWidth;
+  p.simplifyTolerance = any.simplifyTolerance;
+  return p;
+}
+
+// Waves, and what they were made of besides the shape.
+struct KeptWaves {
+  DirectionMap directions;
+  ModeMap modes;
+  ToolpathParams params;  ///< those of ofWaves
+  WaveFields fields;
+
+  [[nodiscard]] bool areOf(const PlateInput& input, const ToolpathParams& wanted) const {
+    return params == wanted && directions == input.directions && modes == input.modes;
+  }
+};
+
+}  // namespace
+
+struct Session::State {
+  Shape shape;
+  double spacing = 0;
+  std::optional<double> bridge;
+  std::optional<ShapeFields> fields;  ///< of these three
+  std::optional<KeptWaves> waves;
+
+  /// Makes what is missing or out of date. \return why it could not; what there is then is whole all the same.
+  std::optional<Error> update(const PlateInput& wanted, const ToolpathParams& all, StageClock& clock,
+                              const RunContext& run) {
+    const ToolpathParams now = ofWaves(all);
+    if (!fields || now.spacing != spacing || now.bridge != bridge || wanted.shape != shape) {
+      waves.reset();
+      fields.reset();
+      Result<ShapeFields> made = shapeStep(wanted.shape, now, clock, run);
+      if (!made) return made.error();
+      fields = std::move(made).value();
+      shape = wanted.shape;
+      spacing = now.spacing;
+      bridge = now.bridge;
+    }
+    if (waves && waves->areOf(wanted, now)) return std::nullopt;
+    waves.reset();
+    Result<WaveFields> made = waveStep(wanted, *fields, now, clock, run);
+    if (!made) return made.error();
+    waves = KeptWaves{wanted.directions, wanted.modes, now, std::move(made).value()};
+    return std::nullopt;
+  }
+};
+
+Session::Session() : state_(std::make_unique<State>()) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Result<ToolpathResult> Session::generateToolpath(const PlateInput& input, const ToolpathParams& params,
+                                                 const RunContext& run, bool countDislocations) {
+  if (auto wrong = wrongInput(input, params)) return *wrong;
+  StageClock clock(run);
+  if (auto error = state_->update(input, params, clock, run)) return *error;
+  ShapeFields& shape = *state_->fields;
+  const bool keeps = static_cast<double>(shape.sdf.grid.size()) <= kMaxKeptCells;
+  Result<ToolpathResult> result = pathStep(input, shape, state_->waves->fields, keeps ? Fields::Kept : Fields::Freed,
+                                           params, countDislocations, clock, run);
+  if (!keeps) *state_ = {};
+  return result;
+}
+
+}  // namespace sillon

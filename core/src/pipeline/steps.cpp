@@ -1,0 +1,156 @@
+#include "pipeline/steps.hpp"
+
+#include <cmath>
+
+#include "base/decimal_text.hpp"
+#include "base/free_memory.hpp"
+#include "geometry/closed_curves.hpp"
+#include "sillon/field/sine_field.hpp"
+#include "sillon/toolpath/contour.hpp"
+#include "sillon/toolpath/simplify.hpp"
+#include "sillon/toolpath/small_cycles.hpp"
+#include "sillon/toolpath/thin_features.hpp"
+
+namespace sillon {
+namespace {
+
+// A cell takes some 110 bytes; where pointers have 32 bits no more than 2 GB can be had, and 1 GB with threads.
+constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
+
+template <class T>
+void release(Fields fields, T& field) {
+  if (fields == Fields::Freed) sillon::release(field);
+}
+
+}  // namespace
+
+Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, StageClock& clock,
+                              const RunContext& run, Stages* record) {
+  clock.start("outline", 0.02);
+  const Result<Outline> outline = resolveOutline(shape);
+  if (!outline) return outline.error();
+  const Vec2 size = outline.value().bounds.size();
+  const double cells = 4 * (size.x / params.spacing + 3) * (size.y / params.spacing + 3);
+  if (cells > kMaxCells) {
+    return Error{ErrorCode::TooLarge, "the plate of " + decimal(size.x, 1) + " x " + decimal(size.y, 1) + " mm needs " +
+                                          decimal(std::ceil(cells / 1e5) / 10, 1) + " million cells at spacing " +
+                                          decimal(params.spacing, 3) + " mm; at most " + decimal(kMaxCells / 1e6, 0) +
+                                          " million are possible"};
+  }
+
+  clock.start("distance", 0.06);
+  const Grid grid = makeGrid(outline.value().bounds, params.spacing);
+  Result<BorderIndex> border = buildBorderIndex(outline.value(), grid, run);
+  if (!border) return border.error();
+  Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
+  if (!sdf) return sdf.error();
+  Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
+  if (parts.count == 0) {
+    return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) +
+                                            " mm, which is too wide for this shape of " + decimal(size.x, 3) + " x " +
+                                            decimal(size.y, 3) + " mm; no place in it is wide enough for one bead"};
+  }
+  if (record != nullptr) {
+    record->outline = outline.value();
+    record->border = border.value();
+    record->sdf = sdf.value();
+    record->parts = parts;
+  }
+  return ShapeFields{std::move(border).value(), std::move(sdf).value(), std::move(parts)};
+}
+
+Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
+                            StageClock& clock, const RunContext& run, Stages* record) {
+  clock.start("lines", 0.12);
+  WaveRecord seen;
+  Result<WaveFields> waves = waveFields(
+      shape.sdf, input.directions, input.modes, input.shape.page, params, run, [&] { clock.start("phases", 0.35); },
+      record == nullptr ? nullptr : &seen);
+  if (waves && record != nullptr) {
+    record->cells = std::move(seen.cells);
+    record->frequency = std::move(seen.frequency);
+    record->lines = waves.value().lines;
+    record->waves = waves.value().waves;
+  }
+  return waves;
+}
+
+Result<ToolpathResult> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
+                                const ToolpathParams& params, bool countDislocations, StageClock& clock,
+                                const RunContext& run, Stages* record) {
+  ToolpathResult plate;
+  clock.stop();
+  if (countDislocations) plate.dislocations = findDislocations(waves.lines, waves.waves, waves.cells, run);
+  const Grid grid = waves.lines.grid;
+  plate.nx = grid.nx;
+  plate.ny = grid.ny;
+
+  clock.start("contour", 0.5);
+  const Grid nodes = nodeLattice(grid);
+  ClosedCurves cycles;
+  {
+    const Result<std::vector<float>> distance =
+        bandDistance(input.shape, shape.border, nodes, static_cast<float>(params.spacing), run);
+    if (!distance) return distance.error();
+    Result<std::vector<float>> values = evaluateSineField(waves.waves, distance.value(), params, run);
+    if (!values) return values.error();
+    release(fields, waves.waves);
+    keepThinParts(shape.parts, shape.sdf, params.spacing, values.value());
+    fillThinFeatures(nodes, distance.value(), params.spacing, values.value());
+    release(fields, shape.sdf);
+    Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
+    if (!contour) return contour.error();
+    if (record != nullptr) {
+      record->nodeDistance = distance.value();
+      record->nodeValues = values.value();
+      record->contour = contour.value();
+    }
+    cycles = std::move(contour).value();
+  }
+  plate.contourCycles = cycles.count();
+  if (plate.contourCycles == 0) {
+    return Error{ErrorCode::EmptyShape, "no bead fits into this shape at spacing " + decimal(params.spacing, 3) +
+                                            " mm; use a smaller spacing or a larger shape"};
+  }
+
+  clock.start("stitch", 0.65);
+  cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
+  cycles = regularizeSmallCycles(cycles, shape.border, params.spacing, run);
+  Result<Stitched> stitched = stitchCycles(cycles, waves.lines, shape.border, shape.parts, params, run);
+  if (!stitched) return stitched.error();
+  if (record != nullptr) {
+    record->cycles = cycles;
+    record->stitched = stitched.value();
+  }
+  sillon::release(cycles);
+  release(fields, waves.lines);
+  release(fields, shape.parts);
+  plate.parts = stitched.value().parts;
+  plate.longestJointMm = stitched.value().longestJoint;
+  plate.gapJoints = stitched.value().gapJoints;
+  plate.unjoined = stitched.value().unjoined();
+  plate.stitchWork = stitched.value().work;
+
+  clock.start("relaxation", 0.88);
+  Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, params, run);
+  if (!relaxed) return relaxed.error();
+  if (record != nullptr) record->relaxed = relaxed.value();
+  const ClosedCurves& path = relaxed.value().curves;
+
+  clock.start("width", 0.95);
+  const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, shape.border, params, run);
+  if (!widths) return widths.error();
+  if (record != nullptr) record->widths = widths.value();
+  sillon::release(relaxed.value().gaps);
+
+  clock.start("simplify", 1);
+  Result<Toolpath> toolpath = finishToolpath(path, widths.value(), params, run);
+  if (!toolpath) return toolpath.error();
+  plate.toolpath = std::move(toolpath).value();
+  plate.time = clock.takeTimes();
+  run.report(1);
+  if (record != nullptr) record->result = plate;
+  return plate;
+}
+
+}  // namespace sillon

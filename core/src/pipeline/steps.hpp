@@ -1,0 +1,38 @@
+// The order of the stages (Alg. 1), in three steps: what the shape decides, what the directions decide, and the path.
+#pragma once
+
+#include "field/wave_fields.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/pipeline/stages.hpp"
+
+namespace sillon {
+
+/// What the shape, the spacing and the bridge decide.
+struct ShapeFields {
+  BorderIndex border;
+  SignedDistanceField sdf;
+  Parts parts;
+};
+
+/// What becomes of the fields on the way to the path.
+enum class Fields {
+  Freed,  ///< emptied as soon as they are not needed any more
+  Kept,   ///< left as they are, for another path
+};
+
+/// \param record  where not null, the step's results are copied there. \return TooLarge, EmptyShape, Cancelled.
+Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, StageClock& clock,
+                              const RunContext& run, Stages* record = nullptr);
+
+Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
+                            StageClock& clock, const RunContext& run, Stages* record = nullptr);
+
+Result<ToolpathResult> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
+                                const ToolpathParams& params, bool countDislocations, StageClock& clock,
+                                const RunContext& run, Stages* record = nullptr);
+
+/// InvalidArgument if the parameters, the page or the maps are out of range.
+std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params);
+
+}  // namespace sillon

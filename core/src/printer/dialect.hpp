@@ -1,0 +1,59 @@
+// What the firmwares call the same things. Facts and sources: docs/reference/gcode.md.
+#pragma once
+
+#include <string>
+
+#include "base/decimal_text.hpp"
+#include "sillon/settings/printer.hpp"
+
+namespace sillon {
+
+/// The word of slicers and viewers for a dialect.
+inline const char* dialectName(GcodeFlavor flavor) {
+  switch (flavor) {
+    case GcodeFlavor::Klipper:
+      return "klipper";
+    case GcodeFlavor::RepRap:
+      return "reprapfirmware";
+    case GcodeFlavor::Bambu:
+      return "marlin";
+    case GcodeFlavor::Marlin:
+    case GcodeFlavor::PrusaBuddy:
+      break;
+  }
+  return "marlin2";
+}
+
+/// Sets the acceleration of prints and travels [mm/s²]. Klipper and Bambu heed S only.
+inline std::string accelerationCommand(GcodeFlavor flavor, double acceleration) {
+  const std::string value = fixed(acceleration, 0);
+  if (flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu) return "M204 S" + value + "\n";
+  return "M204 P" + value + " T" + value + "\n";
+}
+
+/// Sets the speed of right-angled corners [mm/s]; a jerk is twice that, in mm/min for RepRapFirmware.
+inline std::string cornerSpeedCommand(GcodeFlavor flavor, double speed) {
+  if (flavor == GcodeFlavor::Klipper) return "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=" + fixed(speed, 2) + "\n";
+  const bool reprap = flavor == GcodeFlavor::RepRap;
+  const std::string jerk = fixed(reprap ? 120 * speed : 2 * speed, reprap ? 0 : 2);
+  return (reprap ? "M566 X" : "M205 X") + jerk + " Y" + jerk + "\n";
+}
+
+/// Sets pressure (or linear) advance [s].
+inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
+  const std::string value = seconds > 0 ? fixed(seconds, 4) : "0";
+  switch (flavor) {
+    case GcodeFlavor::Klipper:
+      return "SET_PRESSURE_ADVANCE ADVANCE=" + value + "\n";
+    case GcodeFlavor::RepRap:
+      return "M572 D0 S" + value + "\n";
+    case GcodeFlavor::PrusaBuddy:
+      return "M572 S" + value + "\n";
+    case GcodeFlavor::Marlin:
+    case GcodeFlavor::Bambu:
+      break;
+  }
+  return "M900 K" + value + "\n";
+}
+
+}  // namespace sillon

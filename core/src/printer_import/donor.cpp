@@ -1,0 +1,334 @@
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "printer_import/formats.hpp"
+#include "printer_import/notes.hpp"
+#include "printer_import/slicer_settings.hpp"
+#include "printer_import/slicer_text.hpp"
+#include "sillon/gcode_reader/check.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kBeyondBed = 10;  // [mm], how far blocks may leave the bed
+constexpr double kColdest = 170;   // [degrees Celsius], of a nozzle that extrudes
+
+Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
+
+bool isCommand(std::string_view line, std::string_view word) {
+  return line.starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ');
+}
+
+bool hasWord(std::string_view line, char letter) {
+  return line.find(std::string{' ', letter}) != std::string_view::npos;
+}
+
+bool isMove(std::string_view line) {
+  return isCommand(line, "G0") || isCommand(line, "G1") || isCommand(line, "G2") || isCommand(line, "G3");
+}
+
+bool isBead(std::string_view line) {
+  const std::size_t e = line.find(" E");
+  return isMove(line) && e != std::string_view::npos && (hasWord(line, 'X') || hasWord(line, 'Y')) &&
+         !line.substr(e + 2).starts_with('-');
+}
+
+// Belongs to the print it was made for, and says nothing about ours.
+bool isOfOldPrint(std::string_view line) {
+  return isCommand(line, "M73") || isCommand(line, "M486") || line.starts_with("EXCLUDE_OBJECT") ||
+         line.starts_with("SET_PRINT_STATS_INFO");
+}
+
+// The donor drew its filament back for the way to its first bead, and pushed it forward there; ours begins primed.
+void dropRetraction(std::string& block) {
+  while (!block.empty()) {
+    const std::size_t line = block.rfind('\n', block.size() - 2) + 1;  // npos + 1 is 0
+    const std::string_view last = std::string_view(block).substr(line, block.size() - line - 1);
+    const bool still = !hasWord(last, 'X') && !hasWord(last, 'Y') && !hasWord(last, 'Z');
+    if (!isMove(last) || !still || last.find(" E-") == std::string_view::npos) return;
+    block.resize(line);
+  }
+}
+
+std::string_view firstWord(std::string_view text) { return text.substr(0, text.find(' ')); }
+
+/// Where the value of a word such as X12.5 begins; npos if the line has no such word.
+std::size_t valueOf(std::string_view line, char letter) {
+  const std::size_t word = line.find(std::string{' ', letter});
+  return word == std::string_view::npos ? word : word + 2;
+}
+
+/// The line with other values after some letters, and all else as it was.
+std::string withValues(std::string line, std::initializer_list<std::pair<char, std::string_view>> values) {
+  for (const auto& [letter, value] : values) {
+    const std::size_t begin = valueOf(line, letter);
+    if (begin == std::string::npos) continue;
+    line.replace(begin, std::min(line.find(' ', begin), line.size()) - begin, value);
+  }
+  return line;
+}
+
+/// "PRINT_MIN=10,20" and its kin: what follows the name up to the next blank becomes `value`.
+void replaceArgument(std::string& line, std::string_view name, std::string_view value) {
+  const std::size_t found = line.find(std::string(name) + "=");
+  if (found == std::string::npos) return;
+  const std::size_t begin = found + name.size() + 1;
+  line.replace(begin, std::min(line.find(' ', begin), line.size()) - begin, value);
+}
+
+std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
+
+class Donor {
+ public:
+  explicit Donor(ImportedPrinter& out) : out_(out) {}
+
+  std::optional<Error> read(std::string_view text);
+
+  /// Whether the file marks no layers, as Slic3r's, but holds its start and end block as settings.
+  [[nodiscard]] bool tellsBlocks() const { return tellsBlocks_; }
+  [[nodiscard]] const SlicerSettings& settings() const { return settings_; }
+
+ private:
+  void comment(std::string_view line);
+  void startLine(std::string_view code);
+  void templateFilament(const GcodeCheck& check);
+  void endLine(std::string_view code);
+  void note(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {}) {
+    addNote(out_.notRead, importNote(code, values));
+  }
+
+  ImportedPrinter& out_;
+  SlicerSettings settings_;
+  std::string cura_;  // its settings, escaped, over many comments
+  bool relativeEnd_ = false;
+  bool tellsBlocks_ = false;
+  double lowest_ = 0;  // [mm], coordinate of a bead
+};
+
+void Donor::comment(std::string_view line) {
+  constexpr std::string_view kCura = ";SETTING_3 ";
+  if (line.starts_with(kCura) && cura_.size() < kMaxSettingsBytes) cura_ += line.substr(kCura.size());
+  constexpr std::string_view kMachine = ";TARGET_MACHINE.NAME:";
+  if (line.starts_with(kMachine)) settings_.insert_or_assign("printer_model", line.substr(kMachine.size()));
+  if (line.starts_with(";FLAVOR:")) settings_.insert_or_assign("gcode_flavor", std::string(line.substr(8)));
+  std::string_view key;
+  std::string_view value;
+  if (splitSetting(line.substr(1), key, value) && value.size() <= kMaxBlockBytes) {
+    settings_.insert_or_assign(std::string(key), std::string(value));
+  }
+}
+
+// Areas of the old plate become those of the new one; all other words of such a line are the printer's and stay.
+void Donor::startLine(std::string_view code) {
+  if (isOfOldPrint(code)) return;
+  std::string line(code);
+  if (isCommand(code, "M555")) {
+    line = withValues(std::move(line), {{'X', "{first_layer_print_min[0]}"},
+                                        {'Y', "{first_layer_print_min[1]}"},
+                                        {'W', "{first_layer_print_size[0]}"},
+                                        {'H', "{first_layer_print_size[1]}"}});
+  } else if (code.starts_with("G29 A") && hasWord(code, 'X') && hasWord(code, 'I')) {  // Bambu's A, A1, A2
+    line = withValues(std::move(line), {{'X', "{first_layer_print_min[0]}"},
+                                        {'Y', "{first_layer_print_min[1]}"},
+                                        {'I', "{first_layer_print_size[0]}"},
+                                        {'J', "{first_layer_print_size[1]}"}});
+  } else if (code.find("PRINT_MIN=") != std::string_view::npos) {  // macros with adaptive meshes
+    replaceArgument(line, "PRINT_MIN", "{first_layer_print_min[0]},{first_layer_print_min[1]}");
+    replaceArgument(line, "PRINT_MAX", "{first_layer_print_max[0]},{first_layer_print_max[1]}");
+  } else if ((isCommand(code, "G29") && hasWord(code, 'X') && !hasWord(code, 'C') && !code.starts_with("G29 P9")) ||
+             code.find("MESH_MIN") != std::string_view::npos || code.find("mesh_min") != std::string_view::npos) {
+    note("FixedArea", {{"line", std::string(code.substr(0, 60))}});
+  }
+  for (const std::string_view factor : {"M220", "M221"}) {
+    const std::size_t value = valueOf(code, 'S');
+    if (!isCommand(code, factor) || value == std::string_view::npos || firstWord(code.substr(value)) == "100") continue;
+    note("Factor", {{"line", std::string(code.substr(0, 60))}});
+  }
+  out_.printer.startGcode += line + "\n";
+}
+
+// The slicer put the filament's own temperatures and type into the block. Those become the next job's; others, as for
+// probing or cleaning, are the printer's and stay.
+void Donor::templateFilament(const GcodeCheck& check) {
+  Printer& p = out_.printer;
+  const double nozzle = check.nozzleTarget >= kColdest && check.nozzleTarget <= 300 ? check.nozzleTarget : 0;
+  double bed = check.bedTarget > 0 && check.bedTarget <= 120 ? check.bedTarget : 0;
+  std::string kept;
+  std::string block;
+  const auto template_ = [&](std::string& line, std::size_t begin, bool ofBed) {
+    const std::string word(firstWord(std::string_view(line).substr(begin)));
+    const auto value = firstNumber(word);
+    if (!value || !(*value > 0)) return;
+    if (*value == (ofBed ? bed : nozzle)) {
+      line.replace(begin, word.size(), ofBed ? "{first_layer_bed_temperature}" : "{first_layer_temperature}");
+    } else if (!ofBed && *value > kColdest && kept.find(line) == std::string::npos) {
+      kept += (kept.empty() ? "" : ", ") + line;
+    }
+  };
+  std::string_view rest = p.startGcode;
+  while (!rest.empty()) {
+    std::string line(nextLine(rest));
+    const bool ofBed = isCommand(line, "M140") || isCommand(line, "M190");
+    if (ofBed || isCommand(line, "M104") || isCommand(line, "M109")) {
+      const std::size_t begin = std::min(valueOf(line, 'S'), valueOf(line, 'R'));
+      if (begin != std::string::npos) template_(line, begin, ofBed);
+    } else if (line.find("PRINT") < line.find(' ')) {  // PRINT_START BED=60 EXTRUDER=215
+      for (std::size_t equal = line.find('='); equal != std::string::npos; equal = line.find('=', equal + 1)) {
+        const std::size_t begin = line.rfind(' ', equal) + 1;
+        const std::string_view name = std::string_view(line).substr(begin, equal - begin);
+        const auto value = firstNumber(firstWord(std::string_view(line).substr(equal + 1)));
+        const bool bedName = name.find("BED") != std::string_view::npos;
+        if (bedName && value && *value > 0 && *value <= 120) bed = *value;
+        if (value && (bedName || *value >= kColdest)) template_(line, equal + 1, bedName);
+      }
+    }
+    constexpr std::string_view kType = "M1002 set_filament_type:";
+    if (line == std::string(kType) + p.filamentType) line = std::string(kType) + "{filament_type}";
+    block += line + "\n";
+  }
+  p.startGcode = std::move(block);
+  if (nozzle > 0) p.firstLayerNozzleTemperature = nozzle;
+  if (bed > 0) p.bedTemperature = bed;
+  if (!kept.empty()) note("FixedTemperatures", {{"lines", kept.substr(0, 200)}});
+}
+
+void Donor::endLine(std::string_view code) {
+  if (isOfOldPrint(code)) return;
+  if (isCommand(code, "G90")) relativeEnd_ = false;
+  if (isCommand(code, "G91")) relativeEnd_ = true;
+  std::string line(code);
+  // A height of the old print may lie inside the new plate. Ours has lifted the nozzle before the block begins.
+  if (isMove(code) && !relativeEnd_ && hasWord(code, 'Z')) {
+    const std::size_t z = line.find(" Z");
+    line.erase(z, std::min(line.find(' ', z + 1), line.size()) - z);
+    note("EndHeights");
+    if (!hasWord(line, 'X') && !hasWord(line, 'Y') && !hasWord(line, 'E')) return;
+  }
+  // A place to present the print that lies off the bed as it is known here, which an export would refuse.
+  if (isMove(code) && !relativeEnd_ && out_.printer.flavor != GcodeFlavor::Bambu) {
+    const Printer& p = out_.printer;
+    for (const auto& [axis, low, high] : {std::tuple{'X', p.bedMin.x, p.bedMax.x}, {'Y', p.bedMin.y, p.bedMax.y}}) {
+      const std::size_t begin = valueOf(line, axis);
+      const auto value =
+          begin == std::string::npos ? std::nullopt : firstNumber(firstWord(std::string_view(line).substr(begin)));
+      if (!value || (*value >= low - kBeyondBed && *value <= high + kBeyondBed)) continue;
+      line.erase(begin - 2, std::min(line.find(' ', begin), line.size()) - begin + 2);
+      note("EndPlaces");
+    }
+    if (!hasWord(line, 'X') && !hasWord(line, 'Y') && !hasWord(line, 'E')) return;
+  }
+  out_.printer.endGcode += line + "\n";
+}
+
+std::optional<Error> Donor::read(std::string_view text) {
+  // Where the end block begins is known only at the end, so this looks twice.
+  std::string_view rest = text;
+  std::size_t firstLayer = std::string_view::npos;
+  std::size_t lastBead = 0;
+  while (!rest.empty()) {
+    const std::size_t at = text.size() - rest.size();
+    const std::string_view line = trimmed(nextLine(rest));
+    if (line.empty()) continue;
+    if (line[0] == ';') {
+      if (firstLayer == std::string_view::npos && isLayerMark(line)) firstLayer = at;
+      comment(line);
+    } else if (isBead(line)) {
+      lastBead = text.size() - rest.size();
+      for (const char axis : {'X', 'Y'}) {
+        const std::size_t begin = valueOf(line, axis);
+        if (begin == std::string_view::npos) continue;
+        const auto value = firstNumber(firstWord(line.substr(begin)));
+        if (value && firstLayer != std::string_view::npos) lowest_ = std::min(lowest_, *value);
+      }
+    }
+  }
+  if (firstLayer == std::string_view::npos) {
+    tellsBlocks_ = settings_.contains("start_gcode") && settings_.contains("end_gcode") && lastBead > 0;
+    if (tellsBlocks_) {
+      for (const char* key : {"start_gcode", "end_gcode"}) settings_[key] = unescaped(settings_[key]);
+      return std::nullopt;
+    }
+    return invalidFile(
+        "the G-code marks no layer (;LAYER_CHANGE, ; CHANGE_LAYER or ;LAYER:0); its start block cannot be told");
+  }
+  if (lastBead <= firstLayer) return invalidFile("the G-code extrudes nothing after its first layer mark");
+
+  // Resolved settings first; blocks in them are templates, the ones in the file are what was printed.
+  for (const char* key : {"start_gcode", "machine_start_gcode", "end_gcode", "machine_end_gcode"}) settings_.erase(key);
+  if (!cura_.empty()) {
+    std::string_view lines = cura_;
+    const std::string opened = unescaped(unescaped(lines));
+    lines = opened;
+    while (!lines.empty()) {
+      std::string_view key;
+      std::string_view value;
+      if (!splitSetting(trimmed(nextLine(lines)), key, value) || key == "name")
+        continue;  // of a quality, not a printer
+      settings_.emplace(std::string(key), std::string(value));
+    }
+  }
+  takeSettings(settings_, out_);
+  out_.printer.startGcode.clear();  // the profile's: those of the file take its place
+  out_.printer.endGcode.clear();
+  // Beads left of or before the origin: it lies in the bed's middle, as on deltas, whose beds are round.
+  const bool told = settings_.contains("bed_shape") || settings_.contains("printable_area");
+  if (!told && out_.profile.empty() && lowest_ < -5) {
+    const Vec2 half = 0.5 * (out_.printer.bedMax - out_.printer.bedMin);
+    out_.printer.bedMin = {-half.x, -half.y};
+    out_.printer.bedMax = half;
+    out_.printer.roundBed = true;
+  }
+
+  rest = text.substr(0, firstLayer);
+  while (!rest.empty()) {
+    const std::string_view code = codeOf(nextLine(rest));
+    if (!code.empty()) startLine(code);
+    if (out_.printer.startGcode.size() > kMaxBlockBytes)
+      return invalidFile("the start block is longer than 65536 bytes");
+  }
+  dropRetraction(out_.printer.startGcode);
+  rest = text.substr(lastBead);
+  bool begun =
+      rest.find(";TYPE:Custom") == std::string_view::npos && rest.find("; FEATURE: Custom") == std::string_view::npos;
+  bool wiping = begun;  // without a mark: moves that end the last bead come first
+  while (!rest.empty()) {
+    const std::string_view line = trimmed(nextLine(rest));
+    if (line == ";TYPE:Custom" || line == "; FEATURE: Custom") begun = true;
+    const std::string_view code = codeOf(line);
+    if (!begun || code.empty()) continue;
+    wiping = wiping && (isMove(code) || isCommand(code, "G92") || isOfOldPrint(code));
+    if (!wiping) endLine(code);
+    if (out_.printer.endGcode.size() > kMaxBlockBytes) return invalidFile("the end block is longer than 65536 bytes");
+  }
+
+  const GcodeCheck check = checkGcode(out_.printer.startGcode, out_.printer);
+  if (!check.homes) note("NoHoming");
+  if (!check.heatsNozzle) note("NoNozzleWait");
+  if (!check.heatsBed) note("NoBedWait");
+  for (const GcodeFinding& finding : check.findings) {
+    if (finding.rule == "bounds") note("BeyondBed", {{"detail", "the start block: " + finding.message}});
+  }
+  templateFilament(check);
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool isLayerMark(std::string_view line) {
+  return line == ";LAYER_CHANGE" || line == "; CHANGE_LAYER" || line == ";LAYER:0";
+}
+
+Result<ImportedPrinter> importDonor(std::string_view text) {
+  ImportedPrinter out;
+  out.source = "donor G-code";
+  Donor donor(out);
+  if (auto error = donor.read(text)) return *error;
+  if (donor.tellsBlocks()) return printerOfSettings(donor.settings(), std::move(out));
+  judgeBlocks(out);
+  std::sort(out.read.begin(), out.read.end());
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,116 @@
+#include "printer_import/formats.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "printer_import/notes.hpp"
+#include "printer_import/slicer_settings.hpp"
+#include "printer_import/slicer_text.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kMaxInherited = 1000;  // sections of a bundle in one printer
+constexpr int kDeepestInherited = 32;
+
+Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
+
+struct Bundle {
+  std::map<std::string, SlicerSettings, std::less<>>
+      sections;  // "printer:NAME", "filament:NAME", "presets"; "" if flat
+  std::string lastPrinter;
+};
+
+Bundle readBundle(std::string_view text) {
+  Bundle bundle;
+  std::string section;
+  while (!text.empty()) {
+    const std::string_view line = trimmed(nextLine(text));
+    if (line.empty() || line[0] == '#' || line[0] == ';') continue;
+    if (line.front() == '[' && line.back() == ']') {
+      section = std::string(trimmed(line.substr(1, line.size() - 2)));
+      if (section.starts_with("printer:") && !section.starts_with("printer:*")) bundle.lastPrinter = section.substr(8);
+      continue;
+    }
+    std::string_view key;
+    std::string_view value;
+    if (splitSetting(line, key, value)) bundle.sections[section].insert_or_assign(std::string(key), std::string(value));
+  }
+  return bundle;
+}
+
+/// A section with all it inherits, its own values last. \param budget  sections that may still be read.
+void inherit(const Bundle& bundle, const std::string& kind, const std::string& name, int depth, int& budget,
+             SlicerSettings& out, std::vector<ImportNote>& notes) {
+  const auto found = bundle.sections.find(kind + name);
+  if (found == bundle.sections.end()) {
+    addNote(notes, importNote("SectionMissing", {{"section", kind + name}}));
+    return;
+  }
+  if (budget == 0 || depth > kDeepestInherited) {
+    addNote(notes, importNote("InheritedTooDeep"));
+    budget = 0;
+    return;
+  }
+  --budget;
+  if (const auto parents = found->second.find("inherits"); parents != found->second.end()) {
+    std::string_view list = parents->second;
+    while (!list.empty() && budget > 0) {
+      const std::size_t end = std::min(list.find(';'), list.size());
+      const std::string_view parent = trimmed(list.substr(0, end));
+      list.remove_prefix(std::min(end + 1, list.size()));
+      if (!parent.empty()) inherit(bundle, kind, std::string(parent), depth + 1, budget, out, notes);
+    }
+  }
+  for (const auto& [key, value] : found->second) out.insert_or_assign(key, value);
+}
+
+}  // namespace
+
+Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) {
+  const Bundle bundle = readBundle(text);
+  ImportedPrinter out;
+  out.source = "PrusaSlicer settings";
+  SlicerSettings settings;
+  if (const auto flat = bundle.sections.find(""); flat != bundle.sections.end() && bundle.lastPrinter.empty()) {
+    settings = flat->second;
+    if (const auto parents = settings.find("inherits"); parents != settings.end() && !parents->second.empty()) {
+      addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parents->second)}}));
+    }
+  } else {
+    const auto active = bundle.sections.find("presets");
+    const auto chosen = [&](const char* kind) {
+      if (active == bundle.sections.end()) return std::string();
+      const auto found = active->second.find(kind);
+      return found == active->second.end() ? std::string() : found->second;
+    };
+    std::string printer = name.empty() ? chosen("printer") : std::string(name);
+    if (printer.empty()) printer = bundle.lastPrinter;
+    if (!bundle.sections.contains("printer:" + printer)) {
+      std::string known;
+      for (const auto& [section, values] : bundle.sections) {
+        if (!section.starts_with("printer:") || section.starts_with("printer:*") || known.size() > 300) continue;
+        known += (known.empty() ? "" : ", ") + shown(section.substr(8));
+      }
+      if (known.empty()) return invalidFile("the file has no section of a printer");
+      return Error{ErrorCode::InvalidArgument, "the file has no printer " + shown(printer) + "; it has " + known};
+    }
+    int budget = kMaxInherited;
+    inherit(bundle, "printer:", printer, 0, budget, settings, out.notRead);
+    if (!settings.contains("printer_model")) settings["printer_model"] = printer;
+    std::string filament = chosen("filament");
+    if (filament.empty() && settings.contains("default_filament_profile")) {
+      filament = unescaped(settings["default_filament_profile"]);
+    }
+    if (bundle.sections.contains("filament:" + filament)) {
+      inherit(bundle, "filament:", filament, 0, budget, settings, out.notRead);
+    }
+  }
+  for (const char* key : {"start_gcode", "end_gcode"}) {
+    if (const auto found = settings.find(key); found != settings.end()) found->second = unescaped(found->second);
+  }
+  return printerOfSettings(settings, std::move(out));
+}
+
+}  // namespace sillon

@@ -1,0 +1,21 @@
+// The notes of an import: their codes, and the English sentence of each.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sillon/printer_import/printer_import.hpp"
+
+namespace sillon {
+
+/// A note with its sentence. \param code  one of importNoteCodes(). \param values  what the sentence names, in its
+/// order.
+ImportNote importNote(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {});
+
+/// As importNote, but only where the list has none with the same sentence.
+void addNote(std::vector<ImportNote>& notes, ImportNote note);
+
+}  // namespace sillon

@@ -1,0 +1,47 @@
+#include <utility>
+
+#include "base/json.hpp"
+#include "printer_import/formats.hpp"
+#include "printer_import/notes.hpp"
+#include "printer_import/slicer_settings.hpp"
+#include "printer_import/slicer_text.hpp"
+#include "sillon/project/project.hpp"
+
+namespace sillon {
+
+Result<ImportedPrinter> importJson(std::string_view text) {
+  const Json root = Json::parse(text, nullptr, false);
+  if (!root.is_object()) {
+    return Error{ErrorCode::InvalidFile, "the file begins like JSON, but is no JSON object"};
+  }
+  ImportedPrinter out;
+  if (root.contains("sillon")) {
+    Result<Project> project = readProject(text);
+    if (!project) return project.error();
+    out.printer = std::move(project).value().printer;
+    out.source = "project";
+    judgeBlocks(out);
+    return out;
+  }
+  out.source = "Orca settings";
+  SlicerSettings settings;
+  for (const auto& item : root.items()) {
+    const Json& value = item.value();
+    const Json* first = value.is_array() && !value.empty() ? &value[0] : &value;
+    if (!first->is_string()) continue;
+    std::string joined = first->get_ref<const std::string&>();
+    // Corners are lists; of anything else the first tool's value counts.
+    if (value.is_array() && (item.key() == "printable_area" || item.key() == "bed_exclude_area")) {
+      for (std::size_t k = 1; k < value.size() && value[k].is_string(); ++k) {
+        joined += "," + value[k].get_ref<const std::string&>();
+      }
+    }
+    settings.insert_or_assign(item.key(), std::move(joined));
+  }
+  if (const auto parent = settings.find("inherits"); parent != settings.end() && !parent->second.empty()) {
+    addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parent->second)}}));
+  }
+  return printerOfSettings(settings, std::move(out));
+}
+
+}  // namespace sillon

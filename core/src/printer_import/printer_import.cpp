@@ -1,0 +1,56 @@
+#include "sillon/printer_import/printer_import.hpp"
+
+#include <utility>
+
+#include "printer_import/formats.hpp"
+#include "printer_import/slicer_text.hpp"
+#include "sillon/export/gcode_archive.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+
+Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
+
+// The first lines with a command or a setting tell the two apart.
+bool looksLikeGcode(std::string_view text) {
+  for (int k = 0; k < 5000 && !text.empty(); ++k) {
+    const std::string_view line = trimmed(nextLine(text));
+    if (line.size() >= 2 && (line[0] == 'G' || line[0] == 'M') && line[1] >= '0' && line[1] <= '9') return true;
+    if (isLayerMark(line)) return true;
+    std::string_view key;
+    std::string_view value;
+    if (!line.empty() && line[0] != ';' && line[0] != '#' && splitSetting(line, key, value)) return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
+  if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("GCDE")) {  // .gcode.3mf or .bgcode
+    const Result<std::string> gcode = unpackGcode(bytes);
+    if (!gcode) return gcode.error();
+    if (!looksLikeGcode(gcode.value())) return invalidFile("what the file holds is no G-code");
+    return importDonor(gcode.value());
+  }
+  if (bytes.size() > kMaxBytes) {
+    return Error{ErrorCode::TooLarge,
+                 "the file is " + std::to_string(bytes.size() >> 20) + " MiB; it must be at most 256"};
+  }
+  std::string_view text = bytes;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const bool json = begin != std::string_view::npos && text[begin] == '{';
+  if (text.find('\0') != std::string_view::npos)
+    return invalidFile("the file is no text; G-code, .ini and .json are read");
+  if (!json && looksLikeGcode(text)) return importDonor(text);
+  if (text.size() > kMaxSettingsBytes) {
+    return Error{ErrorCode::TooLarge,
+                 "the settings are " + std::to_string(text.size() >> 20) + " MiB; they must be at most 16"};
+  }
+  return json ? importJson(text) : importIni(text, name);
+}
+
+}  // namespace sillon

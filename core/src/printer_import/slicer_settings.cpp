@@ -1,0 +1,313 @@
+#include "printer_import/slicer_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/decimal_text.hpp"
+#include "gcode/template.hpp"
+#include "printer_import/formats.hpp"
+#include "printer_import/notes.hpp"
+#include "printer_import/slicer_text.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/look/thumbnails.hpp"
+#include "sillon/settings/presets.hpp"
+
+namespace sillon {
+namespace {
+
+using Keys = std::initializer_list<std::string_view>;  // of one setting, the first that is there counts
+
+constexpr double kFastBoard = 1000;     // [moves/s]
+constexpr double kAcceleration = 1500;  // [mm/s²], of beads; U-turns show what lies above
+
+// Small letters and digits, less the nozzle: "Bambu Lab A1 0.4 nozzle" is "bambulaba1".
+std::string plainName(std::string_view text) {
+  if (text.ends_with("nozzle")) text = text.substr(0, text.rfind(" 0."));
+  std::string out;
+  for (const char c : text.substr(0, 100)) {
+    if (c >= 'A' && c <= 'Z') out += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+') out += c;
+  }
+  return out;
+}
+
+std::optional<PrinterProfile> profileOf(std::string_view model) {
+  const std::string wanted = plainName(model);
+  if (wanted.empty()) return std::nullopt;
+  for (PrinterProfile& profile : profiles(ProfileKind::Printer)) {
+    std::vector<std::string> names = profile.models;
+    names.insert(names.end(), {profile.printer.name, profile.maker + profile.printer.name});
+    const auto same = [&](const std::string& name) { return plainName(name) == wanted; };
+    if (!profile.maker.empty() && std::any_of(names.begin(), names.end(), same)) return std::move(profile);
+  }
+  return std::nullopt;
+}
+
+class SettingsReader {
+ public:
+  SettingsReader(const SlicerSettings& settings, ImportedPrinter& out)
+      : settings_(settings), out_(out), p_(out.printer) {}
+
+  void all() {
+    profile();
+    names();
+    bed();
+    numbers();
+    flavor();  // after the name
+    cornerSpeed();
+    block({"start_gcode", "machine_start_gcode"}, p_.startGcode);
+    block({"end_gcode", "machine_end_gcode"}, p_.endGcode);
+  }
+
+ private:
+  const std::string* find(Keys keys);
+  void took() { out_.read.push_back(key_); }
+  void failed(const char* code, const std::string& value) {
+    addNote(out_.notRead, importNote(code, {{"key", key_}, {"value", shown(value)}}));
+  }
+  void number(Keys keys, double low, double high, double& out);
+  double positive(Keys keys, double high);
+
+  void profile();
+  void names();
+  void bed();
+  void numbers();
+  void flavor();
+  void cornerSpeed();
+  void block(Keys keys, std::string& out);
+
+  const SlicerSettings& settings_;
+  ImportedPrinter& out_;
+  Printer& p_;
+  std::string key_;  // the one that was found last
+};
+
+const std::string* SettingsReader::find(Keys keys) {
+  for (const std::string_view key : keys) {
+    const auto found = settings_.find(key);
+    if (found == settings_.end() || found->second.empty() || found->second == "nil") continue;
+    key_ = key;
+    return &found->second;
+  }
+  return nullptr;
+}
+
+void SettingsReader::number(Keys keys, double low, double high, double& out) {
+  const std::string* text = find(keys);
+  if (text == nullptr) return;
+  const auto value = firstNumber(*text);
+  if (!value) return failed("NotANumber", *text);
+  if (*value < low || *value > high) {
+    addNote(out_.notRead,
+            importNote("OutOfRange",
+                       {{"key", key_}, {"value", shown(*text)}, {"low", decimal(low, 3)}, {"high", decimal(high, 3)}}));
+    return;
+  }
+  out = *value;
+  took();
+}
+
+/// 0 where it is not told, or 0 itself: slicers' way to say that there is no limit. \param high  the most that is
+/// taken.
+double SettingsReader::positive(Keys keys, double high) {
+  double value = 0;
+  number(keys, 0, high, value);
+  return value;
+}
+
+// What the maker publishes and files do not tell, as the board's rate, comes from the profile of the same machine.
+void SettingsReader::profile() {
+  for (const std::string_view key : {"printer_model", "inherits", "printer_settings_id", "name"}) {
+    const auto found = settings_.find(key);
+    std::optional<PrinterProfile> match = found == settings_.end() ? std::nullopt : profileOf(found->second);
+    if (!match) continue;
+    p_ = std::move(match->printer);
+    out_.profile = match->id;
+    return;
+  }
+}
+
+void SettingsReader::names() {
+  if (const std::string* text = find({"printer_model", "printer_settings_id", "name"})) {
+    p_.name = text->substr(0, 100);
+    took();
+  }
+  if (const std::string* text = find({"filament_type", "material_type"})) {
+    p_.filamentType = text->substr(0, std::min({text->find(';'), text->find(','), std::size_t{100}}));
+    took();
+  }
+  if (const std::string* text = find({"thumbnails"})) {
+    std::string sizes = *text;
+    std::replace(sizes.begin(), sizes.end(), ';', ',');
+    if (readThumbnailSizes(sizes)) {
+      p_.screenSizes = sizes;
+      took();
+    } else {
+      failed("Thumbnails", *text);
+    }
+  }
+}
+
+void SettingsReader::bed() {
+  if (const std::string* text = find({"bed_shape", "printable_area"})) {
+    const std::vector<Vec2> corners = readCorners(*text);
+    Bounds box;
+    for (const Vec2 corner : corners) box.add(corner);
+    const Vec2 size = box.size();
+    if (corners.size() < 3 || !(size.x >= 10 && size.y >= 10 && size.x <= 5000 && size.y <= 5000)) {
+      failed("BedShape", *text);
+    } else {
+      p_.bedMin = box.min;
+      p_.bedMax = box.max;
+      took();
+      const Vec2 centre = 0.5 * (box.min + box.max);
+      const double radius = size.x / 2;
+      const auto onCircle = [&](Vec2 corner) { return std::abs(length(corner - centre) - radius) < 0.01 * radius; };
+      p_.roundBed = corners.size() > 8 && std::all_of(corners.begin(), corners.end(), onCircle);
+      if (p_.roundBed) {
+        p_.bedMin = centre - Vec2{radius, radius};
+        p_.bedMax = centre + Vec2{radius, radius};
+      } else if (corners.size() != 4) {
+        addNote(out_.notRead, importNote("BedCorners", {{"count", std::to_string(corners.size())}}));
+      }
+    }
+  } else if (out_.profile.empty()) {
+    const Vec2 size = p_.bedMax - p_.bedMin;
+    addNote(out_.notRead, importNote("BedUnknown", {{"width", decimal(size.x, 0)}, {"depth", decimal(size.y, 0)}}));
+  }
+  if (const std::string* text = find({"bed_exclude_area"})) {
+    const std::vector<Vec2> corners = readCorners(*text);
+    Bounds box;
+    for (const Vec2 corner : corners) box.add(corner);
+    const bool usable =
+        corners.size() >= 3 && box.min.x >= -5000 && box.min.y >= -5000 && box.max.x <= 5000 && box.max.y <= 5000;
+    if (usable) {
+      p_.excludedMin = box.min;
+      p_.excludedMax = box.max;
+      took();
+    } else if (*text != "0x0") {  // Orca's way to say none
+      failed("ExcludedArea", *text);
+    }
+  }
+}
+
+void SettingsReader::numbers() {
+  number({"max_print_height", "printable_height"}, 1, 5000, p_.maxZ);
+  number({"nozzle_diameter", "machine_nozzle_size"}, 0.05, 2, p_.nozzle);
+  number({"filament_diameter", "material_diameter"}, 0.5, 5, p_.filamentDiameter);
+  number({"filament_density", "material_density"}, 0.1, 25, p_.filamentDensity);
+  number({"temperature", "nozzle_temperature", "material_print_temperature"}, 170, 300, p_.nozzleTemperature);
+  p_.firstLayerNozzleTemperature = std::clamp(p_.nozzleTemperature + 5, 170.0, 300.0);
+  number({"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0"}, 170,
+         300, p_.firstLayerNozzleTemperature);
+  number({"first_layer_bed_temperature", "hot_plate_temp_initial_layer", "bed_temperature_initial_layer_single",
+          "bed_temperature", "hot_plate_temp", "material_bed_temperature_layer_0", "material_bed_temperature"},
+         0, 120, p_.bedTemperature);
+  number({"retract_length", "retraction_length", "retraction_amount"}, 0, 20, p_.retractLength);
+  number({"retract_speed", "retraction_speed"}, 1, 200, p_.retractSpeed);
+  number({"travel_speed", "speed_travel"}, 5, 1000, p_.travelSpeed);
+  const double flow = positive({"filament_max_volumetric_speed"}, 1000);
+  if (flow > 0.1) p_.maxFlow = flow;
+  const double lift = positive({"retract_lift", "z_hop"}, 20);
+  if (lift > 0) p_.lift = lift;  // without any, travels would cross the finished top
+  const double acceleration = positive({"machine_max_acceleration_extruding"}, 100'000);
+  if (acceleration >= 1) {
+    p_.machineAcceleration = acceleration;
+    p_.acceleration = std::min(kAcceleration, acceleration);
+  }
+  const double speed = positive({"machine_max_feedrate_x", "machine_max_speed_x"}, 1000);
+  if (speed >= 5) p_.machineSpeed = speed;
+  const double jerk = positive({"machine_max_jerk_x"}, 200);
+  if (jerk > 0) p_.cornerSpeed = std::clamp(jerk / 2, 0.1, 100.0);
+}
+
+// Slicers write these firmwares' jerk into each file, so that it is known what the printer has; Klipper has another
+// measure and RepRapFirmware its own file.
+void SettingsReader::cornerSpeed() {
+  if (find({"machine_max_jerk_x"}) == nullptr) return;
+  if (p_.flavor == GcodeFlavor::Klipper || p_.flavor == GcodeFlavor::RepRap) return;
+  p_.machineCornerSpeed = p_.cornerSpeed;
+  p_.cornerSpeed = std::min(p_.cornerSpeed, Printer{}.cornerSpeed);
+}
+
+void SettingsReader::flavor() {
+  if (const std::string* text = find({"gcode_flavor", "machine_gcode_flavor"})) {
+    std::string word = *text;
+    for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (word.starts_with("marlin")) {
+      if (out_.profile.empty()) p_.flavor = GcodeFlavor::Marlin;  // what slicers say for want of a better word
+    } else if (word == "klipper") {
+      p_.flavor = GcodeFlavor::Klipper;
+    } else if (word.starts_with("reprap")) {
+      p_.flavor = GcodeFlavor::RepRap;
+    } else {
+      return failed("Flavor", *text);
+    }
+    took();
+  }
+  constexpr std::string_view kBuddy[] = {"MK4", "MK3.5", "MK3.9", "MINI", "XL", "COREONE"};
+  const auto buddy = [&](std::string_view model) { return p_.name.starts_with(model); };
+  if (p_.flavor == GcodeFlavor::Marlin && std::any_of(std::begin(kBuddy), std::end(kBuddy), buddy)) {
+    p_.flavor = GcodeFlavor::PrusaBuddy;
+  }
+  if (p_.name.starts_with("Bambu Lab")) p_.flavor = GcodeFlavor::Bambu;
+  // Klipper runs on a computer, the others on boards of 32 bits.
+  if (out_.profile.empty() && p_.flavor != GcodeFlavor::Marlin) p_.maxSegmentsPerSecond = kFastBoard;
+}
+
+void SettingsReader::block(Keys keys, std::string& out) {
+  const std::string* text = find(keys);
+  if (text == nullptr) return;
+  if (text->size() > kMaxBlockBytes) return failed("BlockTooLong", *text);
+  out = *text;
+  took();
+}
+
+}  // namespace
+
+void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { SettingsReader(settings, out).all(); }
+
+void judgeBlocks(ImportedPrinter& out) {
+  const std::vector<TemplateValue> values = templateValues(out.printer, {}, {});  // only the names matter here
+  for (const auto& [name, text] :
+       {std::pair{"the start block", &out.printer.startGcode}, {"the end block", &out.printer.endGcode}}) {
+    if (const auto expanded = expandTemplate(*text, values, name); !expanded) {
+      addNote(out.notRead, importNote("Placeholder", {{"detail", expanded.error().message}}));
+    }
+  }
+}
+
+namespace {
+
+// Slicers heat by themselves what a start block does not, and so do blocks that come from their settings.
+void addHeating(Printer& printer) {
+  std::string& block = printer.startGcode;
+  if (block.empty()) return;
+  const auto expanded = expandTemplate(block, templateValues(printer, {}, {}), "");
+  if (!expanded) return;  // judgeBlocks says why
+  const GcodeCheck check = checkGcode(expanded.value(), printer);
+  if (!check.heatsNozzle) {
+    if (!block.ends_with('\n')) block += '\n';
+    block = "M104 S{first_layer_temperature}\n" + block + "M109 S{first_layer_temperature}\n";
+  }
+  if (!check.heatsBed) block = "M190 S{first_layer_bed_temperature}\n" + block;
+}
+
+}  // namespace
+
+Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out) {
+  takeSettings(settings, out);
+  if (out.read.empty()) {
+    return Error{ErrorCode::InvalidFile, "the file has no setting of a printer that is known here"};
+  }
+  addHeating(out.printer);
+  judgeBlocks(out);
+  std::sort(out.read.begin(), out.read.end());
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,24 @@
+// A slicer's settings to a printer: which key is which field, in the words of PrusaSlicer, Orca and Cura.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "sillon/base/result.hpp"
+#include "sillon/printer_import/printer_import.hpp"
+
+namespace sillon {
+
+using SlicerSettings = std::map<std::string, std::string, std::less<>>;  ///< resolved values by the slicer's names
+
+/// Lays what is known of the settings over out.printer, and lists what was read and what could not be.
+void takeSettings(const SlicerSettings& settings, ImportedPrinter& out);
+
+/// Notes placeholders of the blocks that an export would refuse.
+void judgeBlocks(ImportedPrinter& out);
+
+/// takeSettings and judgeBlocks on a file of settings alone. \return InvalidFile where nothing in it is known.
+Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out);
+
+}  // namespace sillon

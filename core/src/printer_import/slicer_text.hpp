@@ -1,0 +1,38 @@
+// Lines, words and numbers as slicers write their settings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/base/types.hpp"
+
+namespace sillon {
+
+inline std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+/// Takes the first line off the text.
+std::string_view nextLine(std::string_view& text);
+
+/// In quotes, printable ASCII, at most 60 characters of it.
+std::string shown(std::string_view text);
+
+/// The first number of "0.4", "0.4,0.4", "500;1250", "7.04172e-15": settings of several tools begin with the first
+/// one's. Nothing for a percentage.
+std::optional<double> firstNumber(std::string_view text);
+
+/// "0x0,220x0,220x220,0x220"; empty if it is not that.
+std::vector<Vec2> readCorners(std::string_view text);
+
+/// PrusaSlicer's and Cura's escapes in one-line texts.
+std::string unescaped(std::string_view text);
+
+/// "key = value", split at the first equal sign only: values hold them too.
+bool splitSetting(std::string_view line, std::string_view& key, std::string_view& value);
+
+}  // namespace sillon

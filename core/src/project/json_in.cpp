@@ -1,0 +1,131 @@
+// Reads project files. They are hostile: sizes, nesting and repeated keys are settled before anything is built.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/json.hpp"
+#include "base/words.hpp"
+#include "project/scene_file.hpp"
+#include "settings/json_in.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/settings/table.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+constexpr std::size_t kMaxDepth = 64;
+constexpr std::array kSections{Section::Shape,    Section::Directions, Section::Modes,  Section::Pictures,
+                               Section::Toolpath, Section::Print,      Section::Printer};
+
+/// Looks a JSON text over without building it: syntax, nesting, repeated keys.
+class Inspector : public nlohmann::json_sax<Json> {
+ public:
+  explicit Inspector(std::string_view text) : text_(text) {}
+  std::string problem;
+
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*size*/) override { return enter(); }
+  bool start_array(std::size_t /*size*/) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool key(string_t& key) override {
+    if (keys_.back().insert(key).second) return true;
+    problem = "key " + inQuotes(key) + " is given twice; each key may be given once";
+    return false;
+  }
+  bool parse_error(std::size_t position, const std::string& /*token*/, const Json::exception& /*why*/) override {
+    const std::size_t end = std::min(position, text_.size());
+    const std::string_view before = text_.substr(0, end);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = end - (before.rfind('\n') + 1);  // npos + 1 is 0
+    problem = "the text is not JSON at line " + std::to_string(line) + ", column " + std::to_string(column) +
+              "; a project or scene is one JSON object";
+    return false;
+  }
+
+ private:
+  bool enter() {
+    if (keys_.size() == kMaxDepth) {
+      problem = "the JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels; a project needs 5";
+      return false;
+    }
+    keys_.emplace_back();
+    return true;
+  }
+  bool leave() {
+    keys_.pop_back();
+    return true;
+  }
+
+  std::string_view text_;
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open; empty ones for lists
+};
+
+/// The version, or what tells a scene; \return what is wrong. Empty: nothing.
+std::string wrongKind(const Json& root) {
+  const auto version = root.find("sillon");
+  if (version != root.end()) {
+    int read = 0;
+    if (std::string wrong = readInteger(*version, "sillon", read); !wrong.empty()) return wrong;
+    if (read == kProjectVersion) return "";
+    return "sillon is " + std::to_string(read) + "; this program reads version " + std::to_string(kProjectVersion);
+  }
+  for (const Section section : kSections) {
+    if (!root.contains(sectionName(section))) continue;
+    return "the project has no version; it must have \"sillon\": " + std::to_string(kProjectVersion);
+  }
+  if (isScene(root)) return "";
+  return "the file is neither a project nor a scene; a project has \"sillon\": 1, a scene has \"nozzle_width\" and "
+         "\"svg_path\"";
+}
+
+/// \return what is wrong: an unknown key, a wrong type. Empty: nothing.
+std::string readRoot(const Json& root, Project& project) {
+  std::vector<std::string> known = sceneKeys();
+  known.insert(known.begin(), "sillon");
+  for (const Section section : kSections) known.emplace_back(sectionName(section));
+  if (std::string wrong = unknownKey(root, "", known, {}); !wrong.empty()) return wrong;
+  if (std::string wrong = wrongKind(root); !wrong.empty()) return wrong;
+  if (std::string wrong = readSceneKeys(root, project); !wrong.empty()) return wrong;
+  for (const Section section : kSections) {
+    const auto found = root.find(sectionName(section));
+    if (found == root.end()) continue;
+    if (std::string wrong = readSection(*found, section, viewOf(project)); !wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+}  // namespace
+
+Result<Project> readProject(std::string_view json) {
+  if (json.size() > kMaxBytes) {
+    return Error{ErrorCode::TooLarge, "the project is " + std::to_string(json.size()) + " bytes; it must be at most " +
+                                          std::to_string(kMaxBytes)};
+  }
+  Inspector inspector(json);
+  if (!Json::sax_parse(json, &inspector)) return Error{ErrorCode::InvalidFile, inspector.problem};
+  const Json root = Json::parse(json, nullptr, false);
+  if (!root.is_object()) {
+    return Error{ErrorCode::InvalidFile, std::string("the JSON is ") + typeName(root) + "; it must be an object"};
+  }
+  Project project;
+  if (std::string wrong = readRoot(root, project); !wrong.empty()) {
+    return Error{ErrorCode::InvalidFile, std::move(wrong)};
+  }
+  if (std::string wrong = invalidSettings(project); !wrong.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(wrong)};
+  }
+  return project;
+}
+
+}  // namespace sillon

@@ -1,0 +1,9 @@
+#include "settings/json_out.hpp"
+
+#include "sillon/project/project.hpp"
+
+namespace sillon {
+
+std::string writeProject(const Project& project) { return projectText(viewOf(const_cast<Project&>(project))); }
+
+}  // namespace sillon

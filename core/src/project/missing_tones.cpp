@@ -1,0 +1,78 @@
+#include "project/missing_tones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace sillon {
+namespace {
+
+constexpr float kShare = 0.25f;  // more overshoots: beads end elsewhere the next time
+constexpr int kSteps = 360;      // in which the darkest direction is looked for
+
+/// Gaussian of half a cell along one axis; borders count less.
+void blurLines(std::vector<float>& values, std::size_t lines, std::size_t lineStep, int count, std::size_t step) {
+  constexpr float kWeights[] = {1, 0.135f};
+  constexpr int kRadius = 1;
+  std::vector<float> line(static_cast<std::size_t>(count));
+  for (std::size_t j = 0; j < lines; ++j) {
+    float* first = values.data() + j * lineStep;
+    for (int k = 0; k < count; ++k) {
+      float sum = 0, weight = 0;
+      for (int d = std::max(-kRadius, -k); d <= std::min(kRadius, count - 1 - k); ++d) {
+        const float w = kWeights[std::abs(d)];
+        sum += w * first[static_cast<std::size_t>(k + d) * step];
+        weight += w;
+      }
+      line[static_cast<std::size_t>(k)] = sum / weight;
+    }
+    for (int k = 0; k < count; ++k) first[static_cast<std::size_t>(k) * step] = line[static_cast<std::size_t>(k)];
+  }
+}
+
+/// Place of a texel among cells: the left one and the share of the right one.
+struct Between {
+  int left = 0;
+  int right = 0;
+  float share = 0;
+};
+
+Between cellsAt(int texel, int texels, int cells) {
+  const float place =
+      (static_cast<float>(texel) + 0.5f) * static_cast<float>(cells) / static_cast<float>(texels) - 0.5f;
+  const float inside = std::clamp(place, 0.0f, static_cast<float>(cells - 1));
+  const int left = static_cast<int>(inside);
+  return {left, std::min(left + 1, cells - 1), inside - static_cast<float>(left)};
+}
+
+}  // namespace
+
+void addMissingTones(std::span<const float> light, const Tones& asked, const Lobe& lobe, double level, Tones& next) {
+  const std::vector<float> table = lightTable(lobe, kSteps);
+  const float low = codeOfLight(*std::min_element(table.begin(), table.end()));
+  const float range = std::max(1e-3f, codeOfLight(static_cast<float>(level)) - low);
+  std::vector<float> missing(light.size(), 0);
+  for (std::size_t k = 0; k < light.size(); ++k) {
+    if (light[k] >= 0) missing[k] = asked.value[k] - (codeOfLight(light[k]) - low) / range;
+  }
+  const auto columns = static_cast<std::size_t>(asked.width), rows = static_cast<std::size_t>(asked.height);
+  blurLines(missing, rows, columns, asked.width, 1);
+  blurLines(missing, columns, 1, asked.height, columns);
+  const auto at = [&](int x, int y) {
+    return missing[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y < next.height; ++y) {
+    const Between row = cellsAt(y, next.height, asked.height);
+    for (int x = 0; x < next.width; ++x) {
+      const Between column = cellsAt(x, next.width, asked.width);
+      const float above = at(column.left, row.left) * (1 - column.share) + at(column.right, row.left) * column.share;
+      const float below = at(column.left, row.right) * (1 - column.share) + at(column.right, row.right) * column.share;
+      float& tone =
+          next.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(next.width) + static_cast<std::size_t>(x)];
+      tone = std::clamp(tone + kShare * (above * (1 - row.share) + below * row.share), 0.0f, 1.0f);
+    }
+  }
+}
+
+}  // namespace sillon

@@ -1,0 +1,109 @@
+#include "sillon/project/plate_input.hpp"
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "project/input_file.hpp"
+#include "sillon/input/image_io.hpp"
+#include "sillon/input/svg.hpp"
+
+namespace sillon {
+namespace {
+
+bool looksLikeSvg(std::string_view bytes, std::string_view name) {
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return (first != std::string_view::npos && bytes[first] == '<') || name.ends_with(".svg") || name.ends_with(".SVG");
+}
+
+Result<Image> picture(InputFile file, const std::string& name) {
+  if (auto* decoded = std::get_if<Image>(&file)) return std::move(*decoded);
+  const std::string& bytes = std::get<std::string>(file);
+  return decodeImage(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
+}
+
+Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
+  Result<InputFile> file = read(project.shapeFile, "shape");
+  if (!file) return file.error();
+  const auto* text = std::get_if<std::string>(&file.value());
+  if (text != nullptr && looksLikeSvg(*text, project.shapeFile)) {
+    SvgOptions options;
+    options.unitlessIsMm = project.unitlessIsMm;
+    options.ignorePaint = project.ignorePaint;
+    Result<Shape> shape = readSvg(*text, options);
+    return shape && project.pageWidth != 0 ? scaledToWidth(shape.value(), project.pageWidth) : shape;
+  }
+  const Result<Image> mask = picture(std::move(file).value(), project.shapeFile);
+  if (!mask) return mask.error();
+  return shapeFromMask(mask.value(), project.pageWidth == 0 ? kDefaultWidth : project.pageWidth);
+}
+
+// The stages know no files; whoever has many needs to know which one is meant.
+Error named(const char* what, const std::string& file, const Error& error) {
+  const bool known = file.empty() || error.message.find(file) != std::string::npos;
+  return known ? error : Error{error.code, what + (" \"" + file + "\": ") + error.message};
+}
+
+/// \param lines  picture of the directions, if there is one: it lends its proportions where no height is given.
+Result<Shape> builtinShape(const Project& project, const std::optional<Image>& lines) {
+  Vec2 size = project.builtinSize;
+  if (size.x == 0) size.x = kDefaultWidth;
+  if (size.y == 0) size.y = lines ? size.x * lines->height / lines->width : size.x;
+  switch (project.builtin) {
+    case BuiltinShape::Disc:
+      return makeDisc(size.x);
+    case BuiltinShape::RoundedRectangle:
+      return makeRoundedRectangle(size, project.builtinRadius);
+    case BuiltinShape::Rectangle:
+      return makeRectangle(size);
+    case BuiltinShape::None:
+      break;
+  }
+  if (lines) return makeRectangle(size);
+  return Error{
+      ErrorCode::InvalidArgument,
+      "there is no shape; give a shape file, a built-in shape (rectangle, rounded, disc) or a direction picture"};
+}
+
+}  // namespace
+
+Result<Image> readPicture(const ReadInput& read, const std::string& name, const std::string& what) {
+  Result<InputFile> file = read(name, what);
+  if (!file) return file.error();
+  return picture(std::move(file).value(), name);
+}
+
+Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read) {
+  std::optional<Image> lines;
+  if (!project.directionFile.empty()) {
+    Result<Image> decoded = readPicture(read, project.directionFile, "direction picture");
+    if (!decoded) return decoded.error();
+    lines = std::move(decoded).value();
+  }
+  auto directions = lines ? directionMap(*lines, project.encoding) : uniformDirection(project.angle);
+  if (!directions) return named("direction picture", project.directionFile, directions.error());
+
+  ModeMap modes = uniformMode(project.mode);
+  if (!project.modeFile.empty()) {
+    const Result<Image> decoded = readPicture(read, project.modeFile, "mode picture");
+    if (!decoded) return decoded.error();
+    Result<ModeMap> map = modeMap(decoded.value());
+    if (!map) return named("mode picture", project.modeFile, map.error());
+    modes = std::move(map).value();
+  }
+
+  // Its directions are solved for later; here it lends its proportions.
+  const bool proportions = project.shapeFile.empty() && !lines && !project.pictures.files.empty();
+  if (proportions && (project.builtin == BuiltinShape::None || project.builtinSize.y == 0)) {
+    Result<Image> decoded = readPicture(read, project.pictures.files[0].file, "picture");
+    if (!decoded) return decoded.error();
+    lines = std::move(decoded).value();
+  }
+  Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, lines) : shapeFromFile(project, read);
+  if (!shape) return named("shape", project.shapeFile, shape.error());
+  return PlateInput{std::move(shape).value(), std::move(directions).value(), std::move(modes)};
+}
+
+}  // namespace sillon

@@ -1,0 +1,244 @@
+#include "sillon/quality/picture_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+#include "base/fast_math.hpp"
+#include "base/parallel_for.hpp"
+#include "sillon/input/image_io.hpp"
+#include "toolpath/toolpath_check.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kCellSpacings = 2;
+constexpr int kPointsPerCell = 8;  // and axis
+constexpr int kBandCells = 4;      // rows of cells that one task rasters
+constexpr float kReach = 0.75f;    // [tau] beyond the bead's edge nothing is seen
+
+struct Segment {
+  Vec2f a, b;  // in points, y down
+  float radius = 0;
+};
+
+struct Cells {
+  int width = 0;
+  int height = 0;
+};
+
+/// Row by row: light per picture of each cell, negative where less than half of it is covered.
+using Lights = std::vector<std::vector<float>>;
+
+void drawBand(const std::vector<Segment>& segments, const std::vector<float>& lightOfSegment, std::size_t pictures,
+              Cells cells, int firstCell, int endCell, Lights& lights) {
+  const int width = cells.width * kPointsPerCell, top = firstCell * kPointsPerCell;
+  const int rows = (endCell - firstCell) * kPointsPerCell;
+  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+  std::vector<float> distance(count, 1e30f);
+  std::vector<std::uint32_t> nearest(count, 0);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const Segment& s = segments[k];
+    const int y0 = std::max(top, static_cast<int>(std::floor(std::min(s.a.y, s.b.y) - s.radius)));
+    const int y1 = std::min(top + rows - 1, static_cast<int>(std::ceil(std::max(s.a.y, s.b.y) + s.radius)));
+    const int x0 = std::max(0, static_cast<int>(std::floor(std::min(s.a.x, s.b.x) - s.radius)));
+    const int x1 = std::min(width - 1, static_cast<int>(std::ceil(std::max(s.a.x, s.b.x) + s.radius)));
+    const Vec2f d = s.b - s.a;
+    const float squared = dot(d, d);
+    const float perSquared = squared > 0 ? 1 / squared : 0;
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        const Vec2f p{static_cast<float>(x) + 0.5f - s.a.x, static_cast<float>(y) + 0.5f - s.a.y};
+        const Vec2f off = p - d * std::clamp(dot(p, d) * perSquared, 0.0f, 1.0f);
+        const float away = dot(off, off);
+        const std::size_t at =
+            static_cast<std::size_t>(y - top) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        if (away < s.radius * s.radius && away < distance[at]) {
+          distance[at] = away;
+          nearest[at] = static_cast<std::uint32_t>(k);
+        }
+      }
+    }
+  }
+  for (int cy = firstCell; cy < endCell; ++cy) {
+    for (int cx = 0; cx < cells.width; ++cx) {
+      for (std::size_t k = 0; k < pictures; ++k) {
+        float sum = 0;
+        int seen = 0;
+        for (int j = 0; j < kPointsPerCell * kPointsPerCell; ++j) {
+          const std::size_t at = static_cast<std::size_t>((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) *
+                                     static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(cx * kPointsPerCell + j % kPointsPerCell);
+          if (!(distance[at] < 1e30f)) continue;
+          sum += lightOfSegment[nearest[at] * pictures + k];
+          ++seen;
+        }
+        const std::size_t cell =
+            static_cast<std::size_t>(cy) * static_cast<std::size_t>(cells.width) + static_cast<std::size_t>(cx);
+        lights[k][cell] = 2 * seen >= kPointsPerCell * kPointsPerCell ? sum / static_cast<float>(seen) : -1.0f;
+      }
+    }
+  }
+}
+
+/// Weighted sums that a mean, a variance and a correlation need.
+struct Sums {
+  double weight = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+
+  void add(double w, double a, double b) {
+    weight += w;
+    x += w * a;
+    y += w * b;
+    xx += w * a * a;
+    yy += w * b * b;
+    xy += w * a * b;
+  }
+  [[nodiscard]] double varianceX() const { return std::max(0.0, xx / weight - x / weight * (x / weight)); }
+  [[nodiscard]] double varianceY() const { return std::max(0.0, yy / weight - y / weight * (y / weight)); }
+  [[nodiscard]] double covariance() const { return xy / weight - x / weight * (y / weight); }
+};
+
+double correlation(const Sums& s) {
+  const double both = s.weight > 0 ? s.varianceX() * s.varianceY() : 0;
+  return both > 1e-12 ? s.covariance() / std::sqrt(both) : 0;
+}
+
+/// Wang et al. 2004, dynamic range 1, mean over the windows that lie wholly on the plate.
+double ssimOf(const std::vector<float>& seen, const Tones& picture, std::span<const float> light) {
+  constexpr int kRadius = 5;
+  constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
+  // exp(-k²/2/1.5²)
+  constexpr double kGauss[kRadius + 1] = {1, 0.800737403, 0.411112291, 0.135335283, 0.028565500, 0.003865920};
+  double sum = 0;
+  std::int64_t count = 0;
+  for (int y = kRadius; y < picture.height - kRadius; ++y) {
+    for (int x = kRadius; x < picture.width - kRadius; ++x) {
+      Sums s;
+      bool whole = true;
+      for (int j = -kRadius; j <= kRadius && whole; ++j) {
+        for (int i = -kRadius; i <= kRadius; ++i) {
+          const std::size_t at = static_cast<std::size_t>(y + j) * static_cast<std::size_t>(picture.width) +
+                                 static_cast<std::size_t>(x + i);
+          whole = whole && light[at] >= 0;
+          s.add(kGauss[std::abs(i)] * kGauss[std::abs(j)], static_cast<double>(seen[at]),
+                static_cast<double>(picture.value[at]));
+        }
+      }
+      if (!whole) continue;
+      const double mx = s.x / s.weight, my = s.y / s.weight;
+      sum += (2 * mx * my + kC1) * (2 * s.covariance() + kC2) /
+             ((mx * mx + my * my + kC1) * (s.varianceX() + s.varianceY() + kC2));
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+Sums sumsOf(std::span<const float> light, const Tones& picture) {
+  Sums sums;
+  for (std::size_t k = 0; k < light.size(); ++k) {
+    if (light[k] >= 0) {
+      sums.add(1, static_cast<double>(codeOfLight(light[k])), static_cast<double>(picture.value[k]));
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+PictureMeasures compareTones(std::span<const float> light, const Tones& picture) {
+  PictureMeasures out;
+  const Sums sums = sumsOf(light, picture);
+  if (!(sums.weight > 0)) return out;
+  out.r = correlation(sums);
+  const double slope = sums.varianceX() > 1e-12 ? sums.covariance() / sums.varianceX() : 0;
+  const double offset = sums.y / sums.weight - slope * sums.x / sums.weight;
+  std::vector<float> seen(light.size(), 0);
+  std::vector<float> sorted;
+  for (std::size_t k = 0; k < light.size(); ++k) {
+    if (light[k] < 0) continue;
+    seen[k] = static_cast<float>(slope * static_cast<double>(codeOfLight(light[k])) + offset);
+    sorted.push_back(light[k]);
+  }
+  out.ssim = ssimOf(seen, picture, light);
+  std::sort(sorted.begin(), sorted.end());
+  const float low = sorted[(sorted.size() - 1) / 100], high = sorted[(sorted.size() - 1) * 99 / 100];
+  out.contrast = low > 0 ? static_cast<double>(high) / static_cast<double>(low) : 1;
+  return out;
+}
+
+Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const Lamp> lamps, const Roughness& roughness,
+                           const RunContext& run) {
+  if (std::string defect = toolpathDefect(toolpath, page); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  }
+  if (!(toolpath.spacing >= 1e-3 && toolpath.spacing <= 1e3)) {
+    return Error{ErrorCode::InvalidArgument, "spacing is outside its range of 0.001 to 1000 mm"};
+  }
+  // Whole cells, as near to 2 tau as the page allows.
+  const auto cellsAlong = [&](double side) {
+    return std::max(1.0, std::round(side / (kCellSpacings * toolpath.spacing)));
+  };
+  const double across = cellsAlong(page.x), down = cellsAlong(page.y);
+  if (across * down * kPointsPerCell * kPointsPerCell > static_cast<double>(kMaxImagePixels)) {
+    return Error{ErrorCode::TooLarge, "the pictures would be judged at more than 100 million points"};
+  }
+  const Cells cells{static_cast<int>(across), static_cast<int>(down)};
+
+  std::vector<Lobe> lobes;
+  for (const Lamp& lamp : lamps) lobes.push_back(lobeOf(lamp, roughness));
+  try {
+    std::vector<Segment> segments;
+    std::vector<float> lightOfSegment;
+    const Vec2f scale{static_cast<float>(across * kPointsPerCell / page.x),
+                      static_cast<float>(down * kPointsPerCell / page.y)};
+    const auto height = static_cast<float>(page.y);
+    const float reach = static_cast<float>(toolpath.spacing) * (kReach - 0.5f);
+    for (const Cycle& cycle : toolpath.cycles) {
+      for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+        const std::size_t next = (k + 1) % cycle.points.size();
+        const Vec2f a = cycle.points[k], b = cycle.points[next];
+        const float size = length(b - a);
+        if (!(size > 0)) continue;
+        const float radius = (std::max(cycle.widths[k], cycle.widths[next]) / 2 + reach) * std::max(scale.x, scale.y);
+        segments.push_back(
+            {{a.x * scale.x, (height - a.y) * scale.y}, {b.x * scale.x, (height - b.y) * scale.y}, radius});
+        for (const Lobe& lobe : lobes) lightOfSegment.push_back(lightOf(lobe, (b - a) * (1 / size)));
+      }
+    }
+    Lights lights(lamps.size(),
+                  std::vector<float>(static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height)));
+    parallelFor(run, (cells.height + kBandCells - 1) / kBandCells, 1, [&](int begin, int end) {
+      for (int band = begin; band < end; ++band) {
+        drawBand(segments, lightOfSegment, lamps.size(), cells, band * kBandCells,
+                 std::min(cells.height, (band + 1) * kBandCells), lights);
+      }
+    });
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "judging the pictures was cancelled"};
+    return SeenCells{cells.width, cells.height, std::move(lights)};
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::TooLarge, "judging the pictures needs more memory than there is"};
+  }
+}
+
+Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
+                                                     std::span<const ShownPicture> pictures, const Roughness& roughness,
+                                                     const RunContext& run) {
+  std::vector<Lamp> lamps;
+  for (const ShownPicture& picture : pictures) lamps.push_back(picture.lamp);
+  const auto seen = seePlate(toolpath, page, lamps, roughness, run);
+  if (!seen) return seen.error();
+  const auto& [width, height, lights] = seen.value();
+  std::vector<Tones> asked;
+  for (const ShownPicture& picture : pictures) asked.push_back(resampled(picture.tones, width, height));
+  std::vector<PictureMeasures> measures;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    measures.push_back(compareTones(lights[k], asked[k]));
+    for (const Tones& other : asked) measures.back().others.push_back(correlation(sumsOf(lights[k], other)));
+  }
+  return measures;
+}
+
+}  // namespace sillon

@@ -1,0 +1,566 @@
+#include "rebrush/blocks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "gcode_reader/file_settings.hpp"
+#include "gcode_reader/parser.hpp"
+#include "rebrush/marks.hpp"
+#include "rebrush/region.hpp"
+#include "rebrush/totals.hpp"
+#include "sillon/geometry/outline.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kThreeBeads = 3;              // narrower surfaces are left [spacings]
+constexpr double kTenSquares = 10;             // smaller surfaces are left [spacings²]
+constexpr double kNotch = 0.3;                 // [spacings], between the ends of beads: narrower than walls
+constexpr double kLooseFilament = 0.02;        // [mm] that retractions inside a block may gain or lose
+constexpr double kShortWipe = 1;               // [mm] without plastic behind the last bead
+constexpr double kThickDiameter = 2.85;        // [mm], of the other filament in use
+constexpr double kThinShare = 0.55;            // of a bead's section: less was reckoned with too thin a filament
+constexpr double kExpanded = 2;                // [mm] by which skins reach under the next layer's walls (Cura)
+constexpr double kInside = 0.8;                // of a skin that is no top at all
+constexpr double kMostExpanded = 0.35;         // of a skin that may lie there
+constexpr double kCovered = 0.02;              // of a skin: less below the next layer is none
+constexpr int kLookAhead = 500;                // lines after a block
+constexpr std::size_t kMostItems = 5'000'000;  // lines of one stretch
+
+// A line within a stretch of one role.
+struct Item {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+  std::int64_t number = 0;
+  std::optional<MachineMove> move;
+  MachineState before;
+  MachineState after;
+  std::string object;
+  double acceleration = 0;
+
+  [[nodiscard]] bool bead() const { return move && move->e > 0 && move->length > 0; }
+};
+
+// A skin of Cura waits for the next layer.
+struct Skin {
+  SurfaceBlock block;
+  RegionField field;  // of its stretch
+  int part = 0;
+  std::vector<bool> covered;
+};
+
+double median(std::vector<std::pair<double, double>> valueAndWeight) {
+  std::sort(valueAndWeight.begin(), valueAndWeight.end());
+  double all = 0;
+  for (const auto& entry : valueAndWeight) all += entry.second;
+  double sum = 0;
+  for (const auto& [value, weight] : valueAndWeight) {
+    sum += weight;
+    if (2 * sum >= all) return value;
+  }
+  return 0;
+}
+
+// Between neighbouring straight beads: half of them lie closer [mm]. 0: there are too few.
+double neighbourDistance(const std::vector<Item>& items) {
+  constexpr double kLong = 2;         // [mm]
+  constexpr double kParallel = 0.02;  // sine
+  constexpr std::size_t kEnough = 8;
+  std::vector<std::pair<double, double>> distances;
+  const MachineMove* last = nullptr;
+  for (const Item& item : items) {
+    if (!item.bead() || item.move->arc || item.move->length < kLong) continue;
+    const Vec2 d = 1 / item.move->length * (item.move->to - item.move->from);
+    if (last != nullptr && std::abs(cross(d, last->to - last->from)) < kParallel * last->length) {
+      distances.emplace_back(std::abs(cross(d, last->from - item.move->from)), 1.0);
+    }
+    last = &*item.move;
+  }
+  return distances.size() < kEnough ? 0 : median(std::move(distances));
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, const FileSettings& settings) : text_(text), machine_(settings.flavor) {
+    area_ = kPi * settings.filamentDiameter * settings.filamentDiameter / 4;
+    volumetric_ = settings.volumetric;
+    diameterKnown_ = settings.diameterTold;
+  }
+
+  void line(const GcodeLine& line);
+  Result<SlicedBlocks> finish();
+
+ private:
+  void mark(const Mark& mark);
+  void beginLayer();
+  void endStretch();
+  void learnDiameter(const std::vector<Item>& items, double height);
+  void addPart(const std::vector<Item>& items, const RegionField& field, int part, double breadth, double width,
+               const std::vector<int>& partOf);
+  void keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places);
+  void lookAhead(SurfaceBlock& block) const;
+  void coverSkins(const MachineMove& move);
+  void judgeSkins();
+  [[nodiscard]] double beadSection(const MachineMove& move) const {
+    return move.e * (volumetric_ ? 1 : area_) / move.length;
+  }
+  [[nodiscard]] std::string_view lineOf(const Item& item) const {
+    std::string_view line = text_.substr(item.begin, item.end - item.begin);
+    while (line.ends_with('\n') || line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
+  void leave(SurfaceBlock& block, LeftBecause why) const {
+    if (block.surface.left == LeftBecause::None) block.surface.left = why;
+  }
+
+  std::string_view text_;
+  MachineState machine_;
+  double acceleration_ = 1000;  // [mm/s²], of most printers that say nothing
+  double area_ = 0;
+  bool volumetric_ = false;
+  bool diameterKnown_ = false;
+  bool numbered_ = false;
+  SlicedBlocks out_;
+  std::optional<Program> program_;
+  bool marked_ = false;  // any role
+
+  RoleKind role_ = RoleKind::Other;
+  double height_ = 0;
+  double layerZ_ = 0;
+  double previousZ_ = 0;
+  bool heightTold_ = false;
+  std::string object_;
+  std::vector<Item> items_;
+  std::vector<Skin> skins_;     // of this layer
+  std::vector<Skin> waiting_;   // of the layer below
+  std::size_t layerBegin_ = 0;  // its first block
+};
+
+void Reader::line(const GcodeLine& line) {
+  out_.file.lines = line.number;
+  const GcodeParts parts = partsOf(line.text);
+  numbered_ = numbered_ || parts.numbered;
+  if (parts.code.empty()) {
+    if (parts.comment.empty()) return;
+    if (!program_) program_ = programOf(parts.comment);
+    const Mark read = readMark(parts.comment);
+    mark(read);
+  } else if (const auto object = objectOf(parts.code)) {
+    object_ = *object;
+  }
+  const bool collecting = role_ != RoleKind::Other && role_ != RoleKind::Ironing;
+  Item item;
+  if (collecting) {
+    item.begin = line.offset;
+    item.end = line.offset + line.text.size() + line.end.size();
+    item.number = line.number;
+    item.before = machine_;
+    item.acceleration = acceleration_;
+    item.object = object_;
+  }
+  std::optional<MachineMove> move;
+  if (!parts.code.empty()) {
+    const GcodeCommand command = commandOf(parts.code);
+    if (const double other = accelerationOf(parts.code); other > 0) acceleration_ = other;
+    move = runCommand(machine_, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+  }
+  if (move && move->e > 0 && move->length > 0) {
+    layerZ_ = move->z;
+    if (!waiting_.empty()) coverSkins(*move);
+  }
+  if (collecting && items_.size() < kMostItems) {
+    item.move = move;
+    item.after = machine_;
+    items_.push_back(std::move(item));
+  }
+}
+
+void Reader::mark(const Mark& mark) {
+  switch (mark.kind) {
+    case MarkKind::Layer:
+      endStretch();
+      role_ = RoleKind::Other;
+      beginLayer();
+      return;
+    case MarkKind::Role:
+      marked_ = true;
+      endStretch();
+      role_ = mark.role;
+      if (role_ == RoleKind::FirstSolid && out_.file.layers > 1) role_ = RoleKind::Other;
+      if (role_ == RoleKind::Bottom && out_.file.layers > 1) role_ = RoleKind::Other;
+      if (role_ == RoleKind::Ironing) {
+        for (std::size_t k = layerBegin_; k < out_.blocks.size(); ++k) leave(out_.blocks[k], LeftBecause::Ironed);
+      }
+      return;
+    case MarkKind::Height:
+      height_ = mark.value;
+      heightTold_ = true;
+      return;
+    case MarkKind::Object:
+      object_ = std::string(mark.name.substr(0, 80));
+      return;
+    case MarkKind::None:
+    case MarkKind::Width:
+    case MarkKind::Z:
+      return;
+  }
+}
+
+void Reader::beginLayer() {
+  judgeSkins();
+  waiting_ = std::move(skins_);
+  skins_.clear();
+  ++out_.file.layers;
+  layerBegin_ = out_.blocks.size();
+  previousZ_ = layerZ_;
+}
+
+// Cura's files do not tell the filament: beads as thick as their distance do.
+void Reader::learnDiameter(const std::vector<Item>& items, double height) {
+  const double distance = neighbourDistance(items);
+  if (!(distance > 0.05) || volumetric_) return;
+  std::vector<std::pair<double, double>> sections;
+  for (const Item& item : items) {
+    if (item.bead()) sections.emplace_back(beadSection(*item.move), item.move->length);
+  }
+  if (median(std::move(sections)) < kThinShare * distance * height) area_ = kPi * kThickDiameter * kThickDiameter / 4;
+  diameterKnown_ = true;
+}
+
+// Splits a stretch of one role into connected surfaces.
+void Reader::endStretch() {
+  std::vector<Item> items = std::move(items_);
+  items_.clear();
+  while (!items.empty() && !items.back().bead()) items.pop_back();
+  if (items.empty()) return;
+  const double z = items.back().move->z;
+  const double height = heightTold_ ? height_ : std::max(0.0, z - previousZ_);
+  if (!(height > 0.01 && height < 5)) return;
+
+  if (!diameterKnown_) learnDiameter(items, height);
+  std::vector<std::pair<double, double>> sections;
+  for (const Item& item : items) {
+    if (item.bead()) sections.emplace_back(beadSection(*item.move), item.move->length);
+  }
+  // Beads are rectangles with round sides: their section is h (w - h) + pi h²/4. Cura reckons with plain rectangles.
+  const bool rectangles = program_ && program_->slicer == Slicer::Cura;
+  const double rounding = rectangles ? 0 : (1 - kPi / 4) * height;
+  const double spacing = median(std::move(sections)) / height;
+  // Cura irons under the same mark.
+  if (role_ == RoleKind::Skin && spacing <= 0.05) {
+    for (Skin& skin : skins_) leave(skin.block, LeftBecause::Ironed);
+    for (std::size_t k = layerBegin_; k < out_.blocks.size(); ++k) leave(out_.blocks[k], LeftBecause::Ironed);
+  }
+  if (!(spacing > 0.05 && spacing < 5)) return;
+  const double width = spacing + rounding;
+  std::vector<RegionBead> beads;
+  for (const Item& item : items) {
+    if (!item.bead()) continue;
+    const MachineMove& move = *item.move;
+    const double own = std::clamp(beadSection(move) / height + rounding, 0.5 * width, 1.5 * width);
+    if (!move.arc || !move.readable) {
+      beads.push_back({move.from, move.to, own});
+      continue;
+    }
+    const Vec2 a = move.from - move.centre;
+    const int pieces = std::clamp(static_cast<int>(std::abs(move.turn) * 8) + 1, 1, 64);
+    Vec2 last = move.from;
+    for (int k = 1; k <= pieces; ++k) {
+      const double turn = move.turn * k / pieces;
+      const Vec2 p = k == pieces ? move.to
+                                 : move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn),
+                                                      a.x * std::sin(turn) + a.y * std::cos(turn)};
+      beads.push_back({last, p, own});
+      last = p;
+    }
+  }
+  Result<RegionField> made = fieldOfBeads(beads, kNotch * spacing);
+  if (!made) return;
+  const RegionField field = std::move(made).value();
+  const std::vector<float> depth = depths(field);
+  const std::vector<double> breadth = breadths(field, depth);
+
+  std::vector<int> partOf(items.size(), -1);
+  std::vector<int> order;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (!items[k].bead()) continue;
+    const int cell = field.at(items[k].move->to);
+    if (cell < 0) continue;
+    const int part = field.part[static_cast<std::size_t>(cell)];
+    partOf[k] = part;
+    if (std::find(order.begin(), order.end(), part) == order.end()) order.push_back(part);
+  }
+  for (const int part : order) {
+    if (part >= 0) addPart(items, field, part, breadth[static_cast<std::size_t>(part)], width, partOf);
+  }
+}
+
+void Reader::addPart(const std::vector<Item>& items, const RegionField& field, int part, double breadth, double width,
+                     const std::vector<int>& partOf) {
+  std::size_t first = items.size();
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (partOf[k] != part) continue;
+    first = std::min(first, k);
+    last = k;
+  }
+  SurfaceBlock block;
+  SlicedSurface& surface = block.surface;
+  surface.side = role_ == RoleKind::Top || (role_ == RoleKind::Skin && out_.file.layers > 1) ? SurfaceSide::Top
+                                                                                             : SurfaceSide::Bottom;
+  surface.layer = out_.file.layers;
+  surface.z = items[first].move->z;
+  surface.height = heightTold_ ? height_ : std::max(0.0, surface.z - previousZ_);
+  surface.object = items[first].object;
+  surface.tool = items[first].before.tool;
+  surface.width = width;
+  surface.entry = items[first].move->from;
+  surface.exit = items[last].move->to;
+  surface.firstLine = items[first].number;
+  surface.lastLine = items[last].number;
+  surface.begin = items[first].begin;
+  surface.end = items[last].end;
+  block.before = items[first].before;
+  block.acceleration = items[first].acceleration;
+  block.after = items[last].after;
+  block.lineEnd =
+      text_.substr(items[first].begin, items[first].end - items[first].begin).ends_with("\r\n") ? "\r\n" : "\n";
+
+  double laid = 0;
+  double loose = 0;
+  double length = 0;
+  std::vector<std::pair<double, double>> speeds;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t k = first; k <= last; ++k) {
+    const Item& item = items[k];
+    if (item.object != surface.object) leave(block, LeftBecause::Object);
+    if (item.after.inches || !item.after.absolute || volumetric_ || item.after.volumetric)
+      leave(block, LeftBecause::Modes);
+    if (!item.move) {
+      keep(block, item, places);
+      continue;
+    }
+    if (item.move->arc && !item.move->readable) leave(block, LeftBecause::Modes);
+    if (!item.bead()) {
+      loose += item.move->e;
+      continue;
+    }
+    if (partOf[k] != part) leave(block, LeftBecause::Interleaved);
+    if (item.move->z != surface.z || item.move->zFrom != surface.z) leave(block, LeftBecause::Height);
+    laid += item.move->e;
+    length += item.move->length;
+    speeds.emplace_back(item.after.speed, item.move->length);
+  }
+  surface.volumeMm3 = laid * (volumetric_ ? 1 : area_);
+  surface.speed = median(std::move(speeds));
+  surface.spacing = length > 0 ? width - (1 - kPi / 4) * surface.height : 0;
+  if (program_ && program_->slicer == Slicer::Cura) surface.spacing = width;
+  if (std::abs(loose) > kLooseFilament || block.after.firmwareRetracted != block.before.firmwareRetracted ||
+      block.after.absoluteE != block.before.absoluteE || block.after.tool != block.before.tool ||
+      !(block.before.origin == block.after.origin)) {
+    leave(block, LeftBecause::Command);
+  }
+  Result<Shape> region = regionOf(field, part, 2 * width * width, surface.corner);
+  if (!region) return;
+  surface.region = std::move(region).value();
+  const Result<Outline> outline = resolveOutline(surface.region);
+  if (!outline) return;
+  surface.areaMm2 = outline.value().area;
+  if (breadth < kThreeBeads * surface.spacing) leave(block, LeftBecause::Narrow);
+  if (surface.areaMm2 < kTenSquares * surface.spacing * surface.spacing) leave(block, LeftBecause::Small);
+  const double fill = surface.volumeMm3 / (surface.areaMm2 * surface.height);
+  if (!(fill > 0.8 && fill < 1.2)) leave(block, LeftBecause::Flow);
+  lookAhead(block);
+  if (role_ == RoleKind::Skin && surface.side == SurfaceSide::Top) {
+    skins_.push_back({std::move(block), field, part, std::vector<bool>(field.distance.size(), false)});
+  } else {
+    out_.blocks.push_back(std::move(block));
+  }
+}
+
+// What was set inside the block and holds on: the last of each kind, in the order of their first.
+void Reader::keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places) {
+  const std::string_view line = lineOf(item);
+  const GcodeParts parts = partsOf(line);
+  const auto put = [&](const std::string& key) {
+    const auto [place, fresh] = places.emplace(key, block.kept.size());
+    if (fresh) {
+      block.kept.emplace_back(line);
+    } else {
+      block.kept[place->second] = std::string(line);
+    }
+  };
+  if (parts.code.empty()) {
+    const Mark mark = readMark(parts.comment);
+    if (mark.kind == MarkKind::Width) put("width");
+    if (mark.kind == MarkKind::Height) put("height");
+    return;
+  }
+  const GcodeCommand command = commandOf(parts.code);
+  if (command.letter == 'G' && command.sub == 0) {
+    const bool origin = command.code == 92 && parts.code.find_first_of("XYZ") == std::string_view::npos;
+    const bool retraction = command.code == 10 || command.code == 11;
+    if (!origin && !retraction && command.code != 90) leave(block, LeftBecause::Command);
+    return;
+  }
+  if (command.letter == 'M' && command.sub == 0) {
+    switch (command.code) {
+      case 82:
+      case 83:
+        return;
+      case 106:
+      case 107: {
+        const std::size_t fan = command.rest.find('P');
+        return put("fan" + std::string(fan == std::string_view::npos ? "" : command.rest.substr(fan, 2)));
+      }
+      case 104:  // does not wait
+      case 140:
+      case 73:
+      case 117:
+      case 201:
+      case 203:
+      case 204:
+      case 205:
+      case 572:
+      case 900:
+        return put("M" + std::to_string(command.code));
+      default:
+        return leave(block, LeftBecause::Command);
+    }
+  }
+  if (command.name == "SET_VELOCITY_LIMIT" || command.name == "SET_PRESSURE_ADVANCE" ||
+      command.name == "SET_PRINT_STATS_INFO") {
+    return put(std::string(command.name));
+  }
+  leave(block, LeftBecause::Command);
+}
+
+// Wipes and the first travel behind the block: what they need of where it ended.
+void Reader::lookAhead(SurfaceBlock& block) const {
+  MachineState machine = block.after;
+  bool done = false;
+  int lines = 0;
+  std::string_view rest = text_.substr(block.surface.end);
+  std::uint64_t offset = block.surface.end;
+  while (!rest.empty() && !done && lines++ < kLookAhead) {
+    const std::size_t lineFeed = rest.find('\n');
+    const std::size_t size = lineFeed == std::string_view::npos ? rest.size() : lineFeed + 1;
+    const GcodeParts parts = partsOf(trimmed(rest.substr(0, size - (lineFeed == std::string_view::npos ? 0 : 1))));
+    const std::uint64_t begin = offset;
+    rest.remove_prefix(size);
+    offset += size;
+    if (parts.code.empty()) continue;
+    const GcodeCommand command = commandOf(parts.code);
+    if (command.is('G', 28) || command.is('M', 84)) return;
+    const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
+    if (command.is('G', 92) && (words.has('X') || words.has('Y'))) return leave(block, LeftBecause::Travel);
+    const auto move = runCommand(machine, command, words);
+    if (!move || !move->xy) continue;
+    if (!machine.absolute || move->arc || machine.inches || move->e > 0) return leave(block, LeftBecause::Travel);
+    if (move->e < 0) {
+      if (!words.has('X') || !words.has('Y')) return leave(block, LeftBecause::Travel);
+      block.wipes.push_back({begin, offset, move->length});
+      continue;
+    }
+    // A wipe may leave out a coordinate that does not change; a travel must name its place.
+    if (!words.has('X') || !words.has('Y')) return leave(block, LeftBecause::Travel);
+    if (block.wipes.empty() && !move->toldF && move->length < kShortWipe && block.after.at == move->from &&
+        move->z == move->zFrom) {
+      block.wipes.push_back({begin, offset, move->length});
+      continue;
+    }
+    block.next = move->to;
+    block.tightBefore = machine.firmwareRetracted || machine.retracted > block.after.retracted + 0.05;
+    done = true;
+  }
+}
+
+void Reader::coverSkins(const MachineMove& move) {
+  for (Skin& skin : waiting_) {
+    const RegionField& field = skin.field;
+    const int steps = std::clamp(static_cast<int>(move.length / field.cell) + 1, 1, 100000);
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = move.from + (static_cast<double>(k) / steps) * (move.to - move.from);
+      const int cell = field.at(p);
+      if (cell < 0) continue;
+      // Half a bead to each side.
+      const int reach = static_cast<int>(skin.block.surface.width / 2 / field.cell);
+      const int x = cell % field.columns;
+      const int y = cell / field.columns;
+      for (int v = std::max(0, y - reach); v <= std::min(field.rows - 1, y + reach); ++v) {
+        for (int u = std::max(0, x - reach); u <= std::min(field.columns - 1, x + reach); ++u) {
+          skin.covered[static_cast<std::size_t>(v) * static_cast<std::size_t>(field.columns) +
+                       static_cast<std::size_t>(u)] = true;
+        }
+      }
+    }
+  }
+}
+
+void Reader::judgeSkins() {
+  for (Skin& skin : waiting_) {
+    // Skins reach a little under the walls of the next layer. Infill above would cover them all over.
+    const std::vector<float> depth = depths(skin.field);
+    std::int64_t all = 0;
+    std::int64_t covered = 0;
+    std::int64_t deep = 0;
+    std::int64_t deepCovered = 0;
+    for (std::size_t k = 0; k < skin.covered.size(); ++k) {
+      if (skin.field.part[k] != skin.part) continue;
+      const bool inner = static_cast<double>(depth[k]) * skin.field.cell > kExpanded;
+      ++all;
+      deep += inner ? 1 : 0;
+      covered += skin.covered[k] ? 1 : 0;
+      deepCovered += inner && skin.covered[k] ? 1 : 0;
+    }
+    const auto share = [](std::int64_t some, std::int64_t whole) {
+      return whole > 0 ? static_cast<double>(some) / static_cast<double>(whole) : 1.0;
+    };
+    if (share(covered, all) > kInside) continue;
+    const bool rim = share(deepCovered, deep) <= kCovered && share(covered, all) <= kMostExpanded;
+    if (share(covered, all) > kCovered && !rim) leave(skin.block, LeftBecause::Covered);
+    out_.blocks.push_back(std::move(skin.block));
+  }
+  waiting_.clear();
+}
+
+Result<SlicedBlocks> Reader::finish() {
+  const bool inside = role_ != RoleKind::Other && !items_.empty() && items_.back().bead();
+  endStretch();
+  if (inside && !out_.blocks.empty()) leave(out_.blocks.back(), LeftBecause::Cut);
+  judgeSkins();
+  waiting_ = std::move(skins_);
+  judgeSkins();
+  const auto refuse = [](const char* why) { return Error{ErrorCode::InvalidFile, why}; };
+  if (numbered_) return refuse("its lines are numbered, as hosts send them; take the file that the slicer wrote");
+  if (!program_ || !marked_ || out_.file.layers == 0) {
+    return refuse(
+        "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do");
+  }
+  out_.file.slicer = program_->slicer;
+  out_.filamentArea = area_;
+  out_.file.program = program_->name;
+  std::stable_sort(out_.blocks.begin(), out_.blocks.end(),
+                   [](const SurfaceBlock& a, const SurfaceBlock& b) { return a.surface.begin < b.surface.begin; });
+  return std::move(out_);
+}
+
+}  // namespace
+
+Result<SlicedBlocks> readBlocks(std::string_view gcode) {
+  if (gcode.starts_with("GCDE")) {
+    return Error{
+        ErrorCode::InvalidFile,
+        "it is binary G-code (.bgcode); in PrusaSlicer switch off Preferences, Other, \"Use binary G-code when the "
+        "printer supports it\", and export again"};
+  }
+  Reader reader(gcode, readFileSettings(gcode, {}));
+  forEachLine(gcode, [&](const GcodeLine& line) { reader.line(line); });
+  return reader.finish();
+}
+
+}  // namespace sillon

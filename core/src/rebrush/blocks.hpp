@@ -1,0 +1,44 @@
+// The moves that lay a surface, with everything that must hold before and after them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gcode_reader/machine.hpp"
+#include "sillon/rebrush/surfaces.hpp"
+
+namespace sillon {
+
+/// A wipe after the last bead: a move that pulls filament while it goes back over beads that will no longer be there,
+/// or a short one straight on that pushes nothing (Cura).
+struct WipeMove {
+  std::uint64_t begin = 0;  ///< of its line [bytes]
+  std::uint64_t end = 0;
+  double length = 0;  ///< [mm]
+};
+
+struct SurfaceBlock {
+  SlicedSurface surface;
+  MachineState before;         ///< its first bead
+  MachineState after;          ///< its last bead
+  double acceleration = 1000;  ///< at its first bead [mm/s²], as the file says
+  /// Lines to repeat behind the new beads: what was set within the block and holds on, the last of each kind.
+  std::vector<std::string> kept;
+  std::vector<WipeMove> wipes;
+  std::optional<Vec2> next;  ///< where the first travel after the block goes
+  bool tightBefore = false;  ///< that travel is retracted, by a wipe or standing
+  std::string lineEnd = "\n";
+};
+
+struct SlicedBlocks {
+  SlicedFile file;  ///< without its surfaces
+  std::vector<SurfaceBlock> blocks;
+  double filamentArea = 0;  ///< section of the filament that E counts [mm²]
+};
+
+/// See readSlicedFile.
+Result<SlicedBlocks> readBlocks(std::string_view gcode);
+
+}  // namespace sillon

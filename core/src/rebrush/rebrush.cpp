@@ -1,0 +1,194 @@
+#include "sillon/rebrush/rebrush.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/decimal_text.hpp"
+#include "gcode_reader/file_settings.hpp"
+#include "rebrush/blocks.hpp"
+#include "rebrush/replace.hpp"
+#include "rebrush/totals.hpp"
+#include "rebrush/wanted_directions.hpp"
+#include "sillon/geometry/signed_distance.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/settings/table.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kLeastCoverage = 97;  // [%], less shows the layer below
+constexpr double kMostSpill = 2;       // [%] of beads beyond the region
+constexpr double kMostBeyond = 0.05;   // [mm] of a bead beyond the region
+
+// How far the beads reach over the region at most [mm].
+Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing, const RunContext& run) {
+  const Result<Outline> outline = resolveOutline(region);
+  if (!outline) return outline.error();
+  const Result<BorderIndex> border = buildBorderIndex(outline.value(), makeGrid(outline.value().bounds, spacing), run);
+  if (!border) return border.error();
+  double most = 0;
+  const std::size_t count = cycle.points.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t next = (k + 1) % count;
+    const Vec2 a{cycle.points[k].x, cycle.points[k].y};
+    const Vec2 b{cycle.points[next].x, cycle.points[next].y};
+    const int pieces = std::clamp(static_cast<int>(length(b - a) / (spacing / 4)) + 1, 1, 100);
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double t = static_cast<double>(piece) / pieces;
+      const double width = (1 - t) * static_cast<double>(cycle.widths[k]) + t * static_cast<double>(cycle.widths[next]);
+      const double inside = -static_cast<double>(border.value().nearest(a + t * (b - a)).distance);
+      most = std::max(most, width / 2 - inside);
+    }
+  }
+  return most;
+}
+
+std::string problemOf(const Measures& measures) {
+  if (measures.crossings > 0) return "the new path would cross itself";
+  if (measures.coverage < kLeastCoverage)
+    return "the new beads would cover " + fixed(measures.coverage, 1) + " % of it; 97 is the least";
+  if (measures.spill > kMostSpill)
+    return "the new beads would spill over " + fixed(measures.spill, 1) + " % of it; 2 is the most";
+  return {};
+}
+
+bool isChosen(const SlicedSurface& surface, const RebrushOptions& options) {
+  return surface.side == SurfaceSide::Top ? options.tops : options.bottoms;
+}
+
+}  // namespace
+
+Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options, const RunContext& run) {
+  if (std::string problem = invalidSettings(options.toolpath); !problem.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  }
+  Result<SlicedBlocks> read = readBlocks(gcode);
+  if (!read) return read.error();
+  const std::vector<SurfaceBlock>& blocks = read.value().blocks;
+  const FileSettings settings = readFileSettings(gcode, {});
+  const double area = read.value().filamentArea;
+
+  Rebrushed out;
+  DirectionSource source(options, settings, blocks);
+  std::vector<Edit> edits;
+  std::vector<TimeChange> changes;
+  std::string reason;  // why the first was left
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const SurfaceBlock& block = blocks[k];
+    const SlicedSurface& surface = block.surface;
+    if (!isChosen(surface, options)) continue;
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    RebrushedSurface& made = out.surfaces.emplace_back();
+    made.surface = k;
+    const auto leave = [&](std::string why) {
+      made.why = std::move(why);
+      if (reason.empty()) reason = "layer " + std::to_string(surface.layer) + ": " + made.why;
+    };
+    if (surface.left != LeftBecause::None) {
+      leave(surfaceReason(surface.left));
+      continue;
+    }
+    Result<WantedDirections> wanted = source.of(k, run);
+    if (!wanted) return wanted.error();
+    PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
+    ToolpathParams params = options.toolpath;
+    params.spacing = surface.spacing;
+    const Result<ToolpathResult> path = generateToolpath(input, params, run);
+    if (!path) {
+      if (path.error().code == ErrorCode::Cancelled) return path.error();
+      leave(path.error().message);
+      continue;
+    }
+    const std::vector<Cycle>& cycles = path.value().toolpath.cycles;
+    if (cycles.size() != 1) {
+      leave("it falls into " + std::to_string(cycles.size()) + " cycles; one is needed");
+      continue;
+    }
+    Replacement replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, area);
+    if (replacement.left != LeftBecause::None) {
+      leave(surfaceReason(replacement.left));
+      continue;
+    }
+    // As wide as their plastic makes them.
+    Toolpath toolpath = path.value().toolpath;
+    for (float& width : toolpath.cycles.front().widths) width *= static_cast<float>(replacement.flow);
+    const Result<Measures> measures =
+        measureToolpath(toolpath, input.shape, input.directions, input.modes, params, run);
+    if (!measures) return measures.error();
+    made.alignment = measures.value().alignment;
+    made.coverage = measures.value().coverage;
+    made.spill = measures.value().spill;
+    if (std::string problem = problemOf(measures.value()); !problem.empty()) {
+      leave(std::move(problem));
+      continue;
+    }
+    // What surrounds the block is the slicer's: it must find the machine as the slicer left it.
+    constexpr std::size_t kBehind = 200'000;  // bytes
+    std::vector<Edit> local = replacement.edits;
+    for (Edit& edit : local) {
+      edit.begin -= surface.begin;
+      edit.end -= surface.begin;
+    }
+    const std::uint64_t last = local.back().end;
+    const std::string_view old = gcode.substr(surface.begin, last + kBehind);
+    const std::string fresh = applyEdits(old, local);
+    if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
+      leave(differs + " would be another behind it");
+      continue;
+    }
+    const Result<double> beyond = reachOver(toolpath.cycles.front(), input.shape, params.spacing, run);
+    if (!beyond) return beyond.error();
+    made.beyond = beyond.value();
+    if (made.beyond > kMostBeyond) {
+      leave("a new bead would reach " + fixed(made.beyond, 3) + " mm over it; " + fixed(kMostBeyond, 2) +
+            " is the most");
+      continue;
+    }
+    if (!wanted.value().shown.empty()) {
+      auto pictures = measurePictures(toolpath, input.shape.page, wanted.value().shown, wanted.value().roughness, run);
+      if (!pictures) return pictures.error();
+      made.pictures = std::move(pictures).value();
+      for (const ShownPicture& picture : wanted.value().shown) {
+        made.lamps.push_back(picture.lamp);
+        if (surface.side == SurfaceSide::Bottom) made.lamps.back().azimuth = 180 - picture.lamp.azimuth;
+      }
+    }
+    const std::string_view laid = old.substr(0, last);
+    const std::string_view relaid = std::string_view(fresh).substr(0, fresh.size() - (old.size() - last));
+    made.seconds = secondsOfMoves(relaid, block.before, block.acceleration) -
+                   secondsOfMoves(laid, block.before, block.acceleration);
+    changes.push_back({replacement.edits.front().begin, made.seconds, surface.layer == 1});
+    made.toolpath = std::move(toolpath);
+    made.replaced = true;
+    made.volumeMm3 = replacement.volumeMm3;
+    made.moves = replacement.moves;
+    edits.insert(edits.end(), replacement.edits.begin(), replacement.edits.end());
+  }
+  out.file = std::move(read.value().file);
+  for (const SurfaceBlock& block : blocks) out.file.surfaces.push_back(block.surface);
+  if (edits.empty()) {
+    return Error{ErrorCode::InvalidArgument, out.surfaces.empty()
+                                                 ? "the file has no surface of the kind that was asked for"
+                                                 : "no surface can be replaced; " + reason};
+  }
+  std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+  for (std::size_t k = 1; k < edits.size(); ++k) {
+    if (edits[k].begin < edits[k - 1].end) return Error{ErrorCode::Internal, "two surfaces share a line of the file"};
+  }
+  // Where changes end in the new file; edits are those of surfaces, and of wipes between them.
+  std::int64_t grown = 0;
+  std::size_t change = 0;
+  std::sort(changes.begin(), changes.end(), [](const TimeChange& a, const TimeChange& b) { return a.at < b.at; });
+  for (const Edit& edit : edits) {
+    const bool beads = change < changes.size() && changes[change].at == edit.begin;
+    grown += static_cast<std::int64_t>(edit.text.size()) - static_cast<std::int64_t>(edit.end - edit.begin);
+    if (beads) changes[change++].at = static_cast<std::uint64_t>(static_cast<std::int64_t>(edit.end) + grown);
+  }
+  for (const TimeChange& entry : changes) out.seconds += entry.seconds;
+  out.gcode = withTotals(applyEdits(gcode, edits), changes, out.totals);
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,226 @@
+#include "rebrush/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace sillon {
+namespace {
+
+constexpr double kFinest = 0.05;  // [mm]
+constexpr double kMostCells = 16e6;
+constexpr double kLargestBed = 5000;  // [mm]
+constexpr int kMargin = 3;            // [cells] around the beads, so that outlines close
+
+std::size_t index(const RegionField& field, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(field.columns) + static_cast<std::size_t>(x);
+}
+
+void draw(RegionField& field, const RegionBead& bead, double beyond) {
+  const double reach = bead.width / 2 + beyond;
+  const Vec2 a = bead.from - field.corner;
+  const Vec2 d = bead.to - bead.from;
+  const double along = dot(d, d);
+  const auto cellOf = [&](double at, int count) {
+    return static_cast<int>(std::clamp(at / field.cell, 0.0, count - 1.0));
+  };
+  const int firstRow = cellOf(std::min(a.y, a.y + d.y) - reach, field.rows);
+  const int lastRow = cellOf(std::max(a.y, a.y + d.y) + reach, field.rows);
+  for (int row = firstRow; row <= lastRow; ++row) {
+    const double y = (row + 0.5) * field.cell - a.y;
+    double low = std::min(0.0, d.x);
+    double high = std::max(0.0, d.x);
+    // Long slanted beads cross a row over a small part of their box only.
+    if (std::abs(d.y) > reach) {
+      const double s = std::clamp((y - reach) / d.y, 0.0, 1.0) * d.x;
+      const double t = std::clamp((y + reach) / d.y, 0.0, 1.0) * d.x;
+      low = std::min(s, t);
+      high = std::max(s, t);
+    }
+    const int first = cellOf(a.x + low - reach, field.columns);
+    const int last = cellOf(a.x + high + reach, field.columns);
+    for (int column = first; column <= last; ++column) {
+      const Vec2 p{(column + 0.5) * field.cell - a.x, y};
+      const Vec2 off = p - (along > 0 ? std::clamp(dot(p, d) / along, 0.0, 1.0) : 0.0) * d;
+      const auto distance = static_cast<float>(length(off) - bead.width / 2);
+      float& least = field.distance[index(field, column, row)];
+      least = std::min(least, distance);
+    }
+  }
+}
+
+// Morphological closing, by distances: a disc that touches the beads from outside runs along them, and what lies behind
+// it is filled.
+void fillNotches(RegionField& field, double radius) {
+  const int span = static_cast<int>(std::ceil(radius / field.cell)) + 3;
+  const std::vector<float> given = field.distance;
+  std::vector<float> depth(given.size(), static_cast<float>(radius + 3 * field.cell));  // below the disc's middles
+  const auto far = [&](std::size_t k) { return static_cast<double>(given[k]) >= radius; };
+  for (int y = 1; y + 1 < field.rows; ++y) {
+    for (int x = 1; x + 1 < field.columns; ++x) {
+      const std::size_t middle = index(field, x, y);
+      if (!far(middle) || (far(index(field, x - 1, y)) && far(index(field, x + 1, y)) && far(index(field, x, y - 1)) &&
+                           far(index(field, x, y + 1)))) {
+        continue;
+      }
+      const double over = static_cast<double>(given[middle]) - radius;
+      for (int v = std::max(0, y - span); v <= std::min(field.rows - 1, y + span); ++v) {
+        for (int u = std::max(0, x - span); u <= std::min(field.columns - 1, x + span); ++u) {
+          const auto away = static_cast<float>(field.cell * std::hypot(u - x, v - y) - over);
+          float& least = depth[index(field, u, v)];
+          least = std::min(least, away);
+        }
+      }
+    }
+  }
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (!far(k)) field.distance[k] = std::min(given[k], static_cast<float>(radius) - depth[k]);
+  }
+}
+
+// Parts hang together by sides. Breadth first, in the order of the cells.
+void labelParts(RegionField& field) {
+  field.part.assign(field.distance.size(), -1);
+  std::vector<std::size_t> queue;
+  const auto columns = static_cast<std::size_t>(field.columns);
+  for (std::size_t seed = 0; seed < field.distance.size(); ++seed) {
+    if (field.distance[seed] >= 0 || field.part[seed] >= 0) continue;
+    queue.assign(1, seed);
+    field.part[seed] = field.parts;
+    while (!queue.empty()) {
+      const std::size_t cell = queue.back();
+      queue.pop_back();
+      // The margin keeps all of them within the field.
+      for (const std::size_t next : {cell - 1, cell + 1, cell - columns, cell + columns}) {
+        if (field.distance[next] >= 0 || field.part[next] >= 0) continue;
+        field.part[next] = field.parts;
+        queue.push_back(next);
+      }
+    }
+    ++field.parts;
+  }
+}
+
+double areaOf(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) sum += cross(ring[k], ring[(k + 1) % ring.size()]);
+  return sum / 2;
+}
+
+}  // namespace
+
+int RegionField::at(Vec2 p) const {
+  const Vec2 local = p - corner;
+  if (!(local.x >= 0 && local.y >= 0 && local.x < columns * cell && local.y < rows * cell)) return -1;
+  const int x = std::min(static_cast<int>(local.x / cell), columns - 1);
+  const int y = std::min(static_cast<int>(local.y / cell), rows - 1);
+  return y * columns + x;
+}
+
+Result<RegionField> fieldOfBeads(const std::vector<RegionBead>& beads, double notch) {
+  Bounds box;
+  for (const RegionBead& bead : beads) {
+    const Vec2 half{bead.width / 2, bead.width / 2};
+    for (const Vec2 p : {bead.from, bead.to}) {
+      if (!(std::abs(p.x) <= kLargestBed && std::abs(p.y) <= kLargestBed)) {
+        return Error{ErrorCode::TooLarge, "a move goes further than 5000 mm; no bed is as large"};
+      }
+      box.add(p - half);
+      box.add(p + half);
+    }
+  }
+  RegionField field;
+  if (box.empty()) return field;
+  const Vec2 size = box.size();
+  field.cell = std::max(kFinest, std::sqrt(size.x * size.y / kMostCells));
+  // Beyond that a disc is free.
+  const double beyond = notch > 0 ? notch + 2 * field.cell : 2 * field.cell;
+  const int margin = kMargin + static_cast<int>(std::ceil(notch / field.cell));
+  field.corner = box.min - Vec2{margin * field.cell, margin * field.cell};
+  field.columns = static_cast<int>(std::ceil(size.x / field.cell)) + 2 * margin;
+  field.rows = static_cast<int>(std::ceil(size.y / field.cell)) + 2 * margin;
+  field.distance.assign(static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows),
+                        static_cast<float>(beyond));
+  for (const RegionBead& bead : beads) draw(field, bead, beyond);
+  if (notch > 0) fillNotches(field, notch);
+  labelParts(field);
+  return field;
+}
+
+Result<Shape> regionOf(const RegionField& field, int part, double hole, Vec2& corner) {
+  int left = field.columns;
+  int right = -1;
+  int below = field.rows;
+  int above = -1;
+  for (int y = 0; y < field.rows; ++y) {
+    for (int x = 0; x < field.columns; ++x) {
+      if (field.part[index(field, x, y)] != part) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      below = std::min(below, y);
+      above = std::max(above, y);
+    }
+  }
+  if (right < 0) return Error{ErrorCode::EmptyShape, "the surface covers nothing"};
+  left -= 2;
+  below -= 2;
+  right += 2;
+  above += 2;
+  Image mask;
+  mask.width = right - left + 1;
+  mask.height = above - below + 1;
+  mask.channels = 1;
+  mask.samples.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
+  // Half grey where the edge is, so that the outline runs between the cells. Neighbours of other parts are outside.
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      const std::size_t cell = index(field, left + x, above - y);
+      const bool other = field.part[cell] >= 0 && field.part[cell] != part;
+      const double grey = other ? 0 : std::clamp(0.5 - field.distance[cell] / (4 * field.cell), 0.0, 1.0);
+      mask.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x)] =
+          static_cast<std::uint16_t>(std::lround(65535 * grey));
+    }
+  }
+  corner = field.corner + Vec2{left * field.cell, below * field.cell};
+  Result<Shape> shape = shapeFromMask(mask, mask.width * field.cell);
+  if (!shape) return shape;
+  for (FilledPath& path : shape.value().paths) {
+    std::vector<Ring>& rings = path.rings;
+    const auto tiny = [&](const Ring& ring) { return std::abs(areaOf(ring)) < hole; };
+    rings.erase(std::remove_if(rings.begin(), rings.end(), tiny), rings.end());
+  }
+  return shape;
+}
+
+std::vector<float> depths(const RegionField& field) {
+  // Chessboard-octagon distance to the outside by two passes: for a rule of thumb.
+  constexpr float kDiagonal = 1.4142136F;
+  std::vector<float> depth(field.distance.size(), 0);
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    if (field.part[k] >= 0) depth[k] = 1e9F;
+  }
+  const auto columns = static_cast<std::size_t>(field.columns);
+  const auto relax = [&](std::size_t k, std::size_t straight, std::size_t across, std::size_t slant,
+                         std::size_t slant2) {
+    if (field.part[k] < 0) return;
+    depth[k] = std::min(
+        {depth[k], depth[straight] + 1, depth[across] + 1, depth[slant] + kDiagonal, depth[slant2] + kDiagonal});
+  };
+  for (std::size_t k = columns + 1; k + columns + 1 < depth.size(); ++k)
+    relax(k, k - 1, k - columns, k - columns - 1, k - columns + 1);
+  for (std::size_t k = depth.size() - columns - 2; k > columns; --k)
+    relax(k, k + 1, k + columns, k + columns + 1, k + columns - 1);
+  return depth;
+}
+
+std::vector<double> breadths(const RegionField& field, const std::vector<float>& depth) {
+  std::vector<double> widest(static_cast<std::size_t>(field.parts), 0);
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    if (field.part[k] < 0) continue;
+    double& most = widest[static_cast<std::size_t>(field.part[k])];
+    most = std::max(most, (2 * static_cast<double>(depth[k]) - 1) * field.cell);
+  }
+  return widest;
+}
+
+}  // namespace sillon

@@ -1,0 +1,267 @@
+#include "rebrush/replace.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/decimal_text.hpp"
+#include "gcode_reader/parser.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kChord = 0.005;      // [mm] that a merged move may lie beside its points
+constexpr double kWidthError = 0.03;  // [mm] that its width may be off
+constexpr double kLongestMove = 5;    // [mm] over which widths are merged
+constexpr double kLeastFlow = 0.85;   // of the slicer's plastic over ours
+constexpr double kMostFlow = 1.18;
+constexpr double kFarEntry = 2;     // [mm] from the slicer's entry to the cycle
+constexpr double kShortTravel = 2;  // [mm] without retraction, as slicers allow
+constexpr int kLookAhead = 500;     // lines, as in blocks.cpp
+
+struct Bead {
+  Vec2 to;
+  double volume = 0;  // [mm³] at flow 1
+};
+
+Vec2 pointAt(const Cycle& cycle, std::size_t k, Vec2 offset) {
+  const Vec2f p = cycle.points[k % cycle.points.size()];
+  return Vec2{p.x, p.y} + offset;
+}
+
+// Coordinates have three decimals.
+Vec2 rounded(Vec2 p) { return {std::round(p.x * 1000) / 1000 + 0.0, std::round(p.y * 1000) / 1000 + 0.0}; }
+
+double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double along = dot(d, d);
+  const double t = along > 0 ? std::clamp(dot(p - a, d) / along, 0.0, 1.0) : 0;
+  return length(p - a - t * d);
+}
+
+// The cycle from its vertex `first` back to it, with as few moves as the tolerances allow; volumes sum up exactly.
+std::vector<Bead> mergedBeads(const Cycle& cycle, std::size_t first, Vec2 offset, double height) {
+  const std::size_t count = cycle.points.size();
+  const auto width = [&](std::size_t k) { return static_cast<double>(cycle.widths[(first + k) % count]); };
+  const auto point = [&](std::size_t k) { return pointAt(cycle, first + k, offset); };
+  std::vector<Bead> beads;
+  for (std::size_t from = 0; from < count;) {
+    std::size_t to = from + 1;
+    double low = std::min(width(from), width(to));
+    double high = std::max(width(from), width(to));
+    while (to < count) {
+      const std::size_t next = to + 1;
+      low = std::min(low, width(next));
+      high = std::max(high, width(next));
+      bool fits = high - low <= 2 * kWidthError && length(point(next) - point(from)) <= kLongestMove;
+      for (std::size_t k = from + 1; k < next && fits; ++k)
+        fits = distanceTo(point(k), point(from), point(next)) <= kChord;
+      if (!fits) break;
+      to = next;
+    }
+    double volume = 0;
+    for (std::size_t k = from; k < to; ++k)
+      volume += length(point(k + 1) - point(k)) * (width(k) + width(k + 1)) / 2 * height;
+    beads.push_back({rounded(point(to)), volume});
+    from = to;
+  }
+  return beads;
+}
+
+std::size_t nearestTo(const Cycle& cycle, Vec2 place, Vec2 offset) {
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < cycle.points.size(); ++k) {
+    if (length(pointAt(cycle, k, offset) - place) < length(pointAt(cycle, nearest, offset) - place)) nearest = k;
+  }
+  return nearest;
+}
+
+bool isInside(const Shape& shape, Vec2 p) {
+  bool inside = false;
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Vec2 a = ring[k];
+        const Vec2 b = ring[(k + 1) % ring.size()];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+      }
+    }
+  }
+  return inside;
+}
+
+// Whether a straight way stays within the surface.
+bool staysInside(const SlicedSurface& surface, Vec2 from, Vec2 to) {
+  constexpr double kStep = 0.2;  // [mm]
+  const int steps = std::clamp(static_cast<int>(length(to - from) / kStep) + 1, 1, 5000);
+  for (int k = 1; k < steps; ++k) {  // its ends lie on beads
+    const Vec2 p = from + (static_cast<double>(k) / steps) * (to - from);
+    if (!isInside(surface.region, p - surface.corner)) return false;
+  }
+  return true;
+}
+
+std::string withPlace(std::string_view line, Vec2 place) {
+  std::string out;
+  const std::size_t comment = std::min(line.find(';'), line.size());
+  for (std::size_t k = 0; k < line.size();) {
+    const char c = line[k];
+    if (k < comment && (c == 'X' || c == 'Y')) {
+      out += c;
+      out += fixed(c == 'X' ? place.x : place.y, 3);
+      ++k;
+      while (k < comment && (line[k] == '-' || line[k] == '+' || line[k] == '.' || (line[k] >= '0' && line[k] <= '9')))
+        ++k;
+      continue;
+    }
+    out += c;
+    ++k;
+  }
+  return out;
+}
+
+}  // namespace
+
+Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, const Cycle& cycle, Vec2 offset,
+                         double filamentArea) {
+  Replacement out;
+  const SlicedSurface& surface = block.surface;
+  const auto leave = [](LeftBecause why) {
+    Replacement left;
+    left.left = why;
+    return left;
+  };
+  // What the slicer does behind it without retraction must not become longer.
+  const auto leadsOn = [&](Vec2 place) {
+    if (!block.next || block.tightBefore) return true;
+    const double before = length(*block.next - surface.exit);
+    return length(*block.next - place) <= std::max(before + surface.spacing, kShortTravel);
+  };
+  std::size_t first = nearestTo(cycle, surface.entry, offset);
+  // Then it begins where the slicer ends: on the way there the nozzle crosses what it is going to cover.
+  if (!leadsOn(rounded(pointAt(cycle, first, offset)))) first = nearestTo(cycle, surface.exit, offset);
+  const Vec2 start = rounded(pointAt(cycle, first, offset));
+  if (!leadsOn(start)) return leave(LeftBecause::Travel);
+  if (length(start - surface.entry) > kFarEntry && !staysInside(surface, surface.entry, start)) {
+    return leave(LeftBecause::Travel);
+  }
+  const std::vector<Bead> beads = mergedBeads(cycle, first, offset, surface.height);
+  double volume = 0;
+  for (const Bead& bead : beads) volume += bead.volume;
+  const double flow = volume > 0 ? surface.volumeMm3 / volume : 0;
+  if (!(flow >= kLeastFlow && flow <= kMostFlow)) return leave(LeftBecause::Flow);
+
+  out.flow = flow;
+
+  const std::string& end = block.lineEnd;
+  Edit edit{surface.begin, surface.end, {}};
+  std::string& text = edit.text;
+  text.reserve(beads.size() * 32);
+  const std::string feed = decimal(60 * surface.speed, 3);
+  text += "G1 F" + feed + end;
+  Vec2 at = surface.entry;
+  if (length(start - at) > 0.0005) {
+    text += "G1 X" + fixed(start.x, 3) + " Y" + fixed(start.y, 3) + end;
+    at = start;
+  }
+  // E has five decimals; what rounding leaves over goes to the next move.
+  double told = block.before.e;
+  double exact = told;
+  for (const Bead& bead : beads) {
+    if (bead.to == at) {
+      exact += bead.volume * flow / filamentArea;
+      continue;
+    }
+    exact += bead.volume * flow / filamentArea;
+    const double target = std::round(exact * 1e5) / 1e5;
+    text += "G1 X" + fixed(bead.to.x, 3) + " Y" + fixed(bead.to.y, 3) + " E" +
+            fixed(block.before.absoluteE ? target : target - told, 5) + end;
+    told = target;
+    at = bead.to;
+    ++out.moves;
+  }
+  out.volumeMm3 = (told - block.before.e) * filamentArea;
+  if (block.before.absoluteE && std::abs(told - block.after.e) > 1e-9) text += "G92 E" + fixed(block.after.e, 5) + end;
+  for (const std::string& line : block.kept) text += line + end;
+  const std::string after = decimal(60 * block.after.speed, 3);
+  if (after != feed) text += "G1 F" + after + end;
+  // The last line of a file may have no end.
+  if (!gcode.substr(0, surface.end).ends_with('\n')) text.erase(text.size() - end.size());
+  out.edits.push_back(std::move(edit));
+
+  // Wipes follow the new beads instead of those that are gone: on along the cycle, as far as before.
+  std::size_t vertex = first;
+  Vec2 place = at;
+  for (const WipeMove& wipe : block.wipes) {
+    double rest = wipe.length;
+    for (std::size_t guard = 0; rest > 0 && guard <= cycle.points.size(); ++guard) {
+      const Vec2 next = pointAt(cycle, vertex + 1, offset);
+      const double step = length(next - place);
+      if (step > rest) {
+        place = place + (rest / step) * (next - place);
+        rest = 0;
+      } else {
+        place = next;
+        rest -= step;
+        ++vertex;
+      }
+    }
+    const std::string_view line = gcode.substr(wipe.begin, wipe.end - wipe.begin);
+    out.edits.push_back({wipe.begin, wipe.end, withPlace(line, rounded(place))});
+  }
+  return out;
+}
+
+std::string applyEdits(std::string_view gcode, const std::vector<Edit>& edits) {
+  std::string out;
+  std::size_t size = gcode.size();
+  for (const Edit& edit : edits) size += edit.text.size();
+  out.reserve(size);
+  std::uint64_t at = 0;
+  for (const Edit& edit : edits) {
+    out += gcode.substr(at, edit.begin - at);
+    out += edit.text;
+    at = edit.end;
+  }
+  out += gcode.substr(at);
+  return out;
+}
+
+std::string stateDifference(std::string_view before, std::string_view after, const SurfaceBlock& block) {
+  // Until the first travel in the plane that pulls nothing.
+  const auto run = [&](std::string_view text, bool bothTravels) {
+    MachineState machine = block.before;
+    bool behind = !bothTravels;
+    int lines = 0;
+    double pushed = 0;
+    bool done = false;
+    while (!text.empty() && !done) {
+      const std::size_t lineFeed = std::min(text.find('\n'), text.size() - 1);
+      const std::string_view line = trimmed(text.substr(0, text[lineFeed] == '\n' ? lineFeed : lineFeed + 1));
+      text.remove_prefix(lineFeed + 1);
+      const GcodeParts parts = partsOf(line);
+      if (parts.code.empty()) continue;
+      const GcodeCommand command = commandOf(parts.code);
+      const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+      if (move && move->e > 0 && move->length > 0) {
+        pushed += move->e;
+        behind = true;
+      }
+      done = behind && move && move->xy && move->e == 0 && block.next && machine.at == *block.next;
+      if (++lines > 4'000'000) break;
+    }
+    return std::pair{machine, pushed};
+  };
+  const auto [a, pushedA] = run(before, true);
+  const auto [b, pushedB] = run(after, true);
+  if (block.next && !(a.at == b.at)) return "the place";
+  if (a.z != b.z) return "the height";
+  if (a.absolute != b.absolute || a.absoluteE != b.absoluteE || a.inches != b.inches) return "the modes";
+  if (a.absoluteE && std::abs(a.e - b.e) > 1.5e-5) return "E";
+  if (std::abs(a.retracted - b.retracted) > 1e-4 || a.firmwareRetracted != b.firmwareRetracted) return "the retraction";
+  if (std::abs(a.speed - b.speed) > 1e-6) return "the speed";
+  if (a.tool != b.tool) return "the tool";
+  if (std::abs(pushedA - pushedB) > 0.01 * pushedA) return "the filament";
+  return {};
+}
+
+}  // namespace sillon

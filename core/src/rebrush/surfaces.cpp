@@ -1,0 +1,49 @@
+#include "sillon/rebrush/surfaces.hpp"
+
+#include <utility>
+
+#include "rebrush/blocks.hpp"
+
+namespace sillon {
+
+const char* surfaceReason(LeftBecause reason) {
+  switch (reason) {
+    case LeftBecause::None:
+      return "it can be replaced";
+    case LeftBecause::Narrow:
+      return "it is narrower than three beads";
+    case LeftBecause::Small:
+      return "it is smaller than ten beads' squares";
+    case LeftBecause::Covered:
+      return "the next layer lies on part of it";
+    case LeftBecause::Ironed:
+      return "the slicer irons it afterwards; switch ironing off";
+    case LeftBecause::Interleaved:
+      return "the slicer goes to and fro between it and another surface";
+    case LeftBecause::Command:
+      return "a command inside it would be lost";
+    case LeftBecause::Object:
+      return "another object begins inside it";
+    case LeftBecause::Height:
+      return "its moves rise or fall";
+    case LeftBecause::Modes:
+      return "inches, relative coordinates, E in mm3 or arcs by their radius are not followed";
+    case LeftBecause::Flow:
+      return "its plastic is not that of one full layer";
+    case LeftBecause::Travel:
+      return "what follows needs the nozzle where the slicer's last bead ended";
+    case LeftBecause::Cut:
+      return "the file ends inside it";
+  }
+  return "";
+}
+
+Result<SlicedFile> readSlicedFile(std::string_view gcode) {
+  Result<SlicedBlocks> blocks = readBlocks(gcode);
+  if (!blocks) return blocks.error();
+  SlicedFile file = std::move(blocks.value().file);
+  for (SurfaceBlock& block : blocks.value().blocks) file.surfaces.push_back(std::move(block.surface));
+  return file;
+}
+
+}  // namespace sillon

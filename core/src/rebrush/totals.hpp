@@ -1,0 +1,32 @@
+// What a file tells of its own duration: comments and progress commands.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gcode_reader/machine.hpp"
+
+namespace sillon {
+
+/// Somewhere the print takes longer, or shorter.
+struct TimeChange {
+  std::uint64_t at = 0;  ///< behind it [bytes]
+  double seconds = 0;
+  bool firstLayer = false;
+};
+
+/// How long moves take by the rule of Klipper's planner: trapezoids, corners by their square corner velocity.
+/// \param acceleration  where the text begins [mm/s²]; M204 and SET_VELOCITY_LIMIT change it. \return [s].
+double secondsOfMoves(std::string_view text, const MachineState& before, double acceleration);
+
+/// What an acceleration command sets for beads [mm/s²]; 0: it is none.
+double accelerationOf(std::string_view code);
+
+/// The file with its times changed: "estimated printing time", "model printing time", "total estimated time", TIME,
+/// TIME_ELAPSED, and P, R, Q, S of M73. Everything else keeps its bytes. \param changes  in the order of the file.
+/// \param told  receives the number of lines that have changed.
+std::string withTotals(std::string_view gcode, const std::vector<TimeChange>& changes, std::int64_t& told);
+
+}  // namespace sillon

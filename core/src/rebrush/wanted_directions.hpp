@@ -1,0 +1,50 @@
+// What each surface shall look like: maps cut to it, or pictures solved for it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gcode_reader/file_settings.hpp"
+#include "rebrush/blocks.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/look/inversion.hpp"
+#include "sillon/quality/picture_measures.hpp"
+#include "sillon/rebrush/rebrush.hpp"
+
+namespace sillon {
+
+struct WantedDirections {
+  DirectionMap directions;
+  ModeMap modes;
+  std::vector<ShownPicture> shown;  ///< as seen from above, also of bottoms; empty without pictures
+  Roughness roughness;
+};
+
+/// Solves each picture once for all surfaces that share it.
+class DirectionSource {
+ public:
+  /// \param options, settings, blocks  must outlive this.
+  DirectionSource(const RebrushOptions& options, const FileSettings& settings, const std::vector<SurfaceBlock>& blocks)
+      : options_(options), settings_(settings), blocks_(blocks) {}
+
+  /// \return as solveDirections; InvalidArgument for a spool that is none, or if the file does not tell its bed where
+  /// PictureFit::Bed needs it.
+  Result<WantedDirections> of(std::size_t block, const RunContext& run);
+
+ private:
+  /// What the maps of a surface are stretched over; empty: its own page.
+  [[nodiscard]] Result<Bounds> whole(const SlicedSurface& surface) const;
+  /// The box around all surfaces that share a picture with this one.
+  [[nodiscard]] Bounds shared(const SlicedSurface& surface) const;
+
+  const RebrushOptions& options_;
+  const FileSettings& settings_;
+  const std::vector<SurfaceBlock>& blocks_;
+  std::map<std::string, SolvedDirections> solved_;
+};
+
+/// Whether the options ask for this surface, and it can be replaced as far as reading tells.
+bool isWanted(const SlicedSurface& surface, const RebrushOptions& options);
+
+}  // namespace sillon

@@ -1,0 +1,204 @@
+#include "settings/json_in.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "base/json.hpp"
+#include "base/words.hpp"
+#include "settings/json_out.hpp"
+#include "sillon/settings/presets.hpp"
+
+namespace sillon {
+namespace {
+
+std::string wrongType(const std::string& name, const std::string& wanted, const Json& value) {
+  return name + " is " + typeName(value) + "; it must be " + wanted;
+}
+
+/// \param range  for the message, such as " from 1 to 1000".
+template <class Integer>
+std::string wholeNumber(const Json& value, const std::string& name, Integer& out, const std::string& range) {
+  if (!value.is_number()) return wrongType(name, "a whole number", value);
+  constexpr auto kLow = std::numeric_limits<Integer>::min();
+  constexpr auto kHigh = std::numeric_limits<Integer>::max();
+  bool fits = false;
+  if (value.is_number_unsigned()) {
+    const auto whole = value.get<std::uint64_t>();
+    fits = whole <= static_cast<std::uint64_t>(kHigh);
+    if (fits) out = static_cast<Integer>(whole);
+  } else if (value.is_number_integer()) {  // negative
+    const auto whole = value.get<std::int64_t>();
+    fits = std::is_signed_v<Integer> && whole >= static_cast<std::int64_t>(kLow);
+    if (fits) out = static_cast<Integer>(whole);
+  } else {  // 7.0 is a whole number too; beyond 2^53 it may not be the one that was meant
+    const auto real = value.get<double>();
+    fits = std::floor(real) == real && real >= static_cast<double>(kLow) &&
+           real <= std::min(static_cast<double>(kHigh), 9007199254740992.0);
+    if (fits) out = static_cast<Integer>(real);
+  }
+  return fits ? "" : name + " is " + value.dump() + "; it must be a whole number" + range;
+}
+
+constexpr const char* kSeedRange = " from 0 to 18446744073709551615";
+
+/// Reads the value of a field, by the kind of field.
+struct ReadValue {
+  const Setting& setting;
+  const Field& field;
+  const Json& value;
+  const std::string name;
+
+  std::string operator()(std::monostate /*not there*/) const { return ""; }
+  std::string operator()(double* out) const { return readNumber(value, name, *out); }
+  std::string operator()(int* out) const {
+    return wholeNumber(value, name, *out, " from " + numberText(setting.low) + " to " + numberText(setting.high));
+  }
+  std::string operator()(std::uint64_t* out) const { return readInteger(value, name, *out); }
+  std::string operator()(bool* out) const {
+    return setting.type == SettingType::Choice ? choice() : readFlag(value, name, *out);
+  }
+  std::string operator()(std::string* out) const { return readText(value, name, *out); }
+  std::string operator()(Vec2* out) const {
+    if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) {
+      return wrongType(name, "two numbers [x, y]", value);
+    }
+    *out = {value[0].get<double>(), value[1].get<double>()};
+    return "";
+  }
+  std::string operator()(std::optional<double>* out) const {
+    if (!value.is_number() && !value.is_null()) return wrongType(name, "a number or null", value);
+    *out = value.is_null() ? std::nullopt : std::optional(value.get<double>());
+    return "";
+  }
+  std::string operator()(std::optional<Vec2>* out) const {
+    if (value.is_null()) {
+      out->reset();
+      return "";
+    }
+    Vec2 read;
+    std::string wrong = (*this)(&read);
+    if (wrong.empty()) *out = read;
+    return wrong;
+  }
+  std::string operator()(std::vector<LampPicture>* out) const {
+    if (!value.is_array()) return wrongType(name, "a list of pictures", value);
+    std::vector<LampPicture> read;
+    for (const Json& one : value) {
+      const std::string path = name + "[" + std::to_string(read.size()) + "]";
+      if (!one.is_object()) return wrongType(path, "an object with file and lamp", one);
+      LampPicture& picture = read.emplace_back();
+      if (std::string wrong = unknownKey(one, path + ".", {"file", "lamp"}, {}); !wrong.empty()) return wrong;
+      if (!one.contains("file")) return path + " has no file; it must name a picture";
+      if (std::string wrong = readText(one["file"], path + ".file", picture.file); !wrong.empty()) return wrong;
+      if (!one.contains("lamp")) continue;
+      const ReadValue lamp{setting, field, one["lamp"], path + ".lamp"};
+      if (std::string wrong = lamp(&picture.lamp); !wrong.empty()) return wrong;
+    }
+    *out = std::move(read);
+    return "";
+  }
+  std::string operator()(const ChoiceField& /*out*/) const { return choice(); }
+
+  std::string choice() const {
+    if (!value.is_string()) return wrongType(name, choicesText(setting), value);
+    const auto& text = value.get_ref<const std::string&>();
+    const std::vector<std::string> words = splitWords(setting.choices);
+    const auto found = std::find(words.begin(), words.end(), text);
+    if (found == words.end()) return name + " is " + inQuotes(text) + "; it must be " + choicesText(setting);
+    choose(field, static_cast<std::size_t>(found - words.begin()));
+    return "";
+  }
+};
+
+/// Lays the values of a preset or profile under those that follow.
+std::string applyNamed(const Setting& setting, const std::string& id, const SettingsView& view) {
+  if (id.empty()) return "";
+  if (setting.section == Section::Toolpath) return applyPreset(id, *view.toolpath);
+  const bool printer = setting.key == std::string_view("profile");
+  return applyProfile(printer ? ProfileKind::Printer : ProfileKind::Filament, id, *view.printer);
+}
+
+std::string readSetting(const Setting& setting, const Json& value, const std::string& name, const SettingsView& view) {
+  const Field field = setting.field(view);
+  if (setting.type != SettingType::Name) return std::visit(ReadValue{setting, field, value, name}, field);
+  std::string id;
+  if (std::string wrong = readText(value, name, id); !wrong.empty()) return wrong;
+  if (std::string* const* out = std::get_if<std::string*>(&field)) **out = id;
+  const std::string wrong = applyNamed(setting, id, view);
+  return wrong.empty() ? "" : name + ": " + wrong;
+}
+
+}  // namespace
+
+const char* typeName(const Json& value) {
+  if (value.is_null()) return "null";
+  if (value.is_boolean()) return "true or false";
+  if (value.is_number()) return "a number";
+  if (value.is_string()) return "text";
+  return value.is_array() ? "a list" : "an object";
+}
+
+std::string readText(const Json& value, const std::string& name, std::string& out) {
+  if (!value.is_string()) return wrongType(name, "text", value);
+  out = value.get_ref<const std::string&>();
+  return "";
+}
+
+std::string readFlag(const Json& value, const std::string& name, bool& out) {
+  if (!value.is_boolean()) return wrongType(name, "true or false", value);
+  out = value.get<bool>();
+  return "";
+}
+
+std::string readNumber(const Json& value, const std::string& name, double& out) {
+  if (!value.is_number()) return wrongType(name, "a number", value);
+  out = value.get<double>();
+  return "";
+}
+
+std::string readInteger(const Json& value, const std::string& name, int& out) {
+  return wholeNumber(value, name, out, "");
+}
+
+std::string readInteger(const Json& value, const std::string& name, std::uint64_t& out) {
+  return wholeNumber(value, name, out, kSeedRange);
+}
+
+std::string unknownKey(const Json& object, const std::string& prefix, const std::vector<std::string>& known,
+                       const std::vector<std::string>& old) {
+  for (const auto& item : object.items()) {
+    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
+    if (std::find(old.begin(), old.end(), item.key()) != old.end()) continue;
+    return "unknown key " + inQuotes(prefix + item.key()) + "; " + suggestion(item.key(), known);
+  }
+  return "";
+}
+
+std::string readSection(const Json& value, Section section, const SettingsView& view) {
+  const std::string sectionText = sectionName(section);
+  if (!value.is_object()) return wrongType(sectionText, "an object", value);
+  std::vector<std::string> known;
+  std::vector<std::string> old;
+  for (const Setting& setting : settings()) {
+    if (setting.section != section) continue;
+    known.emplace_back(setting.key);
+    std::string used;
+    std::vector<std::string> keys = splitWords(setting.oldKeys);
+    old.insert(old.end(), keys.begin(), keys.end());
+    keys.insert(keys.begin(), setting.key);
+    for (const std::string& key : keys) {
+      const auto found = value.find(key);
+      if (found == value.end()) continue;
+      const std::string name = sectionText + "." + key;
+      if (!used.empty()) return name + " is an old name of " + used + "; one of them may be given";
+      used = fullName(setting);
+      if (std::string wrong = readSetting(setting, *found, name, view); !wrong.empty()) return wrong;
+    }
+  }
+  return unknownKey(value, sectionText + ".", known, old);
+}
+
+}  // namespace sillon

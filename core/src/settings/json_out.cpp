@@ -1,0 +1,184 @@
+#include "settings/json_out.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "base/json.hpp"
+#include "base/words.hpp"
+
+namespace sillon {
+namespace {
+
+std::string textJson(const std::string& value) {
+  // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
+  return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The value of a field as JSON. \param pad  what lists are broken into lines with; empty: they stay on one.
+struct ValueJson {
+  const Setting& setting;
+  const Field& field;
+  std::string pad;
+
+  std::string operator()(std::monostate /*not there*/) const { return "null"; }
+  std::string operator()(const double* value) const { return numberText(*value); }
+  std::string operator()(const int* value) const { return std::to_string(*value); }
+  std::string operator()(const std::uint64_t* value) const { return std::to_string(*value); }
+  std::string operator()(const bool* value) const {
+    if (setting.type == SettingType::Choice) return choice();
+    return *value ? "true" : "false";
+  }
+  std::string operator()(const std::string* value) const { return textJson(*value); }
+  std::string operator()(const Vec2* value) const {
+    if (pad.empty()) return pairText(*value);
+    return "[\n" + pad + "  " + numberText(value->x) + ",\n" + pad + "  " + numberText(value->y) + "\n" + pad + "]";
+  }
+  std::string operator()(const std::optional<double>* value) const { return *value ? numberText(**value) : "null"; }
+  std::string operator()(const std::optional<Vec2>* value) const { return *value ? (*this)(&**value) : "null"; }
+  std::string operator()(const std::vector<LampPicture>* value) const {
+    std::string out;
+    for (const LampPicture& picture : *value) {
+      const std::string lamp = picture.lamp ? pairText(*picture.lamp) : "null";
+      out +=
+          (out.empty() ? "\n" : ",\n") + pad + "  {\"file\": " + textJson(picture.file) + ", \"lamp\": " + lamp + "}";
+    }
+    return out.empty() ? "[]" : "[" + out + "\n" + pad + "]";
+  }
+  std::string operator()(const ChoiceField& /*value*/) const { return choice(); }
+
+  std::string choice() const { return "\"" + splitWords(setting.choices).at(chosen(field)) + "\""; }
+};
+
+const char* typeName(SettingType type) {
+  switch (type) {
+    case SettingType::Number:
+      return "number";
+    case SettingType::Integer:
+      return "integer";
+    case SettingType::Flag:
+      return "flag";
+    case SettingType::Choice:
+      return "choice";
+    case SettingType::Pair:
+      return "pair";
+    case SettingType::IntegerPair:
+      return "integer pair";
+    case SettingType::Text:
+      return "text";
+    case SettingType::Block:
+      return "block";
+    case SettingType::PictureList:
+      return "pictures";
+    case SettingType::Name:
+      break;
+  }
+  return "name";
+}
+
+const char* levelName(Level level) {
+  return level == Level::Basic ? "basic" : level == Level::Advanced ? "advanced" : "expert";
+}
+
+std::string listJson(const char* words) {
+  std::string out;
+  for (const std::string& word : splitWords(words)) out += (out.empty() ? "\"" : ", \"") + word + "\"";
+  return "[" + out + "]";
+}
+
+/// Text is quoted; numbers and lists are not.
+void add(std::string& object, const char* key, const std::string& json) {
+  object += std::string(object.empty() ? "" : ", ") + "\"" + key + "\": " + json;
+}
+
+std::string settingJson(const Setting& setting, const Field& field) {
+  const SettingType type = setting.type;
+  const bool number = type == SettingType::Number || type == SettingType::Integer || type == SettingType::Pair ||
+                      type == SettingType::IntegerPair;
+  const bool nullable =
+      std::holds_alternative<std::optional<double>*>(field) || std::holds_alternative<std::optional<Vec2>*>(field);
+  std::string out;
+  add(out, "section", textJson(sectionName(setting.section)));
+  add(out, "key", textJson(setting.key));
+  add(out, "type", textJson(typeName(type)));
+  add(out, "level", textJson(levelName(setting.level)));
+  if (!std::holds_alternative<std::monostate>(field)) {
+    add(out, "default", std::visit(ValueJson{setting, field, ""}, field));
+  }
+  if (nullable) add(out, "nullable", "true");
+  if (*setting.unit != '\0') add(out, "unit", textJson(setting.unit));
+  const bool seed = std::holds_alternative<std::uint64_t*>(field);  // its end is no double
+  if (number) add(out, "low", numberText(setting.low));
+  if (number) add(out, "high", seed ? std::to_string(UINT64_MAX) : numberText(setting.high));
+  const bool text = type == SettingType::Text || type == SettingType::Block;
+  if (text && setting.high > 0) add(out, "maxBytes", numberText(setting.high));
+  if (*setting.choices != '\0') add(out, "choices", listJson(setting.choices));
+  add(out, "label", textJson(setting.label));
+  add(out, "help", textJson(setting.help));
+  if (*setting.option != '\0') add(out, "option", textJson(setting.option));
+  if (*setting.oldKeys != '\0') add(out, "oldKeys", listJson(setting.oldKeys));
+  if (*setting.oldOptions != '\0') add(out, "oldOptions", listJson(setting.oldOptions));
+  return "    {" + out + "}";
+}
+
+}  // namespace
+
+std::string numberText(double value) {
+  if (std::isnan(value)) return "not a number";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
+  std::string text = Json(value).dump();  // shortest form, the same in every locale
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  return text;
+}
+
+std::string pairText(Vec2 value) {
+  std::string out = "[";  // GCC 12 warns of "[" + numberText() here
+  return out += numberText(value.x) + ", " + numberText(value.y) + "]";
+}
+
+std::string choicesText(const Setting& setting) {
+  const std::vector<std::string> words = splitWords(setting.choices);
+  std::string out;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    out += (k == 0 ? "" : k + 1 == words.size() ? " or " : ", ") + inQuotes(words[k]);
+  }
+  return out;
+}
+
+std::string settingText(const Setting& setting, const Project& project) {
+  const Field field = setting.field(viewOf(const_cast<Project&>(project)));
+  if (std::holds_alternative<std::monostate>(field)) return "";
+  if (std::string* const* text = std::get_if<std::string*>(&field)) return **text;
+  std::string json = std::visit(ValueJson{setting, field, ""}, field);
+  return setting.type == SettingType::Choice ? json.substr(1, json.size() - 2) : json;
+}
+
+std::string projectText(const SettingsView& view) {
+  std::string out = "{\n  \"sillon\": 1";
+  const char* open = "";
+  for (const Setting& setting : settings()) {
+    const Field field = setting.field(view);
+    if (std::holds_alternative<std::monostate>(field)) continue;
+    const char* section = sectionName(setting.section);
+    if (std::string_view(section) == open) {
+      out += ",\n";
+    } else {
+      out += std::string(*open == '\0' ? "" : "\n  }") + ",\n  \"" + section + "\": {\n";
+      open = section;
+    }
+    out += std::string("    \"") + setting.key + "\": " + std::visit(ValueJson{setting, field, "    "}, field);
+  }
+  return out + (*open == '\0' ? "" : "\n  }") + "\n}\n";
+}
+
+std::string settingsJson() {
+  Project defaults;
+  const SettingsView view = viewOf(defaults);
+  std::string out;
+  for (const Setting& setting : settings()) {
+    out += (out.empty() ? "" : ",\n") + settingJson(setting, setting.field(view));
+  }
+  return "{\n  \"version\": 1,\n  \"settings\": [\n" + out + "\n  ]\n}\n";
+}
+
+}  // namespace sillon

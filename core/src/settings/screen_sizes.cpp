@@ -1,0 +1,50 @@
+#include "sillon/settings/screen_sizes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kMostPictures = 8;
+
+// "WxH", "WxH/PNG" or "WxH/QOI"; width 0 if it is none of them.
+ThumbnailSize sizeFrom(std::string_view word) {
+  ThumbnailSize size;
+  const char* end = word.data() + word.size();
+  const auto width = std::from_chars(word.data(), end, size.width);
+  if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return {};
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc{}) return {};
+  const std::string_view format(height.ptr, static_cast<std::size_t>(end - height.ptr));
+  if (format == "/QOI") {
+    size.format = ThumbnailFormat::Qoi;
+  } else if (!format.empty() && format != "/PNG") {
+    return {};
+  }
+  const auto shown = [](int side) { return side >= 16 && side <= 1024; };
+  return shown(size.width) && shown(size.height) ? size : ThumbnailSize{};
+}
+
+}  // namespace
+
+Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text) {
+  std::vector<ThumbnailSize> sizes;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    std::string_view word = text.substr(0, comma);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
+    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
+    const ThumbnailSize size = sizeFrom(word);
+    if (size.width == 0 || sizes.size() == kMostPictures) {
+      return Error{ErrorCode::InvalidArgument,
+                   "screenSizes must be at most 8 sizes of 16 to 1024 pixels, such as \"16x16/QOI, 300x300/PNG\""};
+    }
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
+}  // namespace sillon

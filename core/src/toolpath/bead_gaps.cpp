@@ -1,0 +1,130 @@
+#include "sillon/toolpath/bead_gaps.hpp"
+
+#include <cmath>
+
+#include "base/parallel_for.hpp"
+#include "base/simd.hpp"
+#include "geometry/closed_curves.hpp"
+#include "geometry/point_grid.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kOwnChain = 4;          ///< points tau/4 apart
+constexpr float kTight = 0.3f;        ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
+constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
+
+// Curvatures 1/g of the touching circles, the largest on either side.
+struct Nearest {
+  float left;
+  float right;
+  float distance2;  ///< to the nearest point of another piece
+};
+
+float laneMin(F4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
+float laneMax(F4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
+
+// Over all sorted points: (N . to) / |to|² is the signed curvature of the circle through `to` touching the path at p.
+Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int point, int first, int size) {
+  F4 left = splat(1 / cap);
+  F4 right = splat(1 / cap);
+  F4 closest = splat(cap * cap);
+  const F4 px = splat(p.x);
+  const F4 py = splat(p.y);
+  const F4 nx = splat(normal.x);
+  const F4 ny = splat(normal.y);
+  const OwnChain own(point, first, size, kOwnChain);
+  grid.around(p, cap, [&](int from, int to) {
+    for (int k = from; k < to; k += 4) {
+      const std::size_t s = static_cast<std::size_t>(k);
+      const F4 dx = load4(&grid.x[s]) - px;
+      const F4 dy = load4(&grid.y[s]) - py;
+      const I4 id = load4(&grid.id[s]);
+      const F4 distance2 = max4(dx * dx + dy * dy, splat(1e-12f));
+      const I4 ownChain = own.holds(id);
+      const F4 curvature = select4(ownChain, splat(0), (nx * dx + ny * dy) / distance2);
+      closest = min4(closest, select4(ownChain, splat(1e9f), distance2));
+      left = max4(left, curvature);
+      right = max4(right, -curvature);
+    }
+  });
+  return {laneMax(left), laneMax(right), laneMin(closest)};
+}
+
+// Whether one of the next segments within the own chain heads backwards: only then can it meet this one.
+bool turnsBack(const ClosedCurves& curves, int curve, int point) {
+  const auto at = [&](int k) { return curves.points[static_cast<std::size_t>(k)]; };
+  int next = nextOf(curves, curve, point);
+  const Vec2f first = at(next) - at(point);
+  bool back = false;
+  for (int k = 1; k <= kOwnChain + 1; ++k) {
+    const int after = nextOf(curves, curve, next);
+    back = back || dot(first, at(after) - at(next)) < 0;
+    next = after;
+  }
+  return back;
+}
+
+// A segment that turns back meets one of those that follow: both are tight.
+void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    int left = 0;
+    for (int k = std::max(0, n - kOwnChain - 1); k < 2 * n; ++k) {  // from before the first point on
+      const std::size_t i = static_cast<std::size_t>(first + (k < n ? k : k - n));
+      if (tight[i] == 1) {
+        left = kOwnChain + 1;
+      } else if (left > 0) {
+        tight[i] = 2;
+        --left;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
+  const Vec2f chord = curves.points[static_cast<std::size_t>(nextOf(curves, curve, point))] -
+                      curves.points[static_cast<std::size_t>(previousOf(curves, curve, point))];
+  const float size = length(chord);
+  return size > 0 ? chord * (1 / size) : Vec2f{};
+}
+
+BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
+                  const RunContext& run) {
+  const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
+  const std::size_t count = curves.points.size();
+  BeadGaps gaps{std::vector<float>(count, cap), std::vector<float>(count, cap), std::vector<char>(count, 0)};
+  const float tight = kTight * static_cast<float>(spacing);
+  const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
+  // In path order: the next point's buckets are mostly the same.
+  parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const std::size_t i = static_cast<std::size_t>(k);
+      const int curve = curveOf[i];
+      const Vec2f tangent = tangentAt(curves, curve, static_cast<int>(i));
+      const Vec2f normal{-tangent.y, tangent.x};
+      const Vec2f p = curves.points[i];
+      Nearest nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
+                                  curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
+      const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
+        const NearestBorder b = border.nearest(at);
+        const float along = dot(b.normal, normal);
+        if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
+          const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
+          (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
+        }
+      }
+      gaps.tight[i] = nearest.distance2 < tight * tight || turnsBack(curves, curve, static_cast<int>(i)) ? 1 : 0;
+      gaps.left[i] = 1 / nearest.left;
+      gaps.right[i] = 1 / nearest.right;
+    }
+  });
+  markFollowing(curves, gaps.tight);
+  return gaps;
+}
+
+}  // namespace sillon

@@ -1,0 +1,267 @@
+#include "toolpath/joining.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/closed_curves.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kLengthCost = 0.65f;  ///< cost of a mm of added length
+
+std::uint64_t packed(int x, int y) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
+}
+
+}  // namespace
+
+Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineField& lines, const BorderIndex& border,
+                 const ToolpathParams& params)
+    : curves_(curves),
+      grid_(grid),
+      lines_(lines),
+      border_(border),
+      spacing_(static_cast<float>(params.spacing)),
+      alignmentCost_(static_cast<float>(params.stitchAlignment)),
+      curveOf_(curveOfPoints(curves)),
+      next_(curves.points.size()),
+      used_(curves.points.size(), kFree),
+      root_(static_cast<std::size_t>(curves.count())) {
+  for (int c = 0; c < curves.count(); ++c) {
+    for (int k = 0; k < curves.size(c); ++k) {
+      const int point = curves.begin[static_cast<std::size_t>(c)] + k;
+      next_[static_cast<std::size_t>(point)] = nextOf(curves, c, point);
+    }
+  }
+  std::iota(root_.begin(), root_.end(), 0);
+}
+
+int Joining::setOf(int curve) {
+  while (root_[static_cast<std::size_t>(curve)] != curve) {
+    int& up = root_[static_cast<std::size_t>(curve)];
+    up = root_[static_cast<std::size_t>(up)];
+    curve = up;
+  }
+  return curve;
+}
+
+float Joining::cost(int i, int j, int span) const {
+  const Piece a = pieceAround(i, span);
+  const Piece b = pieceAround(j, span);
+  // Eq. 14. Curves run in opposite senses, so the edges that cross over are the shorter ones.
+  const float added = length(at(a.begin) - at(b.end)) + length(at(b.begin) - at(a.end)) - a.length - b.length;
+  const float misaligned =
+      misalignment(at(a.begin), at(b.end)) + misalignment(at(b.begin), at(a.end)) - misalignment(a) - misalignment(b);
+  return kLengthCost * added + alignmentCost_ * misaligned;
+}
+
+float Joining::outsideLength(int i, int j, int span) const {
+  const Piece a = pieceAround(i, span);
+  const Piece b = pieceAround(j, span);
+  constexpr float kAll = 1e30f;
+  return outsideLength(Edge{a.begin, b.end}, kAll) + outsideLength(Edge{b.begin, a.end}, kAll);
+}
+
+bool Joining::join(const Candidate& candidate, float gap) {
+  const int si = setOf(curveOf(candidate.i));
+  const int sj = setOf(curveOf(candidate.j));
+  if (si == sj) return false;
+  const Piece a = pieceAround(candidate.i, candidate.span);
+  const Piece b = pieceAround(candidate.j, candidate.span);
+  if (touchesUsed(a) || touchesUsed(b)) return false;
+  const Edge e{a.begin, b.end};
+  const Edge f{b.begin, a.end};
+  const float outsideE = outsideLength(e, gap);
+  if (outsideE > gap) return false;
+  const float outsideF = outsideLength(f, gap);
+  if (outsideF > gap) return false;
+  if (segmentsMeet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
+  markUsed(a);
+  markUsed(b);  // taken out, so that the new edges may pass over them
+  // The middle too: where nearly all of a tiny cycle is taken out, the edges may pass round what is left of it, which
+  // turns the cycle inside out, and then no joint fits it any more.
+  const Edge middle{candidate.i, candidate.j};
+  if (meetsLiveEdge(e, f) || meetsLiveEdge(f, e) || meetsLiveEdge(middle, middle)) {
+    unmark(a);
+    unmark(b);
+    return false;
+  }
+  next_[static_cast<std::size_t>(e.from)] = e.to;
+  next_[static_cast<std::size_t>(f.from)] = f.to;
+  gapJoints_ += outsideE + outsideF > 0 ? 1 : 0;
+  for (const Edge& edge : {e, f}) {
+    addJoint(edge);
+    longest_ = std::max(longest_, length(at(edge.from) - at(edge.to)));
+  }
+  root_[static_cast<std::size_t>(std::max(si, sj))] = std::min(si, sj);
+  return true;
+}
+
+ClosedCurves Joining::joined() const {
+  ClosedCurves out;
+  for (int c = 0; c < curves_.count(); ++c) {
+    if (root_[static_cast<std::size_t>(c)] != c) continue;
+    // Begin at a point that is still part of the path.
+    int start = curves_.begin[static_cast<std::size_t>(c)];
+    while (start < curves_.begin[static_cast<std::size_t>(c) + 1] && inner(start)) ++start;
+    out.begin.push_back(static_cast<int>(out.points.size()));
+    int k = start;
+    do {
+      out.points.push_back(at(k));
+      k = next_[static_cast<std::size_t>(k)];
+    } while (k != start);
+  }
+  out.begin.push_back(static_cast<int>(out.points.size()));
+  return out;
+}
+
+Joining::Piece Joining::pieceAround(int point, int wanted) const {
+  const int curve = curveOf(point);
+  const int first = curves_.begin[static_cast<std::size_t>(curve)];
+  const int n = curves_.size(curve);
+  const int span = std::min(wanted, n / 2);
+  const int begin = first + (point - first - span / 2 + n) % n;
+  const int end = first + (begin - first + span) % n;
+  Piece piece{begin, end, span, 0};
+  forSegments(piece, [&](int a, int b) { piece.length += length(at(a) - at(b)); });
+  return piece;
+}
+
+template <class Visit>
+void Joining::forSegments(const Piece& piece, const Visit& visit) const {
+  const int curve = curveOf(piece.begin);
+  int a = piece.begin;
+  for (int k = 0; k < piece.segments; ++k) {
+    const int b = nextOf(curves_, curve, a);
+    visit(a, b);
+    a = b;
+  }
+}
+
+// Length times sin² of the angle to the wanted bead: the part of it along d.
+float Joining::misalignment(Vec2f a, Vec2f b) const {
+  const Vec2f e = b - a;
+  const float size = length(e);
+  if (size <= 0) return 0;
+  const Grid& grid = lines_.grid;
+  const double x = (0.5 * static_cast<double>(a.x + b.x) - grid.origin.x) / grid.cell;
+  const double y = (0.5 * static_cast<double>(a.y + b.y) - grid.origin.y) / grid.cell;
+  const int cx = std::clamp(static_cast<int>(x), 0, grid.nx - 1);
+  const int cy = std::clamp(static_cast<int>(y), 0, grid.ny - 1);
+  const float across = dot(e, lines_.direction[grid.index(cx, cy)]);
+  return across * across / size;
+}
+
+float Joining::misalignment(const Piece& piece) const {
+  float sum = 0;
+  forSegments(piece, [&](int a, int b) { sum += misalignment(at(a), at(b)); });
+  return sum;
+}
+
+bool Joining::touchesUsed(const Piece& piece) const {
+  bool touches = used(piece.begin);
+  forSegments(piece, [&](int, int b) { touches = touches || used(b); });
+  return touches;
+}
+
+void Joining::markUsed(const Piece& piece) {
+  forSegments(piece, [&](int, int b) { used_[static_cast<std::size_t>(b)] = kInner; });
+  used_[static_cast<std::size_t>(piece.begin)] = kEnd;
+  used_[static_cast<std::size_t>(piece.end)] = kEnd;
+}
+
+void Joining::unmark(const Piece& piece) {
+  used_[static_cast<std::size_t>(piece.begin)] = kFree;
+  forSegments(piece, [&](int, int b) { used_[static_cast<std::size_t>(b)] = kFree; });
+}
+
+// An edge of a curve is live unless it was taken out with a piece.
+bool Joining::live(int point) const {
+  const int next = nextOf(curves_, curveOf(point), point);
+  return next_[static_cast<std::size_t>(point)] == next && !inner(point) && !inner(next);
+}
+
+// Stretch by stretch, so that a long edge costs its length and not the square of it.
+bool Joining::meetsLiveEdge(const Edge& edge, const Edge& sibling) const {
+  const Vec2f a = at(edge.from);
+  const Vec2f b = at(edge.to);
+  const float size = length(b - a);
+  const int stretches = static_cast<int>(size / (4 * spacing_)) + 1;
+  const float half = 0.5f * size / static_cast<float>(stretches);
+  // Points sit tau/4 apart, so an edge that meets a stretch begins within this reach of its middle.
+  const float reach = half + 0.5f * spacing_;
+  // A joint is registered within tau/2 of every place on it, a quarter of a cell.
+  const int cells = half > spacing_ ? 2 : 1;
+  for (int k = 0; k < stretches; ++k) {
+    const Vec2f middle = a + (b - a) * ((static_cast<float>(k) + 0.5f) / static_cast<float>(stretches));
+    if (meetsCurve(edge, middle, reach) || meetsJoint(edge, sibling, middle, cells)) return true;
+  }
+  return false;
+}
+
+bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
+  bool meets = false;
+  grid_.around(middle, reach, [&](int begin, int end) {
+    for (int k = begin; k < end && !meets; ++k) {
+      const int p = grid_.id[static_cast<std::size_t>(k)];
+      const int q = nextOf(curves_, curveOf(p), p);
+      if (p == edge.from || p == edge.to || q == edge.from || q == edge.to || !live(p)) continue;
+      meets = segmentsMeet(at(edge.from), at(edge.to), at(p), at(q));
+    }
+  });
+  return meets;
+}
+
+bool Joining::meetsJoint(const Edge& edge, const Edge& sibling, Vec2f middle, int cells) const {
+  const auto key = jointCell(middle);
+  for (int dy = -cells; dy <= cells; ++dy) {
+    for (int dx = -cells; dx <= cells; ++dx) {
+      const auto found = joints_.find(packed(key.first + dx, key.second + dy));
+      if (found == joints_.end()) continue;
+      for (const Edge& other : found->second) {
+        if (other.from == sibling.from && other.to == sibling.to) continue;
+        if (segmentsMeet(at(edge.from), at(edge.to), at(other.from), at(other.to))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// From the middle outwards, where a gap lies: what is more than `enough` need not be known.
+float Joining::outsideLength(const Edge& edge, float enough) const {
+  const Vec2 a{static_cast<double>(at(edge.from).x), static_cast<double>(at(edge.from).y)};
+  const Vec2 b{static_cast<double>(at(edge.to).x), static_cast<double>(at(edge.to).y)};
+  const double size = length(b - a);
+  const int samples = static_cast<int>(size / (static_cast<double>(spacing_) / 16)) + 1;
+  float outside = 0;
+  int count = 0;
+  for (int n = 1; n < samples && outside <= enough; ++n) {
+    const int k = samples / 2 + (n % 2 == 0 ? n / 2 : -(n / 2));
+    const Vec2 p = a + (b - a) * (static_cast<double>(k) / samples);
+    count += border_.outside(p) ? 1 : 0;
+    outside = static_cast<float>(count * size / samples);
+  }
+  return outside;
+}
+
+std::pair<int, int> Joining::jointCell(Vec2f p) const {
+  const float size = 2 * spacing_;
+  return {static_cast<int>(std::floor(p.x / size)), static_cast<int>(std::floor(p.y / size))};
+}
+
+// Registered in the cells it passes, by samples half a cell apart.
+void Joining::addJoint(const Edge& edge) {
+  const Vec2f a = at(edge.from);
+  const Vec2f b = at(edge.to);
+  const int steps = static_cast<int>(length(b - a) / spacing_) + 1;
+  std::pair<int, int> last{INT32_MIN, INT32_MIN};
+  for (int k = 0; k <= steps; ++k) {
+    const auto key = jointCell(a + (b - a) * (static_cast<float>(k) / static_cast<float>(steps)));
+    if (key != last) joints_[packed(key.first, key.second)].push_back(edge);
+    last = key;
+  }
+}
+
+}  // namespace sillon

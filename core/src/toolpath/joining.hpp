@@ -1,0 +1,99 @@
+// Closed curves while they are being joined: which of them are one already, and whether a joint is possible (Sec. 5.5).
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "geometry/point_grid.hpp"
+#include "sillon/field/line_field.hpp"
+#include "sillon/geometry/signed_distance.hpp"
+#include "sillon/settings/toolpath_params.hpp"
+
+namespace sillon {
+
+/// A joint that may be made: a piece of each of two curves is taken out, and two new edges close the gap crosswise.
+struct Candidate {
+  float cost;
+  int i;     ///< middle of the piece of one curve
+  int j;     ///< of the other
+  int span;  ///< segments taken out of each
+};
+
+/// Curves whose pieces are taken out and closed crosswise, one pair after the other. The points never move. A set is
+/// what has become one curve by joints; it is named by its lowest curve.
+class Joining {
+ public:
+  /// All arguments must outlive this. \param grid  the points of `curves`.
+  Joining(const ClosedCurves& curves, const PointGrid& grid, const LineField& lines, const BorderIndex& border,
+          const ToolpathParams& params);
+
+  [[nodiscard]] int curveOf(int point) const { return curveOf_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] int setOf(int curve);
+  /// Whether a joint has used the point, as an end or by taking it out: no other may.
+  [[nodiscard]] bool used(int point) const { return used_[static_cast<std::size_t>(point)] != kFree; }
+  [[nodiscard]] Vec2f at(int point) const { return curves_.points[static_cast<std::size_t>(point)]; }
+
+  /// What joining the pieces of `span` segments around i and j costs [mm]: 0.65 of the length it adds (Eq. 14), and
+  /// `stitchAlignment` of the misaligned length it adds.
+  [[nodiscard]] float cost(int i, int j, int span) const;
+  /// Length of the two new edges that lies outside the shape [mm], by samples tau/16 apart.
+  [[nodiscard]] float outsideLength(int i, int j, int span) const;
+
+  /// Joins if nothing stands against it: the curves are of two sets, no piece touches a used one, and neither the new
+  /// edges nor the line between the pieces' middles meet another edge. The work grows with the edges' length.
+  /// \param gap  what each new edge may lie outside the shape [mm].
+  bool join(const Candidate& candidate, float gap);
+
+  /// The curves as they are now, one for each set, in order of their lowest curves.
+  [[nodiscard]] ClosedCurves joined() const;
+  [[nodiscard]] float longestJoint() const { return longest_; }  ///< [mm]
+  [[nodiscard]] int gapJoints() const { return gapJoints_; }     ///< joints that lie outside the shape in part
+
+ private:
+  struct Piece {
+    int begin;
+    int end;
+    int segments;
+    float length;  ///< [mm]
+  };
+  struct Edge {
+    int from;
+    int to;
+  };
+  enum Use : char { kFree, kEnd, kInner };
+
+  [[nodiscard]] bool inner(int point) const { return used_[static_cast<std::size_t>(point)] == kInner; }
+  [[nodiscard]] Piece pieceAround(int point, int wanted) const;
+  template <class Visit>
+  void forSegments(const Piece& piece, const Visit& visit) const;
+  [[nodiscard]] float misalignment(Vec2f a, Vec2f b) const;
+  [[nodiscard]] float misalignment(const Piece& piece) const;
+  [[nodiscard]] bool touchesUsed(const Piece& piece) const;
+  void markUsed(const Piece& piece);
+  void unmark(const Piece& piece);
+  [[nodiscard]] bool live(int point) const;
+  [[nodiscard]] bool meetsLiveEdge(const Edge& edge, const Edge& sibling) const;
+  [[nodiscard]] bool meetsCurve(const Edge& edge, Vec2f middle, float reach) const;
+  [[nodiscard]] bool meetsJoint(const Edge& edge, const Edge& sibling, Vec2f middle, int cells) const;
+  [[nodiscard]] float outsideLength(const Edge& edge, float enough) const;
+  [[nodiscard]] std::pair<int, int> jointCell(Vec2f p) const;
+  void addJoint(const Edge& edge);
+
+  const ClosedCurves& curves_;
+  const PointGrid& grid_;
+  const LineField& lines_;
+  const BorderIndex& border_;
+  float spacing_;
+  float alignmentCost_;
+  std::vector<std::int32_t> curveOf_;
+  std::vector<int> next_;  ///< along the curves as joined
+  std::vector<Use> used_;
+  std::vector<int> root_;                                        ///< of the sets, for union and find
+  std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;  ///< by the cells they pass
+  float longest_ = 0;
+  int gapJoints_ = 0;
+};
+
+}  // namespace sillon

@@ -1,0 +1,166 @@
+#include "sillon/toolpath/relaxation.hpp"
+
+#include <algorithm>
+
+#include "base/free_memory.hpp"
+#include "base/parallel_for.hpp"
+#include "geometry/closed_curves.hpp"
+#include "toolpath/corner_rounding.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kCap =
+    1.5f;  ///< gaps wider than this count as this [tau]; also the width a bead has with nothing beside it
+constexpr float kMaxMove = 0.15f;  ///< per round [tau]
+// Small differences are drift of the spacing, and evening them out tilts beads over long stretches: wave loses 0.0019
+// of alignment per round at a strength of 0.25. What is larger is room that a hairpin left, worth filling at once.
+constexpr float kDrift = 0.24f;          ///< [tau]
+constexpr float kVoidStrength = 0.7f;    ///< of the difference beyond kDrift
+constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where hairpins lie
+constexpr int kAttempts = 8;
+constexpr float kDot = 1.8f;  ///< length of a cycle [tau]
+
+int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
+
+// Instead of Eq. 15, which moves a point half-way to where its neighbours push it: towards the wider side, smoothed
+// along the path with (1, 2, 4, 2, 1) / 10.
+std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, const BorderIndex& border, float spacing,
+                           float strength, const RunContext& run) {
+  const float atBorder = std::max(strength, kBorderStrength);
+  std::vector<Vec2f> raw(curves.points.size());
+  std::vector<Vec2f> moves(curves.points.size());
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    parallelFor(run, n, 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const std::size_t i = static_cast<std::size_t>(first + k);
+        const Vec2f tangent = tangentAt(curves, c, first + k);
+        const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
+        const float part = border.blockDistance(p) < spacing ? atBorder : strength;
+        const float difference = gaps.left[i] - gaps.right[i];
+        const float drift = std::clamp(difference, -kDrift * spacing, kDrift * spacing);
+        const float move =
+            std::clamp(part * drift + kVoidStrength * (difference - drift), -kMaxMove * spacing, kMaxMove * spacing);
+        raw[i] = Vec2f{-tangent.y, tangent.x} * move;
+      }
+    });
+    parallelFor(run, n, 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const auto at = [&](int offset) { return raw[static_cast<std::size_t>(first + wrapped(k + offset, n))]; };
+        moves[static_cast<std::size_t>(first + k)] = (at(-2) + at(2) + (at(-1) + at(1)) * 2.0f + at(0) * 4.0f) * 0.1f;
+      }
+    });
+  }
+  return moves;
+}
+
+// No point may come nearer to the border than a quarter of a spacing, or than it was: back to where it was if it would.
+Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, float spacing) {
+  const Vec2 p{static_cast<double>(to.x), static_cast<double>(to.y)};
+  const float least = 0.25f * spacing;
+  if (border.blockDistance(p) > least) return to;
+  const float after = border.nearest(p).distance;
+  if (after <= -least) return to;
+  const float before = border.nearest({static_cast<double>(from.x), static_cast<double>(from.y)}).distance;
+  return after <= before ? to : from;
+}
+
+// How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
+// keeps them from vanishing, and those that tiny_cycles made are round already.
+std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
+  std::vector<float> share(curves.points.size(), 1.0f);
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const float step =
+        length(curves.points[static_cast<std::size_t>(first) + 1] - curves.points[static_cast<std::size_t>(first)]);
+    if (step * static_cast<float>(curves.size(c)) < kDot * spacing)
+      std::fill_n(share.begin() + first, curves.size(c), 0.0f);
+  }
+  return share;
+}
+
+// Moves and smooths, both scaled per point by `share`.
+ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, const std::vector<float>& share,
+                   const BorderIndex& border, float spacing, float smoothing, const RunContext& run) {
+  ClosedCurves out = curves;
+  for (int c = 0; c < curves.count(); ++c) {
+    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int n = curves.size(c);
+    const auto at = [&](int k) {
+      const std::size_t i = static_cast<std::size_t>(first + wrapped(k, n));
+      return curves.points[i] + moves[i] * share[i];
+    };
+    parallelFor(run, n, 8192, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const std::size_t i = static_cast<std::size_t>(first + k);
+        const Vec2f p = at(k);
+        const Vec2f to = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (smoothing * share[i]);
+        out.points[i] = heldInside(curves.points[i], to, border, spacing);
+      }
+    });
+  }
+  return out;
+}
+
+// Scales `share` by `factor` around the points of `before` that lie where `after` crosses itself.
+void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vector<std::pair<int, int>>& crossings,
+          int reach, float factor, std::vector<float>& share) {
+  const std::vector<std::int32_t> curveOf = curveOfPoints(after);
+  std::vector<char> marked(share.size(), 0);
+  for (const auto& [a, b] : crossings) {
+    for (const int point : {a, b}) {
+      const int c = curveOf[static_cast<std::size_t>(point)];
+      const int n = before.size(c);
+      const int first = before.begin[static_cast<std::size_t>(c)];
+      // Equal arc steps: the same share of the way round is the same place, as the lengths hardly differ.
+      const double part = static_cast<double>(point - after.begin[static_cast<std::size_t>(c)]) / after.size(c);
+      const int middle = static_cast<int>(part * n);
+      for (int k = -std::min(reach, n / 2); k <= std::min(reach, n / 2); ++k) {
+        marked[static_cast<std::size_t>(first + wrapped(middle + k, n))] = 1;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    if (marked[k]) share[k] *= factor;
+  }
+}
+
+}  // namespace
+
+Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, const ToolpathParams& params,
+                             const RunContext& run) {
+  const float spacing = static_cast<float>(params.spacing);
+  const float step = 0.25f * spacing;
+  const float smoothing = static_cast<float>(params.relaxationSmoothing);
+  const float strength = static_cast<float>(params.relaxationStrength);
+  ClosedCurves path = resampledSimply(curves, step, run);
+  release(curves);  // memory peaks in here
+  BeadGaps gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
+  for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
+    const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);
+    std::vector<float> share = sharesOf(path, spacing);
+    for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
+      const ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
+      // Equal steps may cut corners where strands lie near to each other, however little was moved.
+      ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);
+      // Not before the last round: smoothing points hairpins anew.
+      if (round + 1 == params.relaxationRounds) roundKinks(next, border, params.spacing, run);
+      BeadGaps nextGaps = beadGaps(next, border, params.spacing, kCap * spacing, run);
+      // Equal steps meet where points lie near to each other; other segments may be longer.
+      const auto crossings = attempt == 0 ? findCrossings(next, run, nextGaps.tight) : findCrossings(next, run);
+      if (crossings.empty()) {
+        path = std::move(next);
+        gaps = std::move(nextGaps);
+        break;
+      }
+      damp(path, next, crossings, 8 << attempt, attempt < 3 ? 0.5f : 0.0f, share);
+    }
+    run.report((round + 1.0) / params.relaxationRounds);
+  }
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return Relaxed{std::move(path), std::move(gaps)};
+}
+
+}  // namespace sillon

@@ -1,0 +1,285 @@
+#include "sillon/toolpath/stitch.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "base/parallel_for.hpp"
+#include "geometry/closed_curves.hpp"
+#include "geometry/point_grid.hpp"
+#include "toolpath/facing_points.hpp"
+#include "toolpath/joining.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kSpan = 4;           ///< segments taken out of each curve: one spacing, so two beads fit side by side
+constexpr int kFirstStride = 4;    ///< in the first round every fourth point looks for partners: enough for most curves
+constexpr float kOutsideCost = 4;  ///< of a mm outside the shape, against 0.65 of a mm of added length
+constexpr int kMaxRounds = 60;     ///< far more than any plate needs
+constexpr int kMaxGoes = 8;
+
+/// Where partners are looked for. Each search begins only when the one before leads to no joint any more.
+enum class Search {
+  Nearest,         ///< the nearest point on either side
+  Near,            ///< all near points, and shorter pieces
+  AcrossGaps,      ///< the same, and joints may leave the shape by the width of a bridged gap
+  AcrossWideGaps,  ///< from twice as far: facing tips are nearer to each other than the beads in them
+  Facing,          ///< points that face each other, however far, and joints may leave the shape
+};
+
+Search wider(Search search) { return static_cast<Search>(static_cast<int>(search) + 1); }
+
+/// What a search allows; those of Facing have no bounds.
+struct Limits {
+  float reach;           ///< how far apart joined pieces may lie [mm]
+  std::size_t partners;  ///< tried per point
+  int leastSpan;         ///< segments in the shortest piece
+  float gap;             ///< what each edge of a joint may lie outside the shape [mm]
+};
+
+Limits limitsOf(Search search, const ToolpathParams& params) {
+  const float spacing = static_cast<float>(params.spacing);
+  const float reach = 1.8f * spacing;
+  // Gaps are crossed at a slant now and then, and sampled.
+  const float gap = 1.2f * static_cast<float>(params.bridge.value_or(params.spacing)) + 0.125f * spacing;
+  switch (search) {
+    case Search::Nearest:
+      return {reach, 2, kSpan, 0};
+    case Search::Near:
+      return {reach, 6, 1, 0};
+    case Search::AcrossGaps:
+      return {reach, 6, 1, gap};
+    case Search::AcrossWideGaps:
+      return {2 * reach, 24, 1, 2 * gap};
+    case Search::Facing:
+      break;
+  }
+  constexpr float kNone = std::numeric_limits<float>::max();
+  return {kNone, 1, 1, kNone};
+}
+
+// What is to be joined at the beginning of a round.
+struct SetsToJoin {
+  std::vector<int> ofCurve;   ///< set of each curve
+  std::vector<char> open;     ///< curves of parts that are not one set yet
+  std::vector<char> seeking;  ///< those of them outside their part's largest set: they look for partners
+  bool any = false;
+};
+
+SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOfCurve, int parts, Joining& joining) {
+  const std::size_t count = partOfCurve.size();
+  SetsToJoin sets{std::vector<int>(count), std::vector<char>(count, 0), std::vector<char>(count, 0)};
+  std::vector<int> points(count, 0);
+  std::vector<int> setsOfPart(static_cast<std::size_t>(parts), 0);
+  for (std::size_t c = 0; c < count; ++c) {
+    sets.ofCurve[c] = joining.setOf(static_cast<int>(c));
+    points[static_cast<std::size_t>(sets.ofCurve[c])] += curves.size(static_cast<int>(c));
+    if (sets.ofCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0)
+      ++setsOfPart[static_cast<std::size_t>(partOfCurve[c])];
+  }
+  std::vector<int> largest(setsOfPart.size(), -1);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (partOfCurve[c] < 0 || sets.ofCurve[c] != static_cast<int>(c)) continue;
+    int& top = largest[static_cast<std::size_t>(partOfCurve[c])];
+    if (top < 0 || points[c] > points[static_cast<std::size_t>(top)]) top = static_cast<int>(c);
+  }
+  for (std::size_t c = 0; c < count; ++c) {
+    if (partOfCurve[c] < 0 || setsOfPart[static_cast<std::size_t>(partOfCurve[c])] < 2) continue;
+    sets.open[c] = 1;
+    sets.seeking[c] = sets.ofCurve[c] != largest[static_cast<std::size_t>(partOfCurve[c])] ? 1 : 0;
+    sets.any = true;
+  }
+  return sets;
+}
+
+// What a round looks at.
+struct Scene {
+  const ClosedCurves& curves;
+  const PointGrid& grid;
+  const std::vector<int>& curveAt;  ///< curve of each point of the grid
+  const Parts& parts;
+  const std::vector<int>& partOfCurve;
+};
+
+struct Partner {
+  float distance2;
+  int point;
+};
+
+// Free points of other sets of the same part within reach, nearest first. \param nearestOnly  one on either side.
+void findPartners(const Scene& scene, const Joining& joining, const SetsToJoin& sets, const Limits& limits,
+                  bool nearestOnly, int i, std::vector<Partner>& partners) {
+  partners.clear();
+  const int curve = joining.curveOf(i);
+  const std::size_t c = static_cast<std::size_t>(curve);
+  const int own = sets.ofCurve[c];
+  const int part = scene.partOfCurve[c];
+  const Vec2f p = joining.at(i);
+  const Vec2f along = joining.at(nextOf(scene.curves, curve, i)) - p;
+  const float reach2 = limits.reach * limits.reach;
+  Partner nearest[2] = {{reach2, -1}, {reach2, -1}};
+  scene.grid.around(p, limits.reach, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      const std::size_t s = static_cast<std::size_t>(k);
+      const Vec2f to{scene.grid.x[s] - p.x, scene.grid.y[s] - p.y};
+      const float distance2 = dot(to, to);
+      Partner& best = nearest[cross(along, to) > 0 ? 1 : 0];
+      if (distance2 > (nearestOnly ? best.distance2 : reach2)) continue;
+      const std::size_t other = static_cast<std::size_t>(scene.curveAt[s]);
+      const int j = scene.grid.id[s];
+      if (sets.ofCurve[other] == own || scene.partOfCurve[other] != part || joining.used(j)) continue;
+      if (!nearestOnly) {
+        partners.push_back({distance2, j});
+      } else if (distance2 < best.distance2 || best.point < 0 || j < best.point) {
+        best = {distance2, j};
+      }
+    }
+  });
+  for (const Partner& partner : nearest) {
+    if (partner.point >= 0) partners.push_back(partner);
+  }
+  std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
+    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.point < b.point;
+  });
+  if (partners.size() > limits.partners) partners.resize(limits.partners);
+}
+
+// Calls find(begin, end, candidates) for ranges of [0, count) on the run's threads. \return the candidates, cheapest
+// first.
+template <class Find>
+std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Find& find) {
+  constexpr int kGrain = 4096;
+  std::vector<std::vector<Candidate>> found(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
+  parallelFor(run, count, kGrain,
+              [&](int begin, int end) { find(begin, end, found[static_cast<std::size_t>(begin / kGrain)]); });
+  std::vector<Candidate> candidates;
+  for (const std::vector<Candidate>& some : found) candidates.insert(candidates.end(), some.begin(), some.end());
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.cost != b.cost ? a.cost < b.cost : (a.i != b.i ? a.i < b.i : (a.j != b.j ? a.j < b.j : a.span > b.span));
+  });
+  return candidates;
+}
+
+// Joints with neighbours of each point that seeks.
+std::vector<Candidate> nearCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
+                                      const Limits& limits, bool nearestOnly, int stride, const RunContext& run) {
+  const int count = static_cast<int>(scene.curves.points.size());
+  return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
+    std::vector<Partner> partners;
+    for (int i = begin; i < end; ++i) {
+      const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
+      if (!sets.seeking[c] || (i - scene.curves.begin[c]) % stride != 0 || joining.used(i)) continue;
+      findPartners(scene, joining, sets, limits, nearestOnly, i, partners);
+      for (const Partner& partner : partners) {
+        for (int span = kSpan; span >= limits.leastSpan; span /= 2)
+          out.push_back({joining.cost(i, partner.point, span), i, partner.point, span});
+      }
+    }
+  });
+}
+
+// Joints between points that face each other: inside the shape if they can be.
+std::vector<Candidate> facingCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
+                                        const RunContext& run) {
+  std::vector<int> setOfPoint(scene.curves.points.size(), -1);
+  for (std::size_t i = 0; i < setOfPoint.size(); ++i) {
+    const std::size_t c = static_cast<std::size_t>(joining.curveOf(static_cast<int>(i)));
+    if (sets.open[c] && !joining.used(static_cast<int>(i))) setOfPoint[i] = sets.ofCurve[c];
+  }
+  const std::vector<std::pair<int, int>> pairs = facingPoints(scene.parts, scene.curves.points, setOfPoint);
+  const int count = static_cast<int>(pairs.size());
+  return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
+    for (int k = begin; k < end; ++k) {
+      const auto& [i, j] = pairs[static_cast<std::size_t>(k)];
+      for (int span = kSpan; span >= 1; span /= 2)
+        out.push_back({joining.cost(i, j, span) + kOutsideCost * joining.outsideLength(i, j, span), i, j, span});
+    }
+  });
+}
+
+// As Stitched::work counts.
+std::int64_t workOf(const std::vector<Candidate>& candidates, const Joining& joining, double spacing) {
+  std::int64_t work = 0;
+  for (const Candidate& c : candidates)
+    work += 1 + static_cast<std::int64_t>(static_cast<double>(length(joining.at(c.i) - joining.at(c.j))) / spacing);
+  return work;
+}
+
+int joinInOrder(const std::vector<Candidate>& candidates, float gap, Joining& joining, const RunContext& run) {
+  int joined = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (k % 1024 == 0 && run.cancelled()) break;
+    joined += joining.join(candidates[k], gap) ? 1 : 0;
+  }
+  return joined;
+}
+
+// Alg. 2, for all parts at once and for all cycles of a round at once.
+Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                            const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+  const PointGrid grid(curves.points, static_cast<float>(params.spacing), run);
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};  // the grid may be half made
+  Joining joining(curves, grid, lines, border, params);
+  std::vector<int> partOfCurve;
+  for (int c = 0; c < curves.count(); ++c) {
+    const Vec2f first = curves.points[static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)])];
+    partOfCurve.push_back(parts.label[cellInPart(parts, first)]);
+  }
+  std::vector<int> labels = partOfCurve;
+  std::sort(labels.begin(), labels.end());
+  const int held = static_cast<int>(std::unique(labels.begin(), labels.end()) - labels.begin());
+  const int most = labels.empty() ? 0 : *std::max_element(partOfCurve.begin(), partOfCurve.end()) + 1;
+  std::vector<int> curveAt(static_cast<std::size_t>(grid.count()));
+  for (std::size_t k = 0; k < curveAt.size(); ++k) curveAt[k] = joining.curveOf(grid.id[k]);
+  const Scene scene{curves, grid, curveAt, parts, partOfCurve};
+
+  Stitched stitched;
+  Search search = Search::Nearest;
+  for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
+    const SetsToJoin sets = setsToJoin(curves, partOfCurve, most, joining);
+    if (!sets.any) break;
+    const Limits limits = limitsOf(search, params);
+    const std::vector<Candidate> candidates =
+        search == Search::Facing ? facingCandidates(scene, joining, sets, run)
+                                 : nearCandidates(scene, joining, sets, limits, search == Search::Nearest,
+                                                  round == 0 ? kFirstStride : 1, run);
+    stitched.work += workOf(candidates, joining, params.spacing);
+    if (joinInOrder(candidates, limits.gap, joining, run) > 0) continue;
+    if (search == Search::Facing) break;
+    search = wider(search);
+  }
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  stitched.curves = joining.joined();
+  stitched.parts = held;
+  stitched.longestJoint = static_cast<double>(joining.longestJoint());
+  stitched.gapJoints = joining.gapJoints();
+  return stitched;
+}
+
+}  // namespace
+
+Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
+                              const Parts& parts, const ToolpathParams& params, const RunContext& run) {
+  Result<Stitched> stitched = stitchOnce(curves, lines, border, parts, params, run);
+  // Tiny cycles may use up their points, and joints may stand between others: paths as they are now are curves again.
+  for (int go = 1; go < kMaxGoes && stitched && stitched.value().unjoined() > 0; ++go) {
+    const Stitched& last = stitched.value();
+    const ClosedCurves paths = resampledSimply(last.curves, static_cast<float>(0.25 * params.spacing), run);
+    Result<Stitched> more = stitchOnce(paths, lines, border, parts, params, run);
+    if (!more) return more;
+    more.value().work += last.work;
+    if (more.value().curves.count() == paths.count()) {
+      stitched.value().work = more.value().work;
+      break;
+    }
+    more.value().longestJoint = std::max(more.value().longestJoint, last.longestJoint);
+    more.value().gapJoints += last.gapJoints;
+    stitched = std::move(more);
+  }
+  return stitched;
+}
+
+}  // namespace sillon

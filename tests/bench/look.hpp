@@ -1,0 +1,148 @@
+// Pictures under lamps: what the G-code shows of them, solved for and by the straight line from grey to angle.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "assemble.hpp"
+#include "sillon/gcode/read_back.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/project/pictures.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/quality/picture_measures.hpp"
+
+namespace bench {
+
+/// A plate whose longer side is 100 mm, its beads 0.4 mm apart; blue PLA, softbox.
+inline sillon::Project lookProject(const std::vector<std::string>& files) {
+  sillon::Project project;
+  for (const std::string& file : files) project.pictures.files.push_back({file, std::nullopt});
+  project.pictures.files[0].lamp = sillon::Vec2{60, 45};
+  project.builtinSize.x = 100;
+  project.toolpath.perimeterMode = sillon::PerimeterMode::Soft;
+  project.print.layerHeight = 0.2;
+  project.print.base = 1;
+  return project;
+}
+
+/// Angle by grey alone: along the lamp where the picture is black, across it where it is white.
+inline sillon::DirectionMap straight(const sillon::ShownPicture& picture) {
+  sillon::DirectionMap map{picture.tones.width, picture.tones.height, {}};
+  for (const float tone : picture.tones.value) {
+    const double turn = (picture.lamp.azimuth + 90 * static_cast<double>(tone)) / 180 + 0.5;
+    map.angle.push_back(static_cast<std::uint16_t>((turn - std::floor(turn)) * 65535));
+  }
+  return map;
+}
+
+struct LookRow {
+  std::vector<sillon::PictureMeasures> measures;
+  std::int64_t turns = 0;
+};
+
+/// Makes the plate, writes its G-code, reads that back and judges it; prints why that is not possible.
+inline LookRow judged(const sillon::Project& project, const sillon::PlateInput& input,
+                      const sillon::Result<sillon::ToolpathResult>& plate,
+                      const std::vector<sillon::ShownPicture>& asked, const sillon::RunContext& run) {
+  LookRow row;
+  if (!plate) {
+    std::printf("%s\n", plate.error().message.c_str());
+    return row;
+  }
+  const sillon::Toolpath& toolpath = plate.value().toolpath;
+  const auto measures =
+      sillon::measureToolpath(toolpath, input.shape, input.directions, input.modes, project.toolpath, run);
+  if (measures) row.turns = measures.value().uTurns;
+  std::string text;
+  const auto written =
+      sillon::writeGcode(toolpath, input.shape, project.printer, project.print, [&](std::string_view piece) {
+        text += piece;
+        return true;
+      });
+  const auto read = sillon::readBack(text, input.shape, project.printer, project.print, toolpath.spacing);
+  if (!written || !read) {
+    std::printf("%s\n", (written ? read.error() : written.error()).message.c_str());
+    return row;
+  }
+  auto seen = sillon::measurePictures(read.value(), input.shape.page, asked, sillon::roughnessOf(project), run);
+  if (seen) row.measures = std::move(seen).value();
+  return row;
+}
+
+inline void printLook(const std::string& name, const LookRow& row) {
+  std::printf("%-34s", name.c_str());
+  for (const sillon::PictureMeasures& m : row.measures) std::printf("  %.4f %.4f %5.1f", m.r, m.ssim, m.contrast);
+  std::printf("  %6lld", static_cast<long long>(row.turns));
+}
+
+/// One plate, solved for and, if it has one picture, straight.
+inline void lookPlate(const std::vector<std::string>& files, const sillon::RunContext& run) {
+  const sillon::Project project = lookProject(files);
+  auto input = cli::assemblePlate(project);
+  if (!input) {
+    std::printf("%s\n", input.error().message.c_str());
+    return;
+  }
+  sillon::PlateInput plate = std::move(input).value();
+  const auto pictures = sillon::solvePictures(project, cli::readInputFile, plate, run);
+  if (!pictures) {
+    std::printf("%s\n", pictures.error().message.c_str());
+    return;
+  }
+  std::string name;
+  for (const std::string& file : files) {
+    name += (name.empty() ? "" : " + ") + std::filesystem::path(file).stem().string();
+  }
+  const auto make = [&](const sillon::PlateInput& tried, int /*round*/, int /*rounds*/) {
+    return sillon::generateToolpath(tried, project.toolpath, run, true);
+  };
+  const auto made = sillon::makeShownPlate(project, pictures.value(), plate, make, run);
+  const LookRow solved = judged(project, plate, made, pictures.value().shown, run);
+  printLook(name, solved);
+  if (files.size() == 1) {
+    plate.directions = straight(pictures.value().shown[0]);
+    const LookRow line = judged(project, plate, make(plate, 0, 1), pictures.value().shown, run);
+    std::printf("  %3.0f %%\n", 100.0 * static_cast<double>(solved.turns) / static_cast<double>(line.turns));
+    printLook("  straight", line);
+  }
+  std::printf("\n");
+  for (std::size_t k = 0; k < solved.measures.size() && files.size() > 1; ++k) {
+    std::vector<float> own;
+    for (const float code : pictures.value().shown[1 - k].tones.value) own.push_back(sillon::lightOfCode(code));
+    const double between = sillon::compareTones(own, pictures.value().shown[k].tones).r;
+    std::printf("  lamp %zu at %.0f: with the other %.3f, the pictures themselves %.3f\n", k + 1,
+                pictures.value().shown[k].lamp.azimuth, solved.measures[k].others[1 - k], between);
+  }
+}
+
+/// \param photographs  folder with pictures such as those of scikit-image; none: those of the project alone.
+inline void look(const std::string& photographs, const std::vector<std::string>& given) {
+  namespace fs = std::filesystem;
+  const sillon::RunContext run(2);
+  std::printf("%-34s  %6s %6s %5s  %6s  turns by those of the straight line\n", "picture", "r", "SSIM", "contr",
+              "turns");
+  for (const std::string& file : given) lookPlate({file}, run);
+  if (!given.empty()) return;
+  const auto drawn = [](const char* name) { return std::string(SILLON_SOURCE_DIR "/examples/inputs/") + name; };
+  for (const char* name : {"photo.png", "relief.png", "star.png"}) lookPlate({drawn(name)}, run);
+  lookPlate({drawn("star.png"), drawn("heart.png")}, run);
+  std::vector<std::string> photos;
+  for (const char* name : {"camera.png", "astronaut.png", "chelsea.png", "coffee.png", "rocket.jpg"}) {
+    const fs::path path = fs::path(photographs) / name;
+    if (!photographs.empty() && fs::exists(path)) photos.push_back(path.string());
+  }
+  if (photos.empty()) {
+    std::printf("no photographs: install scikit-image for Python, or set SILLON_PHOTOS to its folder skimage/data\n");
+  }
+  for (const std::string& photo : photos) lookPlate({photo}, run);
+  if (photos.size() > 1) lookPlate({photos[0], photos[1]}, run);
+}
+
+}  // namespace bench

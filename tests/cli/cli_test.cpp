@@ -1,0 +1,1008 @@
+// The command line as a shell sees it: exit codes, one sentence per mistake, files together or not at all.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sillon/base/version.hpp"
+#include "sillon/export/gcode_archive.hpp"
+#include "sillon/input/image_io.hpp"
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+std::string readAll(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct Run {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// A folder of its own for one test, gone afterwards.
+class Folder {
+ public:
+  Folder()
+      : path_(fs::temp_directory_path() /
+              ("sillon-cli-" + std::to_string(::getpid()) + "-" + std::to_string(count++))) {
+    fs::create_directories(path_ / "work");
+  }
+  ~Folder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] fs::path at(const std::string& name) const { return path_ / "work" / name; }
+
+  void write(const std::string& name, const std::string& bytes) const {
+    fs::create_directories(at(name).parent_path());
+    std::ofstream(at(name), std::ios::binary) << bytes;
+  }
+
+  /// A grey picture; \param grey  from column and row.
+  template <class Grey>
+  void picture(const std::string& name, int width, int height, Grey grey) const {
+    std::vector<std::uint8_t> rgb;
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column)
+        rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(grey(column, row)));
+    }
+    const std::vector<std::uint8_t> png = sillon::encodePng(width, height, rgb);
+    write(name, std::string(png.begin(), png.end()));
+  }
+
+  [[nodiscard]] std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(path_ / "work")) names.insert(entry.path().string());
+    return names;
+  }
+
+  /// Runs the program in the folder. \param environment  assignments before the command.
+  [[nodiscard]] Run run(const std::string& arguments, const std::string& environment = "") const {
+    const std::string command = "cd '" + (path_ / "work").string() + "' && " + environment + " '" SILLON_CLI "' " +
+                                arguments + " >../out 2>../err </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readAll(path_ / "out"), readAll(path_ / "err")};
+  }
+
+ private:
+  static inline int count = 0;
+  fs::path path_;
+};
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+constexpr const char* kDisc = "generate --shape disc --size 12 --spacing 0.8 --angle 30 --layer-height 0.2 ";
+
+std::string bigEndian(std::uint32_t value) {
+  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+          static_cast<char>(value)};
+}
+
+std::string pngChunk(const std::string& body) {
+  std::uint32_t crc = 0xFFFFFFFFu;
+  for (const char c : body) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320u : 0);
+  }
+  return bigEndian(static_cast<std::uint32_t>(body.size() - 4)) + body + bigEndian(~crc);
+}
+
+/// A tiny file that claims to be a large picture.
+std::string pngThatClaims(std::uint32_t width, std::uint32_t height) {
+  const std::string header = "IHDR" + bigEndian(width) + bigEndian(height) + std::string("\x08\x00\x00\x00\x00", 5);
+  return "\x89PNG\r\n\x1a\n" + pngChunk(header) + pngChunk("IDAT" + std::string(64, 'x')) + pngChunk("IEND");
+}
+
+/// Bad input: code 2, one sentence that holds `part`, nothing on stdout, nothing new in the folder.
+void checkRefused(const Folder& folder, const std::string& arguments, const std::string& part) {
+  const std::set<std::string> before = folder.files();
+  const Run run = folder.run(arguments);
+  CAPTURE(arguments);
+  CAPTURE(run.err);
+  CHECK(run.code == 2);
+  CHECK(run.out == "");
+  CHECK(run.err.rfind("sillon: ", 0) == 0);
+  CHECK(run.err.find('\n') == run.err.size() - 1);
+  CHECK(has(run.err, part));
+  CHECK(folder.files() == before);
+}
+
+const std::string kOutputs =
+    " --gcode a.gcode --svg a.svg --report a.json --preview a.png --view v.png --project b.json";
+
+}  // namespace
+
+TEST_CASE("help and version answer on stdout") {
+  const Folder folder;
+  Run run = folder.run("--version");
+  CHECK(run.code == 0);
+  CHECK(run.out == std::string("sillon ") + sillon::kVersion + "\n");
+  run = folder.run("--help");
+  CHECK(run.code == 0);
+  CHECK(has(run.out, "generate"));
+  run = folder.run("generate --help");
+  CHECK(run.code == 0);
+  CHECK(run.err == "");
+  for (const char* word : {"--shape", "--directions", "--spacing MM", "[0.4]", "--max-width", "Examples:"}) {
+    CAPTURE(word);
+    CHECK(has(run.out, word));
+  }
+}
+
+TEST_CASE("options of experts and old names are no part of the help, but go on working") {
+  const Folder folder;
+  const std::string help = folder.run("generate --help").out;
+  const std::vector<std::vector<std::string>> old = {{"--line-give 3", "--direction-tolerance 3"},
+                                                     {"--spacing-bend 0.1", "--spacing-variation 0.1"},
+                                                     {"--wave-reach 0.8", "--kernel-radius 0.8"},
+                                                     {"--border-pull=2", "--border-weight=2"}};
+  for (const auto& names : old) {
+    CAPTURE(names[0]);
+    CHECK_FALSE(has(help, names[0].substr(0, names[0].find_first_of(" ="))));
+    const auto projectOf = [&](const std::string& option) {
+      const Run run = folder.run("generate --shape disc --size 10 --spacing 1 " + option + " --quiet --project p.json");
+      CHECK(run.err == "");
+      return readAll(folder.at("p.json"));
+    };
+    CHECK(projectOf(names[0]) == projectOf(names[1]));
+    CHECK(projectOf(names[0]) != projectOf(""));
+  }
+  for (const char* expert : {"--kernel-radius", "--border-weight", "--sweeps", "--lines"})
+    CHECK_FALSE(has(help, expert));
+  checkRefused(folder, "generate --lines missing.png --lines-as tangent" + kOutputs, "missing.png");
+}
+
+TEST_CASE("the table of settings is listed as text and as JSON") {
+  const Folder folder;
+  const Run text = folder.run("settings");
+  CHECK(text.code == 0);
+  CHECK(has(text.out, "\ntoolpath.kernelRadius"));
+  CHECK(has(text.out, "(--kernel-radius)"));
+  const Json json = Json::parse(folder.run("settings --json").out, nullptr, false);
+  REQUIRE(json.is_object());
+  CHECK(json["settings"].size() > 80);
+}
+
+TEST_CASE("spools are listed with what they show under lamps") {
+  const Folder folder;
+  const Run text = folder.run("spools");
+  CHECK(text.code == 0);
+  CHECK(has(text.out, "\nbluePla      #184ea8"));
+  const Json json = Json::parse(folder.run("spools --json").out);
+  REQUIRE(json["spools"].size() == 5);
+  CHECK(json["profileSlope"] == 0.3);
+  for (const Json& spool : json["spools"]) {
+    for (const char* lamp : {"bulb", "softbox", "window"}) {
+      const Json& light = spool["light"][lamp];
+      REQUIRE(light.size() == 36);
+      CHECK(light[30] == 1);                                                      // across the lamp at 60 degrees
+      CHECK(light[12] < 0.9);                                                     // along it
+      CHECK(std::abs(light[29].get<double>() - light[31].get<double>()) < 1e-5);  // the same on both sides
+    }
+  }
+}
+
+TEST_CASE("printers and filaments are listed, and one of them begins a project") {
+  const Folder folder;
+  const Run list = folder.run("printers");
+  CHECK(list.code == 0);
+  CHECK(has(list.out, "\nprusa-mk4s "));
+  CHECK(has(list.out, "230x230x300 round centred"));
+  CHECK(has(folder.run("filaments").out, "\npetg "));
+  const Run one = folder.run("printers creality-k1");
+  CHECK(one.code == 0);
+  folder.write("k1.json", one.out);
+  const Run made = folder.run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode");
+  CAPTURE(made.err);
+  REQUIRE(made.code == 0);
+  const std::string gcode = readAll(folder.at("a.gcode"));
+  CHECK(has(gcode, "\nSTART_PRINT EXTRUDER_TEMP=240 BED_TEMP=80\n"));
+  CHECK(has(gcode, "\nEND_PRINT\n"));
+  CHECK(has(gcode, "; thumbnail begin 320x320 "));
+  REQUIRE(
+      folder
+          .run("generate --printer creality-k1 --shape disc --size 12 --spacing 0.8 --filament petg --gcode b.gcode",
+               "SOURCE_DATE_EPOCH=0")
+          .code == 0);
+  REQUIRE(folder
+              .run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode",
+                   "SOURCE_DATE_EPOCH=0")
+              .code == 0);
+  CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
+  checkRefused(folder, "printers k2", "printers: \"k2\" is not a printer profile");
+}
+
+TEST_CASE("check reads G-code as a printer would") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--gcode a.gcode").code == 0);
+  const Run good = folder.run("check a.gcode");
+  CHECK(good.code == 0);
+  CHECK(has(good.out, "3 layers, for Generic\n"));
+  CHECK(has(good.out, "\nno errors\n"));
+  std::string text = readAll(folder.at("a.gcode"));
+  text.erase(text.find("G28\n"), 4);
+  folder.write("b.gcode", text);
+  const Run bad = folder.run("check b.gcode --printer prusa-mini");
+  CHECK(bad.code == 2);
+  CHECK(has(bad.out, "error      homing: moves before it homes (G28) (line "));
+  CHECK(has(bad.out, "error      bounds: a move over the bed's edge at (0, 220), 40 mm (line "));
+  const Run json = folder.run("check b.gcode --json");
+  CHECK(json.code == 2);
+  const auto read = nlohmann::json::parse(json.out);
+  CHECK(read["errors"].get<int>() > 0);
+  CHECK(read["findings"][0]["rule"] == "homing");
+  CHECK(read["layers"] == 3);
+  checkRefused(folder, "check", "file is required");
+  checkRefused(folder, "check none.gcode", "cannot be read");
+  checkRefused(folder, "check a.gcode --printer mk4", "--printer: \"mk4\"");
+}
+
+/// A block of 12 x 12 mm in three layers, as PrusaSlicer would write it.
+std::string slicedBlock() {
+  std::ostringstream out;
+  out << "; generated by PrusaSlicer 2.7.0 on 2026-01-01\nM190 S60\nG28\nM109 S215\nG21\nG90\nM83\n";
+  for (int layer = 1; layer <= 3; ++layer) {
+    out << ";LAYER_CHANGE\n;Z:" << 0.2 * layer << "\n;HEIGHT:0.2\nM73 P" << 30 * layer << " R" << 4 - layer << "\nG1 Z"
+        << 0.2 * layer << " F7200\nG1 X50 Y50 F7800\n;TYPE:Perimeter\n;WIDTH:0.45\nG1 F1800\n"
+        << "G1 X62 Y50 E0.4\nG1 X62 Y62 E0.4\nG1 X50 Y62 E0.4\nG1 X50 Y50 E0.4\nG1 E-2 F2400\nG1 X50.4 Y50.4 F7800\n"
+        << "G1 E2 F2400\n;TYPE:" << (layer == 3 ? "Top solid infill" : "Solid infill") << "\n;WIDTH:0.443\nG1 F900\n";
+    for (int row = 0; row < 28; ++row) {
+      const double y = 50.4 + 0.4 * row;
+      out << "G1 X" << (row % 2 == 0 ? 61.6 : 50.4) << " Y" << y << " E0.37252\n";
+      if (row < 27) out << "G1 X" << (row % 2 == 0 ? 61.6 : 50.4) << " Y" << y + 0.4 << " E0.0133\n";
+    }
+    out << "G1 E-2 F2400\nG1 X40 Y40 F7800\n";
+  }
+  out << "M107\nG1 Z20 F600\nM104 S0\nM140 S0\nM84\n; filament used [mm] = 33.10\n"
+      << "; estimated printing time (normal mode) = 3m 0s\n; filament_diameter = 1.75\n; nozzle_diameter = 0.4\n";
+  return out.str();
+}
+
+TEST_CASE("rebrush lists and replaces tops, and writes the kind of file that it reads") {
+  const Folder folder;
+  const std::string text = slicedBlock();
+  folder.write("part.gcode", text);
+  const Run list = folder.run("rebrush part.gcode --list");
+  CHECK(list.code == 0);
+  CHECK(has(list.out, "top    layer 3"));
+  CHECK(Json::parse(folder.run("rebrush part.gcode --list --json").out)["surfaces"].size() == 2);
+
+  const Run done = folder.run("rebrush part.gcode --angle 30 -o new.gcode --report r.json --preview p.png");
+  CAPTURE(done.err);
+  REQUIRE(done.code == 0);
+  CHECK(has(done.out, "replaced"));
+  const std::string brushed = readAll(folder.at("new.gcode"));
+  CHECK(brushed != text);
+  CHECK(brushed.substr(0, text.find(";LAYER_CHANGE")) == text.substr(0, text.find(";LAYER_CHANGE")));
+  CHECK(readAll(folder.at("part.gcode")) == text);
+  CHECK(readAll(folder.at("p.png")).starts_with("\x89PNG"));
+  const Json report = Json::parse(readAll(folder.at("r.json")));
+  CHECK(report["surfaces"][0]["replaced"] == true);
+  CHECK(report["surfaces"][0]["coverage"] > 98.0);
+  CHECK(report["surfaces"][0]["beyond"] < 0.05);
+  CHECK(report.contains("seconds"));
+
+  const std::string package = sillon::packGcode(text).value();
+  const std::string binary = sillon::packBinaryGcode(text).value();
+  const std::string gzip = sillon::gzipGcode(text).value();
+  const std::pair<const char*, std::string> kinds[] = {
+      {"part.gcode.3mf", package}, {"part.bgcode", binary}, {"part.gcode.gz", gzip}};
+  for (const auto& one : kinds) {
+    const auto& name = one.first;
+    const auto& bytes = one.second;
+    CAPTURE(name);
+    folder.write(name, bytes);
+    const std::string out = "new_" + std::string(name);
+    const Run packed = folder.run("rebrush " + std::string(name) + " --angle 30 -o " + out);
+    CAPTURE(packed.err);
+    REQUIRE(packed.code == 0);
+    const auto container = sillon::readGcodeContainer(readAll(folder.at(out))).value();
+    CHECK(container.kind == sillon::readGcodeContainer(bytes).value().kind);
+    const std::string now = sillon::unpackGcode(readAll(folder.at(out))).value();
+    // The same beads as in the plain file; and with the slicer's text again, the slicer's file.
+    const std::size_t top = brushed.find(";TYPE:Top"), end = brushed.find("M107");
+    CHECK(now.find(brushed.substr(top, end - top)) != std::string::npos);
+    CHECK(sillon::writeGcodeContainer(container, sillon::unpackGcode(bytes).value()).value() == bytes);
+    // Its text alone may be had, another package not.
+    CHECK(folder.run("rebrush " + std::string(name) + " --angle 30 -o text.gcode").code == 0);
+    CHECK(readAll(folder.at("text.gcode")) == now);
+    const Run other = folder.run("rebrush " + std::string(name) + " --angle 30 -o " +
+                                 (std::string(name) == "part.bgcode" ? "other.gcode.3mf" : "other.bgcode"));
+    CHECK(other.code == 2);
+    CHECK(has(other.err, "another kind of file"));
+    // In place.
+    CHECK(folder.run("rebrush " + std::string(name) + " --angle 30").code == 0);
+    CHECK(readAll(folder.at(name)) == readAll(folder.at(out)));
+  }
+  CHECK(folder.run("rebrush part.gcode --angle 30 -o packed.gcode.gz").code == 0);
+  CHECK(sillon::unpackGcode(readAll(folder.at("packed.gcode.gz"))).value() == brushed);
+}
+
+TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses") {
+  const Folder folder;
+  const std::string text = slicedBlock();
+  folder.write("part.gcode", text);
+  folder.picture("half.png", 40, 40, [](int column, int) { return column < 20 ? 20 : 230; });
+  const Run done = folder.run("rebrush part.gcode --picture half.png --lamp 0,35 -o new.gcode --report r.json");
+  CAPTURE(done.err);
+  REQUIRE(done.code == 0);
+  CHECK(has(done.out, "under a lamp at 0 degrees, 35 high"));
+  const Json picture = Json::parse(readAll(folder.at("r.json")))["surfaces"][0]["pictures"][0];
+  CHECK(picture["r"] > 0.6);
+  CHECK(picture["lamp"][0] == 0.0);
+
+  const auto files = folder.files();
+  const std::pair<const char*, const char*> refused[] = {
+      {"part.gcode --picture half.png --lamp x", "it must be AZ or AZ,EL"},
+      {"part.gcode --picture half.png --angle 3", "--angle"},
+      {"part.gcode --picture nowhere.png", "cannot be read"},
+      {"part.gcode --picture half.png --fit bed", "does not tell its bed"},
+      {"part.gcode --fit sideways", "must be one of face, object, bed, all"},
+      {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or 0 to 100"},
+      {"part.gcode --angle 3 -o part.gcode --report part.gcode", "two outputs"},
+      {"half.png", "does not mark its surfaces"},
+  };
+  for (const auto& one : refused) {
+    const auto& arguments = one.first;
+    const auto& message = one.second;
+    CAPTURE(arguments);
+    const Run run = folder.run("rebrush " + std::string(arguments));
+    CHECK(run.code == 2);
+    CAPTURE(run.err);
+    CHECK(has(run.err, message));
+  }
+  CHECK(folder.files() == files);
+  CHECK(readAll(folder.at("part.gcode")) == text);
+}
+
+TEST_CASE("zones of straight lines are written on a prism or on a body of one's own") {
+  const Folder folder;
+  // Grey tells the angle: 64 is 180 * 64 / 255 - 90 = -44.8 degrees, 191 is 44.8.
+  folder.picture("two.png", 40, 40, [](int column, int) { return column < 20 ? 64 : 191; });
+  const Run done = folder.run("zones --shape rect --size 30x20 --directions two.png -o new.3mf");
+  CAPTURE(done.err);
+  REQUIRE(done.code == 0);
+  CHECK(has(done.out, "44.8 degrees"));
+  CHECK(has(done.out, "135.2 degrees"));
+  CHECK(readAll(folder.at("new.3mf")).starts_with("PK"));
+
+  folder.write("plate.json", "{}");
+  CHECK(folder.run("generate --shape disc --size 20 --body body.stl --base 4 --spacing 0.8 --gcode plate.gcode").code ==
+        0);
+  const Run body = folder.run("zones --body body.stl --angle 30 --zones 3 -o body.3mf");
+  CAPTURE(body.err);
+  REQUIRE(body.code == 0);
+  CHECK(has(body.out, "30.0 degrees"));
+
+  const auto files = folder.files();
+  const std::pair<const char*, const char*> refused[] = {
+      {"--shape disc --angle 3 --zones 1 -o a.3mf", "zones is 1; it must be 2 to 12"},
+      {"--shape disc --angle 3 -o a.stl", "it must end in .3mf"},
+      {"--body two.png --angle 3 -o a.3mf", "the STL is cut off, or another kind of file"},
+      {"--shape disc --angle 3 --layer-height 9 -o a.3mf", "layer height is 9 mm"},
+      {"--shape disc --angle 3 --height 0 -o a.3mf", "height is 0 mm"},
+      {"--shape disc --angle 3", "--output"},
+      {"--body body.stl --angle 3 -o nowhere/a.3mf", "is no folder"},
+  };
+  for (const auto& one : refused) {
+    const auto& arguments = one.first;
+    const auto& message = one.second;
+    CAPTURE(arguments);
+    const Run run = folder.run("zones " + std::string(arguments));
+    CHECK(run.code == 2);
+    CAPTURE(run.err);
+    CHECK(has(run.err, message));
+  }
+  CHECK(folder.files() == files);
+}
+
+TEST_CASE("a plate that does not fit is centred, turned or scaled if asked") {
+  const Folder folder;
+  const std::string wide = "generate --shape rect --size 24x12 --spacing 0.8 --skirt 0 --bed ";
+  const Run refused = folder.run(wide + "14x30 --gcode a.gcode");
+  CHECK(refused.code == 2);
+  CHECK(has(refused.err, "it fits when it is turned by 90 degrees and centred"));
+  CHECK(folder.run(wide + "14x30 --place centre --gcode a.gcode").code == 2);
+  REQUIRE(folder.run(wide + "14x30 --place rotate --gcode a.gcode --project a.json").code == 0);
+  CHECK(nlohmann::json::parse(readAll(folder.at("a.json")))["print"]["rotate"] == 90);
+  CHECK(folder.run(wide + "20x20 --place rotate --gcode b.gcode").code == 2);
+  REQUIRE(folder.run(wide + "20x20 --place fit --gcode b.gcode --project b.json").code == 0);
+  const auto size = nlohmann::json::parse(readAll(folder.at("b.json")))["shape"]["size"];
+  CHECK(std::abs(size[0].get<double>() - 24 * 0.83) < 1e-9);
+  CHECK(std::abs(size[1].get<double>() - 12 * 0.83) < 1e-9);
+  CHECK(folder.run(wide + "40x40 --place fit --gcode c.gcode").code == 0);
+  checkRefused(folder, wide + "40x40 --place here --gcode d.gcode", "it must be X,Y in mm, centre, rotate or fit");
+}
+
+TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are read") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode a.gcode.3mf", "SOURCE_DATE_EPOCH=0").code == 0);
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode a.gcode", "SOURCE_DATE_EPOCH=0").code == 0);
+  const std::string zip = readAll(folder.at("a.gcode.3mf"));
+  CHECK(zip.starts_with("PK"));
+  CHECK(has(zip, readAll(folder.at("a.gcode"))));
+  CHECK(folder.run("check a.gcode.3mf").out == folder.run("check a.gcode").out);
+  CHECK(folder.run("import a.gcode.3mf").out == folder.run("import a.gcode").out);
+  folder.write("b.gcode.3mf", zip.substr(0, zip.size() / 2));
+  checkRefused(folder, "check b.gcode.3mf", "the .gcode.3mf is cut off");
+}
+
+TEST_CASE("the base is written as a solid, STL or 3MF by its name") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--body a.stl").code == 0);
+  REQUIRE(folder.run(std::string(kDisc) + "--body a.3mf").code == 0);
+  const std::string stl = readAll(folder.at("a.stl"));
+  CHECK(stl.starts_with("base body by Sillon"));
+  CHECK(stl.size() % 50 == 84 % 50);
+  CHECK(readAll(folder.at("a.3mf")).starts_with("PK"));
+  checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "base is 0; it must be at least 1");
+}
+
+TEST_CASE("a printer is imported from G-code and prints") {
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode").code == 0);
+  const Run run = folder.run("import donor.gcode");
+  CHECK(run.code == 0);
+  CHECK(has(run.err, "sillon: note: heights in the end block were left out"));
+  folder.write("mine.json", run.out);
+  const Run made = folder.run("generate mine.json --shape disc --size 12 --spacing 0.8 --gcode a.gcode");
+  CAPTURE(made.err);
+  CHECK(made.code == 0);
+  CHECK(has(readAll(folder.at("a.gcode")), "\nM862.3 P \"MINI\"\n"));
+  CHECK(folder.run("check a.gcode --printer prusa-mini").code == 0);
+  folder.write("no.ini", "a = b\n");
+  checkRefused(folder, "import no.ini", "no setting of a printer");
+}
+
+TEST_CASE("a small disc writes every file, and each is what it should be") {
+  const Folder folder;
+  const Run run = folder.run(kDisc + kOutputs, "SOURCE_DATE_EPOCH=1600000000");
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(run.err == "");
+  CHECK(has(run.out, "12.00 x 12.00 mm"));
+  CHECK(has(run.out, "coverage"));
+  CHECK(has(run.out, "a.gcode"));
+  CHECK(folder.files().size() == 6);
+
+  const std::string gcode = readAll(folder.at("a.gcode"));
+  const std::string first =
+      "; generated by Sillon " + std::string(sillon::kVersion) + " on 2020-09-13 at 12:26:40 UTC\n";
+  CHECK(gcode.substr(0, first.size()) == first);
+  CHECK(has(gcode, "; plate = 12.0x12.0 mm, spacing = 0.80"));
+  CHECK(has(gcode, "; seed = 0, perimeters = 1\n"));
+  CHECK(has(gcode, "crossings = 0"));
+
+  const Json report = Json::parse(readAll(folder.at("a.json")), nullptr, false);
+  REQUIRE(report.is_object());
+  for (const char* key : {"grid",
+                          "parts",
+                          "cycles",
+                          "toolpaths",
+                          "lengthMm",
+                          "alignment",
+                          "alignmentInterior",
+                          "alignmentConstrained",
+                          "coverage",
+                          "overlap",
+                          "spill",
+                          "uTurns",
+                          "kinks",
+                          "crossings",
+                          "width",
+                          "fillRatio",
+                          "lostAreaMm2",
+                          "lostPlaces",
+                          "longestJointMm",
+                          "time",
+                          "peakBytes",
+                          "threads",
+                          "digest"}) {
+    CAPTURE(key);
+    CHECK(report.contains(key));
+  }
+  CHECK(report["toolpaths"] == 1);
+  CHECK(report["crossings"] == 0);
+  CHECK(report["coverage"] > 80);
+  CHECK(report["peakBytes"] > 1'000'000);
+  CHECK(has(readAll(folder.at("a.svg")), "<svg"));
+  CHECK(readAll(folder.at("a.png")).substr(1, 3) == "PNG");
+  CHECK(Json::parse(readAll(folder.at("b.json")), nullptr, false)["shape"]["builtin"] == "disc");
+}
+
+TEST_CASE("two runs give equal bytes, with any number of threads, quiet or not") {
+  const Folder folder;
+  const std::string date = "SOURCE_DATE_EPOCH=0";
+  REQUIRE(folder.run(kDisc + std::string("--threads 1 --gcode a.gcode --svg a.svg --preview a.png"), date).code == 0);
+  const Run quiet =
+      folder.run(kDisc + std::string("--threads 3 --quiet --gcode b.gcode --svg b.svg --preview b.png"), date);
+  REQUIRE(quiet.code == 0);
+  CHECK(quiet.out == "");
+  CHECK(quiet.err == "");
+  CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
+  CHECK(readAll(folder.at("a.svg")) == readAll(folder.at("b.svg")));
+  CHECK(readAll(folder.at("a.png")) == readAll(folder.at("b.png")));
+  CHECK(has(readAll(folder.at("a.gcode")), "1970-01-01 at 00:00:00 UTC"));
+}
+
+TEST_CASE("a project written elsewhere repeats the plate") {
+  const Folder folder;
+  folder.picture("in/lines.png", 40, 20, [](int column, int) { return column * 6; });
+  fs::create_directories(folder.at("out"));
+  const std::string date = "SOURCE_DATE_EPOCH=0";
+  REQUIRE(folder
+              .run("generate --directions in/lines.png --size 16 --spacing 0.8 --perimeters soft --seed 5 "
+                   "--project out/p.json --gcode a.gcode",
+                   date)
+              .code == 0);
+  const Run again = folder.run("generate out/p.json --gcode b.gcode", date);
+  CAPTURE(again.err);
+  REQUIRE(again.code == 0);
+  CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
+  CHECK(has(readAll(folder.at("a.gcode")), "plate = 16.0x8.0 mm"));
+  CHECK(Json::parse(readAll(folder.at("out/p.json")))["directions"]["file"] == "../in/lines.png");
+}
+
+TEST_CASE("a picture is shown under the lamp that is asked for, and judged from the G-code") {
+  const Folder folder;
+  folder.picture("disc.png", 60, 40, [](int column, int row) {
+    return (column - 30) * (column - 30) + (row - 20) * (row - 20) < 150 ? 230 : 20;
+  });
+  const std::string plate = " --size 24 --spacing 0.4 --layer-height 0.2 --threads 1 ";
+  const std::string date = "SOURCE_DATE_EPOCH=0";
+  const Run given = folder.run(
+      "generate --picture disc.png --lamp 75,50" + plate + "--gcode a.gcode --report a.json --project a.project.json",
+      date);
+  CAPTURE(given.err);
+  REQUIRE(given.code == 0);
+  CHECK(has(given.out, "disc.png under a lamp at 75 degrees, 50 high: r 0.9"));
+  const Json picture = Json::parse(readAll(folder.at("a.json")))["pictures"][0];
+  CHECK(picture["file"] == "disc.png");
+  CHECK(picture["lamp"] == Json::array({75, 50}));
+  CHECK(picture["r"] > 0.9);  // a positive: the negative has r < 0
+  CHECK(picture["ssim"] > 0.5);
+  CHECK(picture["contrast"] > 5);
+  CHECK(picture["others"] == Json::array());
+  CHECK(picture["from"] == "gcode");
+  CHECK(has(readAll(folder.at("a.gcode")), "plate = 24.0x16.0 mm"));
+
+  // The project holds all of it, under keys of its own.
+  const Json project = Json::parse(readAll(folder.at("a.project.json")));
+  CHECK(project["pictures"]["files"] == Json::parse(R"([{"file": "disc.png", "lamp": [75, 50]}])"));
+  CHECK(project["toolpath"]["perimeterMode"] == "soft");
+  REQUIRE(folder.run("generate a.project.json --threads 1 --gcode b.gcode", date).code == 0);
+  CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
+  // Options move its lamps, or put other pictures in their place.
+  CHECK(has(folder.run("generate a.project.json --lamp 20").out, "a lamp at 20 degrees, 45 high: r 0.9"));
+  const Run two = folder.run("generate a.project.json --picture disc.png --lamp 10 --picture disc.png --report c.json");
+  CAPTURE(two.err);
+  CHECK(has(two.out, "at 10 degrees, 45 high: r"));
+  CHECK(has(two.out, "45 high (chosen): r"));
+  const Json both = Json::parse(readAll(folder.at("c.json")))["pictures"];
+  REQUIRE(both.size() == 2);
+  CHECK(both[1]["others"].size() == 1);
+  CHECK(both[1]["from"] == "toolpath");
+}
+
+TEST_CASE("a picture alone is shown under a lamp that is chosen and said") {
+  const Folder folder;
+  folder.picture("ramp.png", 40, 30, [](int column, int row) { return 4 * column + 2 * row; });
+  const Run run = folder.run("generate ramp.png --size 20 --preview look.png --report r.json");
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(has(run.out, "ramp.png under a lamp at "));
+  CHECK(has(run.out, " (chosen): r 0."));
+  CHECK(Json::parse(readAll(folder.at("r.json")))["pictures"][0]["r"] > 0.85);
+}
+
+TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
+  const Folder folder;
+  folder.picture("tiny.png", 4, 4, [](int column, int row) { return 60 * (column ^ row); });
+  folder.write("text.png", "hello, this is no picture at all");
+  folder.write("both.json",
+               R"({"sillon": 1, "directions": {"file": "tiny.png"}, "pictures": {"files": [{"file": "tiny.png"}]}})");
+  folder.write("key.json", R"({"sillon": 1, "pictures": {"files": [{"file": "tiny.png", "light": [1, 2]}]}})");
+  folder.write("bare.json", R"({"sillon": 1, "pictures": {"files": ["tiny.png"]}})");
+  folder.write("low.json", R"({"sillon": 1, "pictures": {"files": [{"file": "tiny.png", "lamp": [60, 0]}]}})");
+  const std::string one = "generate --picture tiny.png ";
+  checkRefused(folder, one + "--lamp north" + kOutputs, "--lamp is \"north\"; it must be AZ or AZ,EL");
+  checkRefused(folder, one + "--lamp 60,91" + kOutputs, "elevation from 1 to 90");
+  checkRefused(folder, one + "--lamp 361" + kOutputs, "azimuth from -360 to 360");
+  checkRefused(folder, one + "--lamp 60,90" + kOutputs, "choose a lower or a smaller lamp");
+  checkRefused(folder, one + "--lamp 1 --lamp 2" + kOutputs, "--lamp is given 2 times for 1 picture;");
+  checkRefused(folder, one + "--lamp-size sun" + kOutputs, "it must be bulb, softbox, window or a slope from 0 to 2");
+  checkRefused(folder, one + "--spool copper" + kOutputs,
+               "it must be one of bluePla, clearPetg, goldPla, greyPla, redPetg");
+  checkRefused(folder, one + "--smoothness 0" + kOutputs, "pictures.smoothness is 0; it must be 0.001 to 10");
+  checkRefused(folder, one + "--local-contrast 3" + kOutputs, "pictures.localContrast is 3; it must be 0 to 2");
+  checkRefused(folder, one + "--directions tiny.png" + kOutputs, "excludes");
+  checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
+  checkRefused(folder, "generate --picture none.png" + kOutputs, "\"none.png\" cannot be read");
+  checkRefused(folder, one + one.substr(9) + one.substr(9) + one.substr(9) + one.substr(9) + kOutputs,
+               "pictures.files has 5 pictures; it may have up to 4");
+  checkRefused(folder, "generate both.json" + kOutputs, "directions come from one of them");
+  checkRefused(folder, "generate key.json" + kOutputs, "unknown key \"pictures.files[0].light\"");
+  checkRefused(folder, "generate bare.json" + kOutputs, "pictures.files[0] is text; it must be an object");
+  checkRefused(folder, "generate low.json" + kOutputs, "pictures.files[0].lamp.y is 0 degrees; it must be 1 to 90");
+}
+
+TEST_CASE("options override the scene") {
+  const Folder folder;
+  folder.write("scene.json", R"({"nozzle_width": 0.4, "svg_path": "s.svg", "line_field_path": "l.png", "seed": 3})");
+  folder.write("s.svg",
+               R"(<svg xmlns="http://www.w3.org/2000/svg" width="12" height="8"><rect width="12" height="8"/></svg>)");
+  folder.picture("l.png", 1, 1, [](int, int) { return 128; });
+  REQUIRE(folder.run("generate scene.json --spacing 0.8 --perimeters none --report r.json --project p.json").code == 0);
+  CHECK(Json::parse(readAll(folder.at("r.json")))["spacing"] == 0.8);
+  Json project = Json::parse(readAll(folder.at("p.json")));
+  CHECK(project["toolpath"]["seed"] == 3);
+  CHECK(project["toolpath"]["perimeterMode"] == "none");
+  CHECK(project["shape"]["file"] == "s.svg");
+  CHECK(project["shape"]["unitless"] == "mm");
+
+  REQUIRE(folder
+              .run("generate scene.json --shape rounded --size 10x6 --radius 1 --angle -45 --spacing 0.8 "
+                   "--project q.json")
+              .code == 0);
+  project = Json::parse(readAll(folder.at("q.json")));
+  CHECK(project["shape"]["file"] == "");
+  CHECK(project["shape"]["size"] == Json::array({10, 6}));
+  CHECK(project["directions"]["file"] == "");
+  CHECK(project["directions"]["angle"] == -45);
+}
+
+TEST_CASE("of an option given twice the last one counts") {
+  const Folder folder;
+  REQUIRE(folder.run(kDisc + std::string("--seed 3 --seed 4 --project p.json")).code == 0);
+  CHECK(Json::parse(readAll(folder.at("p.json")))["toolpath"]["seed"] == 4);
+}
+
+TEST_CASE("odd but good input is accepted") {
+  const Folder folder;
+  folder.picture("one.png", 1, 1, [](int, int) { return 200; });
+  folder.picture("mask.png", 30, 20, [](int column, int row) { return column > 4 && row > 3 && row < 16 ? 255 : 0; });
+  folder.write("bow.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="16mm" height="16mm" viewBox="0 0 16 16">)"
+                          R"(<path d="M0 0 L16 16 L16 0 L0 16 Z"/></svg>)");
+  for (const char* arguments :
+       {"generate --directions one.png --size 10 --spacing 0.8 --svg a.svg",
+        "generate --shape mask.png --size 20 --spacing 0.8 --svg a.svg",
+        "generate --shape bow.svg --spacing 0.8 --svg a.svg",
+        "generate --shape bow.svg --size 20 --spacing 1 --svg a.svg",
+        "generate --shape rect --size 10x6 --spacing 0.8 --mode parallel --perimeters 2 --quiet"}) {
+    CAPTURE(arguments);
+    const Run run = folder.run(arguments);
+    CAPTURE(run.err);
+    CHECK(run.code == 0);
+    CHECK(run.err == "");
+  }
+}
+
+TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
+  const Folder folder;
+  folder.write(
+      "a.svg",
+      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><text>a</text><image width="3" height="3"/></svg>)");
+  folder.picture("l.png", 8, 8, [](int, int) { return 255; });
+  const std::string coarse = " --spacing 2 --nozzle 1";
+  const Run drawn = folder.run("generate --shape a.svg" + coarse);
+  CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; --size sets its width\n"));
+  CHECK(has(drawn.out, "\nnote       the drawing has 1 <text>, which is left out; convert it to paths in the program"));
+  CHECK(has(drawn.out, "\nnote       the drawing has 1 <image>, which is left out"));
+  CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));
+  CHECK(has(folder.run("generate --shape l.png" + coarse).out, "\nnote       no size is given, so it is 80 mm wide"));
+  CHECK_FALSE(has(folder.run("generate --shape l.png --size 20" + coarse).out, "note"));
+}
+
+TEST_CASE("what a drawing shows is printed; what of it is cut off or not painted is a warning") {
+  const Folder folder;
+  const std::string head = R"(<svg width="20mm" height="20mm" viewBox="0 0 20 20">)";
+  folder.write("off.svg", head + R"(<rect width="10" height="10"/><rect x="15" y="5" width="10" height="4"/></svg>)");
+  folder.write("none.svg", head + R"(<rect width="10" height="10" fill="none"/></svg>)");
+  folder.write("line.svg",
+               head + R"(<rect x="5" y="5" width="10" height="10" fill="none" stroke="red" stroke-width="2"/></svg>)");
+  const std::string coarse = " --spacing 1 --nozzle 0.8";
+  const std::string cut = "20 mm2 of the drawing lie off its page and are cut off";
+  CHECK(has(folder.run("generate --shape off.svg --report r.json" + coarse).out, "\nwarning    " + cut));
+  CHECK(has(readAll(folder.at("r.json")), R"("code":"DrawingOffPage","values":{"area":20.0})"));
+  CHECK(has(folder.run("generate --shape none.svg" + coarse).out, "\nwarning    nothing in the drawing is painted"));
+  CHECK(has(folder.run("generate --shape line.svg" + coarse).out, "\nnote       nothing in the drawing is filled"));
+  CHECK_FALSE(has(folder.run("generate --shape line.svg --paint ignore" + coarse).out, "nothing in the drawing"));
+
+  const Run shapes = folder.run("shape off.svg none.svg line.svg");
+  CHECK(shapes.code == 0);
+  CHECK(has(shapes.out, "off.svg\n  page 20.00 x 20.00 mm, area 120.00 mm2\n  note: " + cut));
+  CHECK(has(shapes.out, "line.svg\n  page 20.00 x 20.00 mm, area 80.00 mm2\n"));
+  CHECK(has(folder.run("shape line.svg --paint ignore --size 40 --json").out, R"("page":[40.0,40.0],"areaMm2":400.0)"));
+  const Run missing = folder.run("shape line.svg nowhere.svg");
+  CHECK(missing.code == 2);
+  CHECK(has(missing.out, "nowhere.svg\n  cannot be read: "));
+  checkRefused(folder, "shape line.svg --size 0", "--size is \"0\"; it must be a width in mm");
+  checkRefused(folder, "shape line.svg --paint no", "--paint is \"no\"; it must be shown or ignore");
+  checkRefused(folder, "generate --shape line.svg --paint no", "shown or ignore");
+}
+
+TEST_CASE("what is narrower than a bead is said, with the size at which it would print, and where it is") {
+  const Folder folder;
+  // A plate with a bar of 10 x 0.5 mm beside it: at a spacing of 1 mm it is lost, at twice the size it is not.
+  folder.write("bar.svg",
+               R"(<svg width="20mm" height="20mm" viewBox="0 0 20 20"><rect x="1" y="1" width="10" height="10"/>
+    <rect x="14" y="4" width=".5" height="10"/></svg>)");
+  const Run run = folder.run("generate --shape bar.svg --spacing 1 --nozzle 0.8 --report r.json");
+  CHECK(has(run.out,
+            "mm2 are narrower than a bead and stay empty, in places: 1; 100 % of that would print at a page width"));
+  const std::string report = readAll(folder.at("r.json"));
+  CHECK(has(report, R"("code":"DetailLost","values":{"area":)"));
+  const std::size_t at = report.find(R"("lostPlaces": [[14.)");
+  REQUIRE(at != std::string::npos);
+  const std::size_t size = run.out.find("page width of ");
+  REQUIRE(size != std::string::npos);
+  const double millimetres = std::stod(run.out.substr(size + 14));
+  CHECK(millimetres >= 40);
+  CHECK(millimetres <= 50);
+  CHECK_FALSE(has(folder
+                      .run("generate --shape bar.svg --spacing 1 --nozzle 0.8 --size " +
+                           std::to_string(static_cast<int>(millimetres)))
+                      .out,
+                  "narrower"));
+  CHECK_FALSE(has(folder.run(kDisc).out, "narrower"));
+}
+
+TEST_CASE("a published scene finds its files from the root of its repository, and is read by its outlines") {
+  const Folder folder;
+  folder.write(
+      "data/svg/s.svg",
+      R"(<svg width="20" height="20"><rect x="5" y="5" width="10" height="10" fill="none" stroke="red"/></svg>)");
+  folder.picture("data/png/l.png", 8, 8, [](int, int) { return 99; });
+  const std::string files = R"("svg_path": "data/svg/s.svg", "line_field_path": "data/png/l.png"})";
+  folder.write("scenes/paper/s.json", R"({"nozzle_width": 1, "shell_count": 0, )" + files);
+  const Run run = folder.run("generate scenes/paper/s.json --project whole.json --report r.json");
+  CHECK(run.code == 0);
+  CHECK(has(run.out, "plate      20.00 x 20.00 mm"));
+  CHECK(has(readAll(folder.at("whole.json")), R"("paint": "ignore")"));
+  CHECK(has(readAll(folder.at("whole.json")), R"("file": "data/svg/s.svg")"));
+  CHECK_FALSE(has(run.out, "nothing in the drawing"));
+  // Beside the scene comes first; a project is not looked for elsewhere; other shells are asked for in vain.
+  folder.write("scenes/paper/data/svg/s.svg", R"(<svg width="30" height="30"><rect width="9" height="9"/></svg>)");
+  CHECK(has(folder.run("generate scenes/paper/s.json").out, "plate      30.00 x 30.00 mm"));
+  folder.write("scenes/p.json", R"({"sillon": 1, "shape": {"file": "data/svg/s.svg"}})");
+  checkRefused(folder, "generate scenes/p.json", "cannot be read");
+  folder.write("scenes/paper/two.json", R"({"nozzle_width": 1, "shell_count": 2, )" + files);
+  checkRefused(folder, "generate scenes/paper/two.json", "shell_count is 2; it must be 0");
+}
+
+TEST_CASE("files that are not what they claim are refused") {
+  const Folder folder;
+  folder.write("empty", "");
+  folder.write("text.png", "hello, this is no picture at all");
+  folder.picture("good.png", 64, 64, [](int column, int row) { return (column * 7 + row * 13) & 255; });
+  folder.write("cut.png", readAll(folder.at("good.png")).substr(0, 200));
+  folder.write("wide.png", pngThatClaims(40000, 20000));
+  folder.write("giant.png", pngThatClaims(2000000000, 2000000000));
+  folder.picture("black.png", 1, 1, [](int, int) { return 0; });
+  folder.write("flat.svg",
+               R"(<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"><line x2="5" y2="5"/></svg>)");
+  folder.write("broken.svg", "<svg width='10mm' height='10mm'><rect ");
+  folder.write("typo.json", R"({"sillon": 1, "toolpath": {"spaceing": 0.4}})");
+  folder.write("nojson.json", "{nozzle: 1}");
+  folder.write("deep.json", std::string(100'000, '['));
+  folder.write("nofile.json", R"({"nozzle_width": 0.4, "svg_path": "nowhere.svg"})");
+  fs::create_directories(folder.at("folder"));
+
+  checkRefused(folder, "generate missing.json" + kOutputs, "\"missing.json\" cannot be read");
+  checkRefused(folder, "generate empty" + kOutputs, "\"empty\" is empty");
+  checkRefused(folder, "generate folder" + kOutputs, "is a folder");
+  checkRefused(folder, "generate typo.json" + kOutputs, "did you mean \"spacing\"?");
+  checkRefused(folder, "generate nojson.json" + kOutputs, "line 1");
+  checkRefused(folder, "generate deep.json" + kOutputs, "deeper than 64");
+  checkRefused(folder, "generate nofile.json" + kOutputs, "nowhere.svg");
+  checkRefused(folder, "generate --directions missing.png" + kOutputs, "missing.png");
+  checkRefused(folder, "generate --directions empty" + kOutputs, "is empty");
+  checkRefused(folder, "generate --directions text.png" + kOutputs, "text.png");
+  checkRefused(folder, "generate --directions cut.png" + kOutputs, "cut.png");
+  checkRefused(folder, "generate --directions giant.png" + kOutputs, "giant.png");
+  checkRefused(folder, "generate --directions wide.png" + kOutputs, "40000");
+  checkRefused(folder, "generate --modes cut.png --shape disc --size 9" + kOutputs, "cut.png");
+  checkRefused(folder, "generate --shape wide.png --size 20" + kOutputs, "40000");
+  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "shape \"black.png\": The mask is empty");
+  checkRefused(folder, "generate --shape text.png --size 20" + kOutputs, "text.png");
+  checkRefused(folder, "generate --shape flat.svg" + kOutputs, "flat.svg");
+  checkRefused(folder, "generate --shape broken.svg" + kOutputs, "broken.svg");
+  checkRefused(folder, "generate --shape nowhere.svg" + kOutputs, "nowhere.svg");
+}
+
+TEST_CASE("values out of range are refused with their range") {
+  const Folder folder;
+  const std::string disc = "generate --shape disc --size 12 ";
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    checkRefused(folder, disc + arguments + kOutputs, part);
+  };
+  refused("--spacing -0.4", "spacing is -0.4 mm");
+  refused("--spacing nan", "--spacing is \"nan\"; it must be a number");
+  refused("--spacing 0x1p-1", "it must be a number");
+  refused("--spacing 1,5", "--spacing is \"1,5\"; it must be a number");
+  refused("--spacing 1e9", "spacing is");
+  refused("--spacing 1e-7", "toolpath.spacing is 1e-07 mm; it must be 0.05 to 20");
+  refused("--spacing 15", "spacing is 15 mm");  // wider than the disc
+  refused("--angle inf", "--angle is \"inf\"");
+  refused("--bridge -1", "bridge is -1 mm");
+  refused("--seed -1", "--seed is \"-1\"");
+  refused("--seed 99999999999999999999", "--seed is");
+  refused("--layers 0", "print.layers is 0; it must be 1 to 1000");
+  refused("--layers 1.5", "--layers is \"1.5\"; it must be a whole number\n");
+  refused("--layers -99999999999", "--layers is");
+  refused("--layer-height 9", "print.layerHeight is 9 mm");
+  refused("--start-height -1", "print.startHeight is -1 mm; it must be 0 to 5000");
+  refused("--flow -1", "print.flow is -1");
+  refused("--nozzle 0", "printer.nozzle is 0 mm");
+  refused("--perimeters some", "--perimeters is \"some\"; it must be none, soft or");
+  refused("--perimeters 101", "--perimeters is \"101\"");
+  refused("--mode diagonal", "parallel, orthogonal, smoothest or constrained");
+  refused("--flavor smoothie", "marlin, klipper, reprap, prusa or bambu");
+  refused("--base-pattern solid", "hatched, concentric or same");
+  refused("--show below", "up, bed or both");
+  refused("--copies 2", "NxM, two whole numbers");
+  refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");
+  refused("--brim 51", "print.brim is 51");
+  refused("--printer mk4", "--printer: \"mk4\" is not a printer profile");
+  refused("--preset paper", "--preset: \"paper\" is not a preset");
+  refused("--filament abs", "--filament: \"abs\" is not a filament profile; known are petg, pla, pla-silk");
+  refused("--bed 200", "--bed is \"200\"");
+  refused("--bed 10x10", "bed");  // smaller than the plate
+  refused("--place 300,300", "bed");
+  refused("--threads 0", "--threads is \"0\"; it must be a whole number from 1 to 256");
+  refused("--sweeps 0", "toolpath.sweepsPerLevel is 0; it must be 1 to 1000");
+  refused("--min-width nan", "--min-width");
+  checkRefused(folder, "generate --shape disc --size -3" + kOutputs, "--size is \"-3\"");
+  checkRefused(folder, "generate --shape disc --size nanxnan" + kOutputs, "--size is");
+  checkRefused(folder, "generate --shape disc --size 10x20" + kOutputs, "--size is \"10x20\" for a disc");
+  checkRefused(folder, "generate --shape rect --size 300x20 --spacing 1.2 --nozzle 1" + kOutputs, "bed");
+}
+
+TEST_CASE("command lines that make no sense are refused") {
+  const Folder folder;
+  folder.picture("l.png", 2, 2, [](int, int) { return 128; });
+  folder.write("keep.json", R"({"sillon": 1})");
+  checkRefused(folder, "", "subcommand");
+  checkRefused(folder, "generate", "no shape");
+  checkRefused(folder, "generate --angle 3", "no shape");
+  checkRefused(folder, "generate --shape disc --spaceing 3" + kOutputs, "--spaceing");
+  checkRefused(folder, "generate --shape disc --gcode", "--gcode");
+  checkRefused(folder, "generate --shape disc --gcode --quiet", "--gcode");
+  checkRefused(folder, "generate --directions l.png --angle 3" + kOutputs, "--directions");
+  checkRefused(folder, "generate --shape disc --svg x --gcode x", "named for two outputs");
+  checkRefused(folder, "generate --shape disc --svg x --gcode ./x", "named for two outputs");
+  checkRefused(folder, "generate --shape disc --svg x --gcode ../work/x", "named for two outputs");
+  checkRefused(folder, "generate --shape disc --gcode -", "the output \"-\" is no file");
+  checkRefused(folder, "frobnicate",
+               "\"frobnicate\" is not a command; it must be generate, check, rebrush, shape, zones, import, printers,");
+  checkRefused(folder, "generate --directions l.png --gcode l.png", "also an input");
+  checkRefused(folder, "generate keep.json --shape disc --size 9 --project keep.json", "also an input");
+  CHECK(readAll(folder.at("keep.json")) == R"({"sillon": 1})");
+}
+
+TEST_CASE("a folder that takes no files stops the run before anything is written") {
+  const Folder folder;
+  folder.write("file", "x");
+  fs::create_directories(folder.at("folder"));
+  checkRefused(folder, kDisc + std::string("--svg a.svg --gcode nowhere/a.gcode"), "nowhere");
+  checkRefused(folder, kDisc + std::string("--svg a.svg --gcode file/a.gcode"), "file");
+  checkRefused(folder, kDisc + std::string("--svg a.svg --gcode folder"), "is a folder");
+  checkRefused(folder, kDisc + std::string("--svg a.svg --gcode /dev/null"), "device");
+  checkRefused(folder, kDisc + std::string("--svg a.svg --gcode ") + std::string(300, 'x'), "cannot be written: ");
+  fs::permissions(folder.at("folder"), fs::perms::owner_read | fs::perms::owner_exec);
+  if (::geteuid() == 0) {
+    MESSAGE("root may write anywhere; the read-only folder is skipped");
+  } else {
+    checkRefused(folder, kDisc + std::string("--svg a.svg --gcode folder/a.gcode"), "folder");
+  }
+  fs::permissions(folder.at("folder"), fs::perms::owner_all);
+}
+
+TEST_CASE("a disk that fills up on the way leaves old files as they were and no new ones") {
+  const Folder folder;
+  folder.write("a.json", "old");
+  // Files may grow to a few kB: the report fits, the picture does not.
+  const Run run = folder.run(kDisc + std::string("--report a.json --preview a.png"), "trap '' XFSZ; ulimit -f 8;");
+  CAPTURE(run.err);
+  CHECK(run.code == 2);
+  CHECK(has(run.err, "\"a.png\" cannot be written: "));
+  CHECK(readAll(folder.at("a.json")) == "old");
+  CHECK(folder.files().size() == 1);
+}
+
+TEST_CASE("an answer that is lost is a failure") {
+  if (!fs::exists("/dev/full")) return;
+  const Folder folder;
+  REQUIRE(folder.run(std::string(kDisc) + "--gcode a.gcode").code == 0);
+  for (const char* command : {"--help", "printers", "printers prusa-mini", "check a.gcode", "import a.gcode"}) {
+    CAPTURE(command);
+    const Run run = folder.run(command, R"(sh -c '"$0" "$@" >/dev/full')");
+    CHECK(run.code == 2);
+    CHECK(has(run.err, "sillon: stdout cannot be written: "));
+  }
+}
+
+TEST_CASE("a reader that has gone away changes neither files nor the exit code") {
+  const Folder folder;
+  const Run run =
+      folder.run(std::string(kDisc) + "--gcode a.gcode", R"(bash -c '"$0" "$@" | true; exit "${PIPESTATUS[0]}"')");
+  CHECK(run.code == 0);
+  CHECK(fs::exists(folder.at("a.gcode")));
+}
+
+TEST_CASE("a date that is none is refused") {
+  const Folder folder;
+  for (const char* date :
+       {"SOURCE_DATE_EPOCH=-5", "SOURCE_DATE_EPOCH=soon", "SOURCE_DATE_EPOCH=99999999999999999999"}) {
+    const Run run = folder.run(kDisc + std::string("--gcode a.gcode"), date);
+    CHECK(run.code == 2);
+    CHECK(has(run.err, "SOURCE_DATE_EPOCH is"));
+    CHECK(folder.files().empty());
+  }
+}
+
+TEST_CASE("an output that was there is replaced, links stay links, and no temporary file remains") {
+  const Folder folder;
+  folder.write("real.svg", "old");
+  fs::create_symlink("real.svg", folder.at("link.svg"));
+  REQUIRE(folder.run(kDisc + std::string("--quiet --svg link.svg")).code == 0);
+  CHECK(fs::is_symlink(folder.at("link.svg")));
+  CHECK(has(readAll(folder.at("real.svg")), "<svg"));
+  CHECK(folder.files().size() == 2);
+}
+
+TEST_CASE("Ctrl-C ends with code 3 and leaves nothing behind") {
+  const Folder folder;
+  const std::string gcode = folder.at("a.gcode").string();
+  // The program opens its shape after it began to listen for signals, and waits there for us: no race to win.
+  const std::string shape = folder.at("shape.svg").string();
+  REQUIRE(::mkfifo(shape.c_str(), 0600) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const int sink = ::open(folder.at("../err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    ::dup2(sink, STDERR_FILENO);
+    ::dup2(sink, STDOUT_FILENO);
+    ::execl(SILLON_CLI, "sillon", "generate", "--shape", shape.c_str(), "--threads", "1", "--gcode", gcode.c_str(),
+            static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  int writer = -1;
+  while (writer < 0 && ::waitpid(child, nullptr, WNOHANG) == 0) writer = ::open(shape.c_str(), O_WRONLY | O_NONBLOCK);
+  REQUIRE(writer >= 0);
+  ::kill(child, SIGINT);
+  const std::string svg = R"(<svg width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M0 0H40V40H0Z"/></svg>)";
+  CHECK(::write(writer, svg.data(), svg.size()) == static_cast<ssize_t>(svg.size()));
+  ::close(writer);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 3);
+  CHECK(folder.files() == std::set<std::string>{shape});
+  const std::string err = readAll(folder.at("../err"));
+  CHECK(err.rfind("sillon: ", 0) == 0);
+  CHECK(err.find('\n') == err.size() - 1);
+}

@@ -1,0 +1,243 @@
+#include "gcode/base_layers.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gcode/hatch.hpp"
+#include "gcode/offset_loops.hpp"
+#include "support/about.hpp"
+#include "support/gcode_job.hpp"
+
+using namespace sillon;
+using namespace sillon::test;
+using doctest::Approx;
+
+TEST_CASE("hatched layers fill the shape at 45 and 135 degrees and stay half a line inside") {
+  std::vector<Shape> shapes = {rectangle(30, 20), makeDisc(25).value()};
+  Shape frame = rectangle(30, 30);
+  frame.paths[0].rings.push_back({{10, 10}, {10, 20}, {20, 20}, {20, 10}});
+  frame.paths[0].fillRule = FillRule::EvenOdd;
+  shapes.push_back(frame);
+  const double areas[] = {600, 3.14159265 * 25 * 25 / 4, 800};
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    for (const bool falling : {false, true}) {
+      CAPTURE(s);
+      CAPTURE(falling);
+      const std::vector<Polyline> lines = hatchLines(shapes[s], 0.4, falling);
+      double total = 0;
+      double hatched = 0;
+      double nearest = 1e9;
+      std::size_t points = 0;
+      for (const Polyline& line : lines) {
+        points += line.size();
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+          const Vec2 d = line[i + 1] - line[i];
+          total += length(d);
+          if (std::abs(d.x + (falling ? d.y : -d.y)) < 1e-9 && length(d) >= 0.4 - 1e-9) hatched += length(d);
+        }
+        for (const Vec2 p : line) {
+          if (s == 0) nearest = std::min({nearest, p.x, p.y, 30 - p.x, 20 - p.y});
+          if (s == 1) nearest = std::min(nearest, 12.5 - length(p - Vec2{12.5, 12.5}));
+          if (s == 2) {
+            const double hole = std::max(std::abs(p.x - 15), std::abs(p.y - 15)) - 5;
+            nearest = std::min({nearest, p.x, p.y, 30 - p.x, 30 - p.y, hole});
+          }
+        }
+      }
+      CHECK(nearest > 0.49 * 0.4 - 0.005);
+      CHECK(nearest < 0.25);
+      CHECK(total * 0.4 == about(areas[s], 0.02));
+      CHECK(hatched > 0.93 * total);
+      CHECK(lines.size() <= 12);
+      CHECK(points > 100);
+    }
+  }
+}
+
+TEST_CASE("shapes thinner than a line get no hatch, degenerate ones no crash") {
+  CHECK(hatchLines(rectangle(20, 0.3), 0.4, false).empty());
+  CHECK(hatchLines(Shape{}, 0.4, false).empty());
+  CHECK(hatchLines(rectangle(0, 0), 0.4, true).empty());
+}
+
+TEST_CASE("base layers take turns and carry the volume of the plate") {
+  Job job = plate();
+  job.params.base = 3;
+  const ReadFile file = checkFile(job, job.write());
+  double filament[4] = {};
+  double slope[4] = {};
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Solid infill") continue;
+    filament[path.layer] += path.filament();
+    for (const ReadMove& m : path.moves) {
+      slope[path.layer] += m.length() > 3 ? double(m.x1 - m.x0) * double(m.y1 - m.y0) : 0;
+    }
+  }
+  for (int layer = 1; layer <= 3; ++layer) {
+    CHECK(filament[layer] == about(600 * 0.2 / kArea, 0.02));
+    CHECK((slope[layer] > 0) == (layer % 2 == 1));
+  }
+}
+
+TEST_CASE("skirt loops run 5 mm off the plate, on the first layer only") {
+  Job job = plate();
+  job.params.skirt = 2;
+  job.params.place = Vec2{50, 60};
+  const ReadFile file = checkFile(job, job.write());
+  REQUIRE(file.paths.size() > 3);
+  CHECK(file.paths[1].role == "Skirt/Brim");
+  CHECK(file.paths[1].moves[0].x0 == 50000 - 5400);
+  CHECK(file.paths[2].moves[0].x0 == 50000 - 5000);
+  CHECK(file.paths[2].moves[0].x1 == 80000 + 5000);
+  CHECK(file.paths[2].moves[1].y1 == 80000 + 5000);
+  CHECK(std::count_if(file.paths.begin(), file.paths.end(), [](auto& p) { return p.role == "Skirt/Brim"; }) == 2);
+}
+
+TEST_CASE("a skirt that does not fit is left out with a warning, and the purge finds what room there is") {
+  Job job = plate();
+  job.printer.bedMax = {32, 60};
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  CHECK(contains(written.result.value().warnings, "skirt does not fit"));
+  REQUIRE(file.paths[0].role == "Custom");
+  CHECK(file.paths[0].moves.size() == 7);  // four passes in front of the plate
+  CHECK(file.paths[0].moves[0].y0 == 5667);
+  CHECK(file.paths[0].filament() >= 10.8);
+
+  job.printer.bedMax = {60, 22};
+  const ReadPath beside = checkFile(job, job.write()).paths[0];
+  CHECK(beside.moves[0].x0 == 1667);
+  CHECK(beside.filament() >= 10.8);
+
+  job.printer.bedMax = {31, 21};
+  const Written tight = job.write();
+  CHECK(checkFile(job, tight).paths[0].role == "Solid infill");
+  CHECK(contains(tight.result.value().warnings, "no room for a purge line"));
+}
+
+TEST_CASE("loops lie at their distances from the border, inside and outside") {
+  const auto boxOf = [](const Polyline& loop) {
+    Bounds box;
+    for (const Vec2 p : loop) box.add(p);
+    return box;
+  };
+  const auto lengthOf = [](const Polyline& loop) {
+    double sum = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) sum += length(loop[(i + 1) % loop.size()] - loop[i]);
+    return sum;
+  };
+  const Shape square = rectangle(20, 20);
+  const std::vector<Polyline> inner = offsetLoops(square, -0.2, -0.4, 1000).value();
+  CHECK(inner.size() == 25);
+  for (std::size_t k = 0; k + 1 < inner.size(); ++k) {
+    const double d = 0.2 + 0.4 * double(k);
+    const Bounds box = boxOf(inner[k]);
+    CHECK(box.min.x == about(d, 0.001));
+    CHECK(box.max.y == about(20 - d, 0.001));
+    CHECK(std::abs(lengthOf(inner[k]) - 4 * (20 - 2 * d)) < 0.13);  // corners are cut by a cell
+  }
+  const std::vector<Polyline> outer = offsetLoops(makeDisc(20).value(), 0.2, 0.4, 3).value();
+  REQUIRE(outer.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(lengthOf(outer[k]) == about(2 * 3.14159265 * (10.2 + 0.4 * double(k)), 0.002));
+    for (const Vec2 p : outer[k]) CHECK(length(p - Vec2{10, 10}) == about(10.2 + 0.4 * double(k), 0.001));
+  }
+  CHECK_FALSE(offsetLoops(Shape{}, 0.2, 0.4, 1).ok());
+}
+
+TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {
+  Job job = plate(30, 20, 1);
+  job.params.elephantFoot = 0;
+  job.params.basePattern = BasePattern::Concentric;
+  const Written written = job.write();
+  const ReadFile file = checkFile(job, written);
+  double filament = 0;
+  int loops = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Solid infill") continue;
+    CHECK(path.closed());
+    filament += path.filament();
+    ++loops;
+  }
+  CHECK(loops == 2 * 25);
+  CHECK(filament == about(2 * extrusion(0.2, 30, 20, 1.75, 1), 0.03));
+
+  job.params.basePattern = BasePattern::Same;
+  const ReadFile same = checkFile(job, job.write());
+  const ReadPath& top = lastPath(same);
+  int equal = 0;
+  for (const ReadPath& path : same.paths) {
+    if (path.role != "Solid infill") continue;
+    CHECK(path.closed());
+    CHECK(path.moves.size() == top.moves.size());
+    CHECK(path.filament() == about(top.filament() / job.params.flow, 1e-3));
+    ++equal;
+  }
+  CHECK(equal == 2);
+}
+
+TEST_CASE("the first layer keeps off the border by the elephant's foot") {
+  Job job = plate(30, 20);
+  const auto firstWidth = [&] {
+    const ReadFile file = checkFile(job, job.write());
+    std::int64_t lo[3] = {1 << 30, 1 << 30, 1 << 30};
+    std::int64_t hi[3] = {};
+    for (const ReadPath& path : file.paths) {
+      if (path.role != "Solid infill") continue;
+      for (const ReadMove& move : path.moves) {
+        lo[path.layer] = std::min(lo[path.layer], move.x1);
+        hi[path.layer] = std::max(hi[path.layer], move.x1);
+      }
+    }
+    return std::pair{hi[1] - lo[1], hi[2] - lo[2]};
+  };
+  const auto [first, second] = firstWidth();
+  CHECK(first == about(double(second) - 200, 0.001));
+  job.params.elephantFoot = 0;
+  CHECK(firstWidth().first == second);
+}
+
+TEST_CASE("a brim touches the outside of the plate, on the first layer only") {
+  Job job = plate(30, 20);
+  // A hole, which stays free.
+  job.shape.paths[0].rings.push_back({{12, 8}, {18, 8}, {18, 12}, {12, 12}});
+  job.shape.paths[0].fillRule = FillRule::EvenOdd;
+  job.params.brim = 3;
+  job.params.base = 0;
+  const ReadFile file = checkFile(job, job.write());
+  int loops = 0;
+  double outermost = 0;
+  double skirt = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != "Skirt/Brim") continue;
+    CHECK(path.layer == 1);
+    double lo = 1e9;
+    for (const ReadMove& move : path.moves) lo = std::min(lo, double(move.x1) / 1000);
+    if (++loops == 1) {
+      skirt = lo;
+      continue;
+    }
+    CHECK(lo == about(95 - 0.2 - 0.4 * (4 - loops), 1e-4));
+    if (outermost == 0) outermost = lo;
+  }
+  CHECK(loops == 4);
+  CHECK(outermost - skirt == about(5 + 0.2, 0.01));  // the skirt runs around the brim
+
+  job.params.place = Vec2{0.5, 50};
+  const Error error = job.write().result.error();
+  CHECK(error.code == ErrorCode::DoesNotFit);
+  CHECK(error.message.find("by 0.700 mm on the left") != std::string::npos);
+}
+
+TEST_CASE("parts too thin for the base layers are reported") {
+  Job job = plate();
+  job.shape.paths.push_back({{{{30, 0}, {60, 0}, {60, 30}, {59.7, 30}, {59.7, 0.3}, {30, 0.3}}}, FillRule::NonZero});
+  job.shape.paths.push_back({{{{0, 20}, {0.35, 20}, {0.35, 190}, {0, 190}}}, FillRule::NonZero});
+  const Written written = job.write();
+  REQUIRE(written.result.ok());
+  CHECK(contains(written.result.value().warnings, "the base layers cover only 8"));
+}

@@ -1,0 +1,223 @@
+#include "gcode/template.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "printer/dialect.hpp"
+#include "support/gcode_job.hpp"
+
+using namespace sillon;
+using namespace sillon::test;
+using doctest::Approx;
+
+TEST_CASE("blocks that go down to where a print stands are pointed out") {
+  Job job = plate(30, 20, 1.3);
+  job.params.startHeight = 5;
+  const std::string start = "G28\nM190 S60\nM109 S[first_layer_temperature]\n";
+  const auto warned = [&](const std::string& block, const char* part) {
+    job.printer.startGcode = start + block;
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    CHECK(written.text.find("M109 S215\n") != std::string::npos);
+    CHECK(!contains(written.result.value().warnings, "not primed"));  // the block's matter
+    return contains(written.result.value().warnings, part);
+  };
+  const char* low = "startGcode moves along the bed at Z 0.3; what stands there is 5 mm high";
+  CHECK(warned("G1 Z9 F600\nG1 X60 F3000\nG1 Z0.3\nG1 X90 E9\nG1 Z9", low));
+  CHECK(!warned("G1 Z9 F600\nG1 X60 E9 F3000", "startGcode moves"));
+  CHECK(!warned("G1 Z0.3 F600\nG1 Z9\nG1 X60 F3000", "startGcode moves"));         // not along the bed
+  CHECK(!warned("G1 X60 Y60 F3000\nG91\nG1 Z1\nG1 X1\nG90", "startGcode moves"));  // how high is not told
+  CHECK(warned("G1 Z0.3 F600\nG28\nG1 X60 F3000\nG1 X70 Z2", "startGcode moves along the bed at Z 2;"));
+  job.printer.endGcode = "M104 S0\nM140 S0\nG1 Z5.5 F600\nG1 X0 F3000";
+  CHECK(warned("", "endGcode moves along the bed at Z 5.5; what stands there is 5.6 mm high"));
+  job.printer.endGcode = "M104 S0\nM140 S0\nG91\nG1 Z5 F600\nG90\nG1 X0 F3000";
+  CHECK(!warned("", "endGcode moves"));
+  job.params.startHeight = 0;
+  job.printer.startGcode = start + "G1 Z0.3 F600\nG1 X60 E9 F3000";
+  CHECK(job.write().result.value().warnings.empty());
+}
+
+TEST_CASE("placeholders of four programs stand for their values") {
+  const std::vector<TemplateValue> values{{{"temp", "TEMP"}, {"215"}}, {{"min"}, {"1.5", "2.5"}}};
+  const auto expand = [&](std::string_view text) {
+    const Result<std::string> out = expandTemplate(text, values, "startGcode");
+    return out ? out.value() : "error: " + out.error().message;
+  };
+  CHECK(expand("M109 S{temp}") == "M109 S215\n");
+  CHECK(expand("M109 S{temp[0]}\nM104 S[temp] ; [x] {y} <z>") == "M109 S215\nM104 S215 ; [x] {y} <z>\n");
+  CHECK(expand("M109 S<TEMP>") == "M109 S215\n");
+  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM84 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\nM84 ??\n");
+  CHECK(expand("PRINT_START BED=60 NAME='x'") == "PRINT_START BED=60 NAME='x'\n");
+  CHECK(expand("") == "");
+  CHECK(expand("\n\n") == "");
+  for (const char* bad :
+       {"{other}", "[temp", "{min[2]}", "{min[x]}", "M1 {if temp > 3}M2{endif}", "<>", "{}", "[[[", "{temp+5}"}) {
+    CAPTURE(bad);
+    const std::string out = expand(std::string("G28\n") + bad);
+    CHECK(out.find("error: startGcode has \"") == 0);
+    CHECK(out.find("in line 2, which stands for no value here") != std::string::npos);
+  }
+}
+
+TEST_CASE("the user's blocks replace ours, and modes and temperatures are restated after them") {
+  Job job = plate();
+  job.printer.startGcode =
+      "G28\nM190 S{first_layer_bed_temperature}\nM109 S[nozzle_temperature_initial_layer]\nG20\nM82";
+  job.printer.endGcode = "M104 S0\nM140 S0 ; bye\nG1 X0 Y200";
+  const std::string text = job.write().text;
+  CHECK(text.find("\n; FEATURE: Custom\nG28\nM190 S60\nM109 S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") !=
+        std::string::npos);
+  CHECK(text.find("\nM104 S0\nM140 S0 ; bye\nG1 X0 Y200\nM73 P100 R0\n") != std::string::npos);
+  CHECK(text.find("M84") == std::string::npos);
+  const auto refusal = [&](const char* start) {
+    Job bad = job;
+    bad.printer.startGcode = start;
+    const Written written = bad.write();
+    CHECK(written.text.empty());
+    return written.result ? "" : written.result.error().message;
+  };
+  CHECK(refusal("M190 S60\nM109 S220") == "startGcode does not home; it must have G28 or a start macro");
+  CHECK(refusal("G28\nM190 S60\nM109 S220\nG1 X300 F3000").find("line 4 of startGcode: a move over the bed's edge") ==
+        0);
+  CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of startGcode: moves before it homes") == 0);
+  CHECK(refusal("G28\nG1 X10 E5 F600").find("line 2 of startGcode: extrudes before it has waited") == 0);
+  const auto endRefusal = [&](const char* end) {
+    Job bad = job;
+    bad.printer.endGcode = end;
+    const Written written = bad.write();
+    CHECK(written.text.empty());
+    return written.result ? "" : written.result.error().message;
+  };
+  CHECK(endRefusal("M104 S0\nG1 X300 F3000").find("line 2 of endGcode: a move over the bed's edge at (300, ") == 0);
+  CHECK(endRefusal("G1 X1,5").find("line 1 of endGcode: no plain number: \"X1,5\"") == 0);
+  Job own = job;
+  own.printer.endGcode = "G91\nG1 E-2 X5 Y-5 F3000\nG1 Z5\nG90\nG1 X0\nM500";
+  const std::vector<GcodeWarning> warnings = own.write().result.value().warnings;
+  CHECK(contains(warnings, "line 6 of endGcode: M500 outlives the print"));
+  CHECK(contains(warnings, "endGcode leaves the nozzle or the bed hot"));
+  CHECK(warnings.size() == 2);
+  own.printer.endGcode = "PRINT_END";
+  CHECK(own.write().result.value().warnings.empty());
+  own.printer.startGcode = "G28\nM190 S60\nM109 S220\nG92 X10\nM500";
+  CHECK(contains(own.write().result.value().warnings, "line 4 of startGcode: G92 moves the origin"));
+  CHECK(contains(own.write().result.value().warnings, "line 5 of startGcode: M500 outlives the print"));
+  Job wipe = job;
+  wipe.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 Z5 F600\nG1 Y-3 F3000";
+  CHECK(contains(wipe.write().result.value().warnings, "line 5 of startGcode: the start or end block goes over"));
+  wipe.printer.startGcode = "PRINT_START BED=60 HOTEND=180";
+  const Written macro = wipe.write();
+  REQUIRE(macro.result.ok());
+  CHECK(macro.text.find("PRINT_START BED=60 HOTEND=180\n") < macro.text.find("\nM190 S60\nM109 S220\n"));
+  job.printer.endGcode = "M104 S{oops}";
+  const Written refused = job.write();
+  CHECK(refused.result.error().message.find("endGcode has \"{oops}\" in line 1") == 0);
+  CHECK(refused.text.empty());
+  job.printer.endGcode = "; generated by PrusaSlicer";
+  CHECK(job.write().result.error().message.find("endGcode must not contain \"generated by\"") == 0);
+}
+
+namespace {
+
+// What a person at the printer would see between homing and the first layer. Reads the text by itself.
+struct Start {
+  double purged = 0;           // [mm of filament], laid along the bed
+  double drawnBack = 0;        // at the first layer [mm]
+  double lowestTravel = 1e9;   // Z of ways along the bed longer than the wipe [mm]
+  double lowestWait = 1e9;     // Z while the job's own temperatures are waited for
+  Bounds purgeBox;             // of its beads' middles
+  double firstBeadTravel = 0;  // Z of the way to the first layer's first bead
+  bool lowersAbove = true;     // goes below 10 mm only where the next bead begins
+  std::vector<std::string> order;
+};
+
+Start startOf(const std::string& text, const std::string& block) {
+  Start start;
+  double x = 0, y = 0, z = 0, e = 0;
+  bool low = false;
+  Vec2 lowAt;
+  const std::size_t after = text.find(block) + block.size();
+  const std::size_t first = text.find(";LAYER_CHANGE");
+  std::size_t at = after;
+  while (at < text.size()) {
+    const std::size_t end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    const bool begun = at > first;
+    at = end + 1;
+    if (line.starts_with("M190") || line.starts_with("M109")) {
+      start.order.push_back(line);
+      start.lowestWait = std::min(start.lowestWait, z);
+    }
+    if (line.starts_with("M22")) start.order.push_back(line);
+    if (!line.starts_with("G1 ")) continue;
+    double nx = x, ny = y, nz = z, de = 0;
+    for (const std::string_view word : split(line, ' ')) {
+      const double value = std::strtod(std::string(word.substr(1)).c_str(), nullptr);
+      if (word[0] == 'X') nx = value;
+      if (word[0] == 'Y') ny = value;
+      if (word[0] == 'Z') nz = value;
+      if (word[0] == 'E') de = value;
+    }
+    const double way = std::hypot(nx - x, ny - y);
+    if (nz < 10 && z >= 10) low = true, lowAt = {nx, ny};
+    if (way > 0 && de > 0) {
+      if (low && length(lowAt - Vec2{x, y}) > 1e-9) start.lowersAbove = false;
+      low = false;
+      if (begun) return start;
+      start.purged += de;
+      start.purgeBox.add({x, y});
+      start.purgeBox.add({nx, ny});
+    } else if (way > 3.1) {
+      start.lowestTravel = std::min(start.lowestTravel, z);
+      if (begun) start.firstBeadTravel = z;
+    }
+    e += de;
+    if (!begun && way == 0) start.drawnBack -= de;
+    x = nx, y = ny, z = nz;
+  }
+  return start;
+}
+
+}  // namespace
+
+TEST_CASE("every start waits for heat above and aside, fills the nozzle off the plate, and comes down on its target") {
+  const std::string donor = "G28\nM190 S55\nM109 S240\nG1 Z0.3 F600\nG1 X90 E12.5 F1000\nM221 S95\n";
+  for (const GcodeFlavor flavor :
+       {GcodeFlavor::Marlin, GcodeFlavor::Klipper, GcodeFlavor::RepRap, GcodeFlavor::PrusaBuddy, GcodeFlavor::Bambu}) {
+    for (const std::string& block : {std::string(), std::string("G28\n"), std::string("PRINT_START\n"), donor}) {
+      if (flavor == GcodeFlavor::Bambu && block.empty()) continue;
+      CAPTURE(dialectName(flavor));
+      CAPTURE(block);
+      Job job = plate();
+      job.params.skirt = 0;
+      job.params.place = Vec2{60, 70};
+      job.printer.flavor = flavor;
+      job.printer.startGcode = block;
+      job.printer.retractLength = 5;
+      const Written written = job.write();
+      REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+      const Start start = startOf(written.text, block.empty() ? std::string("\nG28\n") : block);
+      CHECK(start.lowestWait >= 10);
+      CHECK(start.lowestTravel >= 10);
+      CHECK(start.firstBeadTravel >= 10);
+      CHECK(start.lowersAbove);
+      CHECK(start.order == std::vector<std::string>{"M220 S100", "M221 S100", "M190 S60", "M109 S220"});
+      CHECK(start.drawnBack == Approx(5));
+      const bool own = block != donor && flavor != GcodeFlavor::Bambu;
+      if (own) {
+        CHECK(start.purged >= 15);
+        CHECK(start.purged < 18);
+        CHECK((start.purgeBox.max.x < 58 || start.purgeBox.max.y < 68));
+        CHECK(start.purgeBox.min.x >= 0);
+        CHECK(start.purgeBox.min.y >= 0);
+      } else {
+        CHECK(start.purged == 0);
+      }
+      CHECK(contains(written.result.value().warnings, "startGcode sets the flow to 95 %") == (block == donor));
+    }
+  }
+}

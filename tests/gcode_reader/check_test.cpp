@@ -1,0 +1,436 @@
+#include "sillon/gcode_reader/check.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gcode_reader/coverage.hpp"
+#include "gcode_reader/grammar.hpp"
+#include "gcode_reader/parser.hpp"
+#include "support/about.hpp"
+#include "support/damaged.hpp"
+
+using namespace sillon;
+using doctest::Approx;
+
+namespace {
+
+constexpr double kArea = 2.4052818754046854;  // of filament of 1.75 mm [mm²]
+
+const std::string kStart = "M140 S60\nG28\nM190 S60\nM109 S215\nG21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n";
+const std::string kSquare =
+    ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X50 Y50 F6000\nG1 X60 E0.33260 F1800\nG1 Y60 E0.33260\nG1 X50 E0.33260\n"
+    "G1 Y50 E0.33260\n";
+const std::string kEnd = ";TYPE:Custom\nG1 E-0.8 F2100\nG1 Z10 F600\nM104 S0\nM140 S0\n";
+
+/// The finding of a rule; one without a rule if there is none.
+GcodeFinding finding(const GcodeCheck& check, const std::string& rule) {
+  for (const GcodeFinding& found : check.findings) {
+    if (found.rule == rule) return found;
+  }
+  return {};
+}
+
+std::string rules(const GcodeCheck& check) {
+  std::string all;
+  for (const GcodeFinding& found : check.findings) all += (found.error ? "!" : "") + found.rule + " ";
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the grammar takes plain commands and refuses what kills prints") {
+  for (const char* good :
+       {"G1 X1.000 Y-2.500 E0.00001 F3000", ";note", "M104 S0", "", "G28", "M84 X Y", "T0", "G29.1",
+        "SET_PRESSURE_ADVANCE ADVANCE=0.0400", "EXCLUDE_OBJECT_START NAME=PLATE_1", "G1 X1 ;aside"}) {
+    CAPTURE(good);
+    CHECK(lineFault(good) == nullptr);
+  }
+  for (const char* bad :
+       {"G1 E1.2e-05", "G1X50Y50",  "g1 X5",   "G1 Xnan", "G1 X-0.000", "G1 X1 X2",   "G1 X+1",  "G1 X1,5",
+        "G1  X1",      "G1 X1 ",    "G1 X.5",  "G1 X5.",  "G1 X05",     "M117 hello", "G1 X1\r", "set_x A=1",
+        " G1",         "SET_X A=b", "SET_X A", "G",       "\xc3\xa9",   "; \t"}) {
+    CAPTURE(bad);
+    CHECK(lineFault(bad) != nullptr);
+  }
+  CHECK(lineFault("M117 " + std::string(91, '1')) != nullptr);
+}
+
+TEST_CASE("a clean file has no findings, and its facts are right") {
+  const GcodeCheck check = checkGcode(kStart + kSquare + kEnd);
+  CHECK(rules(check) == "");
+  CHECK(check.lines == 21);
+  CHECK(check.moves == 8);
+  CHECK(check.layers == 1);
+  CHECK(check.filamentMm == Approx(1.3304));
+  CHECK(check.pathMm == Approx(40));
+  CHECK(check.slowedMm == 0);
+  CHECK(check.closed == 1);
+  CHECK(check.open == 0);
+  CHECK(check.retractions == 1);
+  CHECK((check.box.min == Vec2{50, 50} && check.box.max == Vec2{60, 60}));
+  CHECK(check.top == 0.2);
+  CHECK(check.fastest == Approx(30));
+  CHECK(check.mostFlow == about(0.2 * 0.4 * 30, 1e-3));
+  CHECK((check.homes && check.heatsBed && check.heatsNozzle));
+}
+
+TEST_CASE("the slowed length is that below the fastest oriented bead of each layer") {
+  const std::string slow =
+      ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X50 Y50 F6000\nG1 X60 E0.33260 F1200\nG1 Y60 E0.33260 F1800\n"
+      "G1 X50 E0.33260 F1740\nG1 Y50 E0.33260 F1800\n";
+  CHECK(checkGcode(kStart + slow + kEnd).slowedMm == Approx(20));
+  CHECK(checkGcode(kStart + slow + kSquare + kEnd).slowedMm == Approx(20));
+  CHECK(checkGcode(kStart + slow + ";TYPE:Solid infill\nG1 X60 E0.33260 F300\n" + kEnd).slowedMm == Approx(20));
+}
+
+TEST_CASE("noise is the amplitude of a zigzag; lines, circles and corners have none") {
+  const auto noiseOf = [](const std::function<Vec2(int)>& at) {
+    std::string text = kStart + ";LAYER_CHANGE\n;TYPE:Top solid infill\n";
+    for (int k = 0; k <= 400; ++k) {
+      const Vec2 p = at(k);
+      char line[80];
+      std::snprintf(line, sizeof line, "G1 X%.3f Y%.3f%s F1800\n", p.x, p.y, k > 0 ? " E0.01" : "");
+      text += line;
+    }
+    return checkGcode(text + kEnd).noise;
+  };
+  const auto zigzag = [](double amplitude, double step) {
+    return [=](int k) { return Vec2{10 + k * step, 50 + (k % 2 == 0 ? amplitude : -amplitude)}; };
+  };
+  CHECK(noiseOf(zigzag(0.02, 0.2)) == about(0.02, 0.01));
+  CHECK(noiseOf(zigzag(0.005, 0.1)) == about(0.005, 0.01));  // turns of 11 degrees
+  CHECK(noiseOf(zigzag(0.005, 0.2)) == 0);                   // 6 degrees: nothing brakes
+  CHECK(noiseOf(zigzag(0, 0.2)) == 0);
+  CHECK(noiseOf(zigzag(0.5, 1.2)) == 0);  // longer legs are meant
+  CHECK(noiseOf([](int k) { return Vec2{50 + 20 * std::cos(k * 0.0157), 50 + 20 * std::sin(k * 0.0157)}; }) < 0.0011);
+  // Serpentines of right angles: corners turn twice to the same side.
+  CHECK(noiseOf([](int k) { return Vec2{10 + (k / 2) * 0.4, 50 + ((k + 1) / 2 % 2) * 0.4}; }) == 0);
+  CHECK(checkGcode(kStart).noise == -1);
+  std::string text = kStart + ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X10 Y50 F1800\n";
+  for (int k = 1; k < 300; ++k) {
+    text += "G1 X" + std::to_string(10 + k * 0.2).substr(0, 6) + (k % 2 == 0 ? " Y50.02" : " Y49.98") + " E0.01\n";
+  }
+  CHECK(finding(checkGcode(text + kEnd), "noise").message ==
+        "the path zigzags by 20 um; above 5 printers brake for it");
+}
+
+TEST_CASE("coverage is the share of the base that an oriented layer fills") {
+  std::vector<LaidBead> beads;
+  const auto lines = [&](int count, float width, bool base, int layer, float top, float x = 0) {
+    for (int k = 0; k < count; ++k) {
+      const float y = (static_cast<float>(k) + 0.5F) * 0.4F;
+      beads.push_back({{x, y}, {x + 10, y}, width, base, layer, top});
+    }
+  };
+  CHECK(orientedCoverage(beads).empty());
+  lines(25, 0.4F, true, 1, 0.2F);
+  CHECK(orientedCoverage(beads).empty());
+  lines(25, 0.4F, false, 2, 0.4F);
+  lines(12, 0.4F, false, 3, 0.6F);
+  lines(25, 0.2F, false, 4, 0.8F);
+  std::vector<double> shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 3);
+  CHECK(shares[0] == 1);
+  CHECK(shares[1] == about(0.48, 0.01));
+  CHECK(shares[2] == about(0.5, 0.03));
+  // A second plate is a stack of its own; a third has no base.
+  lines(25, 0.4F, true, 5, 0.2F, 50);
+  lines(20, 0.4F, false, 6, 0.4F, 50);
+  lines(20, 0.4F, false, 7, 0.2F, 80);
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 5);
+  CHECK(shares[3] == about(0.8, 0.01));
+  CHECK(shares[4] == -1);
+  // A bead that comes from far away and goes on, further than an int counts cells, covers what it passes.
+  beads.clear();
+  lines(25, 0.4F, true, 1, 0.2F);
+  beads.push_back({{-1e9F, 5}, {1e9F, 5}, 2, false, 2, 0.4F});
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 1);
+  CHECK(shares[0] == about(0.2, 0.03));
+  // A bead from corner to corner of the 10 mm covers what lies within a millimetre of the diagonal.
+  beads.pop_back();
+  beads.push_back({{0, 0}, {10, 10}, 2, false, 2, 0.4F});
+  const double corner = 10 - std::sqrt(2.0);  // side of the triangles beside it
+  CHECK(orientedCoverage(beads)[0] == about(1 - corner * corner / 100, 0.03));
+  // Hostile files: wide beads over and over, far apart and in many stacks, end soon.
+  beads.clear();
+  for (int k = 0; k < 20000; ++k) {
+    const auto layer = 2 * k;
+    beads.push_back({{0, 0}, {150, 150}, 10, true, layer, 0.2F});
+    beads.push_back({{0, 0}, {150, 150}, 10, false, layer + 1, 0.4F});
+  }
+  shares = orientedCoverage(beads);
+  REQUIRE(shares.size() == 20000);
+  CHECK(shares.front() == 1);
+  CHECK(shares.back() == -1);
+  // Slanted beads are drawn as upright ones are.
+  beads.clear();
+  beads.push_back({{0, 0}, {30, 40}, 2, true, 1, 0.2F});
+  beads.push_back({{0, 0}, {30, 40}, 1, false, 2, 0.4F});
+  const double area = (50 + 0.785398) / (100 + 3.14159);
+  CHECK(orientedCoverage(beads)[0] == about(area, 0.01));
+}
+
+TEST_CASE("relative moves, absolute E, inches, arcs and set origins are followed") {
+  // The same square by small steps of another kind.
+  std::string relative = kStart +
+                         ";LAYER_CHANGE\nG1 X50 Y50 F6000\nG91\nM83\nG1 X10 E0.3326 F1800\nG1 Y10 E0.3326\nG1 X-10 "
+                         "E0.3326\nG1 Y-10 E0.3326\nG90\nM83\n" +
+                         kEnd;
+  CHECK(checkGcode(relative).filamentMm == Approx(1.3304));
+  CHECK(checkGcode(relative).closed == 1);
+  const std::string absolute =
+      kStart + "M82\nG92 E5\n;LAYER_CHANGE\nG1 X50 Y50 F6000\nG1 X60 E5.3326 F1800\nG1 Y60 E5.6652\n" + "M83\n" + kEnd;
+  CHECK(checkGcode(absolute).filamentMm == Approx(0.6652));
+  // A full circle of radius 10.
+  const std::string circle = kStart + ";LAYER_CHANGE\nG1 X50 Y50 F6000\nG2 X50 Y50 I10 J0 E2.0897 F1800\n" + kEnd;
+  CHECK(checkGcode(circle).pathMm == Approx(62.83185).epsilon(1e-6));
+  Printer printer;
+  printer.bedMax = {65, 100};  // the circle reaches x 70
+  CHECK(finding(checkGcode(circle, printer), "bounds").message.find("an arc over the bed's edge") == 0);
+  const GcodeCheck inches = checkGcode(kStart + ";LAYER_CHANGE\nG20\nG1 X1 Y1 F100\nG1 X2 E0.01\nG21\n" + kEnd);
+  CHECK(inches.pathMm == Approx(25.4));
+  CHECK(inches.filamentMm == Approx(0.254));
+  CHECK(finding(inches, "modes").error);
+}
+
+TEST_CASE("each fault is found by its rule, in its line") {
+  struct Fault {
+    const char* rule;
+    bool error;
+    std::string text;
+    const char* message;
+  };
+  const std::string cold = "G28\nG21\nG90\nM83\nG1 Z0.2 F600\n";
+  const std::string unhomed = "M190 S60\nM109 S215\nG90\nM83\nG1 Z0.2 F600\n";
+  const auto with = [](const std::string& line) { return kStart + kSquare + line + "\n" + kEnd; };
+  const Fault faults[] = {
+      {"homing", true, unhomed + kSquare + kEnd, "moves before it homes"},
+      {"heating", true, cold + kSquare + kEnd, "extrudes before it has waited for a hot nozzle"},
+      {"heating", true, with("M104 S0\nG1 X51 E0.03326"), "extrudes with the nozzle at 0 degrees"},
+      {"heating", true, with("M104 S310"), "hotter than 300 degrees: 310"},
+      {"grammar", true, with("G1 X51 E1.2e-05"), "no plain number: \"E1.2e-05\""},
+      {"grammar", true, with("G1 X51 E1.2E-05"), "no plain number: \"E1.2E-05\""},
+      {"grammar", true, with("G1 X51,5 E0.01"), "no plain number: \"X51,5\""},
+      {"grammar", true, with("G1 Xnan"), "no number after a letter"},
+      {"grammar", true, with("G1 X51 X52 E0.03"), "a letter given twice"},
+      {"grammar", true, with("G1 (51)"), "not a word: \"(51)\""},
+      {"grammar", false, with("%"), "no command: \"%\""},
+      {"grammar", false, with("G1X51Y50E0.03326"), "words without spaces"},
+      {"grammar", false, with("g1 x51 E0.03326"), "lower case letters"},
+      {"grammar", false, with("N5 G1 X51 E0.03326*57"), "line numbers"},
+      {"grammar", false, with("M117 " + std::string(95, 'x')), "a command of more than 95 characters"},
+      {"grammar", false, with("M105\r"), "lines end with CR LF"},
+      {"modes", true, with("M200 D1.75"), "volumetric extrusion"},
+      {"modes", true, with("G92 X0"), "G92 moves the origin"},
+      {"bounds", true, with("G1 E-0.8 F2100\nG1 X230 F6000"), "a move over the bed's edge at (230, 50), 10 mm"},
+      {"bounds", true, with("G1 X-0.1 Y50 E1 F600"), "a bead over the bed's edge"},
+      {"height", true, with("G1 E-0.8 F2100\nG1 Z201 F600"), "above the printer's height: 201 mm"},
+      {"height", true, with("G1 Z0\nG1 X51 E0.03326 F600"), "a bead at or below the bed"},
+      {"extrusion", true, with("G1 X50.1 E1 F600"), "more plastic per mm than 4 nozzle diameters squared"},
+      {"extrusion", true, with("G1 E51"), "more than 50 mm of filament in one move"},
+      {"flow", true, with("G1 X60 E0.33260 F12000"), "more flow than maxFlow: 16 mm3/s"},
+      {"speed", true, with("G1 X51 F0"), "F is not above 0"},
+      {"rate", false,
+       with("G1 X50.01 E0.0003\nG1 X50.02 E0.0003\nG1 X50.03 E0.0003\nG1 X50.04 E0.0003\n"
+            "G1 X50.05 E0.0003\nG1 X50.06 E0.0003\nG1 X50.07 E0.0003\nG1 X50.08 E0.0003"),
+       "more moves per second than the printer takes: 3000"},
+      {"retraction", false, with("G1 X90 F6000"), "travels without retraction over 40 mm"},
+      {"retraction", true, with("G1 E-0.8 F2100\nG1 X51 E0.03326 F1800"), "extrudes while retracted by 0.8 mm"},
+      {"settings", false, with("M500"), "M500 outlives the print"},
+      {"end", false, kStart + kSquare, "the nozzle stays hot at the end"},
+      {"totals", false, with("; filament used [mm] = 5.00"), "it says it takes 5 mm of filament; its moves take 1.33"},
+      {"totals", false, with("; total layers count = 3"), "it says it has 3 layers; 1 are marked"},
+      {"extrusion", true, "G28\n", "there is no move in it"},
+  };
+  Printer printer;
+  printer.flavor = GcodeFlavor::Klipper;
+  for (const Fault& fault : faults) {
+    CAPTURE(std::string(fault.message));
+    const GcodeCheck check = checkGcode(fault.text, printer);
+    CAPTURE(rules(check));
+    const auto match = std::find_if(check.findings.begin(), check.findings.end(), [&](const GcodeFinding& found) {
+      return found.rule == fault.rule && found.error == fault.error && found.message.find(fault.message) == 0;
+    });
+    CHECK(match != check.findings.end());
+  }
+  CHECK(finding(checkGcode(with("G1 X51 E1.2e-05")), "grammar").line == 17);
+  CHECK(finding(checkGcode(with("M500\nM500\nM500")), "settings").count == 3);
+}
+
+TEST_CASE("files of our own are held to more: closed cycles, plain lines, totals") {
+  const std::string ours = "; generated by Sillon 0\n";
+  CHECK(rules(checkGcode(ours + kStart + kSquare + kEnd)) == "");
+  std::string open = kSquare;
+  open.replace(open.find("G1 Y50 E0.33260"), 6, "G1 Y51");
+  CHECK(finding(checkGcode(ours + kStart + open + kEnd), "cycle").message ==
+        "a cycle that does not close: it ends 1 mm off");
+  CHECK(rules(checkGcode(kStart + open + kEnd)) == "");
+  CHECK(finding(checkGcode(ours + kStart + kSquare + "M117 hello\n" + kEnd), "grammar").error);
+  CHECK(rules(checkGcode(ours + "M117 hello\n" + kStart + kSquare + kEnd)) == "");  // start blocks are the user's
+  CHECK(finding(checkGcode(ours + kStart + kSquare + kEnd + "; filament used [mm] = 1.40\n"), "totals").error);
+  CHECK(rules(checkGcode(ours + kStart + kSquare + kEnd + "; filament used [mm] = 1.33\n")) == "");
+  CHECK(finding(checkGcode(ours + kStart + kSquare + "G1 X90 F6000\n" + kEnd), "retraction").error);
+}
+
+TEST_CASE("a file of ours that begins above a print must not go below it") {
+  const std::string head = "; generated by Sillon 0.1.0\n; start height = 5 mm, of a print\n";
+  std::string high = kStart + kSquare + kEnd;
+  high.replace(high.find("G1 Z0.2"), 7, "G1 Z5.2");
+  CHECK(rules(checkGcode(head + high)).find("height") == std::string::npos);
+  CHECK(checkGcode(head + high).lowest == 5.2);
+  const GcodeFinding low = finding(checkGcode(head + kStart + kSquare + kEnd), "height");
+  CHECK(low.message == "moves below the print on the bed: Z 0.2");
+  CHECK(low.error);
+  CHECK(low.count == 5);
+  // In a start block, which is the machine's own, it is worth a look; as is the way down while moving along.
+  const GcodeFinding block = finding(checkGcode(head + kStart + "G1 X9 F600\n" + high), "height");
+  CHECK((block.count == 1 && !block.error));
+  std::string down = high;
+  down.insert(down.find("G1 Y60"), "G1 X61 Z1\n");
+  CHECK(finding(checkGcode(head + down), "height").count == 4);
+  CHECK(finding(checkGcode(kStart + kSquare + kEnd), "height").count == 0);
+}
+
+TEST_CASE("bed, height, nozzle and filament are read from the file's own settings") {
+  const std::string settings =
+      "; bed_shape = 0x0,55x0,55x100,0x100\n; nozzle_diameter = 0.2\n; max_print_height = 5\n; filament_diameter = "
+      "2.85\n; printer_model = MINI\n";
+  const GcodeCheck check = checkGcode(kStart + kSquare + kEnd + settings);
+  CHECK(check.printer == "MINI");
+  CHECK(finding(check, "bounds").message.find("a bead over the bed's edge at (60, 50), 5 mm") == 0);
+  CHECK(finding(check, "height").message == "above the printer's height: 10 mm");
+  CHECK(finding(check, "extrusion").message.find("more plastic per mm") == 0);
+  CHECK(check.mostFlow == about(0.033260 * 30 * kArea * 2.85 * 2.85 / 1.75 / 1.75, 1e-3));
+}
+
+TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros home and heat") {
+  Printer printer;
+  const std::string wipe = kStart + "G1 Y-4 F6000\nG1 X60 E9 F1000\n";
+  const GcodeCheck near = checkGcode(wipe + kSquare + kEnd, printer);
+  CHECK(near.errors() == 0);
+  CHECK(finding(near, "bounds").message.find("the start or end block goes over the bed's edge") == 0);
+  CHECK(near.box.min.y == 50);
+  CHECK(checkGcode(kStart + "G1 Y-14 F6000\n" + kSquare + kEnd, printer).errors() == 1);
+  const std::string macro =
+      "PRINT_START BED=60 EXTRUDER=215\nM83\nG1 Z0.2 F600\n" + kSquare + "G1 E-0.8 F2100\nPRINT_END\n";
+  CHECK(rules(checkGcode(macro, printer)) == "");
+  CHECK(checkGcode(macro).nozzleTarget == 215);
+  CHECK_FALSE(checkGcode("EXCLUDE_OBJECT_START NAME=PLATE_1\nTIMELAPSE_START\n").homes);
+}
+
+TEST_CASE("layers are known by the marks of each slicer, once where there are two") {
+  const auto marked = [](const std::string& mark, bool twice = false) {
+    std::string square = kSquare;
+    return kStart + mark + square.replace(0, 14, twice ? "" : ";") + mark + "G1 X60 E0.33260\n" + kEnd;
+  };
+  for (const char* mark : {";LAYER_CHANGE\n", ";LAYER:0\n", "; CHANGE_LAYER\n", "; layer 1, Z = 0.200\n",
+                           ";LAYER_CHANGE\n; CHANGE_LAYER\n"}) {
+    CAPTURE(mark);
+    const GcodeCheck check = checkGcode(marked(mark));
+    CHECK(check.layers == 2);
+    CHECK(rules(check) == "");
+    CHECK(check.box.max.x == 60);
+    Printer small;
+    small.bedMax = {55, 100};
+    CHECK(finding(checkGcode(marked(mark), small), "bounds").error);
+  }
+  const GcodeCheck unmarked = checkGcode(marked(""));
+  CHECK(unmarked.layers == 0);
+  CHECK(finding(unmarked, "layers").message.find("no layer is marked") == 0);
+  CHECK_FALSE(finding(unmarked, "layers").error);
+}
+
+TEST_CASE("what is for another tool, or a tool's setting, changes nothing") {
+  CHECK(rules(checkGcode(kStart + "M104 S0 T1\nG10 P0 S215 R170\n" + kSquare + kEnd)) == "");
+  CHECK(finding(checkGcode(kStart + "G10\n" + kSquare + kEnd), "retraction").error);
+}
+
+TEST_CASE("what makers write on purpose is no fault") {
+  const auto with = [](const std::string& line) { return kStart + kSquare + line + "\n" + kEnd; };
+  Printer printer;
+  // A purge line in a start block is thicker than any bead; Klipper alone stops there.
+  const std::string purge = kStart + "G1 X5 Y5 F6000\nG1 X60 E9 F1000\nG1 X100 E12.5 F1000\nG92 E0\n" + kSquare + kEnd;
+  CHECK(finding(checkGcode(purge, printer), "extrusion").count == 0);
+  printer.flavor = GcodeFlavor::Klipper;
+  CHECK(finding(checkGcode(kStart + "G1 X5 Y5 F6000\nG1 X7 E9 F600\n" + kSquare + kEnd, printer), "extrusion").error);
+  // A retraction given back 0.2 mm short, over and over.
+  std::string restart;
+  for (int k = 0; k < 5; ++k) restart += "G1 E-0.8 F2100\nG1 X50 Y50 F6000\nG1 E0.6 F2100\nG1 X60 E0.3326 F1800\n";
+  CHECK(finding(checkGcode(with(restart)), "retraction").count == 0);
+  // Signs and numbers that firmwares read, and a lift before homing.
+  CHECK(checkGcode("G91\nG1 Z+15 F600\nG90\n" + kStart + "G0 X53 E.3742 F600\n" + kSquare + kEnd).errors() == 0);
+  CHECK(finding(checkGcode("G90\nG1 X15 F600\n" + kStart + kSquare + kEnd), "homing").error);
+  CHECK(rules(checkGcode("G380 S2 Z30 F300\n" + kStart + kSquare + kEnd)) == "");
+  // UltiGCode counts E in mm3, and its printer homes and heats by itself.
+  const GcodeCheck ultimaker =
+      checkGcode(";FLAVOR:UltiGCode\n;LAYER:0\nM82\nG92 E0\nG1 Z0.2 F600\nG1 X50 Y50 F6000\nG1 X60 E0.8 F1800\n");
+  CHECK(rules(ultimaker) == "");
+  CHECK(ultimaker.filamentMm == Approx(0.8 / kArea));
+}
+
+TEST_CASE("moves below the bed are found, with Z alone too, and behind relative moves and origins") {
+  const auto depth = [](const std::string& lines) { return finding(checkGcode(kStart + lines), "height"); };
+  for (const char* lines : {"G1 Z-10 F9000\n", "G91\nG1 Z-10\nG90\n", "G92 Z20\nG1 Z5\n", "G1 X5 Y5 Z-1\n"}) {
+    CAPTURE(std::string(lines));
+    CHECK(depth(lines).code == "below-bed");
+    CHECK(depth(lines).error);
+  }
+  CHECK(depth("G1 Z-0.4\n").code.empty());
+  CHECK(depth("G92 Z0\nG91\nG1 Z5\nG1 Z-5\nG90\n").code.empty());
+  // Makers wipe up to 2 mm below the bed beside it.
+  Printer printer;
+  CHECK_FALSE(finding(checkGcode(kStart + "G1 Y224 F600\nG1 Z-1.5\n", printer), "height").error);
+  CHECK(finding(checkGcode(kStart + "G1 Y224 F600\nG1 Z-3\n", printer), "height").error);
+}
+
+TEST_CASE("lines keep their bytes and places, in whatever pieces they come") {
+  const std::string text = "G28\r\n\nG1 X5 ;to\rM117 a\n;end\r\n\r\nT0";
+  for (std::size_t size = 1; size <= text.size(); ++size) {
+    CAPTURE(size);
+    GcodeParser parser;
+    std::string joined;
+    std::int64_t count = 0;
+    const auto take = [&](const GcodeLine& line) {
+      CHECK(line.offset == joined.size());
+      CHECK(line.number == ++count);
+      joined += line.text;
+      joined += line.end;
+    };
+    for (std::size_t at = 0; at < text.size(); at += size) parser.feed(std::string_view(text).substr(at, size), take);
+    parser.finish(take);
+    CHECK(joined == text);
+    CHECK(count == 7);
+  }
+  // A line without an end is cut, so that no file takes more memory than a mebibyte of it.
+  GcodeParser parser;
+  std::size_t longest = 0;
+  std::size_t all = 0;
+  const auto take = [&](const GcodeLine& line) {
+    longest = std::max(longest, line.text.size());
+    all += line.text.size();
+  };
+  for (int k = 0; k < 40; ++k) parser.feed(std::string(100000, 'x'), take);
+  parser.finish(take);
+  CHECK(all == 4000000);
+  CHECK(longest == (std::size_t{1} << 20));
+}
+
+TEST_CASE("any bytes end in findings") {
+  const std::string whole = "; generated by Sillon 0\n" + kStart + kSquare + kEnd;
+  scenes::Random random(7);
+  for (int round = 0; round < 3000; ++round) {
+    CHECK(checkGcode(scenes::damaged(whole, random, 3, 8)).lines > 0);
+  }
+  CHECK(checkGcode("").lines == 0);
+  CHECK(checkGcode(std::string(100000, '\n')).lines == 100000);
+  CHECK(checkGcode("G1 X" + std::string(100000, '9')).errors() > 0);
+  CHECK(checkGcode(std::string(100000, 'G')).errors() > 0);
+}

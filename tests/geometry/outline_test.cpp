@@ -1,0 +1,125 @@
+#include "sillon/geometry/outline.hpp"
+
+#include <doctest/doctest.h>
+
+#include "support/about.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+using scenes::circle;
+using scenes::rectangle;
+using scenes::shapeOf;
+
+namespace {
+
+double areaOf(const Shape& shape) {
+  const auto outline = resolveOutline(shape);
+  REQUIRE(outline.ok());
+  return outline.value().area;
+}
+
+double intervalArea(const Shape& shape, double height, int rows) {
+  double sum = 0;
+  const double step = height / rows;
+  for (const auto& row : insideIntervals(shape, 0.5 * step, step, rows)) {
+    for (const Interval& interval : row) sum += (interval.end - interval.begin) * step;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a square's outline is its four edges with the inside on the left, whatever the winding") {
+  Ring ring = rectangle({1, 2}, {4, 6});
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto outline = resolveOutline(shapeOf({ring}, {5, 7}));
+    REQUIRE(outline.ok());
+    CHECK(outline.value().segments.size() == 4);
+    CHECK(outline.value().area == doctest::Approx(12));
+    for (const BorderSegment& s : outline.value().segments) CHECK(cross(s.b - s.a, Vec2{2.5, 4} - s.a) > 0);
+    std::reverse(ring.begin(), ring.end());
+  }
+}
+
+TEST_CASE("overlapping paths are united, and edges inside the union are no border") {
+  const Shape shape{
+      {{{rectangle({0, 0}, {4, 4})}, FillRule::NonZero}, {{rectangle({2, 1}, {6, 3})}, FillRule::NonZero}}, {6, 4}};
+  CHECK(areaOf(shape) == doctest::Approx(16 + 8 - 4));
+  CHECK(intervalArea(shape, 4, 4000) == about(20, 1e-3));
+}
+
+TEST_CASE("the same path drawn twice counts once under nonzero and vanishes under even-odd") {
+  const Ring ring = circle({5, 5}, 4);
+  const double once = areaOf(shapeOf({ring}, {10, 10}));
+  CHECK(areaOf(shapeOf({ring, ring}, {10, 10}, FillRule::NonZero)) == doctest::Approx(once));
+  const auto none = resolveOutline(shapeOf({ring, ring}, {10, 10}, FillRule::EvenOdd));
+  REQUIRE(!none.ok());
+  CHECK(none.error().code == ErrorCode::EmptyShape);
+}
+
+TEST_CASE("rectangles that share an edge, or a part of one, have no border between them") {
+  const Shape shape = shapeOf({rectangle({0, 0}, {3, 4}), rectangle({3, 1}, {5, 3})}, {5, 4}, FillRule::NonZero);
+  CHECK(areaOf(shape) == doctest::Approx(16));
+  const Outline outline = resolveOutline(shape).value();
+  for (const BorderSegment& s : outline.segments) {
+    const Vec2 middle = (s.a + s.b) * 0.5;
+    CHECK_FALSE((std::abs(middle.x - 3) < 1e-9 && middle.y > 1 && middle.y < 3));
+  }
+}
+
+TEST_CASE("a bow tie crosses itself: two triangles, both inside, whichever rule") {
+  const Ring bow = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
+  for (const FillRule rule : {FillRule::NonZero, FillRule::EvenOdd})
+    CHECK(areaOf(shapeOf({bow}, {4, 4}, rule)) == doctest::Approx(8));
+}
+
+TEST_CASE("a pentagram's middle is inside under nonzero and outside under even-odd") {
+  Ring star;
+  for (int k = 0; k < 5; ++k) {
+    const double a = std::numbers::pi * (0.5 + 0.8 * k);
+    star.push_back({5 + 5 * std::cos(a), 5 + 5 * std::sin(a)});
+  }
+  const double full = areaOf(shapeOf({star}, {10, 10}, FillRule::NonZero));
+  const double holed = areaOf(shapeOf({star}, {10, 10}, FillRule::EvenOdd));
+  const double inner = 5 * std::pow(5 * 0.3819660112501051, 2) / 2 * std::sin(2 * std::numbers::pi / 5);
+  CHECK(full - holed == doctest::Approx(inner));
+}
+
+TEST_CASE("nested rings of one sense are filled under nonzero, a hole under even-odd") {
+  const std::vector<Ring> rings = {rectangle({0, 0}, {6, 6}), rectangle({2, 2}, {4, 4})};
+  CHECK(areaOf(shapeOf(rings, {6, 6}, FillRule::NonZero)) == doctest::Approx(36));
+  CHECK(areaOf(shapeOf(rings, {6, 6}, FillRule::EvenOdd)) == doctest::Approx(32));
+}
+
+TEST_CASE("the area of the outline is that of its intervals for random overlapping polygons") {
+  scenes::Random random(5);
+  for (int k = 0; k < 40; ++k) {
+    std::vector<Ring> rings;
+    for (int r = 0; r < 3; ++r) {
+      Ring ring;
+      for (int c = 0; c < 3 + random.index(9); ++c) ring.push_back({random.in(0, 10), random.in(0, 10)});
+      rings.push_back(ring);
+    }
+    const Shape shape = shapeOf(rings, {10, 10}, k % 2 == 0 ? FillRule::NonZero : FillRule::EvenOdd);
+    CAPTURE(k);
+    CHECK(areaOf(shape) == about(intervalArea(shape, 10, 5000), 2e-3));
+  }
+}
+
+TEST_CASE("shapes without area say so") {
+  for (const Shape& shape :
+       {Shape{{}, {5, 5}}, shapeOf({{{0, 0}, {5, 0}, {2, 0}}}, {5, 5}), shapeOf({{{1, 1}, {1, 1}, {1, 1}}}, {5, 5})}) {
+    const auto outline = resolveOutline(shape);
+    REQUIRE(!outline.ok());
+    CHECK(outline.error().code == ErrorCode::EmptyShape);
+  }
+}
+
+TEST_CASE("a drawing that meets itself too often is refused, not computed for ever") {
+  Ring zigzag;
+  for (int k = 0; k < 200000; ++k)
+    zigzag.push_back({k % 2 == 0 ? 0.0 : 100.0, 100.0 * ((k * 7919) % 200000) / 200000.0});
+  const auto outline = resolveOutline(shapeOf({zigzag}, {100, 100}));
+  REQUIRE(!outline.ok());
+  CHECK(outline.error().code == ErrorCode::TooLarge);
+}

@@ -1,0 +1,67 @@
+// What a plate takes of memory while it is made: docs/internals/performance.md promises a bound per cell.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+constexpr std::size_t kHeader = 16;  // keeps the alignment that new promises
+
+std::atomic<std::size_t> held{0};
+std::atomic<std::size_t> most{0};
+
+void* counted(std::size_t size) {
+  auto* const block = static_cast<std::byte*>(std::malloc(size + kHeader));
+  if (block == nullptr) throw std::bad_alloc();
+  *reinterpret_cast<std::size_t*>(block) = size;
+  const std::size_t now = held += size;
+  std::size_t before = most;
+  while (now > before && !most.compare_exchange_weak(before, now)) {
+  }
+  return block + kHeader;
+}
+
+void uncounted(void* p) noexcept {
+  if (p == nullptr) return;
+  std::byte* const block = static_cast<std::byte*>(p) - kHeader;
+  held -= *reinterpret_cast<std::size_t*>(block);
+  std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* p) noexcept { uncounted(p); }
+void operator delete[](void* p) noexcept { uncounted(p); }
+void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
+void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
+
+TEST_CASE("a plate takes at most 120 bytes a cell while it is made") {
+  const PlateInput input =
+      scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {100, 100})}, {100, 100}), scenes::waves());
+  for (const PerimeterMode mode : {PerimeterMode::Count, PerimeterMode::Soft}) {
+    for (const int threads : {1, 2}) {
+      CAPTURE(static_cast<int>(mode));
+      CAPTURE(threads);
+      ToolpathParams params;
+      params.perimeterMode = mode;
+      const RunContext run(threads);
+      const std::size_t before = held;
+      most = before;
+      const auto plate = generateToolpath(input, params, run);
+      REQUIRE(plate.ok());
+      const double cells = static_cast<double>(plate.value().nx) * plate.value().ny;
+      CHECK(static_cast<double>(most - before) / cells <= 120);
+      CHECK(static_cast<double>(most - before) / cells > 60);  // it counts
+    }
+  }
+}

@@ -1,0 +1,268 @@
+// The whole way from shape to toolpath: truths, promises on every scene, goldens.
+#include "sillon/pipeline/pipeline.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+#include "sillon/quality/metrics.hpp"
+#include "support/about.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+const RunContext kRun(2);
+
+ToolpathResult buildResult(const PlateInput& input, const ToolpathParams& params = {}, const RunContext& run = kRun) {
+  auto plate = generateToolpath(input, params, run);
+  REQUIRE_MESSAGE(plate.ok(), (plate.ok() ? "" : plate.error().message));
+  return std::move(plate).value();
+}
+
+Measures measuresOf(const ToolpathResult& plate, const PlateInput& input, const ToolpathParams& params = {}) {
+  return measureToolpath(plate.toolpath, input.shape, input.directions, input.modes, params, kRun).value();
+}
+
+std::map<std::string, std::string> goldens() {
+  std::map<std::string, std::string> digests;
+  std::ifstream file(SILLON_SOURCE_DIR "/tests/golden/digests.txt");
+  std::string line;
+  while (std::getline(file, line)) {
+    const std::size_t space = line.rfind(' ');
+    if (space != std::string::npos && line[0] != '#') digests[line.substr(0, space)] = line.substr(space + 1);
+  }
+  return digests;
+}
+
+}  // namespace
+
+TEST_CASE("a half plane of one direction gives straight beads one spacing apart") {
+  // A large square, beads along x: in its middle every bead is a straight row, tau from the next.
+  const PlateInput input = scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {20, 20})}, {20, 20}),
+                                         scenes::mapOf(1, [](double, double) { return 0.0; }));
+  const ToolpathResult plate = buildResult(input);
+  std::vector<float> rows;
+  for (const Cycle& cycle : plate.toolpath.cycles) {
+    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+      const Vec2f a = cycle.points[k];
+      const Vec2f b = cycle.points[(k + 1) % cycle.points.size()];
+      if ((a.x < 10) == (b.x < 10)) continue;
+      const float y = a.y + (b.y - a.y) * (10 - a.x) / (b.x - a.x);
+      if (y < 3 || y > 17) continue;
+      CHECK(std::abs(b.y - a.y) < 0.02f * std::abs(b.x - a.x) + 0.002f);
+      rows.push_back(y);
+    }
+  }
+  std::sort(rows.begin(), rows.end());
+  REQUIRE(rows.size() >= 34);
+  for (std::size_t k = 1; k < rows.size(); ++k) CHECK(rows[k] - rows[k - 1] == about(0.4, 0.03));
+}
+
+TEST_CASE("every scene gives one simple closed toolpath per part that covers the shape and does not spill") {
+  for (const auto& scene : scenes::all()) {
+    for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+      CAPTURE(scene.name);
+      CAPTURE(static_cast<int>(mode));
+      ToolpathParams params;
+      params.perimeterMode = mode;
+      const ToolpathResult plate = buildResult(scene.input, params);
+      CHECK(plate.parts == scene.parts);
+      CHECK(plate.toolpath.cycles.size() == static_cast<std::size_t>(scene.parts));
+      const Measures m = measuresOf(plate, scene.input, params);
+      CHECK(m.crossings == 0);
+      CHECK(m.spill <= 0.05);
+      CHECK(m.overlap < 0.5);
+      // Slivers hold few beads. White noise is hairpins everywhere, and beads do not overlap to hide it.
+      const bool sliver = scene.name == "sliver" || scene.name == "two beads";
+      const bool noise = scene.name == "noise";
+      CHECK(m.coverage > (sliver ? 60 : noise ? 90 : 92.5));
+      CHECK(m.fillRatio > (sliver ? 0.6 : noise ? 0.88 : 0.9));
+      CHECK(m.fillRatio < 1.05);
+      for (const Cycle& cycle : plate.toolpath.cycles) {
+        CHECK(cycle.points.size() >= 3);
+        CHECK(cycle.points.size() == cycle.widths.size());
+        for (const float width : cycle.widths) CHECK((width > 0 && width <= 0.8f));
+      }
+    }
+  }
+}
+
+TEST_CASE("the toolpath follows the map, far better than chance") {
+  const auto scene = scenes::all()[0];
+  const Measures m = measuresOf(buildResult(scene.input), scene.input);
+  CHECK(m.alignmentInterior < -0.95);
+}
+
+TEST_CASE("the same plate comes out for 1, 2, 3 and 8 threads, and it is the one on record") {
+  const auto records = goldens();
+  const char* write = std::getenv("SILLON_WRITE_GOLDENS");  // a file to write them anew, after a wanted change
+  std::ofstream out;
+  if (write != nullptr) out.open(write);
+  for (const auto& scene : scenes::all()) {
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{7}}) {
+      ToolpathParams params;
+      params.seed = seed;
+      const std::string name = scene.name + (seed == 0 ? "" : ", seed 7");
+      CAPTURE(name);
+      const std::string digest = digestOf(buildResult(scene.input, params, RunContext(1)).toolpath);
+      for (const int threads : {2, 3, 8})
+        CHECK(digestOf(buildResult(scene.input, params, RunContext(threads)).toolpath) == digest);
+      if (write != nullptr) {
+        out << name << ' ' << digest << '\n';
+        continue;
+      }
+      REQUIRE(records.count(name) == 1);
+      CHECK(records.at(name) == digest);
+    }
+  }
+}
+
+TEST_CASE("another seed is another plate") {
+  const auto scene = scenes::all()[0];
+  ToolpathParams params;
+  params.seed = 1;
+  CHECK(digestOf(buildResult(scene.input, params).toolpath) != digestOf(buildResult(scene.input).toolpath));
+}
+
+TEST_CASE("parameters out of range are named with their value and range, and nothing is made") {
+  struct Case {
+    const char* field;
+    std::function<void(ToolpathParams&)> spoil;
+  };
+  const double nan = std::nan("");
+  const std::vector<Case> cases = {
+      {"spacing", [](auto& p) { p.spacing = -0.4; }},
+      {"spacing", [=](auto& p) { p.spacing = nan; }},
+      {"spacing", [](auto& p) { p.spacing = 0; }},
+      {"spacing", [](auto& p) { p.spacing = INFINITY; }},
+      {"perimeters", [](auto& p) { p.perimeters = -1; }},
+      {"bridge", [](auto& p) { p.bridge = -1; }},
+      {"bridge", [=](auto& p) { p.bridge = nan; }},
+      {"sweepsPerLevel", [](auto& p) { p.sweepsPerLevel = 0; }},
+      {"spacingVariation", [](auto& p) { p.spacingVariation = 0.6; }},
+      {"borderWeight", [](auto& p) { p.borderWeight = -1; }},
+      {"stitchAlignment", [](auto& p) { p.stitchAlignment = 11; }},
+      {"relaxationRounds", [](auto& p) { p.relaxationRounds = -1; }},
+      {"relaxationStrength", [](auto& p) { p.relaxationStrength = 0.6; }},
+      {"relaxationSmoothing", [](auto& p) { p.relaxationSmoothing = 1.5; }},
+      {"widthBalance", [](auto& p) { p.widthBalance = -0.1; }},
+      {"beadOverlap", [](auto& p) { p.beadOverlap = -0.1; }},
+      {"minWidth", [](auto& p) { p.minWidth = 0; }},
+      {"maxWidth", [](auto& p) { p.maxWidth = 9; }},
+      {"simplifyTolerance", [=](auto& p) { p.simplifyTolerance = nan; }},
+  };
+  const auto scene = scenes::all()[0];
+  for (const Case& c : cases) {
+    ToolpathParams params;
+    c.spoil(params);
+    const auto plate = generateToolpath(scene.input, params, kRun);
+    CAPTURE(c.field);
+    REQUIRE(!plate.ok());
+    CHECK(plate.error().code == ErrorCode::InvalidArgument);
+    CHECK(plate.error().message.find(std::string("toolpath.") + c.field) == 0);
+    CHECK(plate.error().message.find("must be") != std::string::npos);
+  }
+}
+
+TEST_CASE("odd shapes end in an error that says why") {
+  const DirectionMap map = scenes::waves();
+  std::string message;
+  const auto codeOf = [&](const Shape& shape, double spacing) {
+    ToolpathParams params;
+    params.spacing = spacing;
+    const auto plate = generateToolpath(scenes::plate(shape, map), params, kRun);
+    REQUIRE(!plate.ok());
+    CHECK(plate.error().message.size() > 20);
+    message = plate.error().message;
+    return plate.error().code;
+  };
+  const auto square = [](double side) {
+    return scenes::shapeOf({scenes::rectangle({0, 0}, {side, side})}, {side, side});
+  };
+  CHECK(codeOf(square(0.3), 0.4) == ErrorCode::EmptyShape);     // spacing larger than the shape
+  CHECK(codeOf({{}, {10, 10}}, 0.4) == ErrorCode::EmptyShape);  // nothing drawn
+  CHECK(codeOf(square(9000), 0.05) == ErrorCode::TooLarge);     // 130 thousand million cells
+  CHECK(codeOf(square(1999.04), 0.4) == ErrorCode::TooLarge);
+  const std::string most = sizeof(void*) == 4 ? "8 million" : "100 million";  // in a browser's 32 bits
+  CHECK(message.find("100.1 million cells at spacing 0.4 mm; at most " + most) != std::string::npos);
+  Shape noPage = square(5);
+  noPage.page = {0, 5};
+  CHECK(codeOf(noPage, 0.4) == ErrorCode::InvalidArgument);
+  noPage.page = {std::nan(""), 5};
+  CHECK(codeOf(noPage, 0.4) == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("progress begins at 0, never falls and ends at 1") {
+  RunContext run(2);
+  std::vector<double> seen;
+  std::vector<std::string> stages;
+  run.onProgress([&](std::string_view stage, double fraction) {
+    seen.push_back(fraction);
+    if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
+  });
+  const auto scene = scenes::all()[0];
+  (void)buildResult(scene.input, {}, run);
+  REQUIRE(seen.size() > 5);
+  CHECK(seen.front() == 0);
+  CHECK(seen.back() == 1);
+  CHECK(std::is_sorted(seen.begin(), seen.end()));
+  CHECK(stages.size() == 9);
+}
+
+TEST_CASE("a cancelled run says so, whichever stage it is in") {
+  const auto scene = scenes::all()[0];
+  for (const char* stage :
+       {"outline", "distance", "lines", "phases", "contour", "stitch", "relaxation", "width", "simplify"}) {
+    RunContext run(2);
+    run.onProgress([&](std::string_view now, double) {
+      if (now == stage) run.requestCancel();
+    });
+    const auto plate = generateToolpath(scene.input, {}, run);
+    CAPTURE(stage);
+    REQUIRE(!plate.ok());
+    CHECK(plate.error().code == ErrorCode::Cancelled);
+  }
+}
+
+TEST_CASE("a poll that says yes cancels a run on one thread, and is asked often") {
+  const PlateInput input =
+      scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {40, 40})}, {40, 40}), scenes::waves());
+  RunContext run(1);
+  int asked = 0;
+  run.onPoll([&] {
+    ++asked;
+    return false;
+  });
+  REQUIRE(generateToolpath(input, {}, run).ok());
+  CHECK(asked > 200);
+  const int half = asked / 2;
+  asked = 0;
+  run.onPoll([&] { return ++asked == half; });
+  const auto plate = generateToolpath(input, {}, run);
+  REQUIRE(!plate.ok());
+  CHECK(plate.error().code == ErrorCode::Cancelled);
+  CHECK(asked == half);  // not asked again once cancelled
+}
+
+TEST_CASE("a cancel from another thread ends a long run well before it would end by itself") {
+  const PlateInput input =
+      scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {120, 120})}, {120, 120}), scenes::waves());
+  RunContext run(2);
+  std::atomic<bool> phases{false};
+  run.onProgress([&](std::string_view stage, double) { phases = phases || stage == "phases"; });
+  std::thread canceller([&] {
+    while (!phases) std::this_thread::yield();
+    run.requestCancel();
+  });
+  const auto plate = generateToolpath(input, {}, run);
+  canceller.join();
+  REQUIRE(!plate.ok());
+  CHECK(plate.error().code == ErrorCode::Cancelled);
+}

@@ -1,0 +1,92 @@
+// The scenes published with the paper, where they are at hand: promises on all, figures on four.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "assemble.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/settings/presets.hpp"
+
+using namespace sillon;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Figures {
+  double alignment;  ///< at most; 0: not judged
+  double coverage;   ///< at least
+  double overlap;    ///< at most
+};
+
+fs::path scenesFolder() { return fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes"; }
+
+struct Made {
+  ToolpathResult plate;
+  Measures measures;
+};
+
+Made makeScene(const fs::path& path, const std::string& preset = "standard") {
+  auto project = cli::loadProject(path.string());
+  REQUIRE_MESSAGE(project.ok(), (project.ok() ? "" : project.error().message));
+  const auto input = cli::assemblePlate(project.value());
+  REQUIRE_MESSAGE(input.ok(), (input.ok() ? "" : input.error().message));
+  ToolpathParams& params = project.value().toolpath;
+  REQUIRE(applyPreset(preset, params).empty());
+  const RunContext run(2);
+  auto plate = generateToolpath(input.value(), params, run);
+  REQUIRE(plate.ok());
+  auto measures = measureToolpath(plate.value().toolpath, input.value().shape, input.value().directions,
+                                  input.value().modes, params, run);
+  REQUIRE(measures.ok());
+  return {std::move(plate).value(), std::move(measures).value()};
+}
+
+}  // namespace
+
+TEST_CASE("published scenes become one simple toolpath per part, without spill and with the figures of the README") {
+  const fs::path folder = scenesFolder();
+  if (!fs::is_directory(folder)) {
+    MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
+    return;
+  }
+  const std::map<std::string, Figures> figures = {{"brain", {-0.938, 96.5, 0.6}},
+                                                  {"wave", {-0.966, 97.8, 0.5}},
+                                                  {"tiles_square", {-0.972, 98.4, 0.6}},
+                                                  {"teaser", {0, 98.0, 0.6}}};
+  std::vector<fs::path> scenes;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") scenes.push_back(entry.path());
+  }
+  std::sort(scenes.begin(), scenes.end());
+  CHECK(scenes.size() >= 4);
+  for (const fs::path& path : scenes) {
+    const std::string name = path.stem().string();
+    CAPTURE(name);
+    const Made made = makeScene(path);
+    const Measures& m = made.measures;
+    CHECK(made.plate.parts == 1);
+    CHECK(made.plate.toolpath.cycles.size() == 1);
+    CHECK(m.crossings == 0);
+    CHECK(m.spill <= 0.05);
+    const auto wanted = figures.find(name);
+    if (wanted == figures.end()) continue;
+    if (wanted->second.alignment < 0) CHECK(m.alignment <= wanted->second.alignment);
+    CHECK(m.coverage >= wanted->second.coverage);
+    CHECK(m.overlap <= wanted->second.overlap);
+  }
+}
+
+TEST_CASE("the preset of 2023 comes within 0.006 of the alignment that was published") {
+  if (!fs::is_directory(scenesFolder())) {
+    MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
+    return;
+  }
+  CHECK(std::abs(makeScene(scenesFolder() / "brain.json", "paper-2023").measures.alignment + 0.930) <= 0.006);
+  CHECK(std::abs(makeScene(scenesFolder() / "wave.json", "paper-2023").measures.alignment + 0.958) <= 0.006);
+}

@@ -1,0 +1,123 @@
+// A session that keeps fields gives what a run from nothing gives, whatever was edited in between.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sillon/pipeline/session.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+PlateInput fan(double side, double bend) {
+  return scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {side, side})}, {side, side}),
+                       scenes::mapOf(64, [=](double x, double y) { return bend * std::sin(3 * x) + y; }),
+                       DirectionMode::Constrained);
+}
+
+bool did(const ToolpathResult& plate, const std::string& stage) {
+  return std::any_of(plate.time.begin(), plate.time.end(), [&](const StageTime& t) { return t.stage == stage; });
+}
+
+}  // namespace
+
+TEST_CASE("after any edit a session's toolpath is that of a run from nothing") {
+  struct Edit {
+    const char* what;
+    std::function<void(PlateInput&, ToolpathParams&)> change;
+  };
+  // One for every parameter and every part of the input.
+  const std::vector<Edit> edits = {
+      {"nothing", [](PlateInput&, ToolpathParams&) {}},
+      {"directions", [](PlateInput& i, ToolpathParams&) { i.directions = fan(14, 0.9).directions; }},
+      {"a few directions", [](PlateInput& i, ToolpathParams&) { i.directions.angle[700] += 9000; }},
+      {"modes", [](PlateInput& i, ToolpathParams&) { i.modes = uniformMode(DirectionMode::Smoothest); }},
+      {"page", [](PlateInput& i, ToolpathParams&) { i.shape.page.x = 15; }},
+      {"shape",
+       [](PlateInput& i, ToolpathParams&) {
+         i.shape.paths[0].rings[0][0] = {1, 2};
+       }},
+      {"rule", [](PlateInput& i, ToolpathParams&) { i.shape.paths[0].fillRule = FillRule::NonZero; }},
+      {"spacing", [](PlateInput&, ToolpathParams& p) { p.spacing = 0.5; }},
+      {"perimeters", [](PlateInput&, ToolpathParams& p) { p.perimeters = 2; }},
+      {"perimeterMode", [](PlateInput&, ToolpathParams& p) { p.perimeterMode = PerimeterMode::Soft; }},
+      {"borderWeight", [](PlateInput&, ToolpathParams& p) { p.borderWeight = 4; }},
+      {"bridge", [](PlateInput&, ToolpathParams& p) { p.bridge = 1; }},
+      {"mapFilter", [](PlateInput&, ToolpathParams& p) { p.mapFilter = MapFilter::Nearest; }},
+      {"seed", [](PlateInput&, ToolpathParams& p) { p.seed = 3; }},
+      {"jitter", [](PlateInput&, ToolpathParams& p) { p.jitter = 0.2; }},
+      {"phaseTransport", [](PlateInput&, ToolpathParams& p) { p.phaseTransport = PhaseTransport::Neighbour; }},
+      {"sweepsPerLevel", [](PlateInput&, ToolpathParams& p) { p.sweepsPerLevel = 3; }},
+      {"spacingVariation", [](PlateInput&, ToolpathParams& p) { p.spacingVariation = 0.1; }},
+      {"directionTolerance", [](PlateInput&, ToolpathParams& p) { p.directionTolerance = 5; }},
+      {"kernelRadius", [](PlateInput&, ToolpathParams& p) { p.kernelRadius = 0.7; }},
+      {"stitchAlignment", [](PlateInput&, ToolpathParams& p) { p.stitchAlignment = 0; }},
+      {"relaxationRounds", [](PlateInput&, ToolpathParams& p) { p.relaxationRounds = 1; }},
+      {"relaxationStrength", [](PlateInput&, ToolpathParams& p) { p.relaxationStrength = 0.3; }},
+      {"relaxationSmoothing", [](PlateInput&, ToolpathParams& p) { p.relaxationSmoothing = 0.4; }},
+      {"widthBalance", [](PlateInput&, ToolpathParams& p) { p.widthBalance = 0.2; }},
+      {"beadOverlap", [](PlateInput&, ToolpathParams& p) { p.beadOverlap = 0.1; }},
+      {"minWidth", [](PlateInput&, ToolpathParams& p) { p.minWidth = 0.8; }},
+      {"maxWidth", [](PlateInput&, ToolpathParams& p) { p.maxWidth = 1.1; }},
+      {"simplifyTolerance", [](PlateInput&, ToolpathParams& p) { p.simplifyTolerance = 0.03; }},
+  };
+  const RunContext run(2);
+  PlateInput input = fan(14, 0.5);
+  ToolpathParams params;
+  Session session;
+  for (const Edit& edit : edits) {
+    CAPTURE(edit.what);
+    edit.change(input, params);
+    const auto kept = session.generateToolpath(input, params, run);
+    const auto fresh = generateToolpath(input, params, run);
+    REQUIRE(kept.ok());
+    REQUIRE(fresh.ok());
+    CHECK(digestOf(kept.value().toolpath) == digestOf(fresh.value().toolpath));
+    CHECK(kept.value().parts == fresh.value().parts);
+    CHECK(kept.value().contourCycles == fresh.value().contourCycles);
+  }
+}
+
+TEST_CASE("a session does again only what an edit asks for") {
+  const RunContext run(1);
+  PlateInput input = fan(10, 0.5);
+  ToolpathParams params;
+  Session session;
+  const ToolpathResult first = session.generateToolpath(input, params, run).value();
+  CHECK(did(first, "distance"));
+  CHECK(did(first, "phases"));
+  input.directions = fan(10, 0.2).directions;
+  const ToolpathResult redirected = session.generateToolpath(input, params, run).value();
+  CHECK_FALSE(did(redirected, "distance"));
+  CHECK(did(redirected, "phases"));
+  params.relaxationRounds = 3;
+  const ToolpathResult relaxed = session.generateToolpath(input, params, run).value();
+  CHECK_FALSE(did(relaxed, "phases"));
+  CHECK(did(relaxed, "relaxation"));
+}
+
+TEST_CASE("an error or a cancelled run leaves a session fit for the next") {
+  const PlateInput input = fan(10, 0.5);
+  Session session;
+  const RunContext run(1);
+  const std::string digest = digestOf(session.generateToolpath(input, {}, run).value().toolpath);
+  PlateInput tiny = fan(0.1, 0.5);
+  CHECK(session.generateToolpath(tiny, {}, run).error().code == ErrorCode::EmptyShape);
+  CHECK(digestOf(session.generateToolpath(input, {}, run).value().toolpath) == digest);
+  for (const double when : {0.03, 0.1, 0.3}) {
+    RunContext stopped(1);
+    stopped.onProgress([&](std::string_view, double done) {
+      if (done > when) stopped.requestCancel();
+    });
+    PlateInput other = fan(10, when);
+    const auto plate = session.generateToolpath(other, {}, stopped);
+    if (!plate) CHECK(plate.error().code == ErrorCode::Cancelled);
+    CHECK(digestOf(session.generateToolpath(input, {}, run).value().toolpath) == digest);
+  }
+}

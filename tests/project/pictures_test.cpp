@@ -1,0 +1,149 @@
+#include "sillon/project/pictures.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "sillon/input/image_io.hpp"
+#include "sillon/quality/picture_measures.hpp"
+
+using namespace sillon;
+
+namespace {
+
+/// A soft ball before a gradient, as 60 x 60 grey pixels.
+Image ball() {
+  Image image{60, 60, 1, {}};
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      const double d = std::hypot(x - 32, y - 27) / 18;
+      const double tone = d < 1 ? 0.9 - 0.6 * d * d : 0.2 + 0.4 * x / 60;
+      image.samples.push_back(static_cast<std::uint16_t>(65535 * tone));
+    }
+  }
+  return image;
+}
+
+Result<InputFile> readBall(const std::string& name, const std::string& what) {
+  CHECK(what == "picture");
+  if (name == "none.png") return Error{ErrorCode::InvalidFile, "there is no none.png"};
+  return InputFile(ball());
+}
+
+Project projectOf(std::vector<LampPicture> files) {
+  Project project;
+  project.pictures.files = std::move(files);
+  project.builtinSize.x = 20;
+  project.toolpath.perimeterMode = PerimeterMode::Soft;
+  return project;
+}
+
+struct Made {
+  ToolpathResult plate;
+  PlatePictures pictures;
+  PlateInput input;
+  int times = 0;
+};
+
+Made made(const Project& project) {
+  Made out;
+  const RunContext run(1);
+  auto input = readPlateInput(project, readBall);
+  REQUIRE(input.ok());
+  out.input = std::move(input).value();
+  auto pictures = solvePictures(project, readBall, out.input, run);
+  REQUIRE(pictures.ok());
+  out.pictures = std::move(pictures).value();
+  auto plate = makeShownPlate(
+      project, out.pictures, out.input,
+      [&](const PlateInput& tried, int round, int rounds) {
+        CHECK(round == out.times++);
+        CHECK(round < rounds);
+        return generateToolpath(tried, project.toolpath, run);
+      },
+      run);
+  REQUIRE(plate.ok());
+  out.plate = std::move(plate).value();
+  return out;
+}
+
+double rOf(const Made& plate) {
+  const auto measures = measurePictures(plate.plate.toolpath, plate.input.shape.page, plate.pictures.shown,
+                                        plate.pictures.roughness, RunContext(1));
+  REQUIRE(measures.ok());
+  return measures.value()[0].r;
+}
+
+}  // namespace
+
+TEST_CASE("a picture alone makes a rectangle of its proportions") {
+  const Made plate = made(projectOf({{"ball.png", Vec2{60, 45}}}));
+  CHECK(plate.input.shape.page == Vec2{20, 20});
+  CHECK(plate.pictures.shown[0].file == "ball.png");
+  CHECK(plate.pictures.shown[0].lamp == Lamp{60, 45, 0.1});
+  CHECK_FALSE(plate.pictures.chosen[0]);
+}
+
+TEST_CASE("corrections bring the plate nearer to its picture, and the directions stay those of the plate") {
+  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
+  project.builtinSize.x = 32;
+  project.pictures.corrections = 0;
+  const Made once = made(project);
+  project.pictures.corrections = 3;
+  const Made thrice = made(project);
+  CHECK(once.times == 1);
+  CHECK(thrice.times == 4);
+  CHECK(rOf(thrice) > rOf(once) + 0.001);
+  const auto again = generateToolpath(thrice.input, project.toolpath, RunContext(1));
+  REQUIRE(again.ok());
+  CHECK(again.value().toolpath.cycles[0].points == thrice.plate.toolpath.cycles[0].points);
+}
+
+TEST_CASE("several pictures, and pictures with other tones than their own, are made once") {
+  Project project = projectOf({{"ball.png", std::nullopt}, {"ball.png", std::nullopt}});
+  const Made two = made(project);
+  CHECK(two.times == 1);
+  CHECK(two.pictures.chosen == std::vector<bool>{true, true});
+  CHECK(two.pictures.shown[1].lamp.azimuth > two.pictures.shown[0].lamp.azimuth + 30);
+  project = projectOf({{"ball.png", Vec2{60, 45}}});
+  project.pictures.localContrast = 0.5;
+  CHECK(made(project).times == 1);
+}
+
+TEST_CASE("without pictures directions stay as they were read") {
+  Project project;
+  project.builtin = BuiltinShape::Rectangle;
+  project.builtinSize = {20, 20};
+  project.angle = 30;
+  const RunContext run(1);
+  auto input = readPlateInput(project, readBall);
+  REQUIRE(input.ok());
+  PlateInput plate = std::move(input).value();
+  const DirectionMap before = plate.directions;
+  const auto pictures = solvePictures(project, readBall, plate, run);
+  REQUIRE(pictures.ok());
+  CHECK(pictures.value().shown.empty());
+  CHECK(plate.directions == before);
+}
+
+TEST_CASE("a spool of one's own counts, and the side that is seen") {
+  Project project;
+  const Roughness up = roughnessOf(project);
+  CHECK(up == Roughness{2.36, 17.32});
+  project.print.showSide = ShowSide::Bed;
+  CHECK(roughnessOf(project) == Roughness{2.56, 13.54});
+  project.pictures.slopes = Vec2{3, 12};
+  CHECK(roughnessOf(project) == Roughness{3, 12});
+}
+
+TEST_CASE("a file that is not there is told") {
+  const Project project = projectOf({{"ball.png", std::nullopt}, {"none.png", std::nullopt}});
+  auto input = readPlateInput(project, readBall);
+  REQUIRE(input.ok());
+  PlateInput plate = std::move(input).value();
+  const auto pictures = solvePictures(project, readBall, plate, RunContext(1));
+  REQUIRE(!pictures.ok());
+  CHECK(pictures.error().message == "there is no none.png");
+}

@@ -1,0 +1,109 @@
+// From a project and its files to shape, directions and modes.
+#include "sillon/project/plate_input.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace sillon;
+
+namespace {
+
+Image grey(int width, int height, std::uint16_t value) {
+  return {width, height, 1, std::vector<std::uint16_t>(static_cast<std::size_t>(width * height), value)};
+}
+
+/// Files by name; `asked` keeps what was asked for.
+struct Files {
+  std::map<std::string, InputFile> byName;
+  std::vector<std::string> asked;
+
+  ReadInput reader() {
+    return [this](const std::string& name, const std::string& what) -> Result<InputFile> {
+      asked.push_back(what + " " + name);
+      const auto found = byName.find(name);
+      if (found == byName.end()) return Error{ErrorCode::InvalidFile, "no " + name};
+      return found->second;
+    };
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a shape file is an SVG by how it begins, and by its name") {
+  const std::string svg = "\xEF\xBB\xBF \n<svg width='10mm' height='20mm'><rect width='10mm' height='20mm'/></svg>";
+  Files files;
+  files.byName = {{"picture.png", svg}, {"broken.svg", std::string("no tag")}, {"mask.png", grey(4, 2, 65535)}};
+  Project project;
+  project.shapeFile = "picture.png";
+  const auto drawn = readPlateInput(project, files.reader());
+  REQUIRE(drawn.ok());
+  CHECK(drawn.value().shape.page.x == doctest::Approx(10));
+  CHECK(drawn.value().shape.page.y == doctest::Approx(20));
+  CHECK(files.asked == std::vector<std::string>{"shape picture.png"});
+
+  project.pageWidth = 30;
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{30, 60});
+
+  project.shapeFile = "broken.svg";
+  const auto broken = readPlateInput(project, files.reader());
+  REQUIRE(!broken.ok());
+  CHECK(broken.error().code == ErrorCode::InvalidFile);
+  CHECK(broken.error().message.find("shape \"broken.svg\": ") == 0);
+
+  project.shapeFile = "mask.png";
+  project.pageWidth = 0;
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{kDefaultWidth, kDefaultWidth / 2});
+}
+
+TEST_CASE("a direction picture lends its proportions to a plate without shape") {
+  Files files;
+  files.byName = {{"lines", grey(3, 6, 65535)}};
+  Project project;
+  project.directionFile = "lines";
+  const auto input = readPlateInput(project, files.reader());
+  REQUIRE(input.ok());
+  CHECK(input.value().shape.page == Vec2{80, 160});
+  CHECK(input.value().directions.angle == std::vector<std::uint16_t>(18, 65535));
+  project.builtinSize = {30, 0};
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{30, 60});
+  project.builtin = BuiltinShape::Disc;
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{30, 30});
+}
+
+TEST_CASE("an angle, a mode and a mode picture") {
+  Files files;
+  files.byName = {{"modes", Image{2, 1, 1, {0, 21845}}}};
+  Project project;
+  project.builtin = BuiltinShape::Rectangle;
+  project.builtinSize = {10, 5};
+  project.angle = 90;
+  project.mode = DirectionMode::Smoothest;
+  auto input = readPlateInput(project, files.reader());
+  REQUIRE(input.ok());
+  CHECK(input.value().directions.angle == uniformDirection(90).value().angle);
+  CHECK(input.value().modes.mode == std::vector<DirectionMode>{DirectionMode::Smoothest});
+  CHECK(files.asked.empty());
+  project.modeFile = "modes";
+  input = readPlateInput(project, files.reader());
+  REQUIRE(input.ok());
+  CHECK(input.value().modes.mode == std::vector<DirectionMode>{DirectionMode::Parallel, DirectionMode::Orthogonal});
+}
+
+TEST_CASE("what is missing or unreadable is named") {
+  Files files;
+  files.byName = {{"noise.png", std::string("GIF89a")}, {"grey", grey(2, 2, 0)}};
+  Project project;
+  auto input = readPlateInput(project, files.reader());
+  REQUIRE(!input.ok());
+  CHECK(input.error().code == ErrorCode::InvalidArgument);
+  CHECK(input.error().message.find("there is no shape") == 0);
+  project.directionFile = "noise.png";
+  CHECK(readPlateInput(project, files.reader()).error().message.find("noise.png") == 0);
+  project.directionFile = "grey";
+  project.encoding = DirectionEncoding::Tangent;
+  CHECK(readPlateInput(project, files.reader()).error().code == ErrorCode::InvalidArgument);
+  project.encoding = DirectionEncoding::Angle;
+  project.modeFile = "absent";
+  CHECK(readPlateInput(project, files.reader()).error().message == "no absent");
+}

@@ -1,0 +1,692 @@
+// Project and scene files, and the report: what is written is read back, what is wrong is named.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/quality/report.hpp"
+#include "sillon/settings/presets.hpp"
+#include "sillon/settings/table.hpp"
+
+using namespace sillon;
+using Json = nlohmann::json;
+
+namespace {
+
+/// What is wrong with a text; empty if nothing is.
+std::string problem(const std::string& text) {
+  const Result<Project> project = readProject(text);
+  return project ? "" : project.error().message;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Every field differs from its default.
+Project unusualProject() {
+  Project p;
+  p.shapeFile = "shapes/leaf \xC3\xA9.svg";
+  p.builtinSize = {120.25, 80.5};
+  p.builtinRadius = 1.0 / 3.0;
+  p.pageWidth = 0.1 + 0.2;
+  p.unitlessIsMm = true;
+  p.ignorePaint = true;
+  p.directionFile = "a.png";
+  p.encoding = DirectionEncoding::Tangent;
+  p.angle = -33.3;
+  p.modeFile = "m.png";
+  p.mode = DirectionMode::Smoothest;
+  p.toolpath.spacing = 0.45;
+  p.toolpath.perimeterMode = PerimeterMode::Soft;
+  p.toolpath.perimeters = 3;
+  p.toolpath.bridge = 0.07;
+  p.toolpath.mapFilter = MapFilter::Nearest;
+  p.toolpath.seed = std::numeric_limits<std::uint64_t>::max();
+  p.toolpath.jitter = 0.07;
+  p.toolpath.phaseTransport = PhaseTransport::Neighbour;
+  p.toolpath.sweepsPerLevel = 9;
+  p.toolpath.spacingVariation = 0.1;
+  p.toolpath.directionTolerance = 4.5;
+  p.toolpath.kernelRadius = 0.8;
+  p.toolpath.borderWeight = 2.5;
+  p.toolpath.stitchAlignment = 0.6;
+  p.toolpath.relaxationRounds = 4;
+  p.toolpath.relaxationStrength = 0.2;
+  p.toolpath.relaxationSmoothing = 0.3;
+  p.toolpath.widthBalance = 0.7;
+  p.toolpath.beadOverlap = 0.01;
+  p.toolpath.minWidth = 0.6;
+  p.toolpath.maxWidth = 1.9;
+  p.toolpath.simplifyTolerance = 0.004;
+  p.pictures.spool = SpoolName::RedPetg;
+  p.pictures.slopes = Vec2{2.25, 17.5};
+  p.pictures.lampSize = 0.02;
+  p.pictures.smoothness = 0.1;
+  p.pictures.localContrast = 0.3;
+  p.pictures.corrections = 1;
+  p.print.layers = 2;
+  p.print.basePerimeters = 2;
+  p.print.purgeLength = 12;
+  p.print.bedFlow = 0.98;
+  p.printer.baseSpeed = 45;
+  p.printer.showSpeed = 25;
+  p.printer.firstLayerAcceleration = 500;
+  p.printer.firstLayerFan = 10;
+  p.printer.baseFan = 60;
+  p.printer.showFan = 70;
+  p.printer.minLayerTime = 6;
+  p.print.base = 3;
+  p.print.skirt = 4;
+  p.print.basePattern = BasePattern::Concentric;
+  p.print.showSide = ShowSide::Bed;
+  p.print.brim = 3;
+  p.print.elephantFoot = 0.15;
+  p.print.constantFlow = true;
+  p.print.coast = 0.2;
+  p.print.scarf = 4;
+  p.print.copies = {2, 3};
+  p.print.copyGap = 8;
+  p.print.strict = true;
+  p.print.layerHeight = 0.15;
+  p.print.startHeight = 4.5;
+  p.print.firstLayerHeight = 0.25;
+  p.print.flow = 0.9;
+  p.print.baseFlow = 1.01;
+  p.print.bedFlow = 0.98;
+  p.print.basePerimeters = 2;
+  p.print.purgeLength = 12;
+  p.print.rotate = 30.5;
+  p.print.mirror = true;
+  p.print.place = Vec2{-1.5, 20};
+  p.printer.name = "Mine";
+  p.printer.flavor = GcodeFlavor::Klipper;
+  p.printer.bedMin = {-110, -105};
+  p.printer.bedMax = {110, 115};
+  p.printer.maxZ = 250;
+  p.printer.nozzle = 0.6;
+  p.printer.filamentDiameter = 2.85;
+  p.printer.filamentDensity = 1.27;
+  p.printer.filamentType = "PETG";
+  p.printer.nozzleTemperature = 235;
+  p.printer.firstLayerNozzleTemperature = 240;
+  p.printer.bedTemperature = 80;
+  p.printer.speed = 40;
+  p.printer.firstLayerSpeed = 15;
+  p.printer.travelSpeed = 150;
+  p.printer.baseSpeed = 45;
+  p.printer.showSpeed = 25;
+  p.printer.firstLayerAcceleration = 500;
+  p.printer.firstLayerFan = 10;
+  p.printer.baseFan = 60;
+  p.printer.showFan = 40;
+  p.printer.minLayerTime = 6;
+  p.printer.acceleration = 1500;
+  p.printer.anyTemperature = true;
+  p.printer.machineSpeed = 400;
+  p.printer.machineAcceleration = 3000;
+  p.printer.cornerSpeed = 8;
+  p.printer.machineCornerSpeed = 9;
+  p.printer.curveAcceleration = 700;
+  p.printer.maxFlow = 12;
+  p.printer.maxSegmentsPerSecond = 100;
+  p.printer.pressureAdvance = 0.05;
+  p.printer.setPressureAdvance = true;
+  p.printer.retractLength = 0.5;
+  p.printer.retractSpeed = 30;
+  p.printer.lift = 0.2;
+  p.printerProfile = "prusa-mini";
+  p.filamentProfile = "petg";
+  p.printer.roundBed = true;
+  p.printer.excludedMin = {-110, -90};
+  p.printer.excludedMax = {-100, -80};
+  p.printer.absoluteE = true;
+  p.printer.startGcode = "G28\nM109 S{first_layer_temperature}";
+  p.printer.endGcode = "M84";
+  p.printer.screenSizes = "16x16/QOI";
+  return p;
+}
+
+ToolpathResult somePlate() {
+  ToolpathResult plate;
+  plate.toolpath.cycles.resize(1);
+  plate.toolpath.cycles[0].points = {{0, 0}, {1, 0}, {0, 1}};
+  plate.toolpath.cycles[0].widths = {0.4f, 0.4f, 0.4f};
+  plate.toolpath.spacing = 0.4;
+  plate.nx = 331;
+  plate.ny = 269;
+  plate.parts = 1;
+  plate.contourCycles = 125;
+  plate.longestJointMm = 0.41238;
+  plate.unjoined = 2;
+  plate.time = {{"sdf", 0.25}, {"line field", 0.5}};
+  return plate;
+}
+
+}  // namespace
+
+TEST_CASE("a project without words has the defaults") {
+  const Result<Project> project = readProject(R"({"sillon": 1})");
+  REQUIRE(project);
+  CHECK(writeProject(project.value()) == writeProject(Project{}));
+  CHECK(project.value().toolpath.spacing == 0.4);
+  CHECK(project.value().printer.bedMax == Vec2{220, 220});
+  CHECK_FALSE(project.value().toolpath.bridge.has_value());
+}
+
+TEST_CASE("every field survives writing and reading bit for bit") {
+  const std::string text = writeProject(unusualProject());
+  const Result<Project> read = readProject(text);
+  REQUIRE_MESSAGE(read, problem(text));
+  const Project& p = read.value();
+  const Project q = unusualProject();
+  CHECK(writeProject(p) == text);
+  CHECK(p.shapeFile == q.shapeFile);
+  CHECK(p.builtinRadius == q.builtinRadius);
+  CHECK(p.pageWidth == q.pageWidth);
+  CHECK(p.unitlessIsMm);
+  CHECK(p.ignorePaint);
+  CHECK(p.encoding == q.encoding);
+  CHECK(p.mode == q.mode);
+  CHECK(p.toolpath.seed == q.toolpath.seed);
+  CHECK(p.toolpath.bridge == q.toolpath.bridge);
+  CHECK(p.toolpath.perimeterMode == q.toolpath.perimeterMode);
+  CHECK(p.print.rotate == q.print.rotate);
+  CHECK(p.print.mirror);
+  CHECK(p.print.place == q.print.place);
+  CHECK(p.printer.bedMin == q.printer.bedMin);
+  CHECK(p.printer.flavor == q.printer.flavor);
+  CHECK(p.printer.setPressureAdvance);
+  CHECK(p.printer.machineAcceleration == 3000);
+}
+
+TEST_CASE("no two fields share a key: each written value differs from its default") {
+  const Json unusual = Json::parse(writeProject(unusualProject()));
+  const Json defaults = Json::parse(writeProject(Project{}));
+  for (const auto& section : defaults.items()) {
+    if (!section.value().is_object()) continue;
+    for (const auto& field : section.value().items()) {
+      CAPTURE(section.key() + "." + field.key());
+      // A file and a built-in shape exclude each other, so one of the two keeps its default.
+      if (section.key() == "shape" && field.key() == "builtin") continue;
+      // Likewise a picture of directions and pictures to be seen; tests/settings/table_test.cpp has those.
+      if (section.key() == "pictures" && field.key() == "files") continue;
+      CHECK(unusual[section.key()][field.key()] != field.value());
+    }
+  }
+}
+
+TEST_CASE("the documentation has a row with the default of every field") {
+  std::ifstream file(std::string(SILLON_SOURCE_DIR) + "/docs/reference/project.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  const Json defaults = Json::parse(writeProject(Project{}));
+  for (const auto& section : defaults.items()) {
+    if (!section.value().is_object()) continue;
+    const std::size_t begin = text.str().find("## `" + section.key() + "`");
+    REQUIRE(begin != std::string::npos);
+    const std::string page = text.str().substr(begin, text.str().find("\n## ", begin) - begin);
+    for (const auto& field : section.value().items()) {
+      const Json& value = field.value();
+      std::string shown = value.dump();
+      if (value.size() == 2) shown = "[" + value[0].dump() + ", " + value[1].dump() + "]";
+      if (value.is_string() || value.is_array() || value.is_null()) shown = "`" + shown + "`";
+      CAPTURE(section.key() + "." + field.key());
+      CHECK(has(page, "\n| `" + field.key() + "` | " + shown + " |"));
+    }
+  }
+}
+
+TEST_CASE("a preset lies under the filament, and that under the project's own values") {
+  const Result<Project> read =
+      readProject(R"({"sillon": 1, "printer": {"bedTemperature": 75, "filament": "petg", "preset": "prusa-mk4s"}})");
+  REQUIRE(read);
+  const Printer& p = read.value().printer;
+  CHECK(p.flavor == GcodeFlavor::PrusaBuddy);
+  CHECK(p.bedMax == Vec2{250, 210});
+  CHECK(p.filamentDensity == 1.27);
+  CHECK(p.nozzleTemperature == 235);
+  CHECK(p.bedTemperature == 75);
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"preset": "prusa-mk4ss"}})"),
+            "printer.preset: \"prusa-mk4ss\" is not a printer profile; did you mean \"prusa-mk4s\""));
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"filament": "abs"}})"),
+            "printer.filament: \"abs\" is not a filament profile"));
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"screenSizes": "8x8"}})"), "printer.screenSizes must be"));
+  const std::string block(65537, 'x');
+  CHECK(
+      has(problem(R"({"sillon": 1, "printer": {"endGcode": ")" + block + "\"}}"), "printer.endGcode has 65537 bytes"));
+}
+
+TEST_CASE("a preset lies under the section's own values, and all presets can be used") {
+  const Result<Project> read =
+      readProject(R"({"sillon": 1, "toolpath": {"kernelRadius": 0.7, "preset": "paper-2023"}})");
+  REQUIRE(read);
+  CHECK(read.value().toolpath.phaseTransport == PhaseTransport::Neighbour);
+  CHECK(read.value().toolpath.spacingVariation == 0);
+  CHECK(read.value().toolpath.relaxationRounds == 0);
+  CHECK(read.value().toolpath.kernelRadius == 0.7);
+  CHECK(read.value().toolpath.spacing == 0.4);
+  CHECK(
+      has(problem(R"({"sillon": 1, "toolpath": {"preset": "paper"}})"), "toolpath.preset: \"paper\" is not a preset"));
+  CHECK(presets().size() == 6);
+  for (const std::string& id : presets()) {
+    Project project;
+    CHECK(applyPreset(id, project.toolpath).empty());
+    CHECK(invalidSettings(project).empty());
+    CHECK((writeProject(project) == writeProject({})) == (id == "standard"));
+  }
+}
+
+TEST_CASE("the presets are the makers' facts and readable projects") {
+  struct Fact {
+    const char* id;
+    Vec2 bed;
+    double z;
+    GcodeFlavor flavor;
+    double retract;
+  };
+  const Fact facts[] = {{"prusa-mk4s", {250, 210}, 220, GcodeFlavor::PrusaBuddy, 0.7},
+                        {"prusa-mk4", {250, 210}, 220, GcodeFlavor::PrusaBuddy, 0.7},
+                        {"prusa-core-one", {250, 220}, 270, GcodeFlavor::PrusaBuddy, 0.7},
+                        {"prusa-mini", {180, 180}, 180, GcodeFlavor::PrusaBuddy, 2.5},
+                        {"prusa-mk3s", {250, 210}, 210, GcodeFlavor::Marlin, 0.8},
+                        {"creality-ender-3", {210, 210}, 250, GcodeFlavor::Marlin, 5},
+                        {"creality-ender-3-v3-se", {220, 220}, 250, GcodeFlavor::Marlin, 1.2},
+                        {"creality-k1", {220, 220}, 250, GcodeFlavor::Klipper, 0.6},
+                        {"anycubic-kobra-3", {250, 250}, 260, GcodeFlavor::Klipper, 1},
+                        {"bambu-h2d", {300, 320}, 320, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-p1p", {256, 256}, 250, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-p2s", {256, 256}, 256, GcodeFlavor::Bambu, 0.8},
+                        {"creality-ender-3-v2", {220, 220}, 250, GcodeFlavor::Marlin, 5},
+                        {"creality-ender-3-v3", {220, 220}, 250, GcodeFlavor::Klipper, 0.6},
+                        {"creality-k1c", {220, 220}, 250, GcodeFlavor::Klipper, 0.5},
+                        {"creality-k2-plus", {350, 350}, 350, GcodeFlavor::Klipper, 0.5},
+                        {"elegoo-centauri-carbon", {256, 256}, 256, GcodeFlavor::Klipper, 0.8},
+                        {"prusa-mk3-5", {250, 210}, 210, GcodeFlavor::PrusaBuddy, 0.7},
+                        {"sovol-sv08", {350, 350}, 345, GcodeFlavor::Klipper, 0.5},
+                        {"voron-0", {120, 120}, 120, GcodeFlavor::Klipper, 0.5},
+                        {"voron-trident-300", {300, 300}, 250, GcodeFlavor::Klipper, 0.5},
+                        {"creality-cr-10s-pro", {300, 300}, 400, GcodeFlavor::Marlin, 5},
+                        {"sovol-sv06", {220, 220}, 250, GcodeFlavor::Marlin, 0.5},
+                        {"elegoo-neptune-4-pro", {225, 225}, 265, GcodeFlavor::Klipper, 0.8},
+                        {"voron-2-4-300", {300, 300}, 260, GcodeFlavor::Klipper, 0.5},
+                        {"qidi-q1-pro", {245, 245}, 240, GcodeFlavor::Klipper, 0.8},
+                        {"anycubic-kossel-linear-plus", {230, 230}, 300, GcodeFlavor::Marlin, 5},
+                        {"bambu-p1s", {256, 256}, 250, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-x1c", {256, 256}, 250, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-a1", {256, 256}, 256, GcodeFlavor::Bambu, 0.8},
+                        {"bambu-a1-mini", {180, 180}, 180, GcodeFlavor::Bambu, 0.8},
+                        {"generic", {220, 220}, 200, GcodeFlavor::Marlin, 0.8},
+                        {"generic-centre", {220, 220}, 200, GcodeFlavor::Marlin, 0.8}};
+  const std::vector<PrinterProfile> printers = profiles(ProfileKind::Printer);
+  CHECK(printers.size() == std::size(facts));
+  for (const Fact& fact : facts) {
+    CAPTURE(fact.id);
+    Printer p;
+    REQUIRE(applyProfile(ProfileKind::Printer, fact.id, p).empty());
+    CHECK(p.bedMax - p.bedMin == fact.bed);
+    CHECK(p.maxZ == fact.z);
+    CHECK(p.flavor == fact.flavor);
+    CHECK(p.retractLength == fact.retract);
+    CHECK(p.acceleration <= p.machineAcceleration + 1e9 * (p.machineAcceleration == 0));
+    const Result<Project> read = readProject(writePrinter(p));
+    REQUIRE(read);
+    CHECK(writePrinter(read.value().printer) == writePrinter(p));
+  }
+  for (const PrinterProfile& preset : profiles(ProfileKind::Filament)) {
+    CAPTURE(preset.id);
+    CHECK(problem(writePrinter(preset.printer)) == "");
+    CHECK(preset.printer.bedMax == Vec2{220, 220});  // a filament says nothing of the machine
+  }
+  // The files hold only keys that are read.
+  for (const char* name : {"printers", "filaments"}) {
+    std::ifstream file(std::string(SILLON_SOURCE_DIR) + "/core/data/" + name + ".json");
+    const Json all = Json::parse(file);
+    CHECK(all["version"] == 1);
+    for (const auto& item : all[name].items()) {
+      CAPTURE(item.key());
+      Json values = item.value();
+      for (const char* key : {"maker", "models", "source"}) values.erase(key);  // about the machine, not of it
+      CHECK(problem(Json{{"sillon", 1}, {"printer", values}}.dump()) == "");
+    }
+  }
+}
+
+TEST_CASE("each built-in shape has a name that is read back") {
+  for (const BuiltinShape builtin :
+       {BuiltinShape::None, BuiltinShape::Rectangle, BuiltinShape::RoundedRectangle, BuiltinShape::Disc}) {
+    Project project;
+    project.builtin = builtin;
+    const Result<Project> read = readProject(writeProject(project));
+    REQUIRE(read);
+    CHECK(read.value().builtin == builtin);
+  }
+}
+
+TEST_CASE("a published scene means what its reader meant") {
+  const Result<Project> read = readProject(R"({
+    "nozzle_width": 0.25, "svg_path": "svg/a.svg", "line_field_path": "png/l.png",
+    "line_mode_field_path": "png/m.png", "perimeter_count": 4, "alignment_iter_per_level": 64, "seed": 7,
+    "force_sdf_computation": true, "repulse_curves": false, "layer_height_rt_nozzle_width": 0.5, "shell_count": 0 })");
+  REQUIRE(read);
+  const Project& p = read.value();
+  CHECK(p.toolpath.spacing == 0.25);
+  CHECK(p.printer.nozzle == 0.25);
+  CHECK(p.shapeFile == "svg/a.svg");
+  CHECK(p.unitlessIsMm);
+  CHECK(p.ignorePaint);
+  CHECK(p.directionFile == "png/l.png");
+  CHECK(p.modeFile == "png/m.png");
+  CHECK(p.toolpath.perimeterMode == PerimeterMode::Count);
+  CHECK(p.toolpath.perimeters == 4);
+  CHECK(p.toolpath.sweepsPerLevel == 16);
+  CHECK(p.toolpath.seed == 7);
+  CHECK(p.toolpath.relaxationRounds == 0);
+  CHECK(p.print.layerHeight == 0.125);
+}
+
+TEST_CASE("a scene without perimeters has beads that end at the border") {
+  const Result<Project> read = readProject(R"({"nozzle_width": 0.4, "svg_path": "a.svg", "perimeter_count": 0})");
+  REQUIRE(read);
+  CHECK(read.value().toolpath.perimeterMode == PerimeterMode::None);
+}
+
+TEST_CASE("a scene coarser than any nozzle keeps its spacing and takes the largest nozzle") {
+  const Result<Project> read = readProject(R"({"nozzle_width": 2.5, "svg_path": "a.svg"})");
+  REQUIRE(read);
+  CHECK(read.value().toolpath.spacing == 2.5);
+  CHECK(read.value().printer.nozzle == 2);
+  CHECK(problem(writeProject(read.value())).empty());
+}
+
+TEST_CASE("a project may use the keys of scenes, and its own win") {
+  const Result<Project> read =
+      readProject(R"({"sillon": 1, "nozzle_width": 0.8, "seed": 3, "toolpath": {"spacing": 0.7}})");
+  REQUIRE(read);
+  CHECK(read.value().toolpath.spacing == 0.7);
+  CHECK(read.value().printer.nozzle == 0.8);
+  CHECK(read.value().toolpath.seed == 3);
+}
+
+TEST_CASE("every published scene is read") {
+  const std::filesystem::path folder = std::filesystem::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes";
+  if (!std::filesystem::is_directory(folder)) {
+    MESSAGE("the published scenes are not here; skipped");
+    return;
+  }
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    std::stringstream text;
+    text << file.rdbuf();
+    CAPTURE(entry.path().string());
+    CHECK(problem(text.str()) == "");
+    ++scenes;
+  }
+  CHECK(scenes > 0);
+}
+
+TEST_CASE("an unknown key is named, with the ones near it") {
+  CHECK(has(problem(R"({"sillon": 1, "toolpth": {}})"), "\"toolpth\""));
+  CHECK(has(problem(R"({"sillon": 1, "toolpth": {}})"), "did you mean \"toolpath\"?"));
+  const std::string deep = problem(R"({"sillon": 1, "toolpath": {"spaceing": 1}})");
+  CHECK(has(deep, "\"toolpath.spaceing\""));
+  CHECK(has(deep, "\"spacing\""));
+  CHECK(has(problem(R"({"sillon": 1, "print": {"layer_height": 1}})"), "\"layerHeight\""));
+  CHECK(has(problem(R"({"nozzle_widht": 0.4})"), "\"nozzle_width\""));
+  CHECK(has(problem(R"({"sillon": 1, "modes": {"qqqqqqqqqq": 1}})"), "known are file, mode"));
+}
+
+TEST_CASE("a wrong type is told with the type that is wanted") {
+  CHECK(problem(R"({"sillon": 1, "shape": []})") == "shape is a list; it must be an object");
+  CHECK(problem(R"({"sillon": 1, "shape": {"file": 3}})") == "shape.file is a number; it must be text");
+  CHECK(problem(R"({"sillon": 1, "shape": {"size": [1]}})") == "shape.size is a list; it must be two numbers [x, y]");
+  for (const char* size : {R"([1, "2"])", R"(["1", 2])", "[1, 2, 3]"}) {
+    CHECK(problem(R"({"sillon": 1, "shape": {"size": )" + std::string(size) + "}}") ==
+          "shape.size is a list; it must be two numbers [x, y]");
+  }
+  CHECK(problem(R"({"sillon": 1, "shape": {"size": {"x": 1, "y": 2}}})") ==
+        "shape.size is an object; it must be two numbers [x, y]");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"spacing": "0.4"}})") == "toolpath.spacing is text; it must be a number");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"bridge": true}})") ==
+        "toolpath.bridge is true or false; it must be a number or null");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"mapFilter": "cubic"}})") ==
+        "toolpath.mapFilter is \"cubic\"; it must be \"average\" or \"nearest\"");
+  CHECK(problem(R"({"sillon": 1, "printer": {"setPressureAdvance": 1}})") ==
+        "printer.setPressureAdvance is a number; it must be true or false");
+  CHECK(has(problem(R"({"sillon": 1, "print": {"layers": 1.5}})"), "print.layers is 1.5; it must be a whole number"));
+  CHECK(has(problem(R"({"sillon": 1, "print": {"layers": 99999999999}})"), "print.layers is 99999999999"));
+  CHECK(has(problem(R"({"sillon": 1, "print": {"layers": -99999999999}})"), "print.layers is -99999999999"));
+  CHECK(has(problem(R"({"sillon": 1, "toolpath": {"seed": -1}})"), "toolpath.seed is -1"));
+  CHECK(has(problem(R"({"sillon": 1, "toolpath": {"seed": 1e30}})"), "toolpath.seed is 1e+30"));
+}
+
+TEST_CASE("whole numbers may be written with a point") {
+  const Result<Project> read = readProject(R"({"sillon": 1.0, "print": {"layers": 3.0}})");
+  REQUIRE(read);
+  CHECK(read.value().print.layers == 3);
+}
+
+TEST_CASE("a value out of range is told with its range") {
+  CHECK(problem(R"({"sillon": 1, "print": {"layers": 0}})") == "print.layers is 0; it must be 1 to 1000");
+  CHECK(problem(R"({"sillon": 1, "print": {"layerHeight": -0.2}})") ==
+        "print.layerHeight is -0.2 mm; it must be 0.05 to 1.6");
+  CHECK(problem(R"({"sillon": 1, "printer": {"nozzle": 3}})") == "printer.nozzle is 3 mm; it must be 0.05 to 2");
+  CHECK(problem(R"({"sillon": 1, "printer": {"bedMax": [220, 6000]}})") ==
+        "printer.bedMax.y is 6000 mm; it must be -5000 to 5000");
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"bedMin": [300, 0]}})"), "printer.bedMax is [220, 220] mm"));
+  CHECK(has(problem(R"({"sillon": 1, "toolpath": {"spacing": -0.4}})"), "spacing is -0.4 mm"));
+  CHECK(problem(R"({"nozzle_width": 100, "svg_path": "a"})") == "nozzle_width is 100; it must be 0.05 to 20");
+  CHECK(has(problem(R"({"nozzle_width": 0.4, "svg_path": "a", "perimeter_count": -1})"), "perimeter_count is -1"));
+  CHECK(has(problem(R"({"nozzle_width": 0.4, "svg_path": "a", "alignment_iter_per_level": 0})"), "is 0; it must be 1"));
+  CHECK(has(problem(R"({"sillon": 1, "shape": {"file": "a.svg", "builtin": "disc"}})"), "both"));
+  CHECK(has(problem("{\"sillon\": 1, \"shape\": {\"file\": \"a\\nb\"}}"), "one line"));
+}
+
+TEST_CASE("numbers that are none are found before they reach a file") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Project project;
+  project.printer.speed = nan;
+  CHECK(invalidSettings(project) == "printer.speed is not a number mm/s; it must be 5 to 1000");
+  project = {};
+  project.print.place = Vec2{std::numeric_limits<double>::infinity(), 0};
+  CHECK(has(invalidSettings(project), "print.place.x is infinite mm"));
+  project = {};
+  project.toolpath.spacing = nan;
+  CHECK(has(invalidSettings(project), "spacing"));
+  CHECK(invalidSettings(Project{}) == "");
+  CHECK(invalidSettings(unusualProject()) == "");
+}
+
+TEST_CASE("half a copy is refused") {
+  CHECK(problem(R"({"sillon": 1, "print": {"copies": [1.5, 1]}})") ==
+        "print.copies is [1.5, 1]; it must be two whole numbers");
+}
+
+TEST_CASE("a fraction where a whole number must be is refused with the range of its key") {
+  CHECK(problem(R"({"sillon": 1, "print": {"layers": 1.5}})") ==
+        "print.layers is 1.5; it must be a whole number from 1 to 1000");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"perimeters": 1.5}})") ==
+        "toolpath.perimeters is 1.5; it must be a whole number from 0 to 100");
+  CHECK(problem(R"({"sillon": 1, "toolpath": {"seed": -1}})") ==
+        "toolpath.seed is -1; it must be a whole number from 0 to 18446744073709551615");
+}
+
+TEST_CASE("versions and kinds of file are told apart") {
+  CHECK(problem(R"({"sillon": 2})") == "sillon is 2; this program reads version 1");
+  CHECK(has(problem(R"({"toolpath": {}})"), "\"sillon\": 1"));
+  CHECK(has(problem("{}"), "neither a project nor a scene"));
+  CHECK(has(problem(R"({"nozzle_width": 0.4})"), "neither a project nor a scene"));
+  CHECK(problem("[]") == "the JSON is a list; it must be an object");
+  CHECK(problem("null") == "the JSON is null; it must be an object");
+}
+
+TEST_CASE("what is no JSON is told with its line") {
+  CHECK(has(problem(""), "line 1"));
+  CHECK(has(problem("{\"sillon\": 1,\n\"print\": {\n\"layers\": nan}}"), "line 3, column 12;"));
+  CHECK(has(problem("{\"sillon\": 1, \"angle\": 1,5}"), "line 1, column 26;"));
+  CHECK(has(problem("{\"sillon\": 1,}"), "not JSON"));
+  CHECK(has(problem("{\"sillon\": 1} x"), "not JSON"));
+  CHECK(has(problem("{\"sillon\": 1e999}"), "not JSON"));
+  CHECK(has(problem("{\"sillon\": 1, \"shape\": {\"file\": \"\xFF\xFE\"}}"), "not JSON"));
+  CHECK(has(problem(std::string("\0\0\0", 3)), "not JSON"));
+}
+
+TEST_CASE("a key given twice is an error, the same key in two sections is none") {
+  CHECK(problem(R"({"sillon": 1, "sillon": 1})") == "key \"sillon\" is given twice; each key may be given once");
+  CHECK(problem(R"({"sillon": 1, "directions": {"file": "a"}, "modes": {"file": "b"}})") == "");
+}
+
+TEST_CASE("hostile files end quickly in an error") {
+  CHECK(has(problem(std::string(1'000'000, '[')), "nested deeper than 64"));
+  std::string objects;
+  for (int k = 0; k < 150'000; ++k) objects += "{\"a\":";
+  CHECK(has(problem(objects), "nested deeper than 64"));
+  CHECK(has(problem(std::string(2'000'000, ' ')), "at most 1048576"));
+  std::string keys = "{";
+  for (int k = 0; keys.size() < 1'000'000; ++k) keys += (k == 0 ? "\"k" : ",\"k") + std::to_string(k) + "\":1";
+  CHECK(has(problem(keys + "}"), "unknown key"));
+  CHECK(has(problem("{\"" + std::string(900'000, 'x') + "\": 1}"), "unknown key"));
+  CHECK(problem("{\"" + std::string(900'000, 'x') + "\": 1}").size() < 1000);
+  CHECK(has(problem("{\"sillon\": 1, \"printer\": {\"name\": \"" + std::string(2000, 'x') + "\"}}"), "1024 bytes"));
+}
+
+TEST_CASE("no cut and no changed byte of a project does harm") {
+  const std::string text = writeProject(unusualProject());
+  for (std::size_t length = 0; length + 2 < text.size(); length += 7)
+    CHECK_FALSE(problem(text.substr(0, length)).empty());
+  std::uint32_t state = 1;
+  int read = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::string changed = text;
+    for (int change = 0; change < 3; ++change) {
+      state = state * 1664525u + 1013904223u;
+      changed[(state >> 8) % changed.size()] = static_cast<char>(state >> 24);
+    }
+    const Result<Project> project = readProject(changed);
+    if (project) {
+      ++read;
+      CHECK(invalidSettings(project.value()) == "");
+    } else {
+      CHECK(project.error().message.find('\n') == std::string::npos);
+    }
+  }
+  CHECK(read < 2000);
+}
+
+TEST_CASE("a file name that is no UTF-8 is written all the same") {
+  Project project;
+  project.shapeFile = "\xFF.svg";
+  CHECK(problem(writeProject(project)) == "");
+}
+
+TEST_CASE("the report is JSON with every key and the values it was given") {
+  Measures measures;
+  measures.lengthMm = 5310.1234;
+  measures.alignment = -0.94217;
+  measures.coverage = 97.65432;
+  measures.crossings = 2;
+  measures.uTurns = 523;
+  measures.kinks = 11;
+  measures.fillRatio = 1.00312;
+  measures.width = {0.51, 1, 1.49, 0.00001, 0.02};
+  measures.digest = "0123456789abcdef";
+  const std::string text = reportJson(somePlate(), measures, 3, 123456789012);
+  const Json report = Json::parse(text, nullptr, false);
+  REQUIRE(report.is_object());
+  for (const char* key : {"grid",
+                          "parts",
+                          "cycles",
+                          "toolpaths",
+                          "lengthMm",
+                          "alignment",
+                          "alignmentInterior",
+                          "alignmentConstrained",
+                          "coverage",
+                          "overlap",
+                          "spill",
+                          "uTurns",
+                          "kinks",
+                          "crossings",
+                          "width",
+                          "fillRatio",
+                          "lostAreaMm2",
+                          "lostPlaces",
+                          "longestJointMm",
+                          "gapJoints",
+                          "unjoined",
+                          "time",
+                          "peakBytes",
+                          "threads",
+                          "digest"}) {
+    CAPTURE(key);
+    CHECK(report.contains(key));
+  }
+  CHECK(report["grid"] == Json::array({331, 269}));
+  CHECK(report["parts"] == 1);
+  CHECK(report["cycles"] == 125);
+  CHECK(report["toolpaths"] == 1);
+  CHECK(report["lengthMm"] == 5310.123);
+  CHECK(report["alignment"] == -0.9422);
+  CHECK(report["coverage"] == 97.654);
+  CHECK(report["crossings"] == 2);
+  CHECK(report["uTurns"] == 523);
+  CHECK(report["kinks"] == 11);
+  CHECK(report["fillRatio"] == 1.0031);
+  CHECK(report["longestJointMm"] == 0.4124);
+  CHECK(report["unjoined"] == 2);
+  CHECK(report["width"]["p01"] == 0.51);
+  CHECK(report["width"]["belowHalf"] == 0.00001);
+  CHECK(report["time"]["line field"] == 0.5);
+  CHECK(report["time"]["total"] == 0.75);
+  CHECK(report["peakBytes"] == 123456789012);
+  CHECK(report["threads"] == 3);
+  CHECK(report["digest"] == "0123456789abcdef");
+  CHECK(has(text, "\"coverage\": 97.654,"));
+  CHECK_FALSE(has(text, "-0.0000"));
+}
+
+TEST_CASE("an unmeasured plate reports its facts and its digest, and no measure") {
+  const Json report = Json::parse(reportJson(somePlate(), std::nullopt, 1, 0), nullptr, false);
+  REQUIRE(report.is_object());
+  CHECK(report.contains("points"));
+  CHECK(report["digest"] == digestOf(somePlate().toolpath));
+  for (const char* key : {"lengthMm", "alignment", "coverage", "uTurns", "width"}) CHECK(!report.contains(key));
+}
+
+TEST_CASE("the notes say what made a plate, and how good it is where that is known") {
+  ToolpathParams params;
+  params.seed = 9;
+  CHECK(plateNotes(params, std::nullopt) == std::vector<std::string>{"seed = 9, perimeters = 1"});
+  params.perimeterMode = PerimeterMode::Soft;
+  Measures measures;
+  measures.alignment = -0.94217;
+  measures.coverage = 97.656;
+  measures.overlap = 0.25;
+  measures.crossings = 2;
+  measures.digest = "0123456789abcdef";
+  CHECK(plateNotes(params, measures) ==
+        std::vector<std::string>{"seed = 9, perimeters = soft",
+                                 "alignment = -0.9422, coverage = 97.66, overlap = 0.25, crossings = 2",
+                                 "toolpath digest = 0123456789abcdef"});
+}
+
+TEST_CASE("a report of nothing and of what is no number is JSON too") {
+  CHECK(Json::parse(reportJson(ToolpathResult{}, Measures{}, 1, 0), nullptr, false).is_object());
+  Measures measures;
+  measures.coverage = std::numeric_limits<double>::quiet_NaN();
+  measures.digest = "a\"\\\n";
+  const Json report = Json::parse(reportJson(somePlate(), measures, 1, 0), nullptr, false);
+  REQUIRE(report.is_object());
+  CHECK(report["coverage"].is_null());
+  CHECK(report["digest"] == "a\"\\\n");
+}

@@ -1,0 +1,245 @@
+#include "sillon/quality/metrics.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sillon/pipeline/session.hpp"
+#include "sillon/quality/report.hpp"
+#include "support/about.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+const RunContext kRun(2);
+
+Toolpath toolpathOf(std::vector<Vec2f> points, float width, double spacing = 0.4) {
+  Cycle cycle;
+  cycle.widths.assign(points.size(), width);
+  cycle.points = std::move(points);
+  return {{cycle}, spacing};
+}
+
+Measures measured(const Toolpath& path, const Shape& shape, double angle = 0) {
+  const auto m = measureToolpath(path, shape, scenes::mapOf(1, [=](double, double) { return angle; }),
+                                 uniformMode(DirectionMode::Constrained), {}, kRun);
+  REQUIRE(m.ok());
+  return m.value();
+}
+
+std::vector<Vec2f> ringOf(const Ring& ring) {
+  std::vector<Vec2f> points;
+  for (const Vec2 p : ring) points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("one bead round a thin ring covers it all, without overlap or spill") {
+  const Shape shape = scenes::shapeOf({scenes::circle({6, 6}, 5.2, 720), scenes::circle({6, 6}, 4.8, 720)}, {12, 12});
+  const Measures m = measured(toolpathOf(ringOf(scenes::circle({6, 6}, 5, 720)), 0.4f), shape);
+  CHECK(m.coverage > 99.5);
+  CHECK(m.overlap == 0);
+  CHECK(m.spill < 0.5);
+  CHECK(m.fillRatio == about(1, 2e-3));
+  CHECK(m.lengthMm == about(10 * std::numbers::pi, 1e-4));
+  CHECK(m.uTurns == 0);
+  CHECK(m.kinks == 0);
+  CHECK(m.crossings == 0);
+  CHECK(m.alignment == about(-0.5, 1e-3));
+}
+
+TEST_CASE("coverage and spill of a bead that hangs half over the border") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10});
+  // A square path along the border itself, 0.4 wide: 0.2 inside, 0.2 outside with round corners.
+  const Measures m = measured(toolpathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4f), shape);
+  CHECK(m.coverage == about(100 - 9.6 * 9.6, 2e-3));
+  CHECK(m.spill == about(40 * 0.2 + std::numbers::pi * 0.04, 5e-3));
+}
+
+TEST_CASE("a bead that widens is as wide in between as it should be") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 10})}, {20, 10});
+  Toolpath path = toolpathOf({{2, 3}, {18, 3}, {18, 7}, {2, 7}}, 0.4f);
+  path.cycles[0].widths = {0.4f, 0.8f, 0.8f, 0.4f};
+  const Measures m = measured(path, shape);
+  CHECK(m.coverage == about((2 * 16 * 0.6 + 4 * 0.8 + 4 * 0.4) / 2, 0.01));
+  CHECK(m.width.p01 == doctest::Approx(1.0).epsilon(1e-6));
+  CHECK(m.width.p99 == doctest::Approx(2.0).epsilon(1e-6));
+}
+
+TEST_CASE("overlap counts beads laid twice, not the bead's own joints and bends") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 10})}, {20, 10});
+  // A long loop whose legs lie 0.3 mm apart with beads of 0.4: 0.1 mm of overlap over its length.
+  const Measures narrow = measured(toolpathOf({{2, 5}, {18, 5}, {18, 5.3f}, {2, 5.3f}}, 0.4f), shape);
+  CHECK(narrow.overlap == about((16 - 1.1) * 0.1 / 2, 0.1));
+  // At 0.42 mm they do not touch.
+  CHECK(measured(toolpathOf({{2, 5}, {18, 5}, {18, 5.42f}, {2, 5.42f}}, 0.4f), shape).overlap == 0);
+}
+
+TEST_CASE("where a cycle ends and begins is no overlap") {
+  const Shape shape = scenes::shapeOf({scenes::circle({6, 6}, 6)}, {12, 12});
+  std::vector<Vec2f> points = ringOf(scenes::circle({6, 6}, 5, 720));
+  CHECK(measured(toolpathOf(points, 0.4f), shape).overlap == 0);
+  Toolpath twice = toolpathOf(points, 0.4f);
+  twice.cycles.push_back(twice.cycles[0]);
+  CHECK(measured(twice, shape).overlap == about(100 * 0.4 * 10 / 36, 0.01));
+  CHECK(measured(twice, shape).crossings > 0);
+}
+
+TEST_CASE("alignment of straight rows is minus cos² of their angle to the map") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 20})}, {40, 20});
+  for (const double angle : {0.0, 0.3, 1.0, std::numbers::pi / 2}) {
+    const Measures m = measured(toolpathOf({{2, 10}, {38, 10}, {38, 10.02f}, {2, 10.02f}}, 0.4f), shape, angle);
+    CHECK(std::abs(m.alignment + std::pow(std::cos(angle), 2)) < 2e-3);
+    CHECK(m.alignmentInterior == about(m.alignment, 1e-3));
+  }
+}
+
+TEST_CASE("rows joined by hairpins have one U-turn each") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 20})}, {40, 20});
+  std::vector<Vec2f> points;
+  constexpr int kRows = 10;
+  for (int row = 0; row < kRows; ++row) {
+    const float y = 5 + 0.4f * static_cast<float>(row);
+    const float left = 10;
+    const float right = 30;
+    points.push_back({row % 2 == 0 ? left : right, y});
+    points.push_back({row % 2 == 0 ? right : left, y});
+  }
+  points.push_back({8, 8.6f});
+  points.push_back({8, 5});
+  const Measures m = measured(toolpathOf(points, 0.4f), shape);
+  CHECK(m.uTurns == kRows - 1);
+  CHECK(m.crossings == 0);
+}
+
+TEST_CASE("what no bead can reach is lost: a thin bar, not the corners of a square") {
+  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f),
+                 scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10}))
+            .lostAreaMm2 == 0);
+  const Shape withBar = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10}), scenes::rectangle({10, 4}, {15, 4.3})},
+                                        {15, 10}, FillRule::NonZero);
+  CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), withBar).lostAreaMm2 == about(1.5, 0.1));
+}
+
+TEST_CASE("lost pieces of less than a quarter of a squared spacing do not count") {
+  const auto lostBar = [](double size) {
+    const Shape shape =
+        scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10}), scenes::rectangle({10, 4}, {10 + size, 4.3})}, {11, 10},
+                        FillRule::NonZero);
+    return measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), shape).lostAreaMm2;
+  };
+  CHECK(lostBar(0.1) == 0);
+  CHECK(lostBar(0.5) > 0.1);
+  CHECK(lostBar(0.5) < 0.2);
+}
+
+TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {5, 5})}, {5, 5});
+  const auto refusal = [&](const Toolpath& toolpath) {
+    const auto m = measureToolpath(toolpath, shape, scenes::mapOf(1, [](double, double) { return 0.0; }),
+                                   uniformMode(DirectionMode::Constrained), {}, kRun);
+    return m ? std::string() : m.error().message;
+  };
+  CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "spacing is 0 mm; it must be 0.05 to 20 mm");
+  CHECK(refusal(toolpathOf({{1, 1}, {NAN, 1}, {4, 4}}, 0.4f)) == "toolpath has a point outside -100000 to 100000 mm");
+  Toolpath lacking = toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f);
+  lacking.cycles[0].widths.pop_back();
+  CHECK(refusal(lacking) == "toolpath has a cycle with 3 points and 2 widths; there must be as many");
+  CHECK(measured({{}, 0.4}, shape).coverage == 0);
+}
+
+TEST_CASE("measures are equal for any number of threads, and digests tell plates apart") {
+  const auto scene = scenes::all()[0];
+  const auto plate = generateToolpath(scene.input, {}, kRun);
+  REQUIRE(plate.ok());
+  const Toolpath& path = plate.value().toolpath;
+  const auto one =
+      measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(1));
+  const auto many =
+      measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(5));
+  CHECK(one.value().coverage == many.value().coverage);
+  CHECK(one.value().overlap == many.value().overlap);
+  CHECK(one.value().digest == many.value().digest);
+  Toolpath other = path;
+  other.cycles[0].points[3].x += 0.001f;
+  CHECK(digestOf(other) != digestOf(path));
+}
+
+TEST_CASE(
+    "dislocations: none on straight beads, what the divergence asks for on a fan, half turns where lines have them") {
+  const Shape square = scenes::shapeOf({scenes::rectangle({0, 0}, {24, 24})}, {24, 24});
+  const Toolpath any = toolpathOf(ringOf(scenes::rectangle({5, 5}, {15, 15})), 0.4f);
+  ToolpathParams params;
+  params.perimeterMode = PerimeterMode::None;
+  params.spacingVariation = 0;
+  const auto of = [&](const std::function<double(double, double)>& angle) {
+    const DirectionMap map = scenes::mapOf(480, [&](double x, double y) { return angle(24 * x, 24 * y); });
+    return measureToolpath(any, square, map, uniformMode(DirectionMode::Constrained), params, kRun).value();
+  };
+  const Measures straight = of([](double, double) { return 0.7; });
+  CHECK(straight.dislocations == 0);
+  CHECK(straight.singularities == 0);
+  CHECK(straight.dislocationBound < 0.5);
+
+  // Beads fan out from (-20, 12): div t = 1/r, and N = the integral of 1/r over 2 tau.
+  const auto fromPoint = [](double x, double y) { return std::atan2(y - 12, x + 20); };
+  double integral = 0;
+  for (double y = 0.45; y < 23.6; y += 0.1) {  // one spacing inside
+    for (double x = 0.45; x < 23.6; x += 0.1) integral += 0.01 / std::hypot(x + 20, y - 12);
+  }
+  const Measures fan = of(fromPoint);
+  CHECK(fan.dislocationBound == about(integral / 0.8, 0.08));
+  CHECK(fan.singularities == 0);
+  CHECK(static_cast<double>(fan.dislocations) == about(integral / 0.8, 0.35));
+  params.spacingVariation = 0.5;
+  CHECK(of(fromPoint).dislocations < fan.dislocations);
+  params.spacingVariation = 0;
+
+  // Lines that turn by half a turn round a point, one way or the other.
+  CHECK(of([](double x, double y) { return 0.5 * std::atan2(y - 12.1, x - 12.1); }).singularities == 1);
+  CHECK(of([](double x, double y) { return -0.5 * std::atan2(y - 12.1, x - 12.1); }).singularities == 1);
+}
+
+TEST_CASE("measures are the same whether dislocations were counted while the plate was made, in a session, or anew") {
+  const auto scene = scenes::all()[0];
+  ToolpathParams params;
+  for (const double give : {0.0, 4.0}) {
+    params.directionTolerance = give;
+    Session session;
+    const ToolpathResult plate = generateToolpath(scene.input, params, kRun, true).value();
+    const ToolpathResult kept = session.generateToolpath(scene.input, params, kRun, true).value();
+    const auto report = [&](const std::optional<Dislocations>& known) {
+      const auto measures = measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions,
+                                            scene.input.modes, params, kRun, known);
+      return reportJson(ToolpathResult{}, measures.value(), 1, 0);
+    };
+    const std::string anew = report(std::nullopt);
+    REQUIRE(plate.dislocations.has_value());
+    CHECK(plate.dislocations->count > 0);
+    CHECK(report(plate.dislocations) == anew);
+    CHECK(report(kept.dislocations) == anew);
+    CHECK_FALSE(generateToolpath(scene.input, params, kRun).value().dislocations.has_value());
+  }
+}
+
+TEST_CASE("measuring tells its progress: from 0 to 1, never falling") {
+  RunContext run(2);
+  std::vector<double> seen;
+  run.onProgress([&](std::string_view stage, double fraction) {
+    CHECK(stage == "measure");
+    seen.push_back(fraction);
+  });
+  const Shape square = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 40})}, {40, 40});
+  const auto m = measureToolpath(toolpathOf(ringOf(scenes::rectangle({5, 5}, {35, 35})), 0.4f), square, scenes::waves(),
+                                 uniformMode(DirectionMode::Constrained), {}, run);
+  REQUIRE(m.ok());
+  REQUIRE(seen.size() > 10);
+  CHECK(seen.front() == 0);
+  CHECK(seen.back() == 1);
+  CHECK(std::is_sorted(seen.begin(), seen.end()));
+}

@@ -1,0 +1,242 @@
+// The table of settings: what it says is what is checked, read and written.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sillon/look/spools.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/settings/presets.hpp"
+#include "sillon/settings/table.hpp"
+
+using namespace sillon;
+using Json = nlohmann::json;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string problem(const Json& project) {
+  const Result<Project> read = readProject(project.dump());
+  return read ? "" : read.error().message;
+}
+
+Json projectWith(const Setting& row, const Json& value) {
+  return {{"sillon", 1}, {sectionName(row.section), {{row.key, value}}}};
+}
+
+/// What the rules between settings ask for besides a value at one end of its range.
+Json besides(const Setting& row, Json project, double value) {
+  Json& section = project[sectionName(row.section)];
+  const std::string key = row.key;
+  if (has(key, "emperature")) section["anyTemperature"] = true;
+  if (key == "bedMin") section["bedMax"] = {std::min(value + 10, 5000.0), std::min(value + 10, 5000.0)};
+  if (key == "bedMax") section["bedMin"] = {std::max(value - 5000, -5000.0), std::max(value - 5000, -5000.0)};
+  return project;
+}
+
+bool isNumber(const Setting& row) {
+  return row.type == SettingType::Number || row.type == SettingType::Integer || row.type == SettingType::Pair ||
+         row.type == SettingType::IntegerPair;
+}
+
+bool isSeed(const Setting& row) { return std::string(row.key) == "seed"; }
+
+Json valueOf(const Setting& row, double value) {
+  const bool whole = row.type == SettingType::Integer || row.type == SettingType::IntegerPair;
+  const Json one = whole ? Json(static_cast<long long>(value)) : Json(value);
+  return row.type == SettingType::Pair || row.type == SettingType::IntegerPair ? Json{one, one} : one;
+}
+
+}  // namespace
+
+TEST_CASE("both ends of each range are allowed, and one step past them is not") {
+  int tried = 0;
+  for (const Setting& row : settings()) {
+    if (!isNumber(row) || isSeed(row)) continue;
+    CAPTURE(fullName(row));
+    const bool whole = row.type == SettingType::Integer || row.type == SettingType::IntegerPair;
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double below = whole ? row.low - 1 : std::nextafter(row.low, -infinity);
+    const double above = whole ? row.high + 1 : std::nextafter(row.high, infinity);
+    for (const double end : {row.low, row.high}) {
+      // At these ends no bed can be: it would have no other corner.
+      const std::string key = row.key;
+      if ((key == "bedMin" && end == row.high) || (key == "bedMax" && end == row.low)) continue;
+      CHECK(problem(besides(row, projectWith(row, valueOf(row, end)), end)) == "");
+    }
+    for (const double past : {below, above}) {
+      const std::string told = problem(besides(row, projectWith(row, valueOf(row, past)), past));
+      CHECK(has(told, fullName(row)));
+      CHECK(has(told, "it must be "));
+    }
+    ++tried;
+  }
+  CHECK(tried > 55);
+}
+
+TEST_CASE("defaults are allowed, and each row has a key, a label and a sentence of its own") {
+  CHECK(invalidSettings(Project{}) == "");
+  std::set<std::string> names;
+  std::set<std::string> options;
+  for (const Setting& row : settings()) {
+    CAPTURE(fullName(row));
+    CHECK(names.insert(fullName(row)).second);
+    for (const std::string& old : splitWords(row.oldKeys)) {
+      CHECK(names.insert(std::string(sectionName(row.section)) + "." + old).second);
+    }
+    if (*row.option != '\0') CHECK(options.insert(row.option).second);
+    for (const std::string& old : splitWords(row.oldOptions)) CHECK(options.insert(old).second);
+    CHECK(*row.label != '\0');
+    const std::string help = row.help;
+    REQUIRE(help.size() > 10);
+    CHECK(help.back() != '.');
+    for (const char letter : help) CHECK((letter >= ' ' && letter <= '~'));
+    CHECK((row.type == SettingType::Choice) == (*row.choices != '\0'));
+    if (isNumber(row)) CHECK(row.low < row.high);
+    CHECK(findSetting(row.section, row.key) == &row);
+  }
+  CHECK(findSetting(Section::Print, "spacing") == nullptr);
+}
+
+TEST_CASE("the words of choices stand in the order of their enumerators") {
+  Project p;
+  p.builtin = BuiltinShape::Disc;
+  p.unitlessIsMm = true;
+  p.ignorePaint = true;
+  p.encoding = DirectionEncoding::Tangent;
+  p.mode = DirectionMode::Smoothest;
+  p.toolpath.perimeterMode = PerimeterMode::Soft;
+  p.toolpath.mapFilter = MapFilter::Nearest;
+  p.toolpath.phaseTransport = PhaseTransport::Neighbour;
+  p.print.basePattern = BasePattern::Concentric;
+  p.print.showSide = ShowSide::Both;
+  const auto text = [&](Section section, const char* key) { return settingText(*findSetting(section, key), p); };
+  CHECK(text(Section::Shape, "builtin") == "disc");
+  CHECK(text(Section::Shape, "unitless") == "mm");
+  CHECK(text(Section::Directions, "encoding") == "tangent");
+  CHECK(text(Section::Modes, "mode") == "smoothest");
+  CHECK(text(Section::Toolpath, "perimeterMode") == "soft");
+  CHECK(text(Section::Toolpath, "mapFilter") == "nearest");
+  CHECK(text(Section::Toolpath, "phaseTransport") == "neighbour");
+  CHECK(text(Section::Print, "basePattern") == "concentric");
+  CHECK(text(Section::Print, "showSide") == "both");
+  const std::vector<std::pair<GcodeFlavor, std::string>> flavors = {{GcodeFlavor::Marlin, "marlin"},
+                                                                    {GcodeFlavor::Klipper, "klipper"},
+                                                                    {GcodeFlavor::RepRap, "reprap"},
+                                                                    {GcodeFlavor::PrusaBuddy, "prusa"},
+                                                                    {GcodeFlavor::Bambu, "bambu"}};
+  for (const auto& [flavor, name] : flavors) {
+    p.printer.flavor = flavor;
+    CHECK(text(Section::Printer, "flavor") == name);
+  }
+}
+
+TEST_CASE("old keys are read as today's, never written, never suggested, and not given beside today's") {
+  const std::vector<std::vector<std::string>> renamed = {{"lineGive", "directionTolerance"},
+                                                         {"spacingBend", "spacingVariation"},
+                                                         {"waveReach", "kernelRadius"},
+                                                         {"borderPull", "borderWeight"}};
+  for (const auto& names : renamed) {
+    CAPTURE(names[0]);
+    const Json old = {{"sillon", 1}, {"toolpath", {{names[0], 0.47}}}};
+    const Json today = {{"sillon", 1}, {"toolpath", {{names[1], 0.47}}}};
+    const Result<Project> a = readProject(old.dump());
+    const Result<Project> b = readProject(today.dump());
+    REQUIRE(a);
+    REQUIRE(b);
+    CHECK(writeProject(a.value()) == writeProject(b.value()));
+    CHECK(writeProject(a.value()) != writeProject(Project{}));
+    CHECK_FALSE(has(writeProject(a.value()), names[0]));
+    const Json both = {{"sillon", 1}, {"toolpath", {{names[0], 0.47}, {names[1], 0.47}}}};
+    CHECK(has(problem(both), "toolpath." + names[0] + " is an old name of toolpath." + names[1]));
+    const Json near = {{"sillon", 1}, {"toolpath", {{names[0] + "s", 0.47}}}};
+    CHECK_FALSE(has(problem(near), "\"" + names[0] + "\""));
+  }
+  const Result<Project> profile = readProject(R"({"sillon": 1, "printer": {"preset": "prusa-mini"}})");
+  REQUIRE(profile);
+  CHECK(profile.value().printerProfile == "prusa-mini");
+  CHECK(profile.value().printer.flavor == GcodeFlavor::PrusaBuddy);
+  CHECK(has(writeProject(profile.value()), "\"profile\": \"prusa-mini\""));
+}
+
+TEST_CASE("spools are called as the measured ones are, in the same order") {
+  const std::vector<std::string> words = splitWords(findSetting(Section::Pictures, "spool")->choices);
+  REQUIRE(words.size() == spools().size());
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    CHECK(words[k] == spools()[k].key);
+    CHECK(spoolOf(static_cast<SpoolName>(k)).key == words[k]);
+  }
+}
+
+TEST_CASE("pictures with their lamps are written as they were read") {
+  const Json given = {{"sillon", 1},
+                      {"pictures",
+                       {{"files", {{{"file", "a \"b\".png"}, {"lamp", {60.5, 45}}}, {{"file", "c.png"}}}},
+                        {"spool", "goldPla"},
+                        {"slopes", {2.5, 17}}}}};
+  const Result<Project> read = readProject(given.dump());
+  REQUIRE(read);
+  const PictureParams& pictures = read.value().pictures;
+  REQUIRE(pictures.files.size() == 2);
+  CHECK(pictures.files[0] == LampPicture{"a \"b\".png", Vec2{60.5, 45}});
+  CHECK(pictures.files[1] == LampPicture{"c.png", std::nullopt});
+  CHECK(pictures.spool == SpoolName::GoldPla);
+  CHECK(pictures.slopes == Vec2{2.5, 17});
+  const std::string text = writeProject(read.value());
+  CHECK(Json::parse(text)["pictures"]["files"][1] == Json{{"file", "c.png"}, {"lamp", nullptr}});
+  const Result<Project> again = readProject(text);
+  REQUIRE(again);
+  CHECK(again.value().pictures.files == pictures.files);
+  CHECK(writeProject(again.value()) == text);
+}
+
+TEST_CASE("what temperatures are allowed depends on anyTemperature") {
+  Printer printer;
+  printer.nozzleTemperature = 320;
+  CHECK(invalidSettings(printer, {}) == "printer.nozzleTemperature is 320 degrees Celsius; it must be 170 to 300");
+  printer.anyTemperature = true;
+  CHECK(invalidSettings(printer, {}) == "");
+  printer.bedTemperature = 201;
+  CHECK(has(invalidSettings(printer, {}), "it must be 0 to 200"));
+}
+
+TEST_CASE("rules between settings of a section hold wherever they are read") {
+  Printer printer;
+  printer.bedMin = {215, 0};
+  CHECK(has(invalidSettings(printer, {}), "printer.bedMax is [220, 220] mm; it must be 10 to 5000 mm right of"));
+  printer = {};
+  printer.roundBed = true;
+  printer.bedMax = {200, 210};
+  CHECK(has(invalidSettings(printer, {}), "it must be a square"));
+  printer = {};
+  printer.machineSpeed = 4;
+  CHECK(has(invalidSettings(printer, {}), "it must be 5 to 1000, or 0"));
+  PrintParams print;
+  print.firstLayerHeight = 0.01;
+  CHECK(has(invalidSettings(Printer{}, print), "print.firstLayerHeight is 0.01 mm; it must be 0.05 to 1.6, or 0"));
+}
+
+TEST_CASE("the table as JSON has every row with its default and range") {
+  const Json all = Json::parse(settingsJson(), nullptr, false);
+  REQUIRE(all.is_object());
+  REQUIRE(all["settings"].size() == settings().size());
+  const Json written = Json::parse(writeProject(Project{}));
+  for (std::size_t k = 0; k < settings().size(); ++k) {
+    const Setting& row = settings()[k];
+    const Json& told = all["settings"][k];
+    CAPTURE(fullName(row));
+    CHECK(told["section"] == sectionName(row.section));
+    CHECK(told["key"] == row.key);
+    if (told.contains("default")) CHECK(told["default"] == written[sectionName(row.section)][row.key]);
+    CHECK(told.contains("low") == isNumber(row));
+    if (isNumber(row) && !isSeed(row)) {
+      CHECK(told["low"] == row.low);
+      CHECK(told["high"] == row.high);
+    }
+  }
+}

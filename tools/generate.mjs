@@ -1,0 +1,179 @@
+// Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts)
+// and from the appearance model (its constants and spools for the studio's views, and light to test these by).
+//   node tools/generate.mjs SILLON           writes them
+//   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..');
+const [program, mode] = process.argv.slice(2);
+const { settings } = JSON.parse(execFileSync(program, ['settings', '--json'], { encoding: 'utf8' }));
+
+const sections = [...new Set(settings.map(({ section }) => section))];
+const of = (section) => settings.filter((setting) => setting.section === section);
+
+// The table is ASCII, as messages on any console must be.
+const typeset = (text) =>
+  text
+    .replace(/(\d) degrees Celsius/g, '$1 °C')
+    .replace(/(\d) degrees/g, '$1°')
+    .replace(/-(\d)/g, '−$1')
+    .replace(/(\w)'(\w|\s)/g, '$1’$2')
+    .replace(/ x (?!and )/g, ' × ')
+    .replace('sigma', 'σ');
+const units = {
+  'degrees Celsius': '°C',
+  degrees: '°',
+  spacings: 'τ',
+  'mm/s2': 'mm/s²',
+  'mm3/s': 'mm³/s',
+  'g/cm3': 'g/cm³',
+};
+const unitOf = ({ unit = '' }) => units[unit] ?? unit;
+
+// --- docs/reference/project.md --------------------------------------------------------------------------------------------------
+
+function rangeText({ type, choices, low, high, maxBytes }) {
+  if (choices !== undefined) return choices.map((choice) => `\`${choice}\``).join(' ');
+  if (type === 'flag') return '`false` `true`';
+  if (maxBytes !== undefined) return type === 'block' ? `${maxBytes / 1024} KiB` : '';
+  if (type === 'pictures') return 'up to 4';
+  if (low === undefined) return '';
+  return `${low} to ${high > Number.MAX_SAFE_INTEGER ? '2^64 − 1' : high}`.replaceAll('-', '−');
+}
+
+function defaultText({ default: value, type }) {
+  if (value === undefined) return '';
+  const json = Array.isArray(value) ? `[${value.join(', ')}]` : JSON.stringify(value);
+  return type === 'number' || type === 'integer' || type === 'flag'
+    ? value === null
+      ? '`null`'
+      : json
+    : `\`${json}\``;
+}
+
+function docsRow(setting) {
+  const { key, level, help, option } = setting;
+  const meaning = typeset(help)
+    .replaceAll('|', '\\|')
+    .replaceAll(/"([a-z0-9-]+)"/g, '`$1`');
+  const sentence = `${meaning}${level === 'expert' ? ' (expert)' : ''}`;
+  const cells = [`\`${key}\``, defaultText(setting), unitOf(setting), rangeText(setting), sentence];
+  cells.push(option === undefined ? '' : `\`${option}\``);
+  return `| ${cells.join(' | ')} |`.replaceAll('|  |', '| |').replaceAll('|  |', '| |');
+}
+
+function docs(text) {
+  const head = ['| key | default | unit | range | meaning | option |', '|---|---|---|---|---|---|'];
+  for (const section of sections) {
+    const title = `## \`${section}\`\n`;
+    const begin = text.indexOf(title);
+    if (begin < 0) throw new Error(`docs/reference/project.md has no heading "${title.trim()}"`);
+    const table = text.indexOf('\n| ', begin) + 1;
+    const end = text.indexOf('\n\n', table);
+    text = text.slice(0, table) + [...head, ...of(section).map(docsRow)].join('\n') + text.slice(end);
+  }
+  return text;
+}
+
+// --- wasm/sillon.d.ts --------------------------------------------------------------------------------------------------
+
+function typeOf({ type, choices, nullable }) {
+  const plain = {
+    number: 'number',
+    integer: 'number',
+    flag: 'boolean',
+    pair: '[number, number]',
+    'integer pair': '[number, number]',
+    pictures: 'LampPicture[]',
+    choice: choices?.map((choice) => `'${choice}'`).join(' | '),
+  };
+  return `${plain[type] ?? 'string'}${nullable ? ' | null' : ''}`;
+}
+
+/** 2^53 - 1 is as far as JavaScript counts. */
+const mostOf = ({ high }) => Math.min(high, Number.MAX_SAFE_INTEGER);
+
+function typeRow(setting) {
+  const { key, low, help } = setting;
+  const range = low === undefined ? '' : `${low}..${mostOf(setting)} ${unitOf(setting)}`.trim();
+  const value = setting.default === undefined ? '' : `default ${JSON.stringify(setting.default)}`;
+  const facts = [range, value].filter((fact) => fact !== '').join(', ');
+  return `  /** ${typeset(help)}.${facts === '' ? '' : ` ${facts[0].toUpperCase()}${facts.slice(1)}.`} */\n  ${key}: ${typeOf(setting)};`;
+}
+
+const interfaces = {
+  PictureParams: 'pictures',
+  ToolpathParams: 'toolpath',
+  PrinterValues: 'printer',
+  PrintParams: 'print',
+};
+
+function types(text) {
+  for (const [name, section] of Object.entries(interfaces)) {
+    const head = `export interface ${name} {\n`;
+    const begin = text.indexOf(head) + head.length;
+    const rows = of(section).filter(({ type }) => type !== 'name');
+    // What a section of the package has besides follows an empty line.
+    const end = Math.min(...['\n}', '\n\n'].map((stop) => text.indexOf(stop, begin)).filter((at) => at > 0));
+    text = text.slice(0, begin) + rows.map(typeRow).join('\n') + text.slice(end);
+  }
+  return text;
+}
+
+// --- web/src/model/appearance.ts, web/test/light.json ------------------------------------------------------------------------
+
+const look = JSON.parse(execFileSync(program, ['spools', '--json'], { encoding: 'utf8' }));
+
+const sides = ({ nozzleSide, bedSide }) =>
+  `{ nozzleSide: [${nozzleSide.join(', ')}], bedSide: [${bedSide.join(', ')}] }`;
+
+const spoolRow = ({ key, colour, fine, wide }) => `  ${key}: {
+    colour: [${colour.join(', ')}],
+    fine: ${sides(fine)},
+    wide: ${sides(wide)},
+  },`;
+
+const appearance = () => `// Made by tools/generate.mjs from the core's appearance model and spools: ./dev generate.
+
+/** Slope of a bead's round top at its edge; share of the brightest light that every direction sends; slopes of lamps. */
+export const appearance = {
+${['profileSlope', 'diffuse', 'bulb', 'softbox', 'window'].map((key) => `  ${key}: ${look[key]},`).join('\n')}
+} as const;
+
+/** Colour of the body, sRGB 0..255; RMS slopes along and across the bead [degrees], by nozzles of 0.4 and 0.8 mm. */
+export const spools = {
+${look.spools.map(spoolRow).join('\n')}
+} as const;
+`;
+
+/** Light by direction, k/36 of a half turn from +x, under lamps at azimuth 60 and elevation 45 degrees. */
+const light = () =>
+  `{\n${look.spools.map(({ key, fine, light }) => `  "${key}": ${JSON.stringify({ slopes: fine.nozzleSide, light })}`).join(',\n')}\n}\n`;
+
+// --- Files ---------------------------------------------------------------------------------------------------------------
+
+const made = {
+  'docs/reference/project.md': docs,
+  'wasm/sillon.d.ts': types,
+  'web/src/model/appearance.ts': appearance,
+  'web/test/light.json': light,
+};
+
+let stale = 0;
+for (const [path, make] of Object.entries(made)) {
+  const file = join(root, path);
+  const before = existsSync(file) ? readFileSync(file, 'utf8') : '';
+  const after = make(before);
+  if (after === before) continue;
+  if (mode === '--check') {
+    console.error(`${path} is out of date: run ./dev generate`);
+    stale = 1;
+  } else {
+    writeFileSync(file, after);
+    console.log(path);
+  }
+}
+process.exitCode = stale;

@@ -1,0 +1,25 @@
+// What the bindings of both modules share: every function that JavaScript may call returns {value} or
+// {error: {code, message}}; no exception leaves.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <functional>
+#include <string>
+
+#include "sillon/base/run_context.hpp"
+
+namespace call {
+
+using emscripten::val;
+
+/// Runs one call in a fresh state and turns whatever it throws into an error.
+val guarded(const std::function<val(sillon::RunContext&)>& body);
+
+/// Tells JavaScript how far a job is. \param begin, end  the part of the whole call that the job is, in [0, 1].
+void tell(sillon::RunContext& run, const val& onProgress, double begin, double end);
+
+/// {value}: the bytes of a file.
+val file(const std::string& bytes);
+
+}  // namespace call

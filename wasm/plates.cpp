@@ -1,0 +1,136 @@
+// Plates: what JavaScript may call of sillon-st and sillon-mt.
+#include <emscripten/bind.h>
+#include <emscripten/heap.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "call.hpp"
+#include "convert.hpp"
+#include "sillon/gcode_reader/examine.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/pipeline/session.hpp"
+#include "sillon/project/pictures.hpp"
+#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/report.hpp"
+#include "sillon/settings/presets.hpp"
+
+namespace {
+
+using call::guarded;
+using call::tell;
+using convert::failure;
+using convert::success;
+using emscripten::val;
+
+sillon::Session session;  // lives as long as the module: what one plate leaves serves the next
+
+constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
+
+val generateToolpath(const std::string& projectJson, const val& files, bool measure, const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress, 0, measure ? kMakingShare : 1);
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    const sillon::ToolpathParams& params = project.value().toolpath;
+    auto input = sillon::readPlateInput(project.value(), convert::reader(files));
+    if (!input) return failure(input.error());
+    const auto pictures = sillon::solvePictures(project.value(), convert::reader(files), input.value(), run);
+    if (!pictures) return failure(pictures.error());
+    const sillon::PlateInput& plateInput = input.value();
+    const auto plate = session.generateToolpath(plateInput, params, run, measure);
+    if (!plate) return failure(plate.error());
+    const sillon::Toolpath& toolpath = plate.value().toolpath;
+
+    std::optional<sillon::Measures> measures;
+    std::vector<sillon::PictureMeasures> seen;
+    if (measure) {
+      tell(run, onProgress, kMakingShare, 1);
+      const auto measured = sillon::measureToolpath(toolpath, plateInput.shape, plateInput.directions, plateInput.modes,
+                                                    params, run, plate.value().dislocations);
+      if (!measured) return failure(measured.error());
+      measures = measured.value();
+      if (!pictures.value().shown.empty()) {
+        auto judged = sillon::measurePictures(toolpath, plateInput.shape.page, pictures.value().shown,
+                                              pictures.value().roughness, run);
+        if (!judged) return failure(judged.error());
+        seen = std::move(judged).value();
+      }
+    }
+    val notes = val::array();
+    for (const std::string& note : sillon::plateNotes(params, measures)) notes.call<void>("push", val(note));
+    val path = convert::toJs(toolpath);
+    path.set("shape", convert::toJs(plateInput.shape));
+    path.set("notes", notes);
+    if (!pictures.value().shown.empty()) path.set("look", convert::toJs(project.value(), pictures.value()));
+    val out = val::object();
+    out.set("toolpath", path);
+    std::string report = sillon::reportJson(plate.value(), measures, run.threads(),
+                                            static_cast<std::int64_t>(emscripten_get_heap_size()));
+    out.set("report", val(sillon::withPictures(std::move(report), pictures.value().shown, seen, false)));
+    return success(out);
+  });
+}
+
+val readShape(const std::string& projectJson, const val& files) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    const auto input = sillon::readPlateInput(project.value(), convert::reader(files));
+    if (!input) return failure(input.error());
+    return success(convert::toJs(input.value().shape));
+  });
+}
+
+val decodePicture(const val& file, const std::string& name) {
+  return guarded([&](sillon::RunContext&) {
+    const auto image = sillon::decodeImage(convert::numbers<std::uint8_t>(file), name);
+    if (!image) return failure(image.error());
+    return success(convert::toJs(image.value()));
+  });
+}
+
+/// Printers as the text of project files.
+val profiles() {
+  return guarded([&](sillon::RunContext&) {
+    const auto all = [](sillon::ProfileKind kind) {
+      val list = val::array();
+      for (const sillon::PrinterProfile& preset : sillon::profiles(kind)) {
+        val entry = val::object();
+        entry.set("id", val(preset.id));
+        entry.set("project", val(sillon::writePrinter(preset.printer)));
+        list.call<void>("push", entry);
+      }
+      return list;
+    };
+    val out = val::object();
+    out.set("printers", all(sillon::ProfileKind::Printer));
+    out.set("filaments", all(sillon::ProfileKind::Filament));
+    return success(out);
+  });
+}
+
+/// \param projectJson  whose printer's flavour counts.
+val examineBlock(const std::string& block, const std::string& projectJson) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    return success(convert::toJs(sillon::examineBlock(block, project.value().printer.flavor)));
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(plates) {
+  emscripten::function("generateToolpath", &generateToolpath);
+  emscripten::function("readShape", &readShape);
+  emscripten::function("decodePicture", &decodePicture);
+  emscripten::function("profiles", &profiles);
+  emscripten::function("examineBlock", &examineBlock);
+}

@@ -1,0 +1,75 @@
+// A design from elsewhere - a link, a project, a page around this one - may bring a printer of its own: G-code that moves and
+// heats a machine, temperatures, limits. None of it is used before the visitor has said so.
+import type { PrinterValues } from 'sillon';
+import { printerDefaults } from './defaults.js';
+import { filaments } from './filaments.js';
+import type { Plate } from './plate.js';
+import { ofFilament, profileOf, sameMachine } from './printers.js';
+
+type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
+
+const firstLayerMore = 5; // [°C], as `withFilament` has it
+const usual = {
+  nozzle: Math.max(...filaments.map(({ nozzleTemperature }) => nozzleTemperature)) + firstLayerMore,
+  bed: Math.max(...filaments.map(({ bedTemperature }) => bedTemperature)),
+};
+
+/** Hotter than any filament of the list is printed [°C]; 0: no hotter. */
+export function unusualHeat(heat: Heat): { nozzle: number; bed: number } {
+  const nozzle = Math.max(heat.nozzleTemperature, heat.firstLayerNozzleTemperature);
+  return { nozzle: nozzle > usual.nozzle ? nozzle : 0, bed: heat.bedTemperature > usual.bed ? heat.bedTemperature : 0 };
+}
+
+const isHot = (heat: Heat): boolean => {
+  const { nozzle, bed } = unusualHeat(heat);
+  return nozzle > 0 || bed > 0;
+};
+
+/** Whether a stranger's printer may be used unasked: one of the profiles, or the visitor's own, no hotter than usual. */
+function harmless(printer: PrinterValues, own: PrinterValues): boolean {
+  const sameHeat = ofFilament.every((key) => printer[key] === own[key]);
+  const known = profileOf(printer) !== undefined || sameMachine(printer, own);
+  return known && (!isHot(printer) || sameHeat);
+}
+
+/** A design from elsewhere on the visitor's own printer; what it brings waits in `brought`. The nozzle stays the design's,
+ * and so does what its filament asks for, unless that is hotter than usual. */
+export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
+  const { printer } = plate;
+  if (harmless(printer, own)) return withoutBrought(plate);
+  const filament = isHot(printer) ? own : printer;
+  const kept = Object.fromEntries(ofFilament.map((key) => [key, filament[key]])) as unknown as PrinterValues;
+  return { ...plate, printer: { ...structuredClone(own), ...kept, nozzle: printer.nozzle }, brought: printer };
+}
+
+export const useBrought = (plate: Plate): Plate =>
+  plate.brought === undefined ? plate : withoutBrought({ ...plate, printer: plate.brought });
+
+export function withoutBrought(plate: Plate): Plate {
+  if (!('brought' in plate)) return plate;
+  const rest = { ...plate };
+  delete rest.brought;
+  return rest;
+}
+
+/** Lines that are sent to the machine: neither empty nor nothing but a comment. */
+export const countLines = (block: string): number =>
+  block.split('\n').filter((line) => !/^\s*(;.*)?$/.test(line)).length;
+
+/** What is to be seen before the first file is taken with it: blocks that no profile has, and heat without limits. Equal
+ * texts: the same was seen. Empty: nothing to see. */
+export function toReview(printer: PrinterValues): string {
+  const { startGcode, endGcode, anyTemperature } = printer;
+  const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printer;
+  const profile = profileOf(printer);
+  const blocks = profile === undefined && (startGcode !== '' || endGcode !== '') ? [startGcode, endGcode] : [];
+  const heat = anyTemperature ? [nozzleTemperature, firstLayerNozzleTemperature, bedTemperature] : [];
+  return blocks.length + heat.length === 0 ? '' : JSON.stringify([...blocks, ...heat]);
+}
+
+/** The printer without what `toReview` shows. */
+export const withoutBlocks = (plate: Plate): Plate => {
+  const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printerDefaults;
+  const heat = isHot(plate.printer) ? { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } : {};
+  return { ...plate, printer: { ...plate.printer, ...heat, startGcode: '', endGcode: '', anyTemperature: false } };
+};

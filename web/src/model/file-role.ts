@@ -1,0 +1,32 @@
+// What the files that people open are for.
+import type { SourceFile } from './plate.js';
+
+/** What a file may be for; the dictionary has `role.NAME`. */
+export type Role =
+  | 'shape'
+  | 'mask'
+  | 'lamp'
+  | 'more'
+  | 'tone'
+  | 'edges'
+  | 'levels'
+  | 'angle'
+  | 'rotation'
+  | 'tangent'
+  | 'modes'
+  | 'project'
+  | 'none';
+
+/** A file as it was opened, and what it is used as. */
+export interface Opened {
+  source: SourceFile;
+  role: Role;
+  /** What it may be used as. */
+  roles: readonly Role[];
+}
+
+/** A file, and what it is for where somebody says so: 'shape', 'image' (its directions), or a role. Empty: as it is guessed. */
+export interface Opening {
+  file: File;
+  role: string;
+}

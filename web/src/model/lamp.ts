@@ -1,0 +1,116 @@
+// Pictures under lamps: what the engine is asked for, where the light belongs, and what a spool can show.
+import type { Look, PictureInput, PictureReport } from 'sillon';
+import { appearance } from './appearance.js';
+import { filamentOf, slopesOf } from './filaments.js';
+import type { DirectionSource, LampPicture, Plate, SourceFile } from './plate.js';
+import type { Light } from './view.js';
+
+export type LampSource = Extract<DirectionSource, { kind: 'lamp' }>;
+
+export const mostPictures = 4;
+/** Slopes that blur as much: a bulb, a softbox, a large window. */
+export const lampSizes = {
+  bulb: appearance.bulb,
+  softbox: appearance.softbox,
+  window: appearance.window,
+} as const;
+
+/** Between the lamps of two pictures [degrees]: near enough to show both at once where both are bright, far enough to part them. */
+const between = 55;
+const usualElevation = 45;
+
+/** Everything of the plate that the pictures are solved for, besides their sizes and the spacing.
+ * @param content  of a file, as the engine or a project names it */
+export function pictureInput<Content>(plate: Plate, source: LampSource, content: (file: SourceFile) => Content) {
+  const { pictures, lampSize, smoothness, localContrast } = source;
+  return {
+    files: pictures.map(({ file, lamp }) => ({
+      file: content(file),
+      lamp: lamp === null ? null : ([...lamp] satisfies [number, number]),
+    })),
+    spool: filamentOf(plate.filament).key,
+    slopes: slopesOf(plate),
+    lampSize,
+    smoothness,
+    localContrast,
+  } satisfies Omit<PictureInput, 'files'> & { files: { file: Content; lamp: [number, number] | null }[] };
+}
+
+/** Whether both plates ask the engine for the same pictures; other directions do not know of spools. */
+export function sameSpool(a: Plate, b: Plate): boolean {
+  if (a.directions.kind !== 'lamp' || b.directions.kind !== 'lamp') return true;
+  return a.filament === b.filament && slopesOf(a).join() === slopesOf(b).join();
+}
+
+const wrapped = (azimuth: number): number => ((azimuth % 360) + 360) % 360;
+
+/** A lamp for one more picture, beside those that are there. @param light  of the first */
+export function lampFor(pictures: readonly LampPicture[], light: Light): [number, number] {
+  const last = pictures.at(-1)?.lamp;
+  if (last === undefined || last === null) {
+    const elevation = Math.min(65, Math.max(25, Math.round(light.elevation)));
+    return pictures.length === 0 ? [wrapped(Math.round(light.azimuth)), elevation] : [between, usualElevation];
+  }
+  return [wrapped(last[0] + between), last[1]];
+}
+
+const lightOf = ([azimuth, elevation]: readonly [number, number]): Light => ({
+  azimuth: wrapped(azimuth),
+  elevation,
+});
+
+/** The lamps of the plate's pictures: as solved for, else as asked for. */
+export function lampsOf(source: DirectionSource, look: Look | undefined): Light[] {
+  if (source.kind !== 'lamp') return [];
+  return source.pictures.flatMap(({ lamp }, k) => {
+    const found = lamp ?? look?.lamps[k];
+    return found === undefined ? [] : [lightOf(found)];
+  });
+}
+
+export const usualLight: Readonly<Light> = { azimuth: 60, elevation: 35 };
+
+/** Where the plate looks as it is meant to: beads that run across the light are bright. */
+export function homeLight({ directions }: Plate, look: Look | undefined): Light {
+  const [lamp] = lampsOf(directions, look);
+  if (lamp !== undefined) return lamp;
+  const across = (angle: number): Light => ({ ...usualLight, azimuth: (((angle - 90) % 180) + 180) % 180 });
+  switch (directions.kind) {
+    case 'tone':
+      return across(directions.invert ? directions.from : directions.to);
+    case 'levels':
+      return across(directions.invert ? directions.dark : directions.light);
+    case 'qr':
+      return across(directions.light);
+    case 'text':
+      return across(directions.letters);
+    default:
+      return usualLight;
+  }
+}
+
+// --- What can be seen ----------------------------------------------------------------------------------------------------
+
+const weakContrast = 5; // gold PLA has 4.4 under a softbox, blue 18
+const unlike = 0.7; // correlation below which nobody recognises the picture
+const wideLamp = 0.25;
+
+/** Steps of 10 % that are told apart between the darkest and the brightest place. */
+export const greySteps = (contrast: number): number =>
+  Math.max(1, Math.floor(Math.log(Math.max(1, contrast)) / Math.log(1.1)));
+
+export type Weakness = 'spool' | 'window' | 'unlike';
+
+/** Why people may not see the pictures; empty: they will. @param seen  of the finished plate */
+export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | undefined): Weakness[] {
+  const { directions } = plate;
+  if (directions.kind !== 'lamp') return [];
+  const found: Weakness[] = [];
+  const window = directions.lampSize >= wideLamp;
+  if (window) found.push('window');
+  const [along] = slopesOf(plate);
+  const dull = along >= 6; // [degrees] gold: the shine is as wide along the bead as across it
+  if (!window && (dull || seen?.some(({ contrast }) => contrast < weakContrast) === true)) found.push('spool');
+  if (seen?.some(({ r }) => r < unlike) === true) found.push('unlike');
+  return found;
+}

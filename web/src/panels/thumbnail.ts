@@ -1,0 +1,16 @@
+// A file as a small picture, where the browser can draw it.
+import { html, type TemplateResult } from 'lit';
+import type { SourceFile } from '../model/plate.js';
+
+const urls = new WeakMap<Blob, string>();
+
+/** The same blob has one address, for as long as the page lives. */
+export function urlOf(bytes: Blob): string {
+  const known = urls.get(bytes);
+  if (known !== undefined) return known;
+  const made = URL.createObjectURL(bytes);
+  urls.set(bytes, made);
+  return made;
+}
+
+export const thumbnail = ({ bytes }: SourceFile): TemplateResult => html`<img src=${urlOf(bytes)} alt="" />`;

@@ -1,0 +1,142 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { withFile } from '../../src/files/open.js';
+import { guessRoles } from '../../src/files/guess.js';
+import { newFileDirections, newGenerator, newLampDirections, newPlate } from '../../src/model/defaults.js';
+import { withFilament } from '../../src/model/filaments.js';
+import { engineInput, sameToolpath } from '../../src/model/input.js';
+import { greySteps, homeLight, lampFor, lampsOf, weaknessesOf } from '../../src/model/lamp.js';
+import type { Plate } from '../../src/model/plate.js';
+import { between, near, swayed, turned } from '../../src/views/light.js';
+import { fileOf } from './support/pictures.js';
+
+const [cat, dog] = [fileOf('cat.jpg'), fileOf('dog.jpg')];
+const plateOf = (...lamps: ([number, number] | null)[]): Plate => ({
+  ...newPlate(),
+  directions: newLampDirections(lamps.map((lamp, k) => ({ file: k === 0 ? cat : dog, lamp }))),
+});
+const facts = {
+  width: 40,
+  height: 30,
+  deep: false,
+  coloured: true,
+  modeGreys: false,
+  unitVectors: false,
+  twoTones: false,
+  oneTone: false,
+};
+
+test('a photograph is solved for the light on the screen, a second one for a lamp beside it', () => {
+  const one = withFile(newPlate(), cat, 'lamp', [400, 300], { azimuth: 222.4, elevation: 41 });
+  assert.ok(one.directions.kind === 'lamp');
+  assert.deepEqual(one.directions.pictures, [{ file: cat, lamp: [222, 41] }]);
+  assert.deepEqual([one.shape.kind, one.width, one.height], ['rectangle', 70, 52.5]);
+  const photo = [{ name: 'dog.jpg', facts }];
+  assert.deepEqual(guessRoles(photo, newPlate()), ['lamp']);
+  assert.deepEqual(guessRoles(photo, one), ['more']);
+  assert.deepEqual(guessRoles([{ name: 'x.png', facts: { ...facts, twoTones: true } }], one), ['more']);
+  assert.deepEqual(guessRoles(photo, plateOf([0, 45], [50, 45], [100, 45], [150, 45])), ['lamp']);
+
+  const two = withFile(one, dog, 'more', [100, 100]);
+  assert.ok(two.directions.kind === 'lamp');
+  assert.deepEqual(two.directions.pictures, [
+    { file: cat, lamp: [222, 41] },
+    { file: dog, lamp: [277, 41] },
+  ]);
+  assert.deepEqual([two.width, two.height], [one.width, one.height]);
+  // Instead of the first: its lamp stays.
+  const other = withFile(one, dog, 'lamp', [300, 400]);
+  assert.ok(other.directions.kind === 'lamp');
+  assert.deepEqual(other.directions.pictures, [{ file: dog, lamp: [222, 41] }]);
+  assert.deepEqual(lampFor([{ file: cat, lamp: [340, 30] }], { azimuth: 0, elevation: 0 }), [35, 30]);
+});
+
+test('the engine is asked for the pictures under the spool of the plate', () => {
+  const plate = withFilament(plateOf([60, 45], null), 'bluePla');
+  const { input } = engineInput({ plate, raster: undefined });
+  assert.equal(input.directions, undefined);
+  assert.deepEqual(input.pictures, {
+    files: [
+      { file: cat.bytes, lamp: [60, 45] },
+      { file: dog.bytes, lamp: null },
+    ],
+    spool: 'bluePla',
+    slopes: [2.36, 17.32],
+    lampSize: 0.1,
+    smoothness: 0.05,
+    localContrast: 0,
+  });
+  const same = (a: Plate, b: Plate): boolean =>
+    sameToolpath({ plate: a, raster: undefined }, { plate: b, raster: undefined });
+  assert.ok(same(plate, { ...plate, name: 'other' }));
+  assert.ok(!same(plate, withFilament(plate, 'goldPla')));
+  assert.ok(!same(plate, { ...plate, printer: { ...plate.printer, nozzle: 0.8 } }));
+  const waves = newPlate();
+  assert.ok(same(waves, withFilament(waves, 'bluePla')));
+});
+
+test('the light belongs where the plate looks as it is meant to', () => {
+  assert.deepEqual(homeLight(newPlate(), undefined), { azimuth: 60, elevation: 35 });
+  assert.deepEqual(homeLight(plateOf([-90, 50]), undefined), { azimuth: 270, elevation: 50 });
+  const look = {
+    colour: [0, 0, 0],
+    slopes: [2, 17],
+    lampSize: 0.1,
+    lamps: [
+      [10, 40],
+      [70, 40],
+    ],
+  } as const;
+  const solved = {
+    ...look,
+    colour: [...look.colour],
+    slopes: [...look.slopes],
+    lamps: look.lamps.map((one) => [...one]),
+  } as Parameters<typeof lampsOf>[1];
+  assert.deepEqual(lampsOf(plateOf(null, [20, 30]).directions, solved), [
+    { azimuth: 10, elevation: 40 },
+    { azimuth: 20, elevation: 30 },
+  ]);
+  assert.deepEqual(lampsOf(plateOf(null).directions, undefined), []);
+  const under = (directions: Plate['directions']): number =>
+    homeLight({ ...newPlate(), directions }, undefined).azimuth;
+  // Beads across the light are bright: 150° under 60°, 90° under 0°.
+  assert.equal(under(newFileDirections('tone', cat)), 60);
+  assert.equal(under({ ...newFileDirections('tone', cat), invert: true }), 150);
+  assert.equal(under(newGenerator('qr')), 0);
+  assert.equal(under(newGenerator('text')), 0);
+  assert.equal(under(newFileDirections('levels', cat)), 0);
+});
+
+test('a spool or a lamp that shows little is told', () => {
+  const seen = (contrast: number, r = 0.95) => [
+    { file: 'a', lamp: [60, 45] as [number, number], r, ssim: 0.8, contrast, others: [], from: 'toolpath' as const },
+  ];
+  const blue = withFilament(plateOf([60, 45]), 'bluePla');
+  assert.deepEqual(weaknessesOf(blue, undefined), []);
+  assert.deepEqual(weaknessesOf(blue, seen(15)), []);
+  assert.deepEqual(weaknessesOf(blue, seen(3)), ['spool']);
+  assert.deepEqual(weaknessesOf(blue, seen(15, 0.3)), ['unlike']);
+  assert.deepEqual(weaknessesOf(withFilament(blue, 'goldPla'), undefined), ['spool']);
+  const window = { ...blue, directions: { ...newLampDirections([{ file: cat, lamp: null }]), lampSize: 0.4 } };
+  assert.deepEqual(weaknessesOf(window, seen(1.5)), ['window']);
+  assert.deepEqual(weaknessesOf(newPlate(), undefined), []); // gold waves are fine
+  assert.equal(greySteps(1), 1);
+  assert.equal(greySteps(1.1 ** 24 + 1e-9), 24);
+});
+
+test('the light springs back the shorter way, and sways no further than 25° to both sides', () => {
+  const home = { azimuth: 350, elevation: 45 };
+  let light = { azimuth: 20, elevation: 80 };
+  for (let n = 0; n < 200; ++n) {
+    const next = turned(light, home, 16);
+    assert.ok(next.azimuth <= 20 || next.azimuth >= 350, 'it went the long way round');
+    light = next;
+  }
+  assert.ok(near(light, home, 0.01));
+  for (let now = 0; now < 20_000; now += 50) assert.ok(near(swayed(home, now), home, 25.0001));
+  assert.deepEqual(between({ azimuth: 10, elevation: 40 }, { azimuth: 70, elevation: 60 }, 0.5), {
+    azimuth: 40,
+    elevation: 50,
+  });
+});
