@@ -11,11 +11,12 @@ using namespace sillon;
 
 TEST_CASE("plates that once came out wrong keep the promises") {
   // Cycles whose few points were used up by joints among themselves (550, 956, 1534, 1667, 1924), a path whose near end
-  // is a joint (1609), one that only a used piece faces (1116), tiny cycles that a joint turned inside out (20526,
+  // is a joint (1609), one that only a used piece faces (1116), tips too
+  // sharp for a joint (1302), tiny cycles that a joint turned inside out (20526,
   // 21949), segments that relaxation let cross, long ones (867) and the second next (1193), and a cycle that shrank to
   // nothing (11599).
   const RunContext run(2);
-  constexpr std::uint64_t kSeeds[] = {550, 867, 956, 1116, 1193, 1534, 1609, 1667, 1924, 11599, 20526, 21949};
+  constexpr std::uint64_t kSeeds[] = {550, 867, 956, 1116, 1193, 1302, 1534, 1609, 1667, 1924, 11599, 20526, 21949};
   for (const std::uint64_t seed : kSeeds) {
     const scenes::RandomPlate plate = scenes::randomPlate(seed);
     CAPTURE(seed);
@@ -64,19 +65,16 @@ TEST_CASE("320 random plates keep the promises") {
   const RunContext run(2);
   int made = 0;
   int kinked = 0;
-  int apart = 0;
   for (std::uint64_t seed = 1; seed <= 320; ++seed) {
     CAPTURE(seed);
     Measures m;
     int unjoined = 0;
     if (!keepsPromises(scenes::randomPlate(seed), run, m, unjoined)) continue;
     ++made;
-    apart += unjoined > 0 ? 1 : 0;
+    CHECK(unjoined == 0);
     kinked += static_cast<double>(m.kinks) > 0.05 * static_cast<double>(m.uTurns) ? 1 : 0;
   }
   CHECK(made >= 300);
-  // 1 of 1437 (`sillon_bench random 1500`); another standard library draws other plates from the same seeds.
-  CHECK(apart <= 1);
   // Where a strand crosses from one solid to another, or an arm leaves no room to turn, a kink may stay.
   CHECK(kinked <= made / 50);
 }

@@ -28,11 +28,12 @@ enum class Search {
   AcrossGaps,      ///< the same, and joints may leave the shape by the width of a bridged gap
   AcrossWideGaps,  ///< from twice as far: facing tips are nearer to each other than the beads in them
   Facing,          ///< points that face each other, however far, and joints may leave the shape
+  AroundFacing,    ///< the same, and their neighbours: a tip may be too sharp for a joint right at it
 };
 
 Search wider(Search search) { return static_cast<Search>(static_cast<int>(search) + 1); }
 
-/// What a search allows; those of Facing have no bounds.
+/// What a search allows; those from Facing on have no bounds.
 struct Limits {
   float reach;           ///< how far apart joined pieces may lie [mm]
   std::size_t partners;  ///< tried per point
@@ -55,6 +56,7 @@ Limits limitsOf(Search search, const ToolpathParams& params) {
     case Search::AcrossWideGaps:
       return {2 * reach, 24, 1, 2 * gap};
     case Search::Facing:
+    case Search::AroundFacing:
       break;
   }
   constexpr float kNone = std::numeric_limits<float>::max();
@@ -181,15 +183,42 @@ std::vector<Candidate> nearCandidates(const Scene& scene, const Joining& joining
   });
 }
 
+using Pairs = std::vector<std::pair<int, int>>;
+
+// The neighbours of both points of each of the nearest pairs, each with each.
+Pairs neighboursOf(Pairs pairs, const ClosedCurves& curves, const Joining& joining) {
+  constexpr std::size_t kNearest = 64;  ///< pairs: bounds the work
+  constexpr int kAround = 6;            ///< points on either side: one and a half spacings
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
+    return length(joining.at(a.first) - joining.at(a.second)) < length(joining.at(b.first) - joining.at(b.second));
+  });
+  pairs.resize(std::min(pairs.size(), kNearest));
+  const auto neighbour = [&](int point, int steps) {
+    const std::size_t c = static_cast<std::size_t>(joining.curveOf(point));
+    const int size = curves.size(static_cast<int>(c));
+    return curves.begin[c] + ((point - curves.begin[c] + steps) % size + size) % size;
+  };
+  Pairs around;
+  for (const auto& [i, j] : pairs) {
+    for (int di = -kAround; di <= kAround; ++di) {
+      for (int dj = -kAround; dj <= kAround; ++dj) around.emplace_back(neighbour(i, di), neighbour(j, dj));
+    }
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  return around;
+}
+
 // Joints between points that face each other: inside the shape if they can be.
 std::vector<Candidate> facingCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
-                                        const RunContext& run) {
+                                        bool andNeighbours, const RunContext& run) {
   std::vector<int> setOfPoint(scene.curves.points.size(), -1);
   for (std::size_t i = 0; i < setOfPoint.size(); ++i) {
     const std::size_t c = static_cast<std::size_t>(joining.curveOf(static_cast<int>(i)));
     if (sets.open[c] && !joining.used(static_cast<int>(i))) setOfPoint[i] = sets.ofCurve[c];
   }
-  const std::vector<std::pair<int, int>> pairs = facingPoints(scene.parts, scene.curves.points, setOfPoint);
+  Pairs pairs = facingPoints(scene.parts, scene.curves.points, setOfPoint);
+  if (andNeighbours) pairs = neighboursOf(std::move(pairs), scene.curves, joining);
   const int count = static_cast<int>(pairs.size());
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     for (int k = begin; k < end; ++k) {
@@ -243,12 +272,12 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
     if (!sets.any) break;
     const Limits limits = limitsOf(search, params);
     const std::vector<Candidate> candidates =
-        search == Search::Facing ? facingCandidates(scene, joining, sets, run)
+        search >= Search::Facing ? facingCandidates(scene, joining, sets, search == Search::AroundFacing, run)
                                  : nearCandidates(scene, joining, sets, limits, search == Search::Nearest,
                                                   round == 0 ? kFirstStride : 1, run);
     stitched.work += workOf(candidates, joining, params.spacing);
     if (joinInOrder(candidates, limits.gap, joining, run) > 0) continue;
-    if (search == Search::Facing) break;
+    if (search == Search::AroundFacing) break;
     search = wider(search);
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
