@@ -228,8 +228,16 @@ test('the printer comes from the owner’s own G-code, and a file that tells non
   await take('donor.gcode', readFileSync(donor));
   await visit.until((state) => state.plate.printer.name === 'MK4S' && state.plate.printer.startGcode.includes('M862'));
   await visit.until((state) => state.summary !== undefined && state.progress === undefined);
-  const { bytes } = await visit.download('G-code');
-  assert.match(bytes.toString('utf8'), /^M862\.3 P "MK4S"$/m);
+  // A block that no profile has is shown before the first file with it.
+  await visit.page.locator('[popovertarget=export]').click();
+  await visit.page.locator('#export').getByRole('button', { name: 'G-code' }).click();
+  const review = visit.page.locator('sillon-blocks');
+  await review.getByText('G29 P9 X10 Y-4 W32 H4', { exact: true }).waitFor();
+  const [download] = await Promise.all([
+    visit.page.waitForEvent('download'),
+    review.getByRole('button', { name: 'Download G-code' }).click(),
+  ]);
+  assert.match(readFileSync(await download.path(), 'utf8'), /^M862\.3 P "MK4S"$/m);
   await take('song.mp3', Buffer.from([1, 2, 3, 4]));
   const alert = visit.page.locator('sillon-notices .problem').first();
   await alert.waitFor();
