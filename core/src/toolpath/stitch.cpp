@@ -187,8 +187,8 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 // The neighbours of both points of each of the nearest pairs, each with each.
 Pairs neighboursOf(Pairs pairs, const ClosedCurves& curves, const Joining& joining) {
-  constexpr std::size_t kNearest = 64;  ///< pairs: bounds the work
-  constexpr int kAround = 6;            ///< points on either side: one and a half spacings
+  constexpr std::size_t kNearest = 16;  ///< pairs: bounds the work
+  constexpr int kAround = 4;            ///< points on either side: one spacing
   std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
     return length(joining.at(a.first) - joining.at(a.second)) < length(joining.at(b.first) - joining.at(b.second));
   });
