@@ -241,7 +241,7 @@ test('the printer comes from the owner’s own G-code, and a file that tells non
   await take('song.mp3', Buffer.from([1, 2, 3, 4]));
   const alert = visit.page.locator('sillon-notices .problem').first();
   await alert.waitFor();
-  assert.match(await alert.innerText(), /song\.mp3 tells no printer/);
+  assert.match(await alert.innerText(), /song\.mp3 contains no printer settings/);
   assert.equal(await visit.state((state) => state.plate.printer.name), 'MK4S');
 });
 
