@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "export/mesh_xml.hpp"
 #include "export/prism.hpp"
 #include "export/zip.hpp"
 #include "gcode/job.hpp"
@@ -99,26 +99,13 @@ std::string writeStl(const Mesh& mesh) {
 }
 
 std::string write3mf(const Mesh& mesh) {
-  std::string model =
-      std::string(kXml) +
-      "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-      " <metadata name=\"Application\">Sillon</metadata>\n"
-      " <resources>\n  <object id=\"1\" type=\"model\">\n   <mesh>\n    <vertices>\n";
-  for (const auto& p : mesh.points) {
-    model +=
-        "     <vertex x=\"" + decimal(p[0], 3) + "\" y=\"" + decimal(p[1], 3) + "\" z=\"" + decimal(p[2], 6) + "\"/>\n";
-  }
-  model += "    </vertices>\n    <triangles>\n";
-  for (const auto& t : mesh.triangles) {
-    model += "     <triangle v1=\"" + std::to_string(t[0]) + "\" v2=\"" + std::to_string(t[1]) + "\" v3=\"" +
-             std::to_string(t[2]) + "\"/>\n";
-  }
-  model +=
-      "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\"/>\n </build>\n"
-      "</model>\n";
   Zip zip;
   addPackageParts(zip);
-  zip.add("3D/3dmodel.model", model);
+  zip.add("3D/3dmodel.model",
+          std::string(kXml) +
+              "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+              " <metadata name=\"Application\">Sillon</metadata>\n" +
+              resourcesOf(mesh) + " <build>\n  <item objectid=\"1\"/>\n </build>\n</model>\n");
   return zip.finish();
 }
 

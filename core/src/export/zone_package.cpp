@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
+#include "export/mesh_xml.hpp"
 #include "export/prism.hpp"
 #include "export/zip.hpp"
 #include "sillon/export/zones.hpp"
@@ -195,25 +196,14 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
     }
   }
 
-  std::string model = std::string(kXml) +
-                      "<model unit=\"millimeter\" xml:lang=\"en-US\" "
-                      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
-                      "xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\">\n"
-                      " <metadata name=\"slic3rpe:Version3mf\">1</metadata>\n"
-                      " <metadata name=\"Application\">Sillon, in the form of PrusaSlicer</metadata>\n"
-                      " <resources>\n  <object id=\"1\" type=\"model\">\n   <mesh>\n    <vertices>\n";
-  for (const Corner3& p : mesh.points) {
-    model +=
-        "     <vertex x=\"" + decimal(p[0], 3) + "\" y=\"" + decimal(p[1], 3) + "\" z=\"" + decimal(p[2], 6) + "\"/>\n";
-  }
-  model += "    </vertices>\n    <triangles>\n";
-  for (const auto& t : mesh.triangles) {
-    model += "     <triangle v1=\"" + std::to_string(t[0]) + "\" v2=\"" + std::to_string(t[1]) + "\" v3=\"" +
-             std::to_string(t[2]) + "\"/>\n";
-  }
-  model +=
-      "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\" printable=\"1\"/>\n "
-      "</build>\n</model>\n";
+  const std::string model = std::string(kXml) +
+                            "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+                            "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+                            "xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\">\n"
+                            " <metadata name=\"slic3rpe:Version3mf\">1</metadata>\n"
+                            " <metadata name=\"Application\">Sillon, in the form of PrusaSlicer</metadata>\n" +
+                            resourcesOf(mesh) +
+                            " <build>\n  <item objectid=\"1\" printable=\"1\"/>\n </build>\n</model>\n";
 
   std::string config = std::string(kXml) + "<config>\n <object id=\"1\" instances_count=\"1\">\n";
   config += metadata("object", "name", "zones") + metadata("object", "layer_height", decimal(layers.height, 3));
