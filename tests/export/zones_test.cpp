@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <string>
@@ -28,8 +29,6 @@ using namespace sillon;
 using doctest::Approx;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::uint16_t texel(double degrees) {
   const double turned = std::fmod(degrees + 90 + 360, 180);
@@ -49,7 +48,7 @@ DirectionMap mapOf(int size, Degrees degrees) {
 }
 
 DirectionMap rings() {
-  return mapOf(128, [](Vec2 p) { return std::atan2(p.y - 0.5, p.x - 0.5) / kPi * 180 + 90; });
+  return mapOf(128, [](Vec2 p) { return std::atan2(p.y - 0.5, p.x - 0.5) / std::numbers::pi * 180 + 90; });
 }
 
 double between(double a, double b) {
@@ -220,7 +219,7 @@ TEST_CASE("a turning field is cut into as many zones as allowed, as near as they
     CHECK(sliverShare(zones, disc, 0.7 * 2) < 0.01);
     double all = 0;
     for (const DirectionZone& zone : zones.zones) all += zone.areaMm2;
-    CHECK(all == Approx(kPi * 900).epsilon(0.01));
+    CHECK(all == Approx(std::numbers::pi * 900).epsilon(0.01));
   }
 }
 
@@ -369,7 +368,7 @@ TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
       for (std::size_t k = 0; k < zones.zones.size(); ++k) {
         if (!inside(zones.zones[k].rings, middle)) continue;
         laid[k] += length(d);
-        if (between(std::atan2(d.y, d.x) / kPi * 180, zones.zones[k].degrees) > 1) wrong += length(d);
+        if (between(std::atan2(d.y, d.x) / std::numbers::pi * 180, zones.zones[k].degrees) > 1) wrong += length(d);
       }
     }
     CHECK(all > 5000);

@@ -233,7 +233,7 @@ TEST_CASE("no phase found by search beats the aligned phase in the energy of Eq.
 
 TEST_CASE("neighbouring waves continue each other") {
   for (const DirectionMap& map : {scenes::waves(), scenes::swirl()}) {
-    for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+    for (const PerimeterMode mode : scenes::kPerimeterModes) {
       CAPTURE(static_cast<int>(mode));
       ToolpathParams params;
       params.perimeterMode = mode;
@@ -377,7 +377,7 @@ TEST_CASE("the sine field of a plane wave is that wave, times the Gaussian's los
 
 TEST_CASE("fields are equal for any number of threads") {
   const PlateInput input = scenes::plate(shapeOf({scenes::star({9, 9}, 9, 4, 5)}, {18, 18}), scenes::waves());
-  for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+  for (const PerimeterMode mode : scenes::kPerimeterModes) {
     ToolpathParams params;
     params.perimeterMode = mode;
     params.seed = 5;

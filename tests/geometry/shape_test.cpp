@@ -6,24 +6,20 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "support/about.hpp"
+#include "support/scenes.hpp"
 
 using namespace sillon;
+using scenes::shoelace;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double shoelace(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
-  return sum / 2;
-}
 
 // Rings of masks turn all the same way around the inside, so that the signed sum is the area.
 double signedArea(const Shape& shape) {
@@ -93,15 +89,15 @@ TEST_CASE("a disc stays within 0.001 mm of its circle and touches its page") {
       CHECK(ring[i].x == std::round(ring[i].x * 1e6) / 1e6);
     }
     CHECK(worst < 0.001 + 1e-6);
-    CHECK(shoelace(ring) == about(kPi / 4 * diameter * diameter, std::min(0.1, 0.01 / diameter)));
+    CHECK(shoelace(ring) == about(std::numbers::pi / 4 * diameter * diameter, std::min(0.1, 0.01 / diameter)));
   }
 }
 
 TEST_CASE("a rounded rectangle loses its corners, never more than half its shorter side") {
   const auto area = [](double radius) { return signedArea(get(makeRoundedRectangle({40, 20}, radius))); };
   CHECK(area(0) == 800);
-  CHECK(area(5) == about(800 - (4 - kPi) * 25, 5e-5));
-  CHECK(area(10) == about(800 - (4 - kPi) * 100, 1e-4));
+  CHECK(area(5) == about(800 - (4 - std::numbers::pi) * 25, 5e-5));
+  CHECK(area(10) == about(800 - (4 - std::numbers::pi) * 100, 1e-4));
   CHECK(area(1e6) == area(10));
   const Shape shape = get(makeRoundedRectangle({40, 20}, 5));
   CHECK(shape.page == Vec2{40, 20});
@@ -177,7 +173,7 @@ TEST_CASE("a smooth mask gives its circle back") {
   const Shape shape = get(shapeFromMask(image, 20));
   REQUIRE(shape.paths.at(0).rings.size() == 1);
   for (const Vec2 p : shape.paths[0].rings[0]) REQUIRE(length(p - Vec2{11, 11}) == about(7, 3e-4));
-  CHECK(std::abs(signedArea(shape)) == about(kPi * 49, 1e-3));
+  CHECK(std::abs(signedArea(shape)) == about(std::numbers::pi * 49, 1e-3));
 }
 
 TEST_CASE("holes turn the other way, parts are rings, saddles keep rings apart or join them by their mean") {

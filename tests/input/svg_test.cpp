@@ -10,23 +10,18 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sillon/geometry/outline.hpp"
+#include "support/scenes.hpp"
 
 using namespace sillon;
+using scenes::shoelace;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-double shoelace(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
-  return sum / 2;
-}
 
 // Sum of |area| over all rings.
 double ringArea(const Shape& shape) {
@@ -166,8 +161,8 @@ TEST_CASE("smooth curves continue with the mirrored control point, and only afte
 
 TEST_CASE("arcs of all four kinds have the areas of their segments") {
   // Chord from (50,40) to (60,50) on circles of radius 10: centres (50,50) and (60,40).
-  const double quarter = kPi * 100 / 4 - 50;  // segment between chord and quarter arc
-  const double rest = kPi * 100 - quarter;
+  const double quarter = std::numbers::pi * 100 / 4 - 50;  // segment between chord and quarter arc
+  const double rest = std::numbers::pi * 100 - quarter;
   const std::array<std::pair<const char*, double>, 4> cases{{{"M50 40A10 10 0 0 1 60 50Z", quarter},
                                                              {"M50 40A10 10 0 0 0 60 50Z", quarter},
                                                              {"M50 40A10 10 0 1 1 60 50Z", rest},
@@ -176,15 +171,15 @@ TEST_CASE("arcs of all four kinds have the areas of their segments") {
     const std::string d = item.first;
     const double area = item.second;
     CAPTURE(d);
-    checkArea(readPath(d), area, area == rest ? 15 * kPi : 5 * kPi);
+    checkArea(readPath(d), area, area == rest ? 15 * std::numbers::pi : 5 * std::numbers::pi);
   }
   checkBounds(readPath("M50 40A10 10 0 1 1 60 50Z"), 50, 50, 70, 70, 0.002);  // centre (60, 40)
   checkBounds(readPath("M50 40A10 10 0 1 0 60 50Z"), 40, 40, 60, 60, 0.002);  // centre (50, 50)
 }
 
 TEST_CASE("arcs take packed flags, turned axes, too small radii and radii of zero") {
-  checkArea(readPath("m40 50a10 10 0 0120 0a10 10 0 01-20 0z"), kPi * 100, 2 * kPi * 10);
-  checkArea(readPath("M40 50a10-10 0 1 1 20 0 10 10 0 1 1-20 0"), kPi * 100, 2 * kPi * 10);
+  checkArea(readPath("m40 50a10 10 0 0120 0a10 10 0 01-20 0z"), std::numbers::pi * 100, 2 * std::numbers::pi * 10);
+  checkArea(readPath("M40 50a10-10 0 1 1 20 0 10 10 0 1 1-20 0"), std::numbers::pi * 100, 2 * std::numbers::pi * 10);
   // Too small by half: grown to the half circle of radius 10.
   checkBounds(readPath("M40 50A5 5 0 0 1 60 50Z"), 40, 50, 60, 60, 0.002);
   // An ellipse of 20 x 10 turned by 90 degrees: 20 high.
@@ -247,23 +242,23 @@ TEST_CASE("curves stay within the tolerance, and a finer one costs more points")
 TEST_CASE("circles and ellipses touch their extremes exactly") {
   const Shape circle = read(page("<circle cx=\"50\" cy=\"40\" r=\"20\"/>"));
   checkBounds(circle, 30, 40, 70, 80, 0);
-  checkArea(circle, kPi * 400, 2 * kPi * 20);
+  checkArea(circle, std::numbers::pi * 400, 2 * std::numbers::pi * 20);
   const Shape ellipse = read(page("<ellipse cx=\"50\" cy=\"50\" rx=\"40\" ry=\"5\"/>"));
   checkBounds(ellipse, 10, 45, 90, 55, 0);
-  checkArea(ellipse, kPi * 200, 2 * kPi * 26);
-  checkArea(read(page("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>")), kPi * 100, 2 * kPi * 10);
+  checkArea(ellipse, std::numbers::pi * 200, 2 * std::numbers::pi * 26);
+  checkArea(read(page("<ellipse cx=\"50\" cy=\"50\" rx=\"10\"/>")), std::numbers::pi * 100, 2 * std::numbers::pi * 10);
 }
 
 TEST_CASE("rounded rectangles: one radius counts for both, radii end at half the side") {
   const auto rounded = [](const std::string& radii) {
     return read(page("<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\" " + radii + "/>"));
   };
-  const auto expected = [](double rx, double ry) { return 2400 - (4 - kPi) * rx * ry; };
-  checkArea(rounded("rx=\"5\""), expected(5, 5), kPi * (5 + 5));
-  checkArea(rounded("ry=\"5\""), expected(5, 5), kPi * (5 + 5));
-  checkArea(rounded("rx=\"10\" ry=\"4\""), expected(10, 4), kPi * (10 + 4));
-  checkArea(rounded("rx=\"auto\" ry=\"4\""), expected(4, 4), kPi * (4 + 4));
-  checkArea(rounded("rx=\"99\""), expected(30, 20), kPi * (30 + 20));
+  const auto expected = [](double rx, double ry) { return 2400 - (4 - std::numbers::pi) * rx * ry; };
+  checkArea(rounded("rx=\"5\""), expected(5, 5), std::numbers::pi * (5 + 5));
+  checkArea(rounded("ry=\"5\""), expected(5, 5), std::numbers::pi * (5 + 5));
+  checkArea(rounded("rx=\"10\" ry=\"4\""), expected(10, 4), std::numbers::pi * (10 + 4));
+  checkArea(rounded("rx=\"auto\" ry=\"4\""), expected(4, 4), std::numbers::pi * (4 + 4));
+  checkArea(rounded("rx=\"99\""), expected(30, 20), std::numbers::pi * (30 + 20));
   checkArea(rounded("rx=\"0\" ry=\"9\""), 2400, 0);
   checkBounds(read(page("<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\" rx=\"99\"/>")), 10, 50, 70, 90, 0);
 }
@@ -280,8 +275,8 @@ TEST_CASE("polygons and polylines are closed; lines, text and images are not sha
 TEST_CASE("where paint is ignored, or nothing is painted, outlines are the shape") {
   CHECK(ringArea(read(page("<path style=\"fill:none;stroke:#000\" d=\"M10 10h10v10h-10z\"/>"), kOutlines)) ==
         doctest::Approx(100));
-  checkArea(read(page("<g fill=\"none\"><circle cx=\"50\" cy=\"50\" r=\"10\" fill=\"none\"/></g>")), kPi * 100,
-            2 * kPi * 10);
+  checkArea(read(page("<g fill=\"none\"><circle cx=\"50\" cy=\"50\" r=\"10\" fill=\"none\"/></g>")),
+            std::numbers::pi * 100, 2 * std::numbers::pi * 10);
 }
 
 TEST_CASE("transforms nest, and each kind moves points as SVG says") {
@@ -859,7 +854,7 @@ TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for
   const std::string line = "<path d='M20 20H60' stroke='red' stroke-width='4' ";
   checkShown(line + "/>", 160);
   checkShown(line + "stroke-linecap='square'/>", 176);
-  checkShown(line + "stroke-linecap='round'/>", 160 + kPi * 4, 13);
+  checkShown(line + "stroke-linecap='round'/>", 160 + std::numbers::pi * 4, 13);
   checkShown("<line x1='20' y1='20' x2='60' y2='20' stroke='red' stroke-width='1mm'/>", 40 * 96 / 25.4);
   checkShown("<line x1='20' y1='20' x2='60' y2='20' style='stroke:red;stroke-width:10%'/>", 400);
   checkShown("<g stroke='red' transform='scale(2 1)'><path d='M10 20H30' stroke-width='3'/></g>", 120);
@@ -871,7 +866,7 @@ TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for
   const std::string angle = "<path fill='none' d='M20 20H60V60' stroke='red' stroke-width='4' stroke-linejoin=";
   checkShown(angle + "'miter'/>", 320 - 4 + 4);
   checkShown(angle + "'bevel'/>", 320 - 4 + 2);
-  checkShown(angle + "'round'/>", 320 - 4 + kPi, 4);
+  checkShown(angle + "'round'/>", 320 - 4 + std::numbers::pi, 4);
   checkShown(angle + "'miter' stroke-miterlimit='1.4'/>", 320 - 4 + 2);  // sqrt 2 is the miter's length
   checkShown(angle + "'miter' stroke-miterlimit='1.42'/>", 320 - 4 + 4);
   // Closed, and its own fill within: a square of 20 with a frame of 4 around its edge.
@@ -883,15 +878,16 @@ TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for
   checkShown("<polyline points='20,20 40,20 40,40 20,40' fill='none' stroke='red' stroke-width='4'/>",
              3 * 80 - 2 * 4 + 2 * 4);
   // A ring; wider than its radius there is no hole, and nothing cancels.
-  checkShown("<circle cx='50' cy='50' r='20' fill='none' stroke='red' stroke-width='4'/>", kPi * (22 * 22 - 18 * 18),
-             250);
-  checkShown("<circle cx='50' cy='50' r='10' fill='none' stroke='red' stroke-width='24'/>", kPi * 22 * 22, 140);
+  checkShown("<circle cx='50' cy='50' r='20' fill='none' stroke='red' stroke-width='4'/>",
+             std::numbers::pi * (22 * 22 - 18 * 18), 250);
+  checkShown("<circle cx='50' cy='50' r='10' fill='none' stroke='red' stroke-width='24'/>", std::numbers::pi * 22 * 22,
+             140);
   // There and back again, over a tight bend.
   checkShown("<path d='M20 50H60H20' stroke='red' stroke-width='4' stroke-linecap='round' stroke-linejoin='round'/>",
-             160 + kPi * 4, 13);
+             160 + std::numbers::pi * 4, 13);
   // A dot is a line without length.
   const std::string dot = "<path d='M50 50h0' stroke='red' stroke-width='10' stroke-linecap=";
-  checkShown(dot + "'round'/>", kPi * 25, 32);
+  checkShown(dot + "'round'/>", std::numbers::pi * 25, 32);
   checkShown(dot + "'square'/>", 100);
   checkShown(dot + "'butt'/>" + kSquare, 100);
   // Nothing of a stroke without paint, width or visibility.
@@ -908,7 +904,7 @@ TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for
 
 TEST_CASE("strokes of curves have the area that Pappus gives") {
   // Length times width, as long as the half width is below the least radius of curvature.
-  const double half = kPi * 20;
+  const double half = std::numbers::pi * 20;
   checkShown("<path d='M30 50A20 20 0 0 1 70 50' fill='none' stroke='red' stroke-width='6'/>", 6 * half, 2 * half);
   checkShown("<path d='M30 50A20 20 0 0 1 70 50' fill='none' stroke='red' stroke-width='6' stroke-linejoin='bevel'/>",
              6 * half, 2 * half);
@@ -923,8 +919,9 @@ TEST_CASE("dashes cut a stroke into pieces with caps of their own") {
   checkShown(dashed("stroke-dasharray='5,3,2'"), 4 * (5 + 2 + 3 + 5 + 2 + 3));  // 5-3+2-5+3-2+ twice
   checkShown(dashed("stroke-dasharray='6 4' stroke-dashoffset='3'"), 4 * (3 + 6 + 6 + 6 + 3));
   checkShown(dashed("stroke-dasharray='6 4' stroke-dashoffset='-2'"), 4 * (6 + 6 + 6 + 6));
-  checkShown(dashed("stroke-dasharray='0 10' stroke-linecap='round'"), 4 * kPi * 4, 50);  // none begins at the end
-  checkShown(dashed("stroke-dasharray='4 6' stroke-linecap='round'"), 4 * (16 + kPi * 4), 50);
+  checkShown(dashed("stroke-dasharray='0 10' stroke-linecap='round'"), 4 * std::numbers::pi * 4,
+             50);  // none begins at the end
+  checkShown(dashed("stroke-dasharray='4 6' stroke-linecap='round'"), 4 * (16 + std::numbers::pi * 4), 50);
   for (const char* solid : {"none", "0", "0 0", "-1 2", "5 x"}) {
     checkShown(dashed("stroke-dasharray='" + std::string(solid) + "'"), 160);
   }
@@ -940,7 +937,7 @@ TEST_CASE("what lies off the page is cut off, and said in mm2") {
   checkBounds(half, 0, 50, 10, 60);
   const Shape beside = read(page(kSquare + "<circle cx='-30' cy='20' r='10'/>"));
   CHECK(ringArea(beside) == doctest::Approx(100));
-  CHECK(beside.drawing.offPage == doctest::Approx(kPi * 100).epsilon(0.001));
+  CHECK(beside.drawing.offPage == doctest::Approx(std::numbers::pi * 100).epsilon(0.001));
   CHECK(read(page(kSquare)).drawing.offPage == 0);
   // Twice the same place is lost once, and scales with the page.
   const Shape twice = read(page("<path d='M-10 40h20v10h-20z'/><path d='M-10 40h20v10h-20z'/>"));
@@ -957,7 +954,7 @@ TEST_CASE("clip paths leave what is inside of them") {
     return "<clipPath id='c' " + attributes + ">" + content + "</clipPath>";
   };
   checkShown(clip(kSquare) + big, 100);
-  checkShown(big + clip("<circle cx='50' cy='50' r='10' fill='none'/>"), kPi * 100, 63);
+  checkShown(big + clip("<circle cx='50' cy='50' r='10' fill='none'/>"), std::numbers::pi * 100, 63);
   checkShown(clip(kSquare + "<rect x='15' y='10' width='10' height='10'/>") + big, 150);
   checkShown(clip(kSquare, "transform='scale(2)'") + big, 400);
   checkShown(clip("<rect x='.5' y='.5' width='.5' height='.5'/>", "clipPathUnits='objectBoundingBox'") +

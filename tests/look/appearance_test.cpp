@@ -15,24 +15,25 @@ using namespace sillon;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr Roughness kBlue{2.36, 17.32};
 
 Vec2f unit(double degrees) {
-  return {static_cast<float>(std::cos(degrees * kPi / 180)), static_cast<float>(std::sin(degrees * kPi / 180))};
+  return {static_cast<float>(std::cos(degrees * std::numbers::pi / 180)),
+          static_cast<float>(std::sin(degrees * std::numbers::pi / 180))};
 }
 
 /// The model again, with the mean over the bead's width in closed form: a difference of error functions.
 double exactHighlight(const Lamp& lamp, const Roughness& roughness, double degrees) {
-  const double azimuth = lamp.azimuth * kPi / 180, elevation = lamp.elevation * kPi / 180, angle = degrees * kPi / 180;
+  const double azimuth = lamp.azimuth * std::numbers::pi / 180, elevation = lamp.elevation * std::numbers::pi / 180,
+               angle = degrees * std::numbers::pi / 180;
   const double size = std::cos(elevation) / (1 + std::sin(elevation));
   const double along = size * std::cos(azimuth - angle), across = size * std::sin(azimuth - angle);
   const auto variance = [&](double slope) {
-    return std::pow(std::tan(slope * kPi / 180), 2) + lamp.slope * lamp.slope;
+    return std::pow(std::tan(slope * std::numbers::pi / 180), 2) + lamp.slope * lamp.slope;
   };
   const double va = variance(roughness.along), vc = variance(roughness.across), root = std::sqrt(2 * vc), top = 0.3;
-  const double mean =
-      std::sqrt(kPi / 4) * root / (2 * top) * (std::erf((across + top) / root) - std::erf((across - top) / root));
+  const double mean = std::sqrt(std::numbers::pi / 4) * root / (2 * top) *
+                      (std::erf((across + top) / root) - std::erf((across - top) / root));
   return std::exp(-along * along / (2 * va)) * mean;
 }
 

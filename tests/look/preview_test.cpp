@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
@@ -20,7 +21,6 @@ using namespace sillon;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr Rgb kBackground{38, 36, 34};
 
 Rgb pixel(const RgbImage& image, int x, int y) {
@@ -31,7 +31,7 @@ Rgb pixel(const RgbImage& image, int x, int y) {
 
 /// Two long beads side by side at `degrees` through the middle of a page of 20 x 20 mm.
 Toolpath pairOfBeads(double degrees, double width) {
-  const double angle = degrees * kPi / 180, half = 8;
+  const double angle = degrees * std::numbers::pi / 180, half = 8;
   Cycle cycle;
   const auto add = [&](double along, double across) {
     cycle.points.push_back({static_cast<float>(10 + along * std::cos(angle) - across * std::sin(angle)),
@@ -48,7 +48,7 @@ Toolpath rings(Vec2 centre, double radius, double width, int pointsPerRing) {
   for (double r = width; r < radius; r += width) {
     Cycle cycle;
     for (int k = 0; k < pointsPerRing; ++k) {
-      const double angle = 2 * kPi * k / pointsPerRing;
+      const double angle = 2 * std::numbers::pi * k / pointsPerRing;
       cycle.points.push_back(
           {static_cast<float>(centre.x + r * std::cos(angle)), static_cast<float>(centre.y + r * std::sin(angle))});
       cycle.widths.push_back(static_cast<float>(width));

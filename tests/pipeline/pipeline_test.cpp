@@ -67,7 +67,7 @@ TEST_CASE("a half plane of one direction gives straight beads one spacing apart"
 
 TEST_CASE("every scene gives one simple closed toolpath per part that covers the shape and does not spill") {
   for (const auto& scene : scenes::all()) {
-    for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+    for (const PerimeterMode mode : scenes::kPerimeterModes) {
       CAPTURE(scene.name);
       CAPTURE(static_cast<int>(mode));
       ToolpathParams params;

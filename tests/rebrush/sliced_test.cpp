@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -25,7 +26,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSides = 128;
 
 using Point = std::array<double, 3>;
@@ -35,7 +35,7 @@ class Stl {
  public:
   void ring(double outer, double inner, double height) {
     const auto at = [](double r, int k, double z) {
-      const double angle = 2 * kPi * k / kSides;
+      const double angle = 2 * std::numbers::pi * k / kSides;
       return Point{r * std::cos(angle), r * std::sin(angle), z};
     };
     for (int k = 0; k < kSides; ++k) {
@@ -132,12 +132,12 @@ std::string readAll(const fs::path& path) {
 /// The model's top less a border, as far as its area tells; in the middle of a page.
 using Inside = std::function<bool(Vec2)>;
 Inside discOf(double area) {
-  const double r = std::sqrt(area / kPi);
+  const double r = std::sqrt(area / std::numbers::pi);
   return [=](Vec2 p) { return length(p) <= r; };
 }
 Inside ringOf(double area) {
   // (16 - d)² - (6 + d)² = 220 - 44 d
-  const double d = (220 - area / kPi) / 44;
+  const double d = (220 - area / std::numbers::pi) / 44;
   return [=](Vec2 p) { return length(p) <= 16 - d && length(p) >= 6 + d; };
 }
 Inside boxOf(double area, Vec2 size) {

@@ -19,6 +19,9 @@ using sillon::Ring;
 using sillon::Shape;
 using sillon::Vec2;
 
+inline constexpr sillon::PerimeterMode kPerimeterModes[] = {sillon::PerimeterMode::None, sillon::PerimeterMode::Soft,
+                                                            sillon::PerimeterMode::Count};
+
 /// Small repeatable random numbers.
 class Random {
  public:
@@ -43,6 +46,13 @@ inline Ring circle(Vec2 centre, double radius, int corners = 180) {
     ring.push_back({centre.x + radius * std::cos(a), centre.y + radius * std::sin(a)});
   }
   return ring;
+}
+
+/// Area: positive for rings that turn to the left [mm²].
+inline double shoelace(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
+  return sum / 2;
 }
 
 inline Ring rectangle(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }

@@ -63,7 +63,7 @@ double outsideOf(const ClosedCurves& curves, const Shape& shape) {
 
 TEST_CASE("stitching leaves one simple cycle per connected part and moves no point (Sec. 5.5)") {
   for (const auto& scene : scenes::all()) {
-    for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+    for (const PerimeterMode mode : scenes::kPerimeterModes) {
       CAPTURE(scene.name);
       CAPTURE(static_cast<int>(mode));
       ToolpathParams params;
@@ -296,7 +296,7 @@ TEST_CASE("where solids have no gaps no joint leaves the shape") {
   scenes.push_back({"across the comb", scenes::plate(scenes::shapeOf(comb, {17, 9}, FillRule::NonZero),
                                                      scenes::mapOf(1, [](double, double) { return 0.0; }))});
   for (const scenes::Scene& scene : scenes) {
-    for (const PerimeterMode mode : {PerimeterMode::None, PerimeterMode::Soft, PerimeterMode::Count}) {
+    for (const PerimeterMode mode : scenes::kPerimeterModes) {
       CAPTURE(scene.name);
       CAPTURE(static_cast<int>(mode));
       ToolpathParams params;

@@ -2,11 +2,11 @@
 // them: nothing of theirs moves or heats it unseen.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 
 import { zipSync } from 'fflate';
 
 import { sharedBench } from './support/shared.js';
+import { linkOf } from './support/small.js';
 import { fileOf, skip, start } from './support/studio.js';
 import { keptPlate, settled, until } from './support/waits.js';
 
@@ -40,19 +40,7 @@ const hot = {
 };
 const hotMarks = /M10[49] .*S(4[0-9]{2}|500)|M1[49]0 .*S200/;
 
-const linkOf = (settings) => {
-  const plate = {
-    name: 'gift',
-    shape: { kind: 'disc' },
-    width: 24,
-    height: 24,
-    directions: { kind: 'waves', angle: 0, amplitude: 40, length: 0.35 },
-    mode: 'constrained',
-    filament: 'goldPla',
-    settings,
-  };
-  return `/#plate=1.${deflateRawSync(JSON.stringify(plate)).toString('base64url')}`;
-};
+const giftWith = (settings) => `/${linkOf({ name: 'gift', settings })}`;
 const projectOf = (printer) =>
   JSON.stringify({
     sillon: 1,
@@ -81,7 +69,7 @@ for (const [what, settings, says] of [
   ['heat', hot, /“MK4S”, nozzle 500 °C, bed 200 °C, no temperature limits/],
 ]) {
   test(`a link with ${what} under the name of a printer of ours changes nothing of the file`, { skip }, async () => {
-    const visit = await bench.open({ path: linkOf(settings) });
+    const visit = await bench.open({ path: giftWith(settings) });
     await visit.idle();
     const said = await bar(visit).innerText();
     assert.match(said, says);
@@ -94,7 +82,7 @@ for (const [what, settings, says] of [
 }
 
 test('what a link brings is shown line by line, and used only when that is chosen', { skip }, async () => {
-  const visit = await bench.open({ path: linkOf({ ...spoof, 'printer.flavor': 'marlin' }) });
+  const visit = await bench.open({ path: giftWith({ ...spoof, 'printer.flavor': 'marlin' }) });
   await visit.idle();
   await bar(visit).getByRole('button', { name: 'Show' }).click();
   await dialog(visit).waitFor();
@@ -113,7 +101,7 @@ test('what a link brings is shown line by line, and used only when that is chose
 });
 
 test('used unseen, lines are shown before the first download, which may be given up', { skip }, async () => {
-  const visit = await bench.open({ path: linkOf({ 'printer.startGcode': 'G28 ; home\nG29\nM300 S440' }) });
+  const visit = await bench.open({ path: giftWith({ 'printer.startGcode': 'G28 ; home\nG29\nM300 S440' }) });
   await visit.idle();
   await bar(visit).getByRole('button', { name: 'Use', exact: true }).click();
   await visit.idle();
@@ -154,7 +142,7 @@ test('used unseen, lines are shown before the first download, which may be given
 });
 
 test('the choice that waits, and the one that was made, outlive a reload', { skip }, async () => {
-  const visit = await bench.open({ path: linkOf(spoof) });
+  const visit = await bench.open({ path: giftWith(spoof) });
   await visit.idle();
   await bar(visit).waitFor();
   await until(async () => (await keptPlate(visit.page))?.name === 'gift', 'the work is kept');
@@ -176,7 +164,7 @@ test('a link is opened on the printer of the work that was left here', { skip },
   await visit.page.locator('#printer').selectOption('prusa-mini');
   await until(async () => (await keptPlate(visit.page))?.printer.name === 'MINI', 'the work is kept');
   await visit.page.goto('about:blank');
-  await visit.page.goto(bench.origin + linkOf(spoof));
+  await visit.page.goto(bench.origin + giftWith(spoof));
   await visit.idle();
   assert.match(await bar(visit).innerText(), /Your printer: .*MINI/);
   assert.equal(await visit.state((state) => state.plate.printer.name), 'MINI');
@@ -218,7 +206,7 @@ for (const language of ['en', 'fr']) {
   for (const width of [1440, 360]) {
     test(`bar and lines can be read in ${language} at ${width} pixels`, { skip }, async () => {
       const visit = await bench.open({
-        path: `/?lang=${language}${linkOf({ ...spoof, ...hot }).slice(1)}`,
+        path: `/?lang=${language}${giftWith({ ...spoof, ...hot }).slice(1)}`,
         viewport: { width, height: 760 },
       });
       await visit.idle();
