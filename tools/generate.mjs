@@ -1,5 +1,6 @@
-// Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts)
-// and from the appearance model (its constants and spools for the studio's views, and light to test these by).
+// Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
+// the studio's defaults and ranges) and from the appearance model (its constants and spools for the studio's views, and
+// light to test these by).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
 import { execFileSync } from 'node:child_process';
@@ -123,6 +124,31 @@ function types(text) {
   return text;
 }
 
+// --- web/src/model/setting-table.ts ---------------------------------------------------------------------------------------
+
+function studioRow(setting) {
+  const { key, type, level, choices, low, unit, nullable } = setting;
+  const facts = { type, level, default: setting.default };
+  if (choices !== undefined) facts.choices = choices;
+  if (unit !== undefined) facts.unit = unit === 'spacings' ? 'spacing' : unitOf(setting);
+  if (low !== undefined) Object.assign(facts, { low, high: mostOf(setting) });
+  if (nullable) facts.nullable = nullable;
+  const text = Object.entries(facts).map(([name, value]) => `${name}: ${JSON.stringify(value).replaceAll('"', "'")}`);
+  return `    ${key}: { ${text.join(', ')} },`;
+}
+
+const studioSection = (section) =>
+  `  ${section}: {\n${of(section)
+    .filter(({ type }) => type !== 'name')
+    .map(studioRow)
+    .join('\n')}\n  },`;
+
+const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
+export const table = {
+${['toolpath', 'print', 'printer'].map(studioSection).join('\n')}
+} as const;
+`;
+
 // --- web/src/model/appearance.ts, web/test/light.json ------------------------------------------------------------------------
 
 const look = JSON.parse(execFileSync(program, ['spools', '--json'], { encoding: 'utf8' }));
@@ -158,6 +184,7 @@ const light = () =>
 const made = {
   'docs/reference/project.md': docs,
   'wasm/sillon.d.ts': types,
+  'web/src/model/setting-table.ts': settingTable,
   'web/src/model/appearance.ts': appearance,
   'web/test/light.json': light,
 };

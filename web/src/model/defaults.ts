@@ -1,105 +1,15 @@
 // What a plate is before anybody changes it.
 import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import type { DirectionSource, LampPicture, Plate, ShapeSource, SourceFile } from './plate.js';
+import { table } from './setting-table.js';
 
-/** As docs/reference/project.md has them; a test compares. */
-export const toolpathDefaults: Readonly<ToolpathParams> = {
-  spacing: 0.4,
-  spacingVariation: 0.3,
-  perimeterMode: 'count',
-  perimeters: 1,
-  bridge: null,
-  mapFilter: 'average',
-  seed: 0,
-  jitter: 0.025,
-  phaseTransport: 'midpoint',
-  sweepsPerLevel: 8,
-  directionTolerance: 0,
-  kernelRadius: 1,
-  borderWeight: 1,
-  stitchAlignment: 1.1,
-  relaxationRounds: 2,
-  relaxationStrength: 0.08,
-  relaxationSmoothing: 0.65,
-  widthBalance: 1,
-  beadOverlap: 0.0021,
-  minWidth: 0.5,
-  maxWidth: 2,
-  simplifyTolerance: 0.0013,
-};
+/** What the core's table of settings says. */
+const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
+  Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row.default])) as Readonly<Section>;
 
-export const printDefaults: Readonly<Omit<PrintParams, 'date'>> = {
-  layers: 1,
-  base: 2,
-  basePattern: 'hatched',
-  showSide: 'up',
-  skirt: 1,
-  brim: 0,
-  elephantFoot: 0.1,
-  constantFlow: false,
-  strict: false,
-  coast: 0,
-  scarf: 0,
-  copies: [1, 1],
-  copyGap: 10,
-  layerHeight: 0.2,
-  startHeight: 0,
-  firstLayerHeight: 0,
-  flow: 0.95,
-  baseFlow: 1,
-  bedFlow: 1,
-  basePerimeters: 1,
-  purgeLength: 10,
-  rotate: 0,
-  mirror: false,
-  place: null,
-};
-
-export const printerDefaults: Readonly<PrinterValues> = {
-  name: 'Generic',
-  flavor: 'marlin',
-  bedMin: [0, 0],
-  bedMax: [220, 220],
-  roundBed: false,
-  excludedMin: [0, 0],
-  excludedMax: [0, 0],
-  maxZ: 200,
-  nozzle: 0.4,
-  filamentDiameter: 1.75,
-  filamentDensity: 1.24,
-  filamentType: 'PLA',
-  nozzleTemperature: 215,
-  firstLayerNozzleTemperature: 220,
-  bedTemperature: 60,
-  speed: 50,
-  firstLayerSpeed: 20,
-  baseSpeed: 0,
-  showSpeed: 0,
-  firstLayerAcceleration: 0,
-  firstLayerFan: 0,
-  baseFan: -1,
-  showFan: -1,
-  minLayerTime: 8,
-  travelSpeed: 120,
-  acceleration: 1000,
-  machineAcceleration: 0,
-  machineSpeed: 0,
-  anyTemperature: false,
-  cornerSpeed: 5,
-  machineCornerSpeed: 0,
-  curveAcceleration: 1000,
-  maxFlow: 10,
-  maxSegmentsPerSecond: 300,
-  pressureAdvance: 0.04,
-  setPressureAdvance: false,
-  retractLength: 0.8,
-  retractSpeed: 35,
-  lift: 0.4,
-  absoluteE: false,
-  startGcode: '',
-  endGcode: '',
-  screenSizes: '32x32, 300x300',
-};
+export const toolpathDefaults = defaultsOf<ToolpathParams>(table.toolpath);
+export const printDefaults = defaultsOf<Omit<PrintParams, 'date'>>(table.print);
+export const printerDefaults = defaultsOf<PrinterValues>(table.printer);
 
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
 

@@ -1,9 +1,10 @@
-// The engine's settings as rows of data, from which the panels are drawn and links are checked. Defaults and ranges are
-// those of docs/reference/project.md; a test compares.
+// The engine's settings as rows of data, from which the panels are drawn and links are checked: the core's table, and what
+// a control needs besides.
 import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
-import table from 'sillon/presets.json' with { type: 'json' };
-import { printDefaults, printerDefaults, toolpathDefaults } from './defaults.js';
+import presetTable from 'sillon/presets.json' with { type: 'json' };
+import { toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
+import { table } from './setting-table.js';
 
 type PrintSettings = Omit<PrintParams, 'date'>;
 
@@ -75,242 +76,149 @@ export interface PairSetting extends Row {
 export type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting | PairSetting;
 export type SettingValue = Setting['default'];
 
-const defaults = { toolpath: toolpathDefaults, print: printDefaults, printer: printerDefaults };
+type Table = typeof table;
+type TypeOf<Id extends SettingId> = Id extends `${infer Section extends SectionName}.${infer Key}`
+  ? Table[Section][Key & keyof Table[Section]] extends { type: infer Type }
+    ? Type
+    : never
+  : never;
+type IdOf<Type> = { [Id in SettingId]: TypeOf<Id> extends Type ? Id : never }[SettingId];
 
-type KeyOf<Section extends SectionName, Value> = {
-  [Key in keyof Sections[Section] & string]: Sections[Section][Key] extends Value ? Key : never;
-}[keyof Sections[Section] & string];
+/** What the table does not tell of numbers: the step of a control, and what a slider spans. */
+const controls: Record<
+  IdOf<'number' | 'integer' | 'pair' | 'integer pair'>,
+  { step: number; usual?: [number, number] }
+> = {
+  'toolpath.spacing': { step: 0.01, usual: [0.2, 1.2] },
+  'toolpath.perimeters': { step: 1, usual: [0, 10] },
+  'toolpath.seed': { step: 1, usual: [0, 99] },
+  'toolpath.jitter': { step: 0.005 },
+  'toolpath.sweepsPerLevel': { step: 1, usual: [1, 64] },
+  'toolpath.relaxationRounds': { step: 1, usual: [0, 12] },
+  'toolpath.relaxationStrength': { step: 0.01 },
+  'toolpath.relaxationSmoothing': { step: 0.05 },
+  'toolpath.stitchAlignment': { step: 0.1, usual: [0, 3] },
+  'toolpath.directionTolerance': { step: 1 },
+  'toolpath.kernelRadius': { step: 0.05 },
+  'toolpath.borderWeight': { step: 0.5, usual: [0, 10] },
+  'toolpath.widthBalance': { step: 0.05 },
+  'toolpath.beadOverlap': { step: 0.0001, usual: [0, 0.05] },
+  'toolpath.minWidth': { step: 0.05 },
+  'toolpath.maxWidth': { step: 0.05 },
+  'toolpath.bridge': { step: 0.05, usual: [0, 5] },
+  'toolpath.spacingVariation': { step: 0.05 },
+  'toolpath.simplifyTolerance': { step: 0.0005, usual: [0, 0.05] },
+  'print.layers': { step: 1, usual: [1, 10] },
+  'print.base': { step: 1, usual: [0, 10] },
+  'print.layerHeight': { step: 0.01, usual: [0.05, 0.6] },
+  'print.basePerimeters': { step: 1, usual: [0, 4] },
+  'print.brim': { step: 1, usual: [0, 15] },
+  'print.rotate': { step: 1, usual: [-180, 180] },
+  'print.startHeight': { step: 0.05, usual: [0, 20] },
+  'print.firstLayerHeight': { step: 0.01, usual: [0, 0.6] },
+  'print.flow': { step: 0.01, usual: [0.8, 1.1] },
+  'print.baseFlow': { step: 0.01, usual: [0.8, 1.1] },
+  'print.bedFlow': { step: 0.01, usual: [0.8, 1.1] },
+  'print.elephantFoot': { step: 0.01 },
+  'print.coast': { step: 0.05 },
+  'print.scarf': { step: 1 },
+  'print.copyGap': { step: 1, usual: [1, 30] },
+  'print.purgeLength': { step: 1, usual: [0, 30] },
+  'print.skirt': { step: 1, usual: [0, 5] },
+  'printer.nozzle': { step: 0.05, usual: [0.2, 1.2] },
+  'printer.nozzleTemperature': { step: 1, usual: [190, 260] },
+  'printer.bedTemperature': { step: 1, usual: [0, 100] },
+  'printer.speed': { step: 1, usual: [10, 150] },
+  'printer.maxZ': { step: 1, usual: [50, 500] },
+  'printer.filamentDiameter': { step: 0.01, usual: [1.5, 3] },
+  'printer.filamentDensity': { step: 0.01, usual: [0.8, 2] },
+  'printer.firstLayerNozzleTemperature': { step: 1, usual: [190, 260] },
+  'printer.firstLayerSpeed': { step: 1, usual: [5, 60] },
+  'printer.baseSpeed': { step: 1, usual: [0, 150] },
+  'printer.showSpeed': { step: 1, usual: [0, 100] },
+  'printer.firstLayerAcceleration': { step: 50, usual: [0, 5000] },
+  'printer.firstLayerFan': { step: 5 },
+  'printer.baseFan': { step: 1 },
+  'printer.showFan': { step: 1 },
+  'printer.minLayerTime': { step: 1, usual: [0, 30] },
+  'printer.travelSpeed': { step: 1, usual: [50, 500] },
+  'printer.machineSpeed': { step: 10, usual: [0, 500] },
+  'printer.acceleration': { step: 50, usual: [200, 10000] },
+  'printer.machineAcceleration': { step: 50, usual: [0, 20000] },
+  'printer.cornerSpeed': { step: 0.1, usual: [1, 20] },
+  'printer.machineCornerSpeed': { step: 0.1, usual: [0, 20] },
+  'printer.curveAcceleration': { step: 50, usual: [0, 5000] },
+  'printer.maxFlow': { step: 0.5, usual: [2, 40] },
+  'printer.maxSegmentsPerSecond': { step: 10, usual: [50, 2000] },
+  'printer.pressureAdvance': { step: 0.005, usual: [0, 0.2] },
+  'printer.retractLength': { step: 0.1, usual: [0, 8] },
+  'printer.retractSpeed': { step: 1, usual: [10, 80] },
+  'printer.lift': { step: 0.1, usual: [0, 2] },
+  'print.copies': { step: 1 },
+  'print.place': { step: 1 },
+  'printer.bedMin': { step: 1 },
+  'printer.bedMax': { step: 1 },
+  'printer.excludedMin': { step: 1 },
+  'printer.excludedMax': { step: 1 },
+};
 
-function row<Section extends SectionName>(
-  section: Section,
-  key: keyof Sections[Section] & string,
-  advanced: boolean,
-): Row {
-  return { id: `${section}.${key}` as SettingId, section, key, advanced };
-}
+/** Most letters that a field takes and a link may bring. */
+const lengths: Record<IdOf<'text' | 'block'>, number> = {
+  'printer.name': 64,
+  'printer.filamentType': 64,
+  'printer.startGcode': 65536,
+  'printer.endGcode': 65536,
+  'printer.screenSizes': 200,
+};
 
-function fallback(section: SectionName, key: string): unknown {
-  return (defaults[section] as unknown as Record<string, unknown>)[key];
-}
-
-interface Span {
+interface TableRow {
+  type: string;
+  level: string;
+  default: unknown;
   unit?: Unit;
-  min: number;
-  max: number;
-  step: number;
-  usual?: [number, number];
-  integer?: boolean;
+  low?: number;
+  high?: number;
+  choices?: readonly string[];
   nullable?: boolean;
 }
 
-const advanced = true;
-const basic = false;
-
-function number<Section extends SectionName>(
-  section: Section,
-  key: KeyOf<Section, number | null>,
-  isAdvanced: boolean,
-  { unit = '', min, max, step, usual = [min, max], integer = false, nullable = false }: Span,
-): NumberSetting {
-  return {
-    ...row(section, key, isAdvanced),
-    kind: integer ? 'integer' : 'number',
-    unit,
-    min,
-    max,
-    step,
-    usual,
-    nullable,
-    default: fallback(section, key) as number | null,
-  };
+function settingFrom(section: SectionName, key: string, entry: TableRow): Setting {
+  const id = `${section}.${key}` as SettingId;
+  const { type, unit = '', low: min = 0, high: max = 0, choices = [], nullable = false } = entry;
+  const row = { id, section, key, advanced: entry.level !== 'basic' };
+  switch (type) {
+    case 'choice':
+      return { ...row, kind: type, choices, default: entry.default as string };
+    case 'flag':
+      return { ...row, kind: type, default: entry.default as boolean };
+    case 'text':
+    case 'block':
+      return {
+        ...row,
+        kind: 'text',
+        maxLength: lengths[id as keyof typeof lengths],
+        long: type === 'block',
+        default: entry.default as string,
+      };
+  }
+  const { step, usual = [min, max] } = controls[id as keyof typeof controls];
+  const span = { ...row, unit, min, max, step, nullable };
+  if (type === 'number' || type === 'integer') {
+    return { ...span, kind: type, usual, default: entry.default as number | null };
+  }
+  return { ...span, kind: 'pair', integer: type === 'integer pair', default: entry.default as [number, number] | null };
 }
 
-function choice<Section extends SectionName, Key extends KeyOf<Section, string>>(
-  section: Section,
-  key: Key,
-  isAdvanced: boolean,
-  choices: readonly (Sections[Section][Key] & string)[],
-): ChoiceSetting {
-  return { ...row(section, key, isAdvanced), kind: 'choice', choices, default: fallback(section, key) as string };
-}
+const rows = (Object.entries(table) as [SectionName, Record<string, TableRow>][]).flatMap(([section, entries]) =>
+  Object.entries(entries).map(([key, entry]) => ({ level: entry.level, setting: settingFrom(section, key, entry) })),
+);
 
-function flag<Section extends SectionName>(
-  section: Section,
-  key: KeyOf<Section, boolean>,
-  isAdvanced: boolean,
-): FlagSetting {
-  return { ...row(section, key, isAdvanced), kind: 'flag', default: fallback(section, key) as boolean };
-}
+export const settings: readonly Setting[] = rows.map(({ setting }) => setting);
 
-function pair<Section extends SectionName>(
-  section: Section,
-  key: KeyOf<Section, [number, number] | null>,
-  isAdvanced: boolean,
-  { unit = '', min, max, step, integer = false, nullable = false }: Span,
-): PairSetting {
-  return {
-    ...row(section, key, isAdvanced),
-    kind: 'pair',
-    integer,
-    unit,
-    min,
-    max,
-    step,
-    nullable,
-    default: fallback(section, key) as [number, number] | null,
-  };
-}
-
-const text = (key: KeyOf<'printer', string>, isAdvanced: boolean, maxLength = 64): TextSetting => ({
-  ...row('printer', key, isAdvanced),
-  kind: 'text',
-  maxLength,
-  long: maxLength > 1024,
-  default: fallback('printer', key) as string,
-});
-
-const integer = true;
-const nullable = true;
-
-export const settings: readonly Setting[] = [
-  number('toolpath', 'spacing', basic, { unit: 'mm', min: 0.05, max: 20, step: 0.01, usual: [0.2, 1.2] }),
-  choice('toolpath', 'perimeterMode', basic, ['none', 'soft', 'count']),
-  number('toolpath', 'perimeters', basic, { min: 0, max: 100, step: 1, usual: [0, 10], integer }),
-  number('toolpath', 'seed', basic, { min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, usual: [0, 99], integer }),
-  number('toolpath', 'jitter', advanced, { unit: 'spacing', min: 0, max: 0.25, step: 0.005 }),
-  choice('toolpath', 'phaseTransport', advanced, ['midpoint', 'neighbour']),
-  number('toolpath', 'sweepsPerLevel', advanced, { min: 1, max: 1000, step: 1, usual: [1, 64], integer }),
-  number('toolpath', 'relaxationRounds', advanced, { min: 0, max: 100, step: 1, usual: [0, 12], integer }),
-  number('toolpath', 'relaxationStrength', advanced, { min: 0, max: 0.5, step: 0.01 }),
-  number('toolpath', 'relaxationSmoothing', advanced, { min: 0, max: 1, step: 0.05 }),
-  number('toolpath', 'stitchAlignment', advanced, { min: 0, max: 10, step: 0.1, usual: [0, 3] }),
-  number('toolpath', 'directionTolerance', advanced, { unit: '°', min: 0, max: 30, step: 1 }),
-  number('toolpath', 'kernelRadius', advanced, { unit: 'spacing', min: 0.45, max: 1.5, step: 0.05 }),
-  number('toolpath', 'borderWeight', advanced, { min: 0, max: 100, step: 0.5, usual: [0, 10] }),
-  number('toolpath', 'widthBalance', advanced, { min: 0, max: 1, step: 0.05 }),
-  number('toolpath', 'beadOverlap', advanced, { unit: 'spacing', min: 0, max: 1, step: 0.0001, usual: [0, 0.05] }),
-  number('toolpath', 'minWidth', advanced, { unit: 'spacing', min: 0.1, max: 1, step: 0.05 }),
-  number('toolpath', 'maxWidth', advanced, { unit: 'spacing', min: 1, max: 4, step: 0.05 }),
-  number('toolpath', 'bridge', advanced, { unit: 'mm', min: 0, max: 100, step: 0.05, usual: [0, 5], nullable }),
-  number('toolpath', 'spacingVariation', advanced, { min: 0, max: 0.5, step: 0.05 }),
-  choice('toolpath', 'mapFilter', advanced, ['average', 'nearest']),
-  number('toolpath', 'simplifyTolerance', advanced, { unit: 'mm', min: 0, max: 1, step: 0.0005, usual: [0, 0.05] }),
-
-  number('print', 'layers', basic, { min: 1, max: 1000, step: 1, usual: [1, 10], integer }),
-  number('print', 'base', basic, { min: 0, max: 1000, step: 1, usual: [0, 10], integer }),
-  number('print', 'layerHeight', basic, { unit: 'mm', min: 0.05, max: 1.6, step: 0.01, usual: [0.05, 0.6] }),
-  choice('print', 'basePattern', advanced, ['hatched', 'concentric', 'same']),
-  number('print', 'basePerimeters', advanced, { min: 0, max: 10, step: 1, usual: [0, 4], integer }),
-  choice('print', 'showSide', basic, ['up', 'bed', 'both']),
-  number('print', 'brim', basic, { min: 0, max: 50, step: 1, usual: [0, 15], integer }),
-  pair('print', 'copies', basic, { min: 1, max: 20, step: 1, integer }),
-  flag('print', 'mirror', basic),
-  number('print', 'rotate', basic, { unit: '°', min: -360, max: 360, step: 1, usual: [-180, 180] }),
-  pair('print', 'place', basic, { unit: 'mm', min: -10000, max: 10000, step: 1, nullable }),
-  number('print', 'startHeight', advanced, { unit: 'mm', min: 0, max: 5000, step: 0.05, usual: [0, 20] }),
-  number('print', 'firstLayerHeight', advanced, { unit: 'mm', min: 0, max: 1.6, step: 0.01, usual: [0, 0.6] }),
-  number('print', 'flow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
-  number('print', 'baseFlow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
-  number('print', 'bedFlow', advanced, { min: 0.01, max: 2, step: 0.01, usual: [0.8, 1.1] }),
-  number('print', 'elephantFoot', advanced, { unit: 'mm', min: 0, max: 0.5, step: 0.01 }),
-  flag('print', 'constantFlow', advanced),
-  flag('print', 'strict', advanced),
-  number('print', 'coast', advanced, { unit: 'mm', min: 0, max: 1, step: 0.05 }),
-  number('print', 'scarf', advanced, { unit: 'mm', min: 0, max: 20, step: 1 }),
-  number('print', 'copyGap', advanced, { unit: 'mm', min: 1, max: 100, step: 1, usual: [1, 30] }),
-  number('print', 'purgeLength', advanced, { unit: 'mm', min: 0, max: 100, step: 1, usual: [0, 30] }),
-  number('print', 'skirt', advanced, { min: 0, max: 20, step: 1, usual: [0, 5], integer }),
-
-  number('printer', 'nozzle', basic, { unit: 'mm', min: 0.05, max: 2, step: 0.05, usual: [0.2, 1.2] }),
-  number('printer', 'nozzleTemperature', basic, { unit: '°C', min: 0, max: 500, step: 1, usual: [190, 260] }),
-  number('printer', 'bedTemperature', basic, { unit: '°C', min: 0, max: 200, step: 1, usual: [0, 100] }),
-  number('printer', 'speed', basic, { unit: 'mm/s', min: 5, max: 1000, step: 1, usual: [10, 150] }),
-  text('name', advanced),
-  choice('printer', 'flavor', advanced, ['marlin', 'klipper', 'reprap', 'prusa', 'bambu']),
-  pair('printer', 'bedMin', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
-  pair('printer', 'bedMax', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
-  flag('printer', 'roundBed', advanced),
-  pair('printer', 'excludedMin', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
-  pair('printer', 'excludedMax', advanced, { unit: 'mm', min: -5000, max: 5000, step: 1 }),
-  number('printer', 'maxZ', advanced, { unit: 'mm', min: 0.05, max: 5000, step: 1, usual: [50, 500] }),
-  text('filamentType', advanced),
-  number('printer', 'filamentDiameter', advanced, { unit: 'mm', min: 0.5, max: 5, step: 0.01, usual: [1.5, 3] }),
-  number('printer', 'filamentDensity', advanced, { unit: 'g/cm³', min: 0.1, max: 25, step: 0.01, usual: [0.8, 2] }),
-  number('printer', 'firstLayerNozzleTemperature', advanced, {
-    unit: '°C',
-    min: 0,
-    max: 500,
-    step: 1,
-    usual: [190, 260],
-  }),
-  flag('printer', 'anyTemperature', advanced),
-  number('printer', 'firstLayerSpeed', advanced, { unit: 'mm/s', min: 5, max: 1000, step: 1, usual: [5, 60] }),
-  number('printer', 'baseSpeed', advanced, { unit: 'mm/s', min: 0, max: 1000, step: 1, usual: [0, 150] }),
-  number('printer', 'showSpeed', advanced, { unit: 'mm/s', min: 0, max: 1000, step: 1, usual: [0, 100] }),
-  number('printer', 'firstLayerAcceleration', advanced, {
-    unit: 'mm/s²',
-    min: 0,
-    max: 100000,
-    step: 50,
-    usual: [0, 5000],
-  }),
-  number('printer', 'firstLayerFan', advanced, { unit: '%', min: 0, max: 100, step: 5 }),
-  number('printer', 'baseFan', advanced, { unit: '%', min: -1, max: 100, step: 1 }),
-  number('printer', 'showFan', advanced, { unit: '%', min: -1, max: 100, step: 1 }),
-  number('printer', 'minLayerTime', advanced, { unit: 's', min: 0, max: 300, step: 1, usual: [0, 30] }),
-  number('printer', 'travelSpeed', advanced, { unit: 'mm/s', min: 5, max: 1000, step: 1, usual: [50, 500] }),
-  number('printer', 'machineSpeed', advanced, { unit: 'mm/s', min: 0, max: 1000, step: 10, usual: [0, 500] }),
-  number('printer', 'acceleration', advanced, { unit: 'mm/s²', min: 1, max: 100000, step: 50, usual: [200, 10000] }),
-  number('printer', 'machineAcceleration', advanced, {
-    unit: 'mm/s²',
-    min: 0,
-    max: 100000,
-    step: 50,
-    usual: [0, 20000],
-  }),
-  number('printer', 'cornerSpeed', advanced, { unit: 'mm/s', min: 0.1, max: 100, step: 0.1, usual: [1, 20] }),
-  number('printer', 'machineCornerSpeed', advanced, { unit: 'mm/s', min: 0, max: 100, step: 0.1, usual: [0, 20] }),
-  number('printer', 'curveAcceleration', advanced, {
-    unit: 'mm/s²',
-    min: 0,
-    max: 100000,
-    step: 50,
-    usual: [0, 5000],
-  }),
-  number('printer', 'maxFlow', advanced, { unit: 'mm³/s', min: 0.1, max: 1000, step: 0.5, usual: [2, 40] }),
-  number('printer', 'maxSegmentsPerSecond', advanced, {
-    unit: '1/s',
-    min: 1,
-    max: 100000,
-    step: 10,
-    usual: [50, 2000],
-  }),
-  number('printer', 'pressureAdvance', advanced, { unit: 's', min: 0, max: 2, step: 0.005, usual: [0, 0.2] }),
-  flag('printer', 'setPressureAdvance', advanced),
-  number('printer', 'retractLength', advanced, { unit: 'mm', min: 0, max: 20, step: 0.1, usual: [0, 8] }),
-  number('printer', 'retractSpeed', advanced, { unit: 'mm/s', min: 1, max: 200, step: 1, usual: [10, 80] }),
-  number('printer', 'lift', advanced, { unit: 'mm', min: 0, max: 20, step: 0.1, usual: [0, 2] }),
-  flag('printer', 'absoluteE', advanced),
-  text('startGcode', advanced, 65536),
-  text('endGcode', advanced, 65536),
-  text('screenSizes', advanced, 200),
-];
-
-/** Constants of the method, in files and presets only; those that `sillon settings --json` calls expert. */
-export const expertSettings: ReadonlySet<SettingId> = new Set([
-  'toolpath.jitter',
-  'toolpath.phaseTransport',
-  'toolpath.sweepsPerLevel',
-  'toolpath.kernelRadius',
-  'toolpath.borderWeight',
-  'toolpath.stitchAlignment',
-  'toolpath.relaxationRounds',
-  'toolpath.relaxationStrength',
-  'toolpath.relaxationSmoothing',
-  'toolpath.widthBalance',
-  'toolpath.beadOverlap',
-  'toolpath.simplifyTolerance',
-]);
+/** Constants of the method, in files and presets only. */
+export const expertSettings: ReadonlySet<SettingId> = new Set(
+  rows.filter(({ level }) => level === 'expert').map(({ setting }) => setting.id),
+);
 
 const byId = new Map(settings.map((setting) => [setting.id, setting]));
 
@@ -365,13 +273,13 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
 }
 
 type Preset = Partial<ToolpathParams>;
-const presets = table.presets as Record<keyof typeof table.presets, Preset>;
+const presets = presetTable.presets as Record<keyof typeof presetTable.presets, Preset>;
 
 /** What any preset changes, as it is without one. The border and the seed are the person's own choice, which only
  * presets that name them change. */
 const neutral: Preset = Object.fromEntries(
   Object.values(presets)
-    .flatMap((preset) => Object.keys(preset) as KeyOf<'toolpath', unknown>[])
+    .flatMap((preset) => Object.keys(preset) as (keyof ToolpathParams)[])
     .filter((key) => !['perimeterMode', 'perimeters', 'seed'].includes(key))
     .map((key) => [key, toolpathDefaults[key]]),
 );
