@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/crc32.hpp"
+#include "base/lines.hpp"
 #include "export/bytes.hpp"
 #include "export/gcode_facts.hpp"
 #include "input/inflate.hpp"
@@ -104,9 +105,7 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 Pairs readIni(std::string_view text) {
   Pairs pairs;
   while (!text.empty()) {
-    const std::size_t feed = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, feed);
-    text.remove_prefix(std::min(feed + 1, text.size()));
+    const std::string_view line = nextLine(text);
     const std::size_t equal = line.find('=');
     if (equal == std::string_view::npos || equal == 0) continue;
     pairs.emplace_back(line.substr(0, equal), line.substr(equal + 1));
@@ -155,9 +154,7 @@ void addGcode(std::string& out, std::string_view gcode, bool checksum) {
 Pairs readComments(std::string_view text) {
   Pairs pairs;
   while (!text.empty()) {
-    const std::size_t feed = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, feed);
-    text.remove_prefix(std::min(feed + 1, text.size()));
+    const std::string_view line = nextLine(text);
     const std::size_t equal = line.find(" = ");
     if (line.starts_with("; ") && equal != std::string_view::npos && equal > 2) {
       pairs.emplace_back(line.substr(2, equal - 2), line.substr(equal + 3));

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/lines.hpp"
+
 namespace sillon {
 namespace {
 
@@ -133,9 +135,7 @@ Bounds printedBox(std::string_view gcode) {
   bool layer = false;
   bool custom = false;
   while (!gcode.empty()) {
-    const std::size_t feed = std::min(gcode.find('\n'), gcode.size());
-    const std::string_view line = gcode.substr(0, feed);
-    gcode.remove_prefix(std::min(feed + 1, gcode.size()));
+    const std::string_view line = nextLine(gcode);
     if (line.starts_with(";")) {
       layer = layer || line.starts_with(";LAYER_CHANGE") || line.starts_with("; CHANGE_LAYER") ||
               line.starts_with(";LAYER:0");

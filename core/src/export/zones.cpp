@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/decimal_text.hpp"
@@ -16,7 +17,6 @@
 namespace sillon {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kFinest = 0.15;    // [mm], of a cell
 constexpr double kMostCells = 1e6;  // in all
 constexpr double kBorder = 1;       // [mm] beyond the page
@@ -72,10 +72,10 @@ double meanDirection(const std::vector<double>& weights, const std::vector<int>&
   Vec2 sum;
   for (std::size_t bin = 0; bin < weights.size(); ++bin) {
     if (owner[bin] != k) continue;
-    const double twice = 2 * kPi * (static_cast<double>(bin) + 0.5) / kBins;
+    const double twice = 2 * std::numbers::pi * (static_cast<double>(bin) + 0.5) / kBins;
     sum = sum + weights[bin] * Vec2{std::cos(twice), std::sin(twice)};
   }
-  const double angle = std::atan2(sum.y, sum.x) / (2 * kPi) * 180;
+  const double angle = std::atan2(sum.y, sum.x) / (2 * std::numbers::pi) * 180;
   return angle < 0 ? angle + 180 : angle;
 }
 
@@ -142,12 +142,12 @@ std::vector<double> refined(const Picture& picture, std::vector<double> directio
     const auto angle = static_cast<double>(picture.degrees[k]);
     const auto nearest = std::min_element(directions.begin(), directions.end(),
                                           [&](double a, double b) { return between(angle, a) < between(angle, b); });
-    const double twice = 2 * angle * kPi / 180;
+    const double twice = 2 * angle * std::numbers::pi / 180;
     Vec2& sum = sums[static_cast<std::size_t>(nearest - directions.begin())];
     sum = sum + Vec2{std::cos(twice), std::sin(twice)};
   }
   for (std::size_t k = 0; k < directions.size(); ++k) {
-    const double angle = std::atan2(sums[k].y, sums[k].x) / (2 * kPi) * 180;
+    const double angle = std::atan2(sums[k].y, sums[k].x) / (2 * std::numbers::pi) * 180;
     directions[k] = std::fmod(std::round(10 * (angle < 0 ? angle + 180 : angle)) / 10, 180);
   }
   std::sort(directions.begin(), directions.end());
@@ -164,7 +164,7 @@ std::vector<float> smoothed(const Picture& picture, double least) {
   const int reach = static_cast<int>(least / 2 / grid.cell);
   std::vector<Vec2> sums(grid.size());
   for (std::size_t k = 0; k < sums.size(); ++k) {
-    const double twice = static_cast<double>(picture.degrees[k]) * kPi / 90;
+    const double twice = static_cast<double>(picture.degrees[k]) * std::numbers::pi / 90;
     if (picture.inside[k] != 0) sums[k] = {std::cos(twice), std::sin(twice)};
   }
   // Along rows, then along columns, by sums from the beginning.
@@ -185,7 +185,7 @@ std::vector<float> smoothed(const Picture& picture, double least) {
   std::vector<float> out = picture.degrees;
   for (std::size_t k = 0; k < out.size(); ++k) {
     if (picture.inside[k] == 0 || !(length(sums[k]) > 1e-6)) continue;
-    const double angle = std::atan2(sums[k].y, sums[k].x) * 90 / kPi;
+    const double angle = std::atan2(sums[k].y, sums[k].x) * 90 / std::numbers::pi;
     out[k] = static_cast<float>(angle < 0 ? angle + 180 : angle);
   }
   return out;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
+#include "base/lines.hpp"
 #include "gcode/layout.hpp"
 #include "gcode/template.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -90,17 +91,15 @@ std::string ownStart(const Printer& printer) {
          fixed(printer.bedTemperature, 0) + "\nM104 S150\nG28\n";
 }
 
+std::string_view withoutComment(std::string_view line) { return line.substr(0, line.find(';')); }
+
 // Percentages that the block leaves on all flow (M221) or speed (M220), which are put back to 100 after it.
 void warnScaled(GcodeJob& job, std::string_view block) {
   for (const auto& [command, setting] :
        {std::pair<std::string_view, const char*>{"M221 ", "flow"}, {"M220 ", "speed"}}) {
     double percent = 100;
-    std::size_t begin = 0;
-    while (begin < block.size()) {
-      const std::size_t end = std::min(block.find('\n', begin), block.size());
-      std::string_view line = block.substr(begin, end - begin);
-      begin = end + 1;
-      line = line.substr(0, line.find(';'));
+    for (std::string_view rest = block; !rest.empty();) {
+      const std::string_view line = withoutComment(nextLine(rest));
       const std::size_t at = line.find(" S");
       if (!line.starts_with(command) || at == std::string_view::npos) continue;
       double value = 0;
@@ -119,12 +118,8 @@ void warnScaled(GcodeJob& job, std::string_view block) {
 
 bool setsPressureAdvance(std::string_view block) {
   bool sets = false;
-  std::size_t begin = 0;
-  while (begin < block.size()) {
-    const std::size_t end = std::min(block.find('\n', begin), block.size());
-    std::string_view line = block.substr(begin, end - begin);
-    begin = end + 1;
-    line = line.substr(0, line.find(';'));
+  while (!block.empty()) {
+    const std::string_view line = withoutComment(nextLine(block));
     for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
                                        {"M572", " S"},
                                        {"SET_PRESSURE_ADVANCE", " ADVANCE="}}) {

@@ -3,18 +3,11 @@
 #include <algorithm>
 
 #include "base/decimal_text.hpp"
+#include "base/lines.hpp"
 #include "gcode/job.hpp"
 
 namespace sillon {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
 
 char closing(char opening) { return opening == '{' ? '}' : opening == '[' ? ']' : '>'; }
 
@@ -90,9 +83,7 @@ Result<std::string> expandTemplate(std::string_view text, const std::vector<Temp
   std::string out;
   int number = 0;
   while (!text.empty()) {
-    const std::size_t feed = std::min(text.find('\n'), text.size());
-    std::string_view line = trimmed(text.substr(0, feed));
-    text.remove_prefix(std::min(feed + 1, text.size()));
+    std::string_view line = trimmed(nextLine(text));
     ++number;
     const std::size_t comment = std::min(line.find(';'), line.size());
     std::string_view code = line.substr(0, comment);

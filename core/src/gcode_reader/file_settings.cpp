@@ -1,5 +1,6 @@
 #include "gcode_reader/file_settings.hpp"
 
+#include "base/lines.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {
@@ -64,10 +65,8 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     settings.flavor = printer->flavor;
   }
   // Settings stand behind the moves in most files.
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = text.substr(at, end - at);
-    at = end + 1;
+  while (!text.empty()) {
+    const std::string_view line = nextLine(text);
     if (!line.starts_with(';')) continue;
     const std::string_view comment = trimmed(line.substr(1));
     if (comment.starts_with("FLAVOR:UltiGCode")) settings.ultimaker = settings.volumetric = true;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sillon {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kInch = 25.4;  // [mm]
 
 // G2 and G3 by their centre; without a target they are a full turn.
@@ -20,7 +20,7 @@ void readArc(MachineMove& move, const GcodeWords& words, double unit) {
   const Vec2 b = move.to - move.centre;
   double angle = std::atan2(cross(a, b), dot(a, b));
   if (move.code == 2) angle = -angle;
-  if (angle <= 1e-9) angle += 2 * kPi;
+  if (angle <= 1e-9) angle += 2 * std::numbers::pi;
   move.turn = move.code == 2 ? -angle : angle;
   move.length = length(a) * angle;
 }

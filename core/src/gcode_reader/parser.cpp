@@ -16,12 +16,6 @@ bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
 std::size_t readNumber(std::string_view text, double& value) {
   const std::size_t sign = text.starts_with('+') ? 1 : 0;
   std::size_t end = sign + (text.substr(sign).starts_with('-') ? 1 : 0);

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/lines.hpp"
+
 namespace sillon {
 
 /// One line and its place. The views live until the parser goes on.
@@ -137,8 +139,5 @@ GcodeWords wordsOf(std::string_view rest);
 
 /// The number that a text begins with, as firmwares read it: no exponent. \return characters read, 0 for none.
 std::size_t readNumber(std::string_view text, double& value);
-
-/// Without spaces, tabs and CR around it.
-std::string_view trimmed(std::string_view text);
 
 }  // namespace sillon

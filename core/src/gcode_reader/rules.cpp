@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,6 @@
 namespace sillon {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 0.0015;   // [mm], coordinates have 3 decimals
 constexpr double kBeyondBed = 10;      // [mm], how far makers' start blocks go to wipe and purge
 constexpr double kLongTravel = 2;      // [mm], shorter ones draw no thread
@@ -67,7 +67,7 @@ Depth depthOf(const MachineMove& move, const FileSettings& settings) {
 
 Rules::Rules(FileSettings settings, bool ours)
     : settings_(std::move(settings)), ours_(ours), machine_(settings_.flavor) {
-  area_ = kPi * settings_.filamentDiameter * settings_.filamentDiameter / 4;
+  area_ = std::numbers::pi * settings_.filamentDiameter * settings_.filamentDiameter / 4;
   machine_.volumetric = settings_.volumetric;
   // Printers of this kind home and heat before the file begins.
   check_.homes = check_.heatsBed = check_.heatsNozzle = settings_.ultimaker;

@@ -6,13 +6,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 
 namespace sillon {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMaxSize = 10'000;       // of a page side [mm]
 constexpr double kDiscTolerance = 0.001;  // between a circle and its polygon [mm]
 constexpr std::int64_t kMaxMaskPoints = 4'000'000;
@@ -55,10 +55,11 @@ Shape oneRing(Ring ring, Vec2 page) {
 void addQuarter(Ring& ring, Vec2 center, Vec2 u, Vec2 v) {
   const double radius = length(u);
   // The sagitta of a chord over the angle s is below radius s²/8.
-  const int pieces = std::max(2, static_cast<int>(std::ceil(kPi / 2 * std::sqrt(radius / (8 * kDiscTolerance)))));
+  const int pieces =
+      std::max(2, static_cast<int>(std::ceil(std::numbers::pi / 2 * std::sqrt(radius / (8 * kDiscTolerance)))));
   ring.push_back(snapped(center + u));
   for (int i = 1; i < pieces; ++i) {
-    const double angle = kPi / 2 * i / pieces;
+    const double angle = std::numbers::pi / 2 * i / pieces;
     ring.push_back(snapped(center + std::cos(angle) * u + std::sin(angle) * v));
   }
   ring.push_back(snapped(center + v));

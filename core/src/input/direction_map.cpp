@@ -2,12 +2,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 
 namespace sillon {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Angle [half turns] as stored; any angle is turned into -1/2..1/2 first.
 std::uint16_t stored(double halfTurns) {
@@ -33,7 +32,7 @@ std::uint16_t fromTangent(std::uint16_t red, std::uint16_t green) {
   const int x = 2 * red - 65535;
   const int y = 2 * green - 65535;
   if (std::abs(x) <= kNeutral && std::abs(y) <= kNeutral) return stored(0);
-  return stored(std::atan2(y, x) / kPi);
+  return stored(std::atan2(y, x) / std::numbers::pi);
 }
 
 std::string imageDefect(const Image& image) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace sillon {
 
@@ -22,7 +23,6 @@ inline constexpr int kDirectionColours = 256;
 /// (Ottosson 2020) at constant lightness and nearly the largest chroma for which all hues exist in sRGB.
 inline const std::array<Rgb, kDirectionColours>& directionColours() {
   static const std::array<Rgb, kDirectionColours> colours = [] {
-    constexpr double kPi = 3.14159265358979323846;
     constexpr double kLightness = 0.74, kChroma = 0.122;
     constexpr double kFirstHue = 0.13;  // [turns] of direction 0: amber; vertical beads are blue
     const auto toByte = [](double linear) {
@@ -32,7 +32,7 @@ inline const std::array<Rgb, kDirectionColours>& directionColours() {
     };
     std::array<Rgb, kDirectionColours> made;
     for (int k = 0; k < kDirectionColours; ++k) {
-      const double hue = 2 * kPi * (kFirstHue + static_cast<double>(k) / kDirectionColours);
+      const double hue = 2 * std::numbers::pi * (kFirstHue + static_cast<double>(k) / kDirectionColours);
       const double a = kChroma * std::cos(hue), b = kChroma * std::sin(hue);
       const double lRoot = kLightness + 0.3963377774 * a + 0.2158037573 * b;
       const double mRoot = kLightness - 0.1055613458 * a - 0.0638541728 * b;
@@ -50,8 +50,7 @@ inline const std::array<Rgb, kDirectionColours>& directionColours() {
 /// Place of a direction among the colours, in [0, kDirectionColours]; both ends are the same colour. The same for
 /// (x, y) and (-x, -y); 0 for the null vector.
 inline double directionColourPlace(double x, double y) {
-  constexpr double kPi = 3.14159265358979323846;
-  const double halfTurns = std::atan2(y, x) / kPi;
+  const double halfTurns = std::atan2(y, x) / std::numbers::pi;
   return (halfTurns < 0 ? halfTurns + 1 : halfTurns) * kDirectionColours;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <new>
+#include <numbers>
 #include <string>
 
 #include "base/parallel_for.hpp"
@@ -18,7 +19,6 @@
 namespace sillon {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSamples = 2;    // per pixel and axis
 constexpr int kBandRows = 16;  // pixel rows that one task rasterises and shades
 
@@ -451,8 +451,8 @@ void drawLegend(RgbImage& image, const Layout& layout) {
 /// A ring with a dot: where the light stands, seen from above.
 void drawLamp(RgbImage& image, const Layout& layout, const PreviewParams& params) {
   const double radius = layout.lampRadius, half = std::max(0.5, radius * 0.02), dot = radius * 0.16;
-  const double azimuth = params.look.lamp.azimuth * kPi / 180;
-  const double reach = radius * std::cos(params.look.lamp.elevation * kPi / 180);
+  const double azimuth = params.look.lamp.azimuth * std::numbers::pi / 180;
+  const double reach = radius * std::cos(params.look.lamp.elevation * std::numbers::pi / 180);
   const double lampX = reach * std::cos(azimuth), lampY = reach * std::sin(azimuth);
   paintAround(image, layout.lampX, layout.lampY, radius + dot + 2, [&](double dx, double dy) {
     const double toLamp = (dx - lampX) * (dx - lampX) + (dy - lampY) * (dy - lampY);

@@ -170,6 +170,7 @@ void Donor::templateFilament(const GcodeCheck& check) {
   std::string_view rest = p.startGcode;
   while (!rest.empty()) {
     std::string line(nextLine(rest));
+    if (line.ends_with('\r')) line.pop_back();
     const bool ofBed = isCommand(line, "M140") || isCommand(line, "M190");
     if (ofBed || isCommand(line, "M104") || isCommand(line, "M109")) {
       const std::size_t begin = std::min(valueOf(line, 'S'), valueOf(line, 'R'));

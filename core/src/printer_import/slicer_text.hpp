@@ -1,4 +1,4 @@
-// Lines, words and numbers as slicers write their settings.
+// Words and numbers as slicers write their settings.
 #pragma once
 
 #include <optional>
@@ -6,18 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/lines.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
-
-inline std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
-/// Takes the first line off the text.
-std::string_view nextLine(std::string_view& text);
 
 /// In quotes, printable ASCII, at most 60 characters of it.
 std::string shown(std::string_view text);

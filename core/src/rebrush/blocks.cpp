@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "gcode_reader/file_settings.hpp"
@@ -16,7 +17,6 @@
 namespace sillon {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kThreeBeads = 3;              // narrower surfaces are left [spacings]
 constexpr double kTenSquares = 10;             // smaller surfaces are left [spacings²]
 constexpr double kNotch = 0.3;                 // [spacings], between the ends of beads: narrower than walls
@@ -86,7 +86,7 @@ double neighbourDistance(const std::vector<Item>& items) {
 class Reader {
  public:
   Reader(std::string_view text, const FileSettings& settings) : text_(text), machine_(settings.flavor) {
-    area_ = kPi * settings.filamentDiameter * settings.filamentDiameter / 4;
+    area_ = std::numbers::pi * settings.filamentDiameter * settings.filamentDiameter / 4;
     volumetric_ = settings.volumetric;
     diameterKnown_ = settings.diameterTold;
   }
@@ -227,7 +227,8 @@ void Reader::learnDiameter(const std::vector<Item>& items, double height) {
   for (const Item& item : items) {
     if (item.bead()) sections.emplace_back(beadSection(*item.move), item.move->length);
   }
-  if (median(std::move(sections)) < kThinShare * distance * height) area_ = kPi * kThickDiameter * kThickDiameter / 4;
+  if (median(std::move(sections)) < kThinShare * distance * height)
+    area_ = std::numbers::pi * kThickDiameter * kThickDiameter / 4;
   diameterKnown_ = true;
 }
 
@@ -248,7 +249,7 @@ void Reader::endStretch() {
   }
   // Beads are rectangles with round sides: their section is h (w - h) + pi h²/4. Cura reckons with plain rectangles.
   const bool rectangles = program_ && program_->slicer == Slicer::Cura;
-  const double rounding = rectangles ? 0 : (1 - kPi / 4) * height;
+  const double rounding = rectangles ? 0 : (1 - std::numbers::pi / 4) * height;
   const double spacing = median(std::move(sections)) / height;
   // Cura irons under the same mark.
   if (role_ == RoleKind::Skin && spacing <= 0.05) {
@@ -357,7 +358,7 @@ void Reader::addPart(const std::vector<Item>& items, const RegionField& field, i
   }
   surface.volumeMm3 = laid * (volumetric_ ? 1 : area_);
   surface.speed = median(std::move(speeds));
-  surface.spacing = length > 0 ? width - (1 - kPi / 4) * surface.height : 0;
+  surface.spacing = length > 0 ? width - (1 - std::numbers::pi / 4) * surface.height : 0;
   if (program_ && program_->slicer == Slicer::Cura) surface.spacing = width;
   if (std::abs(loose) > kLooseFilament || block.after.firmwareRetracted != block.before.firmwareRetracted ||
       block.after.absoluteE != block.before.absoluteE || block.after.tool != block.before.tool ||

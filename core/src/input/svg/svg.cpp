@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,7 +34,6 @@ namespace {
 
 using namespace svg;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMmPerPx = 25.4 / 96;
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr int kMaxDepth = 200;  // of elements, <use> counted in: each level costs stack
@@ -225,9 +225,9 @@ Matrix parseTransform(std::string_view text) {
     } else if (name == "rotate" && (n == 1 || n == 3)) {
       result = result * shifted(v[1], v[2]) * rotation(v[0]) * shifted(-v[1], -v[2]);
     } else if (name == "skewX" && n == 1) {
-      result = result * matrix(1, 0, std::tan(v[0] / 180 * kPi), 1, 0, 0);
+      result = result * matrix(1, 0, std::tan(v[0] / 180 * std::numbers::pi), 1, 0, 0);
     } else if (name == "skewY" && n == 1) {
-      result = result * matrix(1, std::tan(v[0] / 180 * kPi), 0, 1, 0, 0);
+      result = result * matrix(1, std::tan(v[0] / 180 * std::numbers::pi), 0, 1, 0, 0);
     } else {
       refuse("transform has " + quoted(name) + " with " + std::to_string(n) +
              " numbers; it must be matrix, translate, scale, rotate, skewX or skewY with the numbers it takes");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +13,6 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMaxCoordinate = 1e6;  // [mm]; 1e12 nm are exact in a double
 
 Vec2 vectorBy(const Matrix& m, Vec2 v) {
@@ -55,8 +55,8 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
   const Vec2 center{h.y * distance, -h.x * distance};  // in units of the radii, from the chord's middle
   const Vec2 first = h - center, last = -h - center;
   double sweep = std::atan2(cross(first, last), dot(first, last));
-  if (clockwise && sweep < 0) sweep += 2 * kPi;
-  if (!clockwise && sweep > 0) sweep -= 2 * kPi;
+  if (clockwise && sweep < 0) sweep += 2 * std::numbers::pi;
+  if (!clockwise && sweep > 0) sweep -= 2 * std::numbers::pi;
   const Vec2 u = vectorBy(turn, {rx, 0}), v = vectorBy(turn, {0, ry});
   out.arc(from, 0.5 * (from + to) + center.x * u + center.y * v, u, v, std::atan2(first.y, first.x), sweep, to);
 }
@@ -73,7 +73,7 @@ Vec2 onGrid(Vec2 p) {
   return {std::round(p.x * 1e6) / 1e6 + 0.0, std::round(p.y * 1e6) / 1e6 + 0.0};
 }
 
-Matrix rotation(double degrees) { return Matrix(Eigen::Rotation2Dd(degrees / 180 * kPi)); }
+Matrix rotation(double degrees) { return Matrix(Eigen::Rotation2Dd(degrees / 180 * std::numbers::pi)); }
 
 void Outliner::line(Vec2 from, Vec2 to) {
   begin(from);
@@ -109,7 +109,8 @@ void Outliner::arc(Vec2 from, Vec2 center, Vec2 u, Vec2 v, double angle, double 
   // The second derivative stays below the longest half axis of the transformed ellipse.
   const double pp = dot(p, p), qq = dot(q, q), pq = dot(p, q);
   const double axis = std::sqrt((pp + qq + std::sqrt((pp - qq) * (pp - qq) + 4 * pq * pq)) / 2);
-  const int n = std::max(pieces(axis * sweep * sweep), static_cast<int>(std::ceil(std::abs(sweep) / (kPi / 4))));
+  const int n =
+      std::max(pieces(axis * sweep * sweep), static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 4))));
   for (int i = 1; i < n; ++i) {
     const double at = angle + sweep * i / n;
     add(c + std::cos(at) * p + std::sin(at) * q, true);
@@ -117,7 +118,9 @@ void Outliner::arc(Vec2 from, Vec2 center, Vec2 u, Vec2 v, double angle, double 
   add(pointBy(toWorld_, to));
 }
 
-void Outliner::quarter(Vec2 center, Vec2 u, Vec2 v) { arc(center + u, center, u, v, 0, kPi / 2, center + v); }
+void Outliner::quarter(Vec2 center, Vec2 u, Vec2 v) {
+  arc(center + u, center, u, v, 0, std::numbers::pi / 2, center + v);
+}
 
 void Outliner::begin(Vec2 from) {
   if (line_.points.empty()) add(pointBy(toWorld_, from));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/LU>
@@ -10,7 +11,6 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kShortest = 1e-4;    // of a piece whose direction counts [mm]; points lie on a grid of 1 nm
 constexpr double kTightTurn = 0.1;    // within a bend tighter than the stroke is wide [radians]; see thinned()
 constexpr double kSmoothTurn = 0.95;  // cosine: between two chords of a curve; more is a cusp, which is rounded
@@ -134,7 +134,7 @@ class Walker {
     const Eigen::Matrix2d m = toWorld.linear();
     const double pp = m.col(0).squaredNorm(), qq = m.col(1).squaredNorm(), pq = m.col(0).dot(m.col(1));
     const double radius = half_ * std::sqrt((pp + qq + std::sqrt((pp - qq) * (pp - qq) + 4 * pq * pq)) / 2);
-    step_ = std::min(kPi / 4, std::sqrt(8 * tolerance / std::max(radius, 1e-12)));
+    step_ = std::min(std::numbers::pi / 4, std::sqrt(8 * tolerance / std::max(radius, 1e-12)));
   }
 
   void walk(const Track& track, std::vector<Ring>& rings) {
@@ -236,7 +236,7 @@ class Walker {
     const Vec2 n = half_ * leftOf(direction);
     const Vec2 ahead = stroke_.cap == StrokeCap::Square ? half_ * direction : Vec2{};
     put(p + n + ahead);
-    if (stroke_.cap == StrokeCap::Round) arc(p, n, kPi);
+    if (stroke_.cap == StrokeCap::Round) arc(p, n, std::numbers::pi);
     put(p - n + ahead);
   }
 
@@ -248,7 +248,7 @@ class Walker {
     }
     if (stroke_.cap != StrokeCap::Round) return;
     put(p + u);
-    arc(p, u, 2 * kPi);
+    arc(p, u, 2 * std::numbers::pi);
   }
 
   // Clockwise from p + n, both ends excluded.
