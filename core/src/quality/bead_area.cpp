@@ -1,9 +1,13 @@
 #include "quality/bead_area.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "base/capsule_rows.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
 #include "sillon/geometry/grid.hpp"
@@ -13,8 +17,36 @@ namespace sillon {
 namespace {
 
 constexpr int kPixelsPerSpacing = 20;
-constexpr int kTile = 128;          ///< pixels; the state of one tile stays in the second-level cache
+constexpr int kTileWidth = 128;     ///< pixels, of two words
+constexpr int kTileHeight = 256;    ///< pixels; what one tile needs stays in the second-level cache
+constexpr double kApart = 3;        ///< [tau] along a cycle: further apart are two passes
+constexpr int kNear = 6;            ///< stretches before one that belong to its pass: 6 to 7 of them are kApart
 constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
+
+// Pixels of one row of a tile, one bit each.
+struct Row {
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+
+  friend constexpr Row operator|(Row a, Row b) { return {a.low | b.low, a.high | b.high}; }
+  friend constexpr Row operator&(Row a, Row b) { return {a.low & b.low, a.high & b.high}; }
+  friend constexpr Row operator~(Row a) { return {~a.low, ~a.high}; }
+  [[nodiscard]] int count() const { return std::popcount(low) + std::popcount(high); }
+};
+
+// The first n pixels, for n from 0 to all of them.
+constexpr std::array<Row, kTileWidth + 1> kFirst = [] {
+  std::array<Row, kTileWidth + 1> first{};
+  for (std::size_t n = 1; n < first.size(); ++n) {
+    first[n] = first[n - 1];
+    (n <= 64 ? first[n].low : first[n].high) |= std::uint64_t{1} << ((n - 1) % 64);
+  }
+  return first;
+}();
+
+Row rowOf(int begin, int end) {
+  return kFirst[static_cast<std::size_t>(end)] & ~kFirst[static_cast<std::size_t>(begin)];
+}
 
 // A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
 struct Bead {
@@ -27,105 +59,10 @@ struct Bead {
   std::int32_t cycle;
 };
 
-// Positions [0, length] at which a bead covers four points of a row, or -1.
-class Cover {
- public:
-  explicit Cover(const Bead& bead) : bead_(bead) {
-    if (bead.length <= 0) return;
-    u_ = (bead.b - bead.a) * (1 / bead.length);
-    slope_ = (bead.rb - bead.ra) / bead.length;
-    // The disc that reaches furthest towards a point is not the nearest one where the radius changes.
-    if (std::abs(slope_) < 0.99f) {
-      root_ = std::sqrt(1 - slope_ * slope_);
-    } else {
-      shift_ = slope_ * 1e3f;
-    }
-  }
-
-  [[nodiscard]] F4 at(F4 px, float py) const {
-    const F4 toX = px - splat(bead_.a.x);
-    const F4 toY = splat(py - bead_.a.y);
-    const F4 x = toX * splat(u_.x) + toY * splat(u_.y);
-    const F4 y = abs4(splat(u_.x) * toY - splat(u_.y) * toX);
-    const F4 shift = root_ > 0 ? splat(slope_) * y / splat(root_) : splat(shift_);
-    const F4 s = min4(max4(x + shift, splat(0)), splat(bead_.length));
-    const F4 r = splat(bead_.ra) + splat(slope_) * s;
-    const F4 away2 = bead_.length > 0 ? (x - s) * (x - s) + y * y : toX * toX + toY * toY;
-    return select4(away2 > r * r, splat(-1), s);
-  }
-
- private:
-  const Bead& bead_;
-  Vec2f u_{};
-  float slope_ = 0;
-  float root_ = 0;  ///< 0: `shift_` says it
-  float shift_ = 0;
-};
-
-std::vector<Bead> beadsOf(const Toolpath& toolpath, std::vector<float>& lengthOfCycle) {
-  std::vector<Bead> beads;
-  for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
-    const Cycle& cycle = toolpath.cycles[c];
-    double along = 0;
-    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
-      const std::size_t next = k + 1 < cycle.points.size() ? k + 1 : 0;
-      const float size = length(cycle.points[next] - cycle.points[k]);
-      beads.push_back({cycle.points[k], cycle.points[next], 0.5f * cycle.widths[k], 0.5f * cycle.widths[next],
-                       static_cast<float>(along), size, static_cast<std::int32_t>(c)});
-      along += static_cast<double>(size);
-    }
-    lengthOfCycle.push_back(static_cast<float>(along));
-  }
-  return beads;
-}
-
-// How often beads pass over each pixel of a tile. Positions at most `apart` from the last one belong to the same pass,
-// the end of a cycle to its beginning.
-class TilePasses {
- public:
-  TilePasses(const std::vector<float>& lengthOfCycle, float apart)
-      : lengthOfCycle_(lengthOfCycle), apart_(apart), pixels_(kTile * kTile) {}
-
-  void reset() { std::fill(pixels_.begin(), pixels_.end(), Pixel{}); }
-
-  void cover(int pixel, std::int32_t cycle, float along) {
-    Pixel& p = pixels_[static_cast<std::size_t>(pixel)];
-    if (p.cycle != cycle) {
-      close(p);
-      p.cycle = cycle;
-      p.first = along;
-      p.passes = 1;
-    } else if (along - p.last > apart_) {
-      ++p.passes;
-    }
-    p.last = along;
-  }
-
-  int passes(int pixel) {
-    Pixel& p = pixels_[static_cast<std::size_t>(pixel)];
-    close(p);
-    return p.total;
-  }
-
- private:
-  struct Pixel {
-    std::int32_t cycle = -1;
-    float first = 0;
-    float last = 0;
-    std::int16_t passes = 0;  ///< of the current cycle
-    std::int16_t total = 0;   ///< of the cycles before
-  };
-
-  void close(Pixel& p) {
-    if (p.passes > 1 && p.first + lengthOfCycle_[static_cast<std::size_t>(p.cycle)] - p.last <= apart_) --p.passes;
-    p.total = static_cast<std::int16_t>(p.total + p.passes);
-    p.passes = 0;
-    p.cycle = -1;
-  }
-
-  const std::vector<float>& lengthOfCycle_;
-  float apart_;
-  std::vector<Pixel> pixels_;
+// A cycle is cut into stretches of equal length, about kApart / (kNear + 1/2).
+struct Stretches {
+  int count = 1;
+  float perMm = 0;
 };
 
 // The raster and what lies on it: made once, read by all tiles.
@@ -133,13 +70,31 @@ struct Scene {
   Grid raster;
   int tilesAcross = 0;
   int tiles = 0;
-  std::vector<float> lengthOfCycle;
+  float pieceLength = 0;               ///< of beads, as they are laid [mm]
+  std::vector<Stretches> stretchesOf;  ///< of each cycle
   std::vector<Bead> beads;
   std::vector<std::size_t> begin;             ///< tile t has beadOf[begin[t]] .. beadOf[begin[t + 1] - 1]
   std::vector<std::int32_t> beadOf;           ///< ascending within a tile
   std::vector<std::vector<Interval>> inside;  ///< of each row
-  std::vector<float> columns;                 ///< x of the pixels' centres, filled up to whole vectors
 };
+
+void addBeads(const Toolpath& toolpath, Scene& scene) {
+  const double stretch = kApart * toolpath.spacing / (kNear + 0.5);
+  scene.pieceLength = static_cast<float>(2 * stretch);
+  for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
+    const Cycle& cycle = toolpath.cycles[c];
+    double along = 0;
+    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+      const std::size_t next = k + 1 < cycle.points.size() ? k + 1 : 0;
+      const float size = length(cycle.points[next] - cycle.points[k]);
+      scene.beads.push_back({cycle.points[k], cycle.points[next], 0.5f * cycle.widths[k], 0.5f * cycle.widths[next],
+                             static_cast<float>(along), size, static_cast<std::int32_t>(c)});
+      along += static_cast<double>(size);
+    }
+    const double count = std::clamp(std::round(along / stretch), 1.0, 1e9);
+    scene.stretchesOf.push_back({static_cast<int>(count), along > 0 ? static_cast<float>(count / along) : 0});
+  }
+}
 
 Grid rasterOf(const Bounds& box, double spacing) {
   const double pixel = spacing / kPixelsPerSpacing;
@@ -151,28 +106,29 @@ Grid rasterOf(const Bounds& box, double spacing) {
           static_cast<int>((box.size().y + 2 * margin) / pixel) + 1};
 }
 
-// The pixels of the box around a bead, all inclusive.
+// The tiles that the box around a bead touches, all inclusive.
 struct Reach {
   int x0, x1, y0, y1;
 };
 
 Reach reachOf(const Bead& bead, const Grid& raster) {
-  const auto pixelOf = [&](double v, double origin, int count) {
-    return std::clamp(static_cast<int>(std::floor((v - origin) / raster.cell)), 0, count - 1);
+  const auto tileOf = [&](double v, double origin, int count, int size) {
+    return static_cast<int>(std::clamp((v - origin) / raster.cell, 0.0, static_cast<double>(count - 1))) / size;
   };
   const double r = static_cast<double>(std::max(bead.ra, bead.rb));
   const auto [x0, x1] = std::minmax({static_cast<double>(bead.a.x), static_cast<double>(bead.b.x)});
   const auto [y0, y1] = std::minmax({static_cast<double>(bead.a.y), static_cast<double>(bead.b.y)});
-  return {pixelOf(x0 - r, raster.origin.x, raster.nx), pixelOf(x1 + r, raster.origin.x, raster.nx),
-          pixelOf(y0 - r, raster.origin.y, raster.ny), pixelOf(y1 + r, raster.origin.y, raster.ny)};
+  return {
+      tileOf(x0 - r, raster.origin.x, raster.nx, kTileWidth), tileOf(x1 + r, raster.origin.x, raster.nx, kTileWidth),
+      tileOf(y0 - r, raster.origin.y, raster.ny, kTileHeight), tileOf(y1 + r, raster.origin.y, raster.ny, kTileHeight)};
 }
 
 // Counting sort: within a tile the beads stay in order, as TilePasses needs them.
 void sortIntoTiles(Scene& scene) {
   const auto forTiles = [&](const Bead& bead, const auto& visit) {
     const Reach r = reachOf(bead, scene.raster);
-    for (int y = r.y0 / kTile; y <= r.y1 / kTile; ++y) {
-      for (int x = r.x0 / kTile; x <= r.x1 / kTile; ++x) visit(static_cast<std::size_t>(y * scene.tilesAcross + x));
+    for (int y = r.y0; y <= r.y1; ++y) {
+      for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * scene.tilesAcross + x));
     }
   };
   std::vector<std::size_t>& begin = scene.begin;
@@ -190,63 +146,179 @@ Scene sceneOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
   Scene scene;
   scene.raster = rasterOf(box, toolpath.spacing);
   const Grid& raster = scene.raster;
-  scene.tilesAcross = (raster.nx - 1) / kTile + 1;
-  scene.tiles = scene.tilesAcross * ((raster.ny - 1) / kTile + 1);
-  scene.beads = beadsOf(toolpath, scene.lengthOfCycle);
+  scene.tilesAcross = (raster.nx - 1) / kTileWidth + 1;
+  scene.tiles = scene.tilesAcross * ((raster.ny - 1) / kTileHeight + 1);
+  addBeads(toolpath, scene);
   sortIntoTiles(scene);
   scene.inside = insideIntervals(shape, raster.centre(0, 0).y, raster.cell, raster.ny);
-  scene.columns.resize(static_cast<std::size_t>(raster.nx) + 3);
-  for (int x = 0; x < raster.nx; ++x) {
-    scene.columns[static_cast<std::size_t>(x)] = static_cast<float>(raster.centre(x, 0).x);
-  }
   return scene;
 }
 
-// Pixels of a tile, its last row and column left out.
-struct Tile {
-  int left, right, bottom, top;
+// What of a tile is passed over, and what more than once. Positions at most kApart from the last one belong to the same
+// pass, the end of a cycle to its beginning; this is told by whole stretches, each in a mask of its own.
+class TilePasses {
+ public:
+  void lay(const CapsuleRows& piece, std::int32_t cycle, int stretch, const Stretches& stretches) {
+    if (cycle != cycle_) {
+      close();
+      cycle_ = cycle;
+      used_ = 0;
+    } else if (stretch != masks_[current_].stretch) {
+      close();
+    }
+    if (!open_) open(stretch, stretches.count);
+    Mask& mask = masks_[current_];
+    const int begin = piece.firstRow(kTileHeight);
+    const int end = piece.endRow(kTileHeight);
+    for (int y = begin; y < end; y += 4) {
+      I4 from;
+      I4 to;
+      piece.at(y, kTileWidth, from, to);
+      for (int k = 0; k < 4; ++k) {
+        Row& row = mask.rows[static_cast<std::size_t>(y + k)];
+        row = row | rowOf(from[k], to[k]);
+      }
+    }
+    mask.begin = std::min(mask.begin, begin);
+    mask.end = std::max(mask.end, end);
+  }
 
-  [[nodiscard]] int pixel(int x, int y) const { return (y - bottom) * kTile + x - left; }
+  // Counts what lies on the first `rows` rows and `columns` pixels of them, and begins anew.
+  template <class InsideRow>
+  BeadArea take(int rows, int columns, const InsideRow& insideRow) {
+    close();
+    cycle_ = -1;
+    BeadArea count;
+    for (int y = 0; y < rows; ++y) {
+      const Row tile = rowOf(0, columns);
+      const Row in = insideRow(y) & tile;
+      const Row covered = covered_[static_cast<std::size_t>(y)] & tile;
+      count.shape += in.count();
+      count.covered += (covered & in).count();
+      count.spilled += (covered & ~in).count();
+      count.overlapped += (again_[static_cast<std::size_t>(y)] & tile).count();
+    }
+    covered_.fill({});
+    again_.fill({});
+    return count;
+  }
+
+ private:
+  struct Mask {
+    int stretch = 0;
+    int begin = kTileHeight;  ///< rows that may hold something
+    int end = 0;
+    std::array<Row, kTileHeight + 3> rows{};  ///< four at a time
+
+    void clear() {
+      for (int y = begin; y < end; ++y) rows[static_cast<std::size_t>(y)] = {};
+      begin = kTileHeight;
+      end = 0;
+    }
+  };
+
+  // The first ones of a cycle are kept to its end, which meets them.
+  void open(int stretch, int stretches) {
+    current_ = used_ < kNear ? used_ : kNear + (used_ - kNear) % (kNear + 1);
+    near_.clear();
+    for (std::size_t k = 0; k < std::min(used_, masks_.size()); ++k) {
+      const int apart = stretch - masks_[k].stretch;
+      if (k != current_ && (apart <= kNear || stretches - apart <= kNear)) near_.push_back(&masks_[k]);
+    }
+    masks_[current_].clear();
+    masks_[current_].stretch = stretch;
+    ++used_;
+    open_ = true;
+  }
+
+  void close() {
+    if (!open_) return;
+    open_ = false;
+    const Mask& mask = masks_[current_];
+    for (std::size_t y = static_cast<std::size_t>(mask.begin); y < static_cast<std::size_t>(mask.end); ++y) {
+      Row samePass;
+      for (const Mask* near : near_) samePass = samePass | near->rows[y];
+      again_[y] = again_[y] | (mask.rows[y] & covered_[y] & ~samePass);
+      covered_[y] = covered_[y] | mask.rows[y];
+    }
+  }
+
+  std::array<Row, kTileHeight> covered_{};
+  std::array<Row, kTileHeight> again_{};
+  std::int32_t cycle_ = -1;
+  std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
+  std::size_t used_ = 0;                   ///< by how many stretches so far
+  std::size_t current_ = 0;
+  bool open_ = false;
+  std::vector<const Mask*> near_;  ///< of the same pass as the current one
+};
+
+struct Tile {
+  int left, right, bottom, top;  ///< pixels, the last row and column left out
 };
 
 Tile tileAt(const Scene& scene, int tile) {
-  const int left = tile % scene.tilesAcross * kTile;
-  const int bottom = tile / scene.tilesAcross * kTile;
-  return {left, std::min(left + kTile, scene.raster.nx), bottom, std::min(bottom + kTile, scene.raster.ny)};
+  const int left = tile % scene.tilesAcross * kTileWidth;
+  const int bottom = tile / scene.tilesAcross * kTileHeight;
+  return {left, std::min(left + kTileWidth, scene.raster.nx), bottom, std::min(bottom + kTileHeight, scene.raster.ny)};
 }
 
+// Shares of the way from a to b within `reach` of a tile; none if the second is the lesser one.
+std::pair<float, float> withinTile(Vec2f a, Vec2f b, float reach) {
+  float t0 = 0;
+  float t1 = 1;
+  const auto clip = [&](float from, float to, float size) {
+    if (from == to) return;
+    const float low = (-reach - from) / (to - from);
+    const float high = (size + reach - from) / (to - from);
+    t0 = std::max(t0, std::min(low, high));
+    t1 = std::min(t1, std::max(low, high));
+  };
+  clip(a.x, b.x, kTileWidth);
+  clip(a.y, b.y, kTileHeight);
+  return {t0, t1};
+}
+
+// Long beads go over several stretches and tiles: they are laid in pieces.
 void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& passes) {
-  const Reach r = reachOf(bead, scene.raster);
-  const Cover cover(bead);
-  const int right = std::min(r.x1 + 1, tile.right);
-  for (int y = std::max(r.y0, tile.bottom); y < std::min(r.y1 + 1, tile.top); ++y) {
-    const float py = static_cast<float>(scene.raster.centre(0, y).y);
-    for (int x = std::max(r.x0, tile.left); x < right; x += 4) {
-      const F4 s = cover.at(load4(&scene.columns[static_cast<std::size_t>(x)]), py);
-      for (int k = 0; k < 4 && x + k < right; ++k) {
-        if (s[k] >= 0) passes.cover(tile.pixel(x + k, y), bead.cycle, bead.along + s[k]);
-      }
-    }
+  const Grid& raster = scene.raster;
+  const Vec2 origin = raster.centre(tile.left, tile.bottom);
+  const auto onTile = [&](Vec2f p) {
+    return Vec2f{static_cast<float>((static_cast<double>(p.x) - origin.x) / raster.cell),
+                 static_cast<float>((static_cast<double>(p.y) - origin.y) / raster.cell)};
+  };
+  const float perPixel = static_cast<float>(1 / raster.cell);
+  const Vec2f a = onTile(bead.a);
+  const Vec2f b = onTile(bead.b);
+  const float ra = bead.ra * perPixel;
+  const float rb = bead.rb * perPixel;
+  const Stretches& stretches = scene.stretchesOf[static_cast<std::size_t>(bead.cycle)];
+  const int count = std::max(1, static_cast<int>(std::ceil(bead.length / scene.pieceLength)));
+  const auto pieces = static_cast<float>(count);
+  const auto [t0, t1] = withinTile(a, b, std::max(ra, rb) + 1);
+  const int last = std::min(count, static_cast<int>(std::ceil(t1 * pieces)));
+  for (int k = std::max(0, static_cast<int>(t0 * pieces)); k < last; ++k) {
+    const float from = static_cast<float>(k) / pieces;
+    const float to = static_cast<float>(k + 1) / pieces;
+    const CapsuleRows piece(a + (b - a) * from, a + (b - a) * to, ra + (rb - ra) * from, ra + (rb - ra) * to);
+    const float middle = bead.along + bead.length * 0.5f * (from + to);
+    const int stretch = std::min(static_cast<int>(middle * stretches.perMm), stretches.count - 1);
+    passes.lay(piece, bead.cycle, stretch, stretches);
   }
 }
 
-BeadArea countTile(const Scene& scene, const Tile& tile, TilePasses& passes) {
-  BeadArea count;
-  for (int y = tile.bottom; y < tile.top; ++y) {
-    const std::vector<Interval>& row = scene.inside[static_cast<std::size_t>(y)];
-    std::size_t interval = 0;
-    for (int x = tile.left; x < tile.right; ++x) {
-      const double px = scene.raster.centre(x, y).x;
-      while (interval < row.size() && row[interval].end < px) ++interval;
-      const bool in = interval < row.size() && row[interval].begin <= px;
-      const int n = passes.passes(tile.pixel(x, y));
-      count.shape += in ? 1 : 0;
-      count.covered += in && n > 0 ? 1 : 0;
-      count.spilled += !in && n > 0 ? 1 : 0;
-      count.overlapped += n > 1 ? 1 : 0;
-    }
+// Pixels of a row of the tile whose centres lie in the shape.
+Row insideRow(const Scene& scene, const Tile& tile, int y) {
+  const Grid& raster = scene.raster;
+  const double x0 = raster.centre(tile.left, 0).x;
+  const auto pixelFrom = [&](double x) {
+    return static_cast<int>(std::clamp(std::ceil((x - x0) / raster.cell), 0.0, static_cast<double>(kTileWidth)));
+  };
+  Row inside;
+  for (const Interval& interval : scene.inside[static_cast<std::size_t>(y)]) {
+    inside = inside | rowOf(pixelFrom(interval.begin), pixelFrom(interval.end));
   }
-  return count;
+  return inside;
 }
 
 }  // namespace
@@ -255,15 +327,15 @@ BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const Bounds& bo
   const Scene scene = sceneOf(toolpath, shape, box);
   std::vector<BeadArea> counts(static_cast<std::size_t>(scene.tiles));
   const auto countTiles = [&](int firstTile, int lastTile) {
-    TilePasses passes(scene.lengthOfCycle, static_cast<float>(3 * toolpath.spacing));
+    TilePasses passes;
     for (int t = firstTile; t < lastTile && !run.cancelled(); ++t) {
-      passes.reset();
       const Tile tile = tileAt(scene, t);
       const std::size_t end = scene.begin[static_cast<std::size_t>(t) + 1];
       for (std::size_t at = scene.begin[static_cast<std::size_t>(t)]; at < end; ++at) {
         lay(scene, scene.beads[static_cast<std::size_t>(scene.beadOf[at])], tile, passes);
       }
-      counts[static_cast<std::size_t>(t)] = countTile(scene, tile, passes);
+      counts[static_cast<std::size_t>(t)] = passes.take(tile.top - tile.bottom, tile.right - tile.left,
+                                                        [&](int y) { return insideRow(scene, tile, tile.bottom + y); });
     }
   };
   const int step = (scene.tiles - 1) / 24 + 1;  // between reports of progress
