@@ -103,7 +103,7 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
   if (!pictures) return pictures.error();
   job.pictures = std::move(pictures).value();
 
-  // Measuring costs more than making: only if the report, the header of the G-code or the summary shows it.
+  // Measuring takes up to half as long as making: only if the report, the header of the G-code or the summary shows it.
   const bool measure = !arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet;
   const auto make = [&](const sillon::PlateInput& input, int /*round*/, int /*rounds*/) {
     return sillon::generateToolpath(input, job.project.toolpath, run, measure);

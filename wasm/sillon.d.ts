@@ -109,7 +109,7 @@ export interface RunOptions {
 }
 
 export interface GenerateOptions extends RunOptions {
-  /** Also judge the plate (alignment, coverage, overlap, ...): costs more than making it. Default true. */
+  /** Also judge the plate (alignment, coverage, overlap, ...), which takes up to half as long as making it. Default true. */
   measure?: boolean;
 }
 

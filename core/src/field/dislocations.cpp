@@ -17,40 +17,42 @@ constexpr int kReach = 3 * kSigma;  ///< of its Gaussian [cells]
 
 struct Wave {
   Vec2f k;
-  Vec2f q;
+  double phi = 0;
 };
 
 // The same wave seen along a direction that agrees with `k`: (k, phi) = (-k, pi - phi).
-Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, {-w.q.x, w.q.y}} : w; }
+Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, kTurn / 2 - w.phi} : w; }
+
+// Of the cells of one row: the arc tangent of each is taken once, not for each of its four blocks.
+void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
+  row.resize(static_cast<std::size_t>(waves.grid.nx));
+  for (int x = 0; x < waves.grid.nx; ++x) {
+    const std::size_t i = waves.grid.index(x, y);
+    const Vec2f q = waves.phase[i];
+    row[static_cast<std::size_t>(x)] = {waves.wave[i], std::atan2(static_cast<double>(q.y), static_cast<double>(q.x))};
+  }
+}
 
 struct PhaseTurn {
   int index = 0;
   bool flips = false;
 };
 
-// Round the block whose lower left cell is (x, y), counter-clockwise.
-PhaseTurn roundBlock(const SineField& waves, int x, int y) {
-  constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+// Round the block whose lower left cell is at x, counter-clockwise.
+PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& upper, std::size_t x) {
   constexpr double kHalfStep = kTurn / 8;  // of the unit wave over half a cell of tau/2
-  const auto at = [&](std::size_t corner) {
-    const std::size_t i = waves.grid.index(x + kCorners[corner][0], y + kCorners[corner][1]);
-    return Wave{waves.wave[i], waves.phase[i]};
-  };
-  const Wave first = at(0);
-  Wave here = first;
+  constexpr std::array<Vec2f, 4> kMoves{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  const std::array<Wave, 4> corners{lower[x], lower[x + 1], upper[x + 1], upper[x]};
+  Wave here = corners[0];
   double sum = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t to = (k + 1) % 4;
-    const Wave there = alike(here.k, at(to));
-    const Vec2f move{static_cast<float>(kCorners[to][0] - kCorners[k][0]),
-                     static_cast<float>(kCorners[to][1] - kCorners[k][1])};
-    const double step = kHalfStep * static_cast<double>(dot(move, here.k + there.k));
-    const double gain = std::atan2(static_cast<double>(there.q.y), static_cast<double>(there.q.x)) -
-                        std::atan2(static_cast<double>(here.q.y), static_cast<double>(here.q.x)) - step;
+    const Wave there = alike(here.k, corners[(k + 1) % 4]);
+    const double step = kHalfStep * static_cast<double>(dot(kMoves[k], here.k + there.k));
+    const double gain = there.phi - here.phi - step;
     sum += step + gain - kTurn * std::round(gain / kTurn);
     here = there;
   }
-  return {static_cast<int>(std::lround(sum / kTurn)), dot(here.k, first.k) < 0};
+  return {static_cast<int>(std::lround(sum / kTurn)), dot(here.k, corners[0].k) < 0};
 }
 
 // Sums of z along rows, then columns, weighted by the Gaussian; masked cells count nothing.
@@ -89,18 +91,17 @@ double boundOf(const LineField& lines, const CellConstraints& cells, const RunCo
     if (cells.zone[i] == Zone::Infill || cells.zone[i] == Zone::Shell) z[i] = lineOf(lines.direction[i]);
   }
   z = smoothed(grid, z, run);
+  for (Vec2f& v : z) {  // now the direction, null where there is none
+    const float size = length(v);
+    v = size > 0 ? directionOf(v * (1 / size)) : Vec2f{};
+  }
   const double most = 0.25 / grid.cell;  // 1/(2 tau), as the cell is tau/2
   std::vector<double> sums(static_cast<std::size_t>(grid.ny), 0.0);
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < grid.nx; ++x) {
         if (cells.zone[grid.index(x, y)] != Zone::Infill) continue;
-        const auto direction = [&](int cx, int cy) {
-          const Vec2f v = z[grid.index(cx, cy)];
-          const float size = length(v);
-          return size > 0 ? directionOf(v * (1 / size)) : Vec2f{};
-        };
-        const Vec2f d = direction(x, y);
+        const Vec2f d = z[grid.index(x, y)];
         // t = (d_y, -d_x): div t is the slope of d_y along x less that of d_x along y.
         const auto slope = [&](int dx, int dy) {
           Vec2f sum{};
@@ -109,7 +110,7 @@ double boundOf(const LineField& lines, const CellConstraints& cells, const RunCo
             const int cx = x + side * dx;
             const int cy = y + side * dy;
             if (cx < 0 || cy < 0 || cx >= grid.nx || cy >= grid.ny) continue;
-            const Vec2f n = direction(cx, cy);
+            const Vec2f n = z[grid.index(cx, cy)];
             if (n == Vec2f{}) continue;
             sum = sum + (n * (dot(n, d) < 0 ? -1.0f : 1.0f) - d) * static_cast<float>(side);
             span += grid.cell;
@@ -133,7 +134,12 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
   std::vector<std::int64_t> counts(static_cast<std::size_t>(grid.ny), 0);
   std::vector<std::int64_t> singular(static_cast<std::size_t>(grid.ny), 0);
   parallelFor(run, grid.ny - 1, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
+    std::vector<Wave> lower;
+    std::vector<Wave> upper;
+    wavesOfRow(waves, begin, upper);
     for (int y = begin; y < end; ++y) {
+      std::swap(lower, upper);
+      wavesOfRow(waves, y + 1, upper);
       for (int x = 0; x + 1 < grid.nx; ++x) {
         const std::size_t i = grid.index(x, y);
         const std::size_t up = grid.index(x, y + 1);
@@ -141,7 +147,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
             cells.zone[up + 1] == Zone::Masked) {
           continue;
         }
-        const PhaseTurn turn = roundBlock(waves, x, y);
+        const PhaseTurn turn = roundBlock(lower, upper, static_cast<std::size_t>(x));
         (turn.flips ? singular : counts)[static_cast<std::size_t>(y)] += turn.flips ? 1 : std::abs(turn.index);
       }
     }

@@ -261,14 +261,17 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
   if (const Result<int> rows = checkRows(shape, lattice); !rows) return rows.error();
   std::vector<float> distance(lattice.size());
   const auto intervals = insideIntervals(shape, lattice.centre(0, 0).y, lattice.cell, lattice.ny);
+  std::vector<std::size_t> column;  // of the block that holds a sample
+  for (int x = 0; x < lattice.nx; ++x)
+    column.push_back(index.blockOf({lattice.centre(x, 0).x, index.blocks_.origin.y}));
   parallelFor(run, lattice.ny, rowGrain(run, lattice.ny, 5.0 * lattice.nx), [&](int begin, int end) {
     std::vector<char> inside(static_cast<std::size_t>(lattice.nx));
     for (int y = begin; y < end; ++y) {
       markInside(intervals[static_cast<std::size_t>(y)], lattice, inside);
+      const float* lowest = &index.lowest_[index.blockOf({index.blocks_.origin.x, lattice.centre(0, y).y})];
       for (int x = 0; x < lattice.nx; ++x) {
-        const Vec2 p = lattice.centre(x, y);
-        const float block = index.blockDistance(p);
-        const float size = block > band ? block : std::abs(index.nearest(p).distance);
+        const float block = lowest[column[static_cast<std::size_t>(x)]];
+        const float size = block > band ? block : std::abs(index.nearest(lattice.centre(x, y)).distance);
         distance[lattice.index(x, y)] = inside[static_cast<std::size_t>(x)] ? -size : size;
       }
     }

@@ -103,6 +103,8 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
                       const ModeMap& modes, const ToolpathParams& params) {
   Alignment sums;
   const double spacing = params.spacing;
+  TexelIndex last{-1, -1};
+  Vec2f z;  // of the last texel
   const double shell = params.perimeterMode == PerimeterMode::Count ? std::max(params.perimeters, 1) : 1;
   for (std::size_t k = 0; k < cycle.points.size(); ++k) {
     const Vec2 a = wide(cycle.points[k]);
@@ -114,9 +116,11 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
     for (int piece = 0; piece < pieces; ++piece) {
       const Vec2 p = a + (b - a) * ((piece + 0.5) / pieces);
       const TexelIndex at = texelAt(p, page, directions.width, directions.height);
-      const Vec2f z =
-          beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
-                                    static_cast<std::size_t>(at.x)]);
+      if (at.x != last.x || at.y != last.y) {
+        last = at;
+        z = beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
+                                      static_cast<std::size_t>(at.x)]);
+      }
       // cos² of the angle between the lines, from their doubled angles.
       const double cos2 =
           0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
@@ -138,18 +142,30 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
   return sums;
 }
 
-// Runs of steps whose heading differs by at least the given angle from that `apart` steps on, round the cycle.
-std::int64_t countTurns(const Vec2f* points, int n, int apart, float cosine) {
-  const auto heading = [&](int k) {
-    const Vec2f e = points[(k + 1) % n] - points[k % n];
+// Unit vectors along the steps of a cycle.
+std::vector<Vec2f> headingsOf(const Vec2f* points, int n) {
+  std::vector<Vec2f> headings;
+  headings.reserve(static_cast<std::size_t>(n));
+  for (int k = 0; k < n; ++k) {
+    const Vec2f e = points[k + 1 < n ? k + 1 : 0] - points[k];
     const float size = length(e);
-    return size > 0 ? e * (1 / size) : Vec2f{};
+    headings.push_back(size > 0 ? e * (1 / size) : Vec2f{});
+  }
+  return headings;
+}
+
+// Runs of steps whose heading differs by at least the given angle from that `apart` steps on, round the cycle.
+std::int64_t countTurns(const std::vector<Vec2f>& headings, std::size_t apart, float cosine) {
+  const std::size_t n = headings.size();
+  const auto turnsAt = [&](std::size_t k) {
+    const std::size_t on = k + apart;
+    return dot(headings[k], headings[on < n ? on : on % n]) <= cosine;
   };
   std::int64_t runs = 0;
-  bool before = dot(heading(n - 1), heading(n - 1 + apart)) <= cosine;
+  bool before = turnsAt(n - 1);
   const bool all = before;
-  for (int k = 0; k < n; ++k) {
-    const bool turns = dot(heading(k), heading(k + apart)) <= cosine;
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool turns = turnsAt(k);
     runs += turns && !before ? 1 : 0;
     before = turns;
   }
@@ -300,8 +316,9 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   const ClosedCurves fine = resampled(curves, static_cast<float>(params.spacing / 8), run);
   for (int c = 0; c < fine.count(); ++c) {
     const Vec2f* points = fine.points.data() + fine.begin[static_cast<std::size_t>(c)];
-    out.uTurns += countTurns(points, fine.size(c), 12, -0.5f);
-    out.kinks += countTurns(points, fine.size(c), 2, 0.5f);
+    const std::vector<Vec2f> headings = headingsOf(points, fine.size(c));
+    out.uTurns += countTurns(headings, 12, -0.5f);
+    out.kinks += countTurns(headings, 2, 0.5f);
   }
   out.crossings = static_cast<std::int64_t>(findCrossings(curves, run).size());
   out.width = widthsOf(toolpath, params, out.lengthMm);

@@ -29,6 +29,8 @@ class BorderIndex {
   [[nodiscard]] bool outside(Vec2 p) const;
 
   friend Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);
+  friend Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& index, const Grid& lattice,
+                                                 float band, const RunContext& run);
 
  private:
   [[nodiscard]] std::size_t blockOf(Vec2 p) const;
