@@ -19,10 +19,18 @@ struct BasePaths {
   double areaMm2 = 0;
 };
 
-Result<BasePaths> basePaths(const Shape& shape, PointUm offset, const Printer& printer, BasePattern pattern,
-                            int perimeters, int turn, double inset) {
+// What hatched layers have along the border: the same for all of them.
+Result<std::vector<Polyline>> borderLoops(const Shape& shape, const Printer& printer, const PrintParams& params,
+                                          double inset) {
+  const bool closed = params.basePattern == BasePattern::Concentric;
+  const int count = closed ? kMaxLoops : params.basePerimeters;
+  if (count == 0) return std::vector<Polyline>();
+  return offsetLoops(shape, -inset - printer.nozzle / 2, -printer.nozzle, count);
+}
+
+BasePaths basePaths(const Shape& shape, PointUm offset, const Printer& printer, const PrintParams& params,
+                    const std::vector<Polyline>& loops, int turn, double inset) {
   const double width = printer.nozzle;
-  const bool closed = pattern == BasePattern::Concentric;
   BasePaths result;
   const auto addPath = [&](const Polyline& line, bool loop) {
     BeadPath path = placed(line, offset, width, loop);
@@ -33,21 +41,11 @@ Result<BasePaths> basePaths(const Shape& shape, PointUm offset, const Printer& p
     }
     result.paths.push_back(std::move(path));
   };
-  std::vector<Polyline> lines;
-  if (closed) {
-    Result<std::vector<Polyline>> loops = offsetLoops(shape, -inset - width / 2, -width, kMaxLoops);
-    if (!loops) return loops.error();
-    lines = std::move(loops).value();
-  } else {
-    if (perimeters > 0) {
-      Result<std::vector<Polyline>> loops = offsetLoops(shape, -inset - width / 2, -width, perimeters);
-      if (!loops) return loops.error();
-      for (const Polyline& loop : loops.value()) addPath(loop, true);
-    }
-    lines =
-        hatchLines(shape, width, turn % 2 == 1, inset + perimeters * width - (perimeters > 0 ? kOverlap * width : 0));
-  }
-  for (const Polyline& line : lines) addPath(line, closed);
+  for (const Polyline& loop : loops) addPath(loop, true);
+  if (params.basePattern == BasePattern::Concentric) return result;
+  const int perimeters = params.basePerimeters;
+  const double margin = inset + perimeters * width - (perimeters > 0 ? kOverlap * width : 0);
+  for (const Polyline& line : hatchLines(shape, width, turn % 2 == 1, margin)) addPath(line, false);
   return result;
 }
 
@@ -58,17 +56,17 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
                                    const Printer& printer, const PrintParams& params) {
   if (params.base == 0 || params.basePattern == BasePattern::Same) return std::nullopt;
   double least = 1;
+  const Result<std::vector<Polyline>> loops = borderLoops(shape, printer, params, 0);
+  if (!loops) return loops.error();
   const auto turns = std::min<std::size_t>(job.bases.size(), static_cast<std::size_t>(params.base));
   for (std::size_t k = 0; k < turns; ++k) {
     if (k == 1 && params.basePattern == BasePattern::Concentric) {
       job.bases[1] = job.bases[0];
       break;
     }
-    Result<BasePaths> base =
-        basePaths(shape, offset, printer, params.basePattern, params.basePerimeters, static_cast<int>(k), 0);
-    if (!base) return base.error();
-    least = std::min(least, base.value().areaMm2 / area);
-    job.bases[k] = std::move(base).value().paths;
+    BasePaths base = basePaths(shape, offset, printer, params, loops.value(), static_cast<int>(k), 0);
+    least = std::min(least, base.areaMm2 / area);
+    job.bases[k] = std::move(base.paths);
   }
   if (least <= 0) {
     return Error{ErrorCode::InvalidArgument, "base is " + std::to_string(params.base) +
@@ -77,10 +75,9 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
   }
   if (least < kMinHatch) job.warn(WarningCode::BaseTooThin, {{"percent", percent(least)}});
   if (params.elephantFoot > 0 && params.showSide == ShowSide::Up && beginsOnBed(params)) {
-    Result<BasePaths> first =
-        basePaths(shape, offset, printer, params.basePattern, params.basePerimeters, 0, params.elephantFoot);
-    if (!first) return first.error();
-    job.firstBase = std::move(first).value().paths;
+    const Result<std::vector<Polyline>> within = borderLoops(shape, printer, params, params.elephantFoot);
+    if (!within) return within.error();
+    job.firstBase = basePaths(shape, offset, printer, params, within.value(), 0, params.elephantFoot).paths;
   }
   return std::nullopt;
 }

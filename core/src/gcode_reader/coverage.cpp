@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/capsule_rows.hpp"
+
 namespace sillon {
 namespace {
 
@@ -28,37 +30,23 @@ struct Raster {
 
   /// \return how many cells it has looked at
   std::int64_t draw(const LaidBead& bead) {
-    std::int64_t visits = 0;
-    const Vec2 a = Vec2{bead.from.x, bead.from.y} - min;
-    const Vec2 d = Vec2{bead.to.x, bead.to.y} - min - a;
-    const double reach = bead.width / 2;
-    const double along = dot(d, d);
-    const std::uint8_t kind = bead.base ? kBase : kOriented;
-    // Beads of a hostile file lie anywhere, further away than an int counts.
-    const auto index = [&](double at, int count) {
-      return at > 0 ? static_cast<int>(std::min(at / cell, count - 1.0)) : 0;
+    const auto onRaster = [&](Vec2f p) {
+      return Vec2f{static_cast<float>((static_cast<double>(p.x) - min.x) / cell - 0.5),
+                   static_cast<float>((static_cast<double>(p.y) - min.y) / cell - 0.5)};
     };
-    const int firstRow = index(std::min(a.y, a.y + d.y) - reach, rows);
-    const int lastRow = index(std::max(a.y, a.y + d.y) + reach, rows);
-    const int firstColumn = index(std::min(a.x, a.x + d.x) - reach, columns);
-    const int lastColumn = index(std::max(a.x, a.x + d.x) + reach, columns);
-    for (int row = firstRow; row <= lastRow; ++row) {
-      // Long slanted beads cross a row over a small part of their box only.
-      const double y = (row + 0.5) * cell - a.y;
-      int from = firstColumn;
-      int to = lastColumn;
-      if (std::abs(d.y) > reach) {
-        const double low = std::clamp((y - reach) / d.y, 0.0, 1.0) * d.x;
-        const double high = std::clamp((y + reach) / d.y, 0.0, 1.0) * d.x;
-        from = std::max(from, index(a.x + std::min(low, high) - reach, columns));
-        to = std::min(to, index(a.x + std::max(low, high) + reach, columns));
-      }
-      visits += std::max(1, to - from + 1);
-      std::uint8_t* line = cells.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns);
-      for (int column = from; column <= to; ++column) {
-        const Vec2 p{(column + 0.5) * cell - a.x, y};
-        const Vec2 off = p - (along > 0 ? std::clamp(dot(p, d) / along, 0.0, 1.0) : 0.0) * d;
-        if (dot(off, off) <= reach * reach) line[column] |= kind;
+    const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 / cell);
+    const CapsuleRows capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
+    const std::uint8_t kind = bead.base ? kBase : kOriented;
+    std::int64_t visits = 0;
+    const int end = capsule.endRow(rows);
+    for (int row = capsule.firstRow(rows); row < end; row += 4) {
+      I4 from;
+      I4 to;
+      capsule.at(row, columns, from, to);
+      for (int k = 0; k < std::min(4, end - row); ++k) {
+        std::uint8_t* line = cells.data() + static_cast<std::size_t>(row + k) * static_cast<std::size_t>(columns);
+        for (int column = from[k]; column < to[k]; ++column) line[column] |= kind;
+        visits += std::max(1, to[k] - from[k]);
       }
     }
     return visits;
