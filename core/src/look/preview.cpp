@@ -119,8 +119,11 @@ Vec2f jointTangent(Vec2f own, Vec2f other, float width) {
   return length(other) > kLong * width ? otherUnit : unit(ownUnit + otherUnit);
 }
 
+/// What of beads is wanted: where they lie, what the look needs besides, or what panel 1 needs too.
+enum class Wanted { Outlines, Look, Directions };
+
 /// \param scale  samples per mm.
-std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale) {
+std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wanted wanted) {
   std::vector<Bead> beads;
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t count = cycle.points.size();
@@ -130,14 +133,20 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale) {
     };
     const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[k % count] * scale / 2); };
     for (std::size_t k = 0; k < count; ++k) {
+      Bead& bead = beads.emplace_back();
+      bead.a = sampleAt(k);
+      bead.b = sampleAt(k + 1);
+      bead.radiusA = radiusAt(k);
+      bead.radiusB = radiusAt(k + 1);
+      if (wanted == Wanted::Outlines) continue;
       const Vec2f own = at(k + 1) - at(k);
-      const Vec2f tangentA = jointTangent(own, at(k) - at(k + count - 1), cycle.widths[k]);
-      const Vec2f tangentB = jointTangent(own, at(k + 2) - at(k + 1), cycle.widths[(k + 1) % count]);
-      const double colourA = directionColourPlace(tangentA.x, tangentA.y);
-      const double turned = (directionColourPlace(tangentB.x, tangentB.y) - colourA) / kDirectionColours;
-      const double colourDelta = (turned - std::floor(turned + 0.5)) * kDirectionColours;
-      beads.push_back({sampleAt(k), sampleAt(k + 1), radiusAt(k), radiusAt(k + 1), tangentA, tangentB,
-                       static_cast<float>(colourA), static_cast<float>(colourDelta)});
+      bead.tangentA = jointTangent(own, at(k) - at(k + count - 1), cycle.widths[k]);
+      bead.tangentB = jointTangent(own, at(k + 2) - at(k + 1), cycle.widths[(k + 1) % count]);
+      if (wanted == Wanted::Look) continue;
+      const double colourA = directionColourPlace(bead.tangentA.x, bead.tangentA.y);
+      const double turned = (directionColourPlace(bead.tangentB.x, bead.tangentB.y) - colourA) / kDirectionColours;
+      bead.colourA = static_cast<float>(colourA);
+      bead.colourDelta = static_cast<float>((turned - std::floor(turned + 0.5)) * kDirectionColours);
     }
   }
   return beads;
@@ -202,7 +211,7 @@ void rasterise(const std::vector<Bead>& beads, const Bands& bands, std::size_t b
       const float y = static_cast<float>(row) + 0.5f;
       // Only the part of the axis within reach of this row can colour it: keeps long slanted beads cheap.
       float t0 = 0, t1 = 1;
-      if (std::abs(d.y) > 1e-3f) {
+      if (std::abs(d.y) > reach) {
         const float u = (y - reach - bead.a.y) / d.y, v = (y + reach - bead.a.y) / d.y;
         t0 = std::clamp(std::min(u, v), 0.0f, 1.0f);
         t1 = std::clamp(std::max(u, v), 0.0f, 1.0f);
@@ -368,7 +377,7 @@ Shadow shadowOf(const Toolpath& toolpath, Vec2 page, const Layout& layout) {
   shadow.height = pageHeight + 2 * shadow.border;
   shadow.dark.assign(static_cast<std::size_t>(shadow.width) * static_cast<std::size_t>(shadow.height), 0);
 
-  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm / shadow.cell);
+  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm / shadow.cell, Wanted::Outlines);
   const Bands bands = sortIntoBands(beads, pageHeight, pageHeight);
   std::vector<Hit> hits;
   rasterise(beads, bands, 0, 0, pageHeight, pageWidth, hits);
@@ -485,6 +494,7 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
   const int top = static_cast<int>(band) * kBandRows;
   const int rows = std::min(kBandRows, pageHeight - top);
   const int width = pageWidth * kSamples;
+  const bool directions = layout.directions.width > 0;
   std::vector<Hit> hits;
   rasterise(scene.beads, scene.bands, band, top * kSamples, rows * kSamples, width, hits);
 
@@ -508,11 +518,11 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
         const Vec2f p{static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f};
         const float t = shareAlong(bead, p);
         const float left = cross(bead.b - bead.a, p - bead.a) < 0 ? 1.0f : -1.0f;  // samples run y down
-        direction = direction + directionShade(bead, hit, t);
+        if (directions) direction = direction + directionShade(bead, hit, t);
         look = look + lookShade(bead, t, left * std::sqrt(hit.squaredOffset), lobe, scene.look);
       }
       const float empty = static_cast<float>(kSamples * kSamples - covered) * kShare;
-      if (layout.directions.width > 0) {
+      if (directions) {
         put(image, layout.directions.x + x, layout.directions.y + y,
             rounded(direction * kShare + asColour(kBackground) * empty));
       }
@@ -567,13 +577,15 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   RgbImage image{layout.width, layout.height, {}};
   image.rgb.resize(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3);
 
-  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples);
+  const bool directions = layout.directions.width > 0;
+  const std::vector<Bead> beads =
+      beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions ? Wanted::Directions : Wanted::Look);
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
   const Shadow shadow = shadowOf(toolpath, page, layout);
   const Scene scene{layout, beads, bands, shadow, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
 
   drawBackground(scene, image);
-  if (layout.directions.width > 0) {
+  if (directions) {
     drawLegend(image, layout);
     drawLamp(image, layout, params);
   }

@@ -19,6 +19,14 @@ double fifthRoot(double x) {
   return y;
 }
 
+/// x^(1/3) of x in [0, 1], likewise.
+double cubeRoot(double x) {
+  if (!(x > 0)) return 0;
+  double y = 1;
+  for (int k = 0; k < 12; ++k) y = (2 * y + x / (y * y)) / 3;
+  return y;
+}
+
 double power2p4(double x) {  // x^(12/5)
   const double root = fifthRoot(x);
   const double squared = root * root;
@@ -26,6 +34,12 @@ double power2p4(double x) {  // x^(12/5)
 }
 
 double lightOfCodeExactly(double c) { return c <= 0.04045 ? c / 12.92 : power2p4((c + 0.055) / 1.055); }
+
+/// The code of light root²: root^(2/2.4) = root / root^(1/6).
+double codeOfRootExactly(double root) {
+  const double light = root * root;
+  return light <= 0.04045 / 12.92 ? 12.92 * light : 1.055 * root / cubeRoot(std::sqrt(root)) - 0.055;
+}
 
 struct Curves {
   std::array<float, kCurveSteps + 2> light{};  // of codes k / kCurveSteps
@@ -38,13 +52,7 @@ const Curves& curves() {
     for (int k = 0; k <= kCurveSteps; ++k) {
       const double x = static_cast<double>(k) / kCurveSteps;
       c.light[static_cast<std::size_t>(k)] = static_cast<float>(lightOfCodeExactly(x));
-      // Bisection of the exact curve: the 2.4th root has no closed form in + * / and sqrt.
-      double low = 0, high = 1;
-      for (int step = 0; step < 40; ++step) {
-        const double middle = (low + high) / 2;
-        (lightOfCodeExactly(middle) < x * x ? low : high) = middle;
-      }
-      c.code[static_cast<std::size_t>(k)] = static_cast<float>((low + high) / 2);
+      c.code[static_cast<std::size_t>(k)] = static_cast<float>(codeOfRootExactly(x));
     }
     c.light[kCurveSteps + 1] = c.light[kCurveSteps];
     c.code[kCurveSteps + 1] = c.code[kCurveSteps];
