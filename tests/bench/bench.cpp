@@ -1,7 +1,8 @@
 // Benches of the core: quality per scene, time per stage, threads, growth. Prints tables; asserts nothing.
 //
 //   sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...]   figures of the delivered toolpath, and of the G-code
-//   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run
+//   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run; what
+//                                                         measures and the G-code file add, in processor time
 //   sillon_bench live [SCENE.json ...]                    edits of a kept session against runs from nothing
 //   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
 //   sillon_bench look [PICTURE ...]                       what the G-code shows of pictures, solved for and straight
@@ -28,7 +29,9 @@
 #include "base/simd.hpp"
 #include "look.hpp"
 #include "memory.hpp"
+#include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/outline.hpp"
+#include "sillon/look/thumbnails.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/pipeline/session.hpp"
 #include "sillon/quality/metrics.hpp"
@@ -99,6 +102,13 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// Of all threads of this process: other programs on the machine do not count.
+double processorSeconds(const std::function<void()>& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
 double totalOf(const ToolpathResult& plate) {
   double sum = 0;
   for (const auto& stage : plate.time) sum += stage.seconds;
@@ -159,6 +169,38 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
   }
 }
 
+// What a call with --report and one with --gcode do besides making the path, in turns with the path alone.
+void added(const Loaded& scene, const RunContext& run) {
+  constexpr int kRuns = 9;
+  std::vector<double> paths, reports, files;
+  for (int k = 0; k < kRuns; ++k) {
+    paths.push_back(processorSeconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); }));
+    ToolpathResult plate;
+    reports.push_back(processorSeconds([&] {
+      plate = generateToolpath(scene.input, scene.project.toolpath, run, true).value();
+      (void)measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
+                            scene.project.toolpath, run, plate.dislocations);
+    }));
+    files.push_back(reports.back() + processorSeconds([&] {
+                      sillon::PrintParams print = scene.project.print;
+                      print.thumbnails = sillon::lookThumbnails(plate.toolpath, scene.input.shape.page,
+                                                                scene.project.printer.screenSizes, {}, run)
+                                             .value();
+                      std::string text;
+                      (void)writeGcode(plate.toolpath, scene.input.shape, scene.project.printer, print,
+                                       [&](std::string_view piece) {
+                                         text += piece;
+                                         return true;
+                                       });
+                      (void)sillon::checkGcode(text, scene.project.printer);
+                    }));
+  }
+  const double path = median(paths);
+  std::printf(
+      "  processor time, 1 thread, median of %d: path %.3f s, measured %.3f s (%.2f), with its G-code %.3f s (%.2f)\n",
+      kRuns, path, median(reports), median(reports) / path, median(files), median(files) / path);
+}
+
 void times(const std::vector<std::string>& scenes) {
   constexpr int kWarmUps = 2;
   constexpr int kRuns = 9;
@@ -205,22 +247,7 @@ void times(const std::vector<std::string>& scenes) {
     std::printf("  %-12s %8.4f s  (least %.4f)\n", "1 thread", total, *std::min_element(totals.begin(), totals.end()));
     std::printf("  %-12s %8.4f s  (least %.4f), %.2f times faster (median of pairs)\n", "2 threads", median(totals2),
                 *std::min_element(totals2.begin(), totals2.end()), median(ratios));
-    // What a report adds: the count of dislocations while the plate is made, and the measures.
-    for (const RunContext* run : {&one, &two}) {
-      std::vector<double> adds;
-      for (int k = 0; k < 3; ++k) {
-        ToolpathResult plate;
-        const double making =
-            seconds([&] { plate = generateToolpath(scene.input, scene.project.toolpath, *run, true).value(); });
-        const double measuring = seconds([&] {
-          (void)measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
-                                scene.project.toolpath, *run, plate.dislocations);
-        });
-        adds.push_back(making - totalOf(plate) + measuring);
-      }
-      std::printf("  %-12s %8.4f s more with %d thread%s\n", "report", median(adds), run->threads(),
-                  run->threads() == 1 ? "" : "s");
-    }
+    added(scene, one);
     const auto plate = generateToolpath(scene.input, scene.project.toolpath, two);
     std::vector<double> writes;
     std::size_t bytes = 0;
