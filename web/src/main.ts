@@ -1,5 +1,6 @@
 // Puts a page together: state, engine, directions, files, and what the elements may ask for. There are two: the studio, and
 // the studio as it is shown in a frame of another page.
+import { spoken } from './i18n/languages.js';
 import { languageFor, setLanguage, t } from './i18n/text.js';
 import directionsWorker from './directions/directions.worker.ts?worker&url';
 import { createRasteriser } from './directions/rasteriser.js';
@@ -25,7 +26,6 @@ import { Pipeline } from './pipeline.js';
 import { startWorker } from './start-worker.js';
 import marksWorker from './views/marks.worker.ts?worker&url';
 import { recall, recallText, remember } from './remember.js';
-import type { Language } from './model/language.js';
 
 /** Whether this is the page for frames of others. */
 const framed = document.documentElement.dataset['page'] === 'frame';
@@ -143,7 +143,7 @@ studio.services = {
   examine: async (block, flavor) => (await engine.engine()).examineBlock(block, flavor),
 };
 
-async function speak(language: Language): Promise<void> {
+async function speak(language: string): Promise<void> {
   await setLanguage(language);
   document.documentElement.lang = language;
   store.set({ language });
@@ -330,7 +330,7 @@ async function frame(): Promise<void> {
       }
     },
     configure: async (textOf) => {
-      const { given, wrong } = guestSettings(textOf);
+      const { given, wrong } = guestSettings(textOf, spoken);
       const [first] = wrong;
       if (first !== undefined) throw new StudioError('GuestValue', { where: first.where, value: first.value });
       asked.given = { ...asked.given, ...given };
@@ -363,7 +363,7 @@ async function start(): Promise<void> {
   const theme = given.theme ?? (framed ? undefined : recall('theme', ['auto', 'light', 'dark'])) ?? 'auto';
   store.set({ theme });
   applyTheme(theme);
-  const language = given.language ?? (framed ? undefined : recall('language', ['en', 'fr']));
+  const language = given.language ?? (framed ? undefined : recall('language', spoken));
   await speak(language ?? languageFor(navigator.languages));
   store.set({ panel: firstPanel() });
   if (framed) await configure({ ...given, theme, language });

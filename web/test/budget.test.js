@@ -50,6 +50,7 @@ test('neither the engine nor another language is part of the first view', () => 
     .map((file) => readFileSync(file, 'utf8'))
     .join('\n');
   assert.doesNotMatch(text, /Déposez une image/);
+  assert.doesNotMatch(text, /Foto oder Logo/);
   assert.doesNotMatch(text, /instantiateWasm/);
 });
 

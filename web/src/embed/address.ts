@@ -1,4 +1,5 @@
 // What the address of the page asks for: ?src=plate.svg&mode=view
+import { spoken } from '../i18n/languages.js';
 import type { Unfit } from '../model/check-plate.js';
 import type { Asked } from './fetching.js';
 import { guestSettings, type GuestSettings } from '../model/guest.js';
@@ -20,5 +21,5 @@ export function addressed(search: string): Addressed {
     const url = query.get(name);
     return url === null || url === '' ? [] : [{ url, role }];
   });
-  return { ...guestSettings((name) => query.get(name) ?? undefined), files, waits: query.has('waits') };
+  return { ...guestSettings((name) => query.get(name) ?? undefined, spoken), files, waits: query.has('waits') };
 }

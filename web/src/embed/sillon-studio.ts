@@ -3,6 +3,7 @@
 import type { Project, Report } from 'sillon';
 import type { StudioFile, StudioMethods, StudioSource } from 'sillon/elements';
 import { download } from '../files/download.js';
+import { frame } from '../i18n/en.js';
 import { fetchFiles, type Fetched } from './fetching.js';
 import {
   field,
@@ -35,10 +36,8 @@ const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...other
 
 const patience = 10_000; // [ms] for the frame's first word; a frame that the browser blocks never says any
 
-const words = {
-  en: { blocked: 'The studio cannot be shown here.', open: 'Open it in a tab of its own' },
-  fr: { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' },
-};
+/** Of every language's file these few words alone, which the bundler finds and puts into this one. */
+const words = import.meta.glob<typeof frame>('../i18n/??.ts', { eager: true, import: 'frame' });
 
 /** What went wrong, for people and programs: docs/guide/embedding.md lists the codes. */
 export class StudioFrameError extends Error {
@@ -225,7 +224,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   #blocked(): void {
-    const say = (this.lang || document.documentElement.lang).startsWith('fr') ? words.fr : words.en;
+    const [language = ''] = (this.lang || document.documentElement.lang).toLowerCase().split('-');
+    const say = words[`../i18n/${language}.ts`] ?? frame;
     const link = document.createElement('a');
     link.href = this.#base().href;
     link.target = '_blank';

@@ -1,4 +1,7 @@
-// All the page's words, in English; fr.ts has the same ids. Messages of one thing stand together.
+// All the page's words, in English; the other languages' files have the same ids. Messages of one thing stand together.
+
+/** Said by <sillon-studio> in another page, where the browser blocks the studio itself. */
+export const frame = { blocked: 'The studio cannot be shown here.', open: 'Open it in a tab of its own' };
 
 export const en = {
   'app.name': 'Sillon Studio',

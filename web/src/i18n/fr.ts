@@ -1,6 +1,8 @@
 // Tous les mots de la page, en français ; mêmes clés que en.ts.
 import type { Dictionary } from './text.js';
 
+export const frame = { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' };
+
 export const fr: Dictionary = {
   'app.name': 'Sillon Studio',
   'app.local': 'Tout se passe sur cet appareil. Rien n’est envoyé.',

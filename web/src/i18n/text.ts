@@ -1,7 +1,6 @@
-// The page's words. English is always there; another language is loaded when it is chosen, and what it lacks would be a
-// type error.
-import { languages, type Language } from '../model/language.js';
+// The page's words. What a language lacks would be a type error.
 import { en } from './en.js';
+import { languages, spoken } from './languages.js';
 
 export type TextId = keyof typeof en;
 /** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
@@ -9,25 +8,24 @@ export type Text = string | { readonly one: string; readonly other: string };
 export type Dictionary = Readonly<Record<TextId, Text>>;
 export type Values = Readonly<Record<string, string | number>>;
 
-let current: Language = 'en';
+let current = 'en';
 let dictionary: Dictionary = en;
 let plurals = new Intl.PluralRules('en');
 
-export const language = (): Language => current;
+export const language = (): string => current;
 
-/** From now on `t` speaks this language. */
-export async function setLanguage(next: Language): Promise<void> {
-  const loaded = next === 'fr' ? (await import('./fr.js')).fr : en;
+/** From now on `t` speaks this language. @param next  one of `spoken` */
+export async function setLanguage(next: string): Promise<void> {
+  dictionary = (await languages[next]?.words()) ?? en;
   current = next;
-  dictionary = loaded;
   plurals = new Intl.PluralRules(next);
 }
 
 /** The first of these that the page speaks, else English. @param wanted  as navigator.languages */
-export function languageFor(wanted: readonly string[]): Language {
+export function languageFor(wanted: readonly string[]): string {
   for (const tag of wanted) {
     const base = tag.toLowerCase().split('-')[0] ?? '';
-    if (Object.hasOwn(languages, base)) return base as Language;
+    if (spoken.includes(base)) return base;
   }
   return 'en';
 }

@@ -1,6 +1,5 @@
 // What another page that shows the studio in a frame may ask of it. It comes as text - attributes, an address - and may
 // have been written by anybody.
-import { type Language, languages } from './language.js';
 import { oneOf, Unfit } from './check-plate.js';
 import { printers, type PrinterKey } from './printers.js';
 import { settings, type SettingId } from './settings.js';
@@ -23,7 +22,7 @@ export interface GuestSettings {
   mode: Mode;
   /** Of mode 'customize'. */
   controls: readonly Control[];
-  language: Language;
+  language: string;
   theme: Theme;
   units: Units;
   printer: PrinterKey;
@@ -32,7 +31,12 @@ export interface GuestSettings {
   autosave: string;
 }
 
-const readers: { [Name in keyof GuestSettings]: [attribute: string, read: (text: string) => GuestSettings[Name]] } = {
+const readers: {
+  [Name in keyof GuestSettings]: [
+    attribute: string,
+    read: (text: string, languages: readonly string[]) => GuestSettings[Name],
+  ];
+} = {
   mode: ['mode', (text) => oneOf(text, 'mode', ['edit', 'customize', 'view'])],
   controls: [
     'controls',
@@ -42,7 +46,7 @@ const readers: { [Name in keyof GuestSettings]: [attribute: string, read: (text:
         .filter((name) => name !== '')
         .map((name) => oneOf(name, 'controls', controls)),
   ],
-  language: ['lang', (text) => oneOf(text.toLowerCase().split('-')[0], 'lang', Object.keys(languages) as Language[])],
+  language: ['lang', (text, languages) => oneOf(text.toLowerCase().split('-')[0], 'lang', languages)],
   theme: ['theme', (text) => oneOf(text, 'theme', ['auto', 'light', 'dark'])],
   units: ['units', (text) => oneOf(text, 'units', ['mm', 'in'])],
   printer: [
@@ -73,8 +77,12 @@ const readers: { [Name in keyof GuestSettings]: [attribute: string, read: (text:
 };
 
 /** @param textOf  of an attribute; undefined where it is not set
+ * @param languages  that the page speaks
  * @returns what was set, and what was set to something that it cannot be */
-export function guestSettings(textOf: (attribute: string) => unknown): {
+export function guestSettings(
+  textOf: (attribute: string) => unknown,
+  languages: readonly string[],
+): {
   given: Partial<GuestSettings>;
   wrong: Unfit[];
 } {
@@ -85,7 +93,7 @@ export function guestSettings(textOf: (attribute: string) => unknown): {
     if (text === undefined) continue;
     try {
       if (typeof text !== 'string' || text.length > 1000) throw new Unfit(attribute, text);
-      given[name as keyof GuestSettings] = read(text);
+      given[name as keyof GuestSettings] = read(text, languages);
     } catch (error) {
       if (!(error instanceof Unfit)) throw error;
       wrong.push(error);

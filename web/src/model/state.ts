@@ -1,14 +1,12 @@
 // All that the page shows, but for the cameras, which move too often.
 import type { GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
 import type { DirectionRaster } from './raster.js';
-import type { Language } from './language.js';
 import type { ColourBy, Light, ViewName } from './view.js';
 import { newPlate } from './defaults.js';
 import type { Plate } from './plate.js';
 import type { Problem } from './problem.js';
 
 export type Theme = 'auto' | 'light' | 'dark';
-export type { Language };
 export type Tool = 'pan' | 'comb' | 'mode' | 'erase';
 
 /** What the engine does now. */
@@ -40,7 +38,8 @@ export interface State {
   compare: boolean;
   light: Light;
   theme: Theme;
-  language: Language;
+  /** One of those in i18n/languages.ts. */
+  language: string;
   /** Which section of settings is open; empty: none. */
   panel: string;
   advanced: boolean;

@@ -1,6 +1,7 @@
 // The page's head: what the plate is called, back and forth, out of the door.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { languages } from '../i18n/languages.js';
 import { t } from '../i18n/text.js';
 import { weaknessesOf } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
@@ -9,7 +10,6 @@ import { StudioElement } from './element.js';
 import { icon, mark, type IconName } from './icons.js';
 import { offers } from './shown.js';
 import type { Product } from './studio.js';
-import { languages } from '../model/language.js';
 
 const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
@@ -353,11 +353,11 @@ export class Header extends StudioElement {
         <select
           id="language"
           @change=${(event: Event) => {
-            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value as typeof language);
+            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value);
           }}
         >
           ${Object.entries(languages).map(
-            ([key, name]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
+            ([key, { name }]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
           )}
         </select>
         <label for="theme">${t('theme.title')}</label>

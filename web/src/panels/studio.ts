@@ -8,7 +8,7 @@ import type { Plate } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf } from '../model/problem.js';
 import type { Store } from '../model/store.js';
-import type { Language, Theme, Tool } from '../model/state.js';
+import type { Theme, Tool } from '../model/state.js';
 import type { Light, ViewName } from '../model/view.js';
 import type { Role } from '../model/file-role.js';
 import type { Example } from './examples.js';
@@ -31,7 +31,7 @@ export interface Services {
   /** What the project file tells the command line, without its pictures. */
   projectData(plate: Plate): Promise<object>;
   link(plate: Plate): Promise<{ url: string; told: string }>;
-  setLanguage(language: Language): Promise<void>;
+  setLanguage(language: string): Promise<void>;
   /** Opens files as they are guessed; they can be changed in the dialog 'files'. */
   open(files: readonly File[], role?: Role): Promise<void>;
   /** Uses one of the files that were opened last as something else. */
@@ -226,7 +226,7 @@ export class Studio {
     this.store.set({ dialog });
   }
 
-  async setLanguage(language: Language): Promise<void> {
+  async setLanguage(language: string): Promise<void> {
     await this.attempt(() => this.services.setLanguage(language));
   }
 

@@ -5,6 +5,7 @@ import { test } from 'node:test';
 
 import { zipSync } from 'fflate';
 
+import { languages } from './support/languages.js';
 import { sharedBench } from './support/shared.js';
 import { linkOf } from './support/small.js';
 import { fileOf, skip, start } from './support/studio.js';
@@ -202,7 +203,7 @@ test('links leave blocks out, and say so', { skip }, async () => {
   assert.equal(await other.state((state) => JSON.stringify(state.plate).includes('secret')), false);
 });
 
-for (const language of ['en', 'fr']) {
+for (const language of languages) {
   for (const width of [1440, 360]) {
     test(`bar and lines can be read in ${language} at ${width} pixels`, { skip }, async () => {
       const visit = await bench.open({

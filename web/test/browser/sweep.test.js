@@ -1,9 +1,10 @@
-// No control is covered or cut at any width from 320 to 2560 pixels, in any view and either language. Without graphics, which
+// No control is covered or cut at any width from 320 to 2560 pixels, in any view and any language. Without graphics, which
 // would be drawn in software and have no part in it.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { overlaps } from './support/covered.js';
+import { languages } from './support/languages.js';
 import { sharedBench } from './support/shared.js';
 import { smallPlate } from './support/small.js';
 import { skip, start } from './support/studio.js';
@@ -34,7 +35,7 @@ function cut() {
     });
 }
 
-for (const language of ['en', 'fr']) {
+for (const language of languages) {
   test(`no control is covered or cut, whatever the width, ${language}`, { skip }, async () => {
     const keep = await bench.browser.newContext({ reducedMotion: 'reduce', viewport: { width: 1000, height: 760 } });
     await keep.addInitScript(() => {

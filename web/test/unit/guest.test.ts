@@ -1,11 +1,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { spoken } from '../../src/i18n/languages.js';
 import { guestSettings } from '../../src/model/guest.js';
 import { printers } from '../../src/model/printers.js';
 import { newShown, offers, ownControls } from '../../src/panels/shown.js';
 
 const read = (attributes: Record<string, unknown>): ReturnType<typeof guestSettings> =>
-  guestSettings((name) => attributes[name]);
+  guestSettings((name) => attributes[name], spoken);
 
 test('what a host asks for is read from its attributes; what it leaves out is not there', () => {
   assert.deepEqual(read({}), { given: {}, wrong: [] });

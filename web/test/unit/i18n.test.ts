@@ -3,8 +3,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, test } from 'node:test';
 import type { Report, WarningCode } from 'sillon';
-import { en } from '../../src/i18n/en.js';
-import { fr } from '../../src/i18n/fr.js';
+import { en, frame as english } from '../../src/i18n/en.js';
+import { languages, spoken } from '../../src/i18n/languages.js';
 import {
   choiceLabel,
   findingText,
@@ -44,24 +44,43 @@ const entries = (dictionary: object): [string, string[]][] =>
   Object.entries(dictionary as Record<string, Text>).map(([id, text]) => [id, forms(text)]);
 const placeholders = (text: string): string[] => [...new Set(text.match(/\{\w+\}/g) ?? [])].sort();
 
-test('both languages have the same ids and placeholders, and no text is empty', () => {
-  const french = new Map(entries(fr));
-  const english = entries(en);
-  assert.deepEqual([...french.keys()].sort(), english.map(([id]) => id).sort());
-  for (const [id, texts] of english) {
-    const own = french.get(id) ?? [];
-    assert.equal(own.length, texts.length, id);
-    texts.forEach((text, k) => {
-      assert.notEqual(text.trim(), '', id);
-      assert.notEqual(own[k]?.trim(), '', id);
-      assert.deepEqual(placeholders(own[k] ?? ''), placeholders(text), id);
-    });
+const wordsOf = async (tag: string): Promise<[string, string[]][]> => entries((await languages[tag]?.words()) ?? {});
+
+test('every language has a line, a file, and words for where the studio is blocked', async () => {
+  const files = readdirSync('web/src/i18n').filter((name) => /^..\.ts$/.test(name));
+  assert.deepEqual(files.sort(), spoken.map((tag) => `${tag}.ts`).sort());
+  assert.ok(spoken.length > 2);
+  const blocked = new Set<string>();
+  for (const tag of spoken) {
+    const { frame } = (await import(`../../src/i18n/${tag}.js`)) as { frame: typeof english };
+    assert.deepEqual(Object.keys(frame), Object.keys(english), tag);
+    for (const text of Object.values(frame)) assert.notEqual(text.trim(), '', tag);
+    blocked.add(frame.blocked);
+    assert.ok(Intl.PluralRules.supportedLocalesOf(tag).length > 0, `Intl does not know ${tag}`);
+  }
+  assert.equal(blocked.size, spoken.length);
+});
+
+test('all languages have the same ids and placeholders, and no text is empty', async () => {
+  for (const tag of spoken) {
+    const own = new Map(await wordsOf(tag));
+    const english = entries(en);
+    assert.deepEqual([...own.keys()].sort(), english.map(([id]) => id).sort());
+    for (const [id, texts] of english) {
+      const said = own.get(id) ?? [];
+      assert.equal(said.length, texts.length, id);
+      texts.forEach((text, k) => {
+        assert.notEqual(text.trim(), '', id);
+        assert.notEqual(said[k]?.trim(), '', id);
+        assert.deepEqual(placeholders(said[k] ?? ''), placeholders(text), id);
+      });
+    }
   }
 });
 
-test('French has its spaces: none that break before ; : ! ? » and units, none after «, no straight apostrophe', () => {
+test('French has its spaces: none that break before ; : ! ? » and units, none after «, no straight apostrophe', async () => {
   const unit = /[\d}] (?:mm²|mm|cm²|%|°C|s|min|h|Mo|ko|g|m|octets)(?![\p{L}\d])/u;
-  for (const [id, texts] of entries(fr)) {
+  for (const [id, texts] of await wordsOf('fr')) {
     for (const text of texts) {
       assert.doesNotMatch(text, / [;:!?»]|« |'/, id);
       assert.doesNotMatch(text, /[\p{L}}][;!?»]/u, id);
@@ -70,14 +89,27 @@ test('French has its spaces: none that break before ; : ! ? » and units, none a
   }
 });
 
-test('English has no straight apostrophe either', () => {
-  for (const [id, texts] of entries(en)) for (const text of texts) assert.doesNotMatch(text, /'/, id);
+test('German has „its quotes“, and no space that breaks before units and …', async () => {
+  const unit = /[\d}] (?:mm²|mm|cm²|%|°C|s|min|h|MB|kB|g|m|Byte)(?![\p{L}\d])/u;
+  for (const [id, texts] of await wordsOf('de')) {
+    for (const text of texts) {
+      assert.doesNotMatch(text, /['"”«»]| …|\.\.\.|\p{L}…/u, id);
+      assert.equal(text.replace(/„[^„“]+“/g, '').search(/[„“]/), -1, id);
+      assert.doesNotMatch(text, unit, id);
+      assert.doesNotMatch(text, /[^\s\u00a0\u202f]%/, id);
+    }
+  }
+});
+
+test('no language has a straight apostrophe or quote', async () => {
+  for (const tag of spoken)
+    for (const [id, texts] of await wordsOf(tag)) for (const text of texts) assert.doesNotMatch(text, /['"]/, id);
 });
 
 // What templates are made of, the compiler checks.
 test('texts that the sources name are there, and all texts are for something', () => {
   const files = readdirSync('web/src', { recursive: true, encoding: 'utf8' }).filter(
-    (file) => file.endsWith('.ts') && !/i18n.(en|fr)/.test(file),
+    (file) => file.endsWith('.ts') && !/i18n.(\w\w)\.ts$/.test(file),
   );
   const source = files.map((file) => readFileSync(join('web/src', file), 'utf8')).join('\n');
   const named = [...source.matchAll(/\bt\(\s*'([^']+)'/g)].map(([, id = '']) => id);
@@ -103,17 +135,21 @@ test('values cannot bring placeholders of their own', () => {
   assert.equal(t('setting.value', { label: '{value}', value: 1 }), '{value}: 1');
 });
 
-test('plurals follow the language: none is one of many in English, one in French', async () => {
+test('plurals follow the language: none is one of many in English and German, one in French', async () => {
   assert.equal(t('tool.strokes', { n: 1 }), '1 stroke');
   assert.equal(t('tool.strokes', { n: 0 }), '0 strokes');
   await setLanguage('fr');
   assert.equal(t('tool.strokes', { n: 0 }), '0 trait');
   assert.equal(t('tool.strokes', { n: 2 }), '2 traits');
+  await setLanguage('de');
+  assert.equal(t('tool.strokes', { n: 0 }), '0 Striche');
+  assert.equal(t('tool.strokes', { n: 1 }), '1 Strich');
 });
 
 test('the language is the first that is spoken, else English', () => {
   assert.equal(languageFor(['fr-CA', 'en']), 'fr');
-  assert.equal(languageFor(['de', 'en-GB', 'fr']), 'en');
+  assert.equal(languageFor(['xx', 'en-GB', 'fr']), 'en');
+  assert.equal(languageFor(['xx', 'de-AT', 'fr']), 'de');
   assert.equal(languageFor(['FR']), 'fr');
   assert.equal(languageFor(['constructor', 'toString', '']), 'en');
   assert.equal(languageFor([]), 'en');
@@ -131,11 +167,14 @@ test('durations and sizes', async () => {
   await setLanguage('fr');
   assert.equal(formatBytes(1_250_000), '1,3\u00a0Mo');
   assert.equal(formatNumber(1234.5678, 1), '1\u202f234,6');
+  await setLanguage('de');
+  assert.equal(formatBytes(1_250_000), '1,3\u00a0MB');
+  assert.equal(formatNumber(1234.5678, 1), '1.234,6');
 });
 
 test('every setting has a label, a help, and words for its choices and its null', async () => {
-  for (const spoken of ['en', 'fr'] as const) {
-    await setLanguage(spoken);
+  for (const tag of spoken) {
+    await setLanguage(tag);
     for (const setting of settings) {
       assert.notEqual(settingLabel(setting), '');
       assert.match(settingHelp(setting), /\.$/);
@@ -190,13 +229,13 @@ test('every stage of the engine has words', () => {
   for (const stage of stages) assert.ok(hasText(`stage.${stage}`), stage);
 });
 
-test('every warning of the engine has words in both languages, with its values', async () => {
+test('every warning of the engine has words in every language, with its values', async () => {
   // Code, name and sentence of each, as the engine has them.
   const source = readFileSync('core/src/gcode/warning.cpp', 'utf8');
   const rows = [...source.matchAll(/\{WarningCode::(\w+),\s*"(\w+)",((?:\s*"[^"]*")+)\}/g)];
   assert.ok(rows.length > 20);
-  for (const dictionary of ['en', 'fr'] as const) {
-    await setLanguage(dictionary);
+  for (const tag of spoken) {
+    await setLanguage(tag);
     for (const [, code = '', name = '', sentence = ''] of rows) {
       assert.equal(name, code);
       const names = [...sentence.matchAll(/\{(\w+)\}/g)].map(([, value = '']) => value);
@@ -206,11 +245,12 @@ test('every warning of the engine has words in both languages, with its values',
           value === 'block' ? 'startGcode' : /^(field|what)$/.test(value) ? 'flow' : 12345 + k,
         ]),
       );
-      assert.ok(hasText(`warning.${code}`), `${dictionary} has no words for ${code}`);
+      assert.ok(hasText(`warning.${code}`), `${tag} has no words for ${code}`);
       const text = warningText({ code: code as WarningCode, values, message: '' });
       assert.doesNotMatch(text, /\{|NaN|undefined/, code);
     }
   }
+  await setLanguage('fr');
   const low = warningText({ code: 'BlockMovesLow', values: { block: 'endGcode', z: 5.5, height: 5.6 }, message: '' });
   assert.ok(low.startsWith(t('setting.printer.endGcode')), low);
   assert.ok(low.includes('5,6'), low);
@@ -298,7 +338,7 @@ test('a good plate is called good, in plain sentences', () => {
   assert.equal(texts[6], 'Beads are 0.32 to 0.5 mm wide, typically 0.4 mm.');
 });
 
-test('each measure is judged by itself, in both languages', async () => {
+test('each measure is judged by itself, in every language', async () => {
   const bad: [Partial<Report>, string, string][] = [
     [{ coverage: 97 }, 'coverage', 'fair'],
     [{ coverage: 80 }, 'coverage', 'poor'],
@@ -318,8 +358,8 @@ test('each measure is judged by itself, in both languages', async () => {
     [{ crossings: 1 }, 'crossings', 'poor'],
     [{ toolpaths: 3 }, 'path', 'good'],
   ];
-  for (const spoken of ['en', 'fr'] as const) {
-    await setLanguage(spoken);
+  for (const tag of spoken) {
+    await setLanguage(tag);
     for (const [change, measure, level] of bad) {
       const verdicts = verdictsOf({ ...good, ...change });
       const verdict = verdicts.find((one) => one.measure === measure);
@@ -337,13 +377,13 @@ test('a plate that was not measured is not judged', () => {
   assert.deepEqual(verdictsOf(unmeasured as Report), []);
 });
 
-test('findings of the file are told in both languages, with their line', async () => {
+test('findings of the file are told in every language, with their line', async () => {
   const header = readFileSync('core/include/sillon/gcode_reader/finding.hpp', 'utf8');
   const [, list = ''] = /std::string rule;[^:]*:([^;]*?)\n\s*bool error/.exec(header) ?? [];
   const rules = [...list.matchAll(/\b[a-z]+\b/g)].map(([word]) => word).filter((word) => word !== 'std');
   assert.ok(rules.length > 15, rules.join(' '));
-  for (const language of ['en', 'fr'] as const) {
-    await setLanguage(language);
+  for (const tag of spoken) {
+    await setLanguage(tag);
     for (const rule of rules) {
       const finding = { rule, error: true, line: 0, count: 1, message: 'as the engine says it' };
       assert.notEqual(findingText(finding), finding.message, rule);

@@ -1,0 +1,19 @@
+// Every language of the page: a line here, and its words in a file of this folder (docs/guide/translate.md). English is always
+// there; the others are loaded when they are chosen.
+import { en } from './en.js';
+import type { Dictionary } from './text.js';
+
+interface Language {
+  /** As its speakers call it. */
+  readonly name: string;
+  readonly words: () => Promise<Dictionary>;
+}
+
+export const languages: Readonly<Record<string, Language>> = {
+  en: { name: 'English', words: () => Promise.resolve(en) },
+  fr: { name: 'Français', words: async () => (await import('./fr.js')).fr },
+  de: { name: 'Deutsch', words: async () => (await import('./de.js')).de },
+};
+
+/** Their tags, as of `?lang=`. */
+export const spoken: readonly string[] = Object.keys(languages);
