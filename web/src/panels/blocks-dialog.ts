@@ -241,7 +241,7 @@ export class Blocks extends DialogElement {
           void this.studio.save('gcode');
         }}
       >
-        ${icon('download')} ${t('verb.download')} ${t('export.gcode')}
+        ${icon('download')} ${t('keys.gcode')}
       </button>`;
   }
 }

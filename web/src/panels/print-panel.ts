@@ -96,7 +96,7 @@ export class PrintPanel extends StudioElement {
             void this.studio.save('gcode');
           }}
         >
-          ${icon('download')} ${t('verb.download')} ${t('export.gcode')}
+          ${icon('download')} ${t('keys.gcode')}
         </button>
       </div>
     `;
