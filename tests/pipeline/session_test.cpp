@@ -81,6 +81,10 @@ TEST_CASE("after any edit a session's toolpath is that of a run from nothing") {
     CHECK(digestOf(kept.value().toolpath) == digestOf(fresh.value().toolpath));
     CHECK(kept.value().parts == fresh.value().parts);
     CHECK(kept.value().contourCycles == fresh.value().contourCycles);
+    CHECK(kept.value().longestJointMm == fresh.value().longestJointMm);
+    CHECK(kept.value().stitchWork == fresh.value().stitchWork);
+    CHECK(kept.value().nx == fresh.value().nx);
+    CHECK_FALSE(kept.value().dislocations.has_value());
   }
 }
 
@@ -100,6 +104,40 @@ TEST_CASE("a session does again only what an edit asks for") {
   const ToolpathResult relaxed = session.generateToolpath(input, params, run).value();
   CHECK_FALSE(did(relaxed, "phases"));
   CHECK(did(relaxed, "relaxation"));
+  // What only widths and simplification read: nothing before them is done again, in whatever order the edits come.
+  const std::vector<std::function<void(ToolpathParams&)>> ofWidths = {
+      [](ToolpathParams& p) { p.widthBalance = 0.4; }, [](ToolpathParams& p) { p.beadOverlap = 0.2; },
+      [](ToolpathParams& p) { p.minWidth = 0.7; }, [](ToolpathParams& p) { p.maxWidth = 1.2; },
+      [](ToolpathParams& p) { p.simplifyTolerance = 0.02; }};
+  for (const auto& edit : ofWidths) {
+    edit(params);
+    const ToolpathResult widened = session.generateToolpath(input, params, run).value();
+    REQUIRE(widened.time.size() == 2);
+    CHECK(did(widened, "width"));
+    CHECK(did(widened, "simplify"));
+  }
+  params.stitchAlignment = 0.5;
+  CHECK(did(session.generateToolpath(input, params, run).value(), "contour"));
+  params.seed = 4;
+  CHECK(did(session.generateToolpath(input, params, run).value(), "phases"));
+}
+
+TEST_CASE("a path that is kept is one of the same dislocations, whenever they are asked for") {
+  const RunContext run(2);
+  const PlateInput input = fan(14, 0.9);
+  ToolpathParams params;
+  Session session;
+  CHECK_FALSE(session.generateToolpath(input, params, run).value().dislocations.has_value());
+  for (const double overlap : {0.1, 0.2}) {
+    params.beadOverlap = overlap;
+    const ToolpathResult kept = session.generateToolpath(input, params, run, true).value();
+    const ToolpathResult fresh = generateToolpath(input, params, run, true).value();
+    REQUIRE(kept.dislocations.has_value());
+    CHECK(kept.dislocations->count == fresh.dislocations->count);
+    CHECK(kept.dislocations->bound == fresh.dislocations->bound);
+    CHECK(digestOf(kept.toolpath) == digestOf(fresh.toolpath));
+  }
+  CHECK_FALSE(session.generateToolpath(input, params, run).value().dislocations.has_value());
 }
 
 TEST_CASE("an error or a cancelled run leaves a session fit for the next") {
@@ -120,4 +158,16 @@ TEST_CASE("an error or a cancelled run leaves a session fit for the next") {
     if (!plate) CHECK(plate.error().code == ErrorCode::Cancelled);
     CHECK(digestOf(session.generateToolpath(input, {}, run).value().toolpath) == digest);
   }
+  // Cancelled while the widths of a kept path were made.
+  ToolpathParams wide;
+  wide.maxWidth = 1.3;
+  RunContext stopped(1);
+  stopped.requestCancel();
+  CHECK(session.generateToolpath(input, wide, stopped).error().code == ErrorCode::Cancelled);
+  CHECK(session.generateToolpath(input, wide, stopped, true).error().code == ErrorCode::Cancelled);
+  CHECK(session.generateToolpath(input, wide, run, true).value().dislocations->bound ==
+        generateToolpath(input, wide, run, true).value().dislocations->bound);
+  CHECK(digestOf(session.generateToolpath(input, wide, run).value().toolpath) ==
+        digestOf(generateToolpath(input, wide, run).value().toolpath));
+  CHECK(digestOf(session.generateToolpath(input, {}, run).value().toolpath) == digest);
 }

@@ -35,7 +35,17 @@ Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathP
   if (!shape) return shape.error();
   Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run);
   if (!waves) return waves.error();
-  return pathStep(input, shape.value(), waves.value(), Fields::Freed, params, countDislocations, clock, run);
+  std::optional<Dislocations> dislocations;
+  if (countDislocations) {
+    const Result<Dislocations> found = dislocationStep(waves.value(), clock, run);
+    if (!found) return found.error();
+    dislocations = found.value();
+  }
+  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run);
+  if (!path) return path.error();
+  Result<ToolpathResult> plate = widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run);
+  if (plate) plate.value().dislocations = dislocations;
+  return plate;
 }
 
 Result<Stages> generateStages(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
@@ -46,8 +56,10 @@ Result<Stages> generateStages(const PlateInput& input, const ToolpathParams& par
   if (!shape) return shape.error();
   Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run, &stages);
   if (!waves) return waves.error();
+  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run, &stages);
+  if (!path) return path.error();
   const Result<ToolpathResult> result =
-      pathStep(input, shape.value(), waves.value(), Fields::Freed, params, false, clock, run, &stages);
+      widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run, &stages);
   if (!result) return result.error();
   return stages;
 }

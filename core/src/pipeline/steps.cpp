@@ -75,12 +75,16 @@ Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, c
   return waves;
 }
 
-Result<ToolpathResult> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
-                                const ToolpathParams& params, bool countDislocations, StageClock& clock,
-                                const RunContext& run, Stages* record) {
-  ToolpathResult plate;
+Result<Dislocations> dislocationStep(const WaveFields& waves, StageClock& clock, const RunContext& run) {
   clock.stop();
-  if (countDislocations) plate.dislocations = findDislocations(waves.lines, waves.waves, waves.cells, run);
+  const Dislocations found = findDislocations(waves.lines, waves.waves, waves.cells, run);
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  return found;
+}
+
+Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
+                             const ToolpathParams& params, StageClock& clock, const RunContext& run, Stages* record) {
+  ToolpathResult plate;
   const Grid grid = waves.lines.grid;
   plate.nx = grid.nx;
   plate.ny = grid.ny;
@@ -135,17 +139,23 @@ Result<ToolpathResult> pathStep(const PlateInput& input, ShapeFields& shape, Wav
   Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, params, run);
   if (!relaxed) return relaxed.error();
   if (record != nullptr) record->relaxed = relaxed.value();
-  const ClosedCurves& path = relaxed.value().curves;
+  return RelaxedPath{std::move(relaxed).value(), std::move(plate)};
+}
 
+Result<ToolpathResult> widthStep(RelaxedPath& path, const BorderIndex& border, Fields fields,
+                                 const ToolpathParams& params, StageClock& clock, const RunContext& run,
+                                 Stages* record) {
+  const ClosedCurves& curves = path.relaxed.curves;
   clock.start("width", 0.95);
-  const Result<BeadWidths> widths = beadWidths(path, relaxed.value().gaps, shape.border, params, run);
+  const Result<BeadWidths> widths = beadWidths(curves, path.relaxed.gaps, border, params, run);
   if (!widths) return widths.error();
   if (record != nullptr) record->widths = widths.value();
-  sillon::release(relaxed.value().gaps);
+  release(fields, path.relaxed.gaps);
 
   clock.start("simplify", 1);
-  Result<Toolpath> toolpath = finishToolpath(path, widths.value(), params, run);
+  Result<Toolpath> toolpath = finishToolpath(curves, widths.value(), params, run);
   if (!toolpath) return toolpath.error();
+  ToolpathResult plate = path.seen;
   plate.toolpath = std::move(toolpath).value();
   plate.time = clock.takeTimes();
   run.report(1);

@@ -1,4 +1,5 @@
-// The order of the stages (Alg. 1), in three steps: what the shape decides, what the directions decide, and the path.
+// The order of the stages (Alg. 1), in four steps: what the shape decides, what the directions decide, where the path
+// runs, and how wide its beads are.
 #pragma once
 
 #include "field/wave_fields.hpp"
@@ -15,7 +16,13 @@ struct ShapeFields {
   Parts parts;
 };
 
-/// What becomes of the fields on the way to the path.
+/// Where the path runs.
+struct RelaxedPath {
+  Relaxed relaxed;
+  ToolpathResult seen;  ///< without a toolpath: what was seen on the way
+};
+
+/// What becomes of what a step is given.
 enum class Fields {
   Freed,  ///< emptied as soon as they are not needed any more
   Kept,   ///< left as they are, for another path
@@ -28,9 +35,16 @@ Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, 
 Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
                             StageClock& clock, const RunContext& run, Stages* record = nullptr);
 
-Result<ToolpathResult> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
-                                const ToolpathParams& params, bool countDislocations, StageClock& clock,
-                                const RunContext& run, Stages* record = nullptr);
+/// Not a stage: the clock stands still.
+Result<Dislocations> dislocationStep(const WaveFields& waves, StageClock& clock, const RunContext& run);
+
+Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
+                             const ToolpathParams& params, StageClock& clock, const RunContext& run,
+                             Stages* record = nullptr);
+
+Result<ToolpathResult> widthStep(RelaxedPath& path, const BorderIndex& border, Fields fields,
+                                 const ToolpathParams& params, StageClock& clock, const RunContext& run,
+                                 Stages* record = nullptr);
 
 /// InvalidArgument if the parameters, the page or the maps are out of range.
 std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params);

@@ -7,10 +7,10 @@
 
 namespace sillon {
 
-/// Keeps the fields that depend on the shape (some 17 bytes a cell) and those of its waves (some 27 more) from one call
-/// to the next, with copies of the inputs they were made of. Whatever changed is made
-/// anew, so that results are those of generateToolpath, to the byte. Of a plate with more than 0.4 of the most cells
-/// nothing is kept. One call at a time.
+/// Keeps the fields that depend on the shape (some 17 bytes a cell), those of its waves (some 27 more) and the path
+/// before its widths (some 16 more) from one call to the next, with copies of the inputs they were made of. Whatever
+/// changed is made anew, so that results are those of generateToolpath, to the byte. Of a plate with more than 0.4 of
+/// the most cells nothing is kept. One call at a time.
 class Session {
  public:
   Session();
