@@ -304,7 +304,8 @@ void brush(sillon::DirectionMap& map, int stroke) {
   }
 }
 
-// Each round edits a tenth of the directions, then makes the plate with a kept session, and from nothing.
+// Each round edits a tenth of the directions, then makes the plate with a kept session, and from nothing; and edits the
+// widest bead in the session.
 void live(const std::vector<std::string>& scenes) {
   constexpr int kWarmUps = 2;
   constexpr int kRuns = 9;
@@ -315,22 +316,27 @@ void live(const std::vector<std::string>& scenes) {
     for (const int threads : {1, 2}) {
       const RunContext run(threads);
       sillon::Session session;
-      std::vector<double> kept, fresh;
+      std::vector<double> kept, fresh, widened;
       for (int k = 0; k < kWarmUps + kRuns; ++k) {
         brush(scene.input.directions, k);
         const double times[] = {
             seconds([&] { (void)session.generateToolpath(scene.input, scene.project.toolpath, run); }),
-            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); })};
+            seconds([&] { (void)generateToolpath(scene.input, scene.project.toolpath, run); }), seconds([&] {
+              sillon::ToolpathParams wider = scene.project.toolpath;
+              wider.maxWidth = 1.5;
+              (void)session.generateToolpath(scene.input, wider, run);
+            })};
         if (k < kWarmUps) continue;
         kept.push_back(times[0]);
         fresh.push_back(times[1]);
+        widened.push_back(times[2]);
       }
       const auto least = [](const std::vector<double>& values) {
         return *std::min_element(values.begin(), values.end());
       };
-      std::printf("  %d thread%s  session %7.1f ms (%.1f)   from nothing %7.1f ms (%.1f)\n", threads,
-                  threads == 1 ? " " : "s", 1e3 * median(kept), 1e3 * least(kept), 1e3 * median(fresh),
-                  1e3 * least(fresh));
+      std::printf("  %d thread%s  session %7.1f ms (%.1f)   from nothing %7.1f ms (%.1f)   widths %6.1f ms (%.1f)\n",
+                  threads, threads == 1 ? " " : "s", 1e3 * median(kept), 1e3 * least(kept), 1e3 * median(fresh),
+                  1e3 * least(fresh), 1e3 * median(widened), 1e3 * least(widened));
     }
   }
 }
