@@ -1,13 +1,14 @@
 // The whole site as static files: the studio at its root, the documentation in docs/, the examples in gallery/.
 //   node site/build.mjs FOLDER [EXAMPLE ...]
 // Every link of a page leads to a page: to another one, or to the file of the source that it names.
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, extname, join, posix, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 import MiniSearch from 'minisearch';
 
 import { drawGallery } from './gallery.mjs';
+import { licences } from './licences.mjs';
 import { contentsOf, escaped, render, sectionsOf } from './markdown.mjs';
 import { addressOf, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
 
@@ -59,18 +60,6 @@ function writeDocs(folder) {
     });
     write(folder, address, pageOf(address, title, html));
   }
-}
-
-/** Licences of what the studio holds, from the packages themselves. */
-function licences() {
-  const { packages } = JSON.parse(readFileSync(at('package-lock.json'), 'utf8'));
-  const parts = Object.entries(packages).filter(([path, { dev, link }]) => /^node_modules/.test(path) && !dev && !link);
-  const texts = parts.map(([path, { version, license }]) => {
-    const name = readdirSync(at(path)).find((file) => /^licen[cs]e/i.test(file));
-    const text = name === undefined ? '' : readFileSync(at(join(path, name)), 'utf8').trim();
-    return `${path.slice('node_modules/'.length)} ${version}: ${license}\n\n${text}\n`;
-  });
-  return ['Sillon: MIT\n', readFileSync(at('LICENSE'), 'utf8'), ...texts].join('\n========\n\n');
 }
 
 /** @param examples  names of projects in examples/ */

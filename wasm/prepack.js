@@ -10,7 +10,8 @@ const engines = ['st', 'mt', 'files', 'rebrush'].flatMap((name) => [
   `dist/engine/sillon-${name}.wasm`,
 ]);
 const program = ['dist/sillon.js', 'dist/cli/sillon.cjs', 'dist/cli/sillon.wasm'];
-const missing = [...files, ...engines, ...program].filter((name) => {
+const elements = ['dist/elements/sillon-studio.js', 'dist/elements/sillon-view.js'];
+const missing = [...files, ...engines, ...program, ...elements].filter((name) => {
   const path = join(folder, name);
   return !existsSync(path) || (statSync(path).isFile() && statSync(path).size === 0);
 });

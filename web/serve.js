@@ -1,4 +1,5 @@
-// Serves web/dist, or another folder of static files, on this machine: node web/serve.js [--port N] [FOLDER]
+// Serves web/dist, or another folder of static files, on this machine: node web/serve.js [--port N]
+// [--host NAME] [FOLDER]
 import { createReadStream, realpathSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
@@ -71,13 +72,13 @@ function notThere(request, response) {
 }
 
 /** @returns {Promise<{ origin: string, close(): void }>} */
-export function serve(folder, port) {
+export function serve(folder, port, host = 'localhost') {
   const server = createServer(filesOf(folder, notThere));
   return new Promise((done, failed) => {
     server.on('error', failed);
-    server.listen(port, 'localhost', () => {
+    server.listen(port, host, () => {
       done({
-        origin: `http://localhost:${server.address().port}`,
+        origin: `http://${host.includes(':') ? `[${host}]` : host}:${server.address().port}`,
         close() {
           server.close();
           server.closeAllConnections();
@@ -94,7 +95,8 @@ function fail(message) {
 
 function argumentsOf(list) {
   try {
-    return parseArgs({ args: list, options: { port: { type: 'string', default: '8080' } }, allowPositionals: true });
+    const options = { port: { type: 'string', default: '8080' }, host: { type: 'string', default: 'localhost' } };
+    return parseArgs({ args: list, options, allowPositionals: true });
   } catch (error) {
     return fail(error.message);
   }
@@ -108,9 +110,11 @@ async function main() {
   const folder = resolve(positionals[0] ?? fileURLToPath(new URL('dist', import.meta.url)));
   if (find(folder, '/') === undefined) fail(`${folder} holds no index.html; ./dev build makes web/dist`);
   try {
-    const { origin } = await serve(folder, port);
+    const { origin } = await serve(folder, port, values.host);
     console.log(`Sillon Studio: ${origin}  (Ctrl+C ends it)`);
   } catch (error) {
+    if (['ENOTFOUND', 'EADDRNOTAVAIL', 'EAI_AGAIN'].includes(error.code))
+      fail(`--host is ${values.host}; it must be a name or an address of this machine, such as 0.0.0.0 for all`);
     if (error.code === 'EADDRINUSE') fail(`port ${port} is in use; another: --port ${port + 1}`);
     fail(error.message);
   }

@@ -76,7 +76,10 @@ test('it holds what is to be published and nothing else', () => {
     `data/${name}.d.ts`,
     `dist/data/${name}.json`,
   ]);
-  const elements = ['index', 'react', 'vue'].map((name) => `elements/${name}.d.ts`);
+  const elements = [
+    ...['index.d.ts', 'react.d.ts', 'vue.d.ts', 'server.js'].map((name) => `elements/${name}`),
+    ...['studio', 'view'].map((name) => `dist/elements/sillon-${name}.js`),
+  ];
   assert.deepEqual(
     packed.files.map(({ path }) => path).sort(),
     [
@@ -112,6 +115,23 @@ test('its tables are those of the engine', async () => {
   assert.deepEqual(named.printers.map(({ id }) => id).sort(), Object.keys(printers.printers).sort());
   assert.ok('pla' in filaments.filaments);
   assert.deepEqual(presets.presets.standard, {});
+});
+
+test('its elements are there for browsers, and nothing of them for servers', async () => {
+  write(
+    'elements.js',
+    `import 'sillon/view.js';
+    import 'sillon/studio.js';
+    console.log(import.meta.resolve('sillon/view.js'));`,
+  );
+  assert.match(await run(process.execPath, ['elements.js']), /elements\/server\.js/);
+  const page = await run(process.execPath, [
+    '--conditions=browser',
+    '--input-type=module',
+    '--eval',
+    `console.log(['view', 'studio'].map((name) => import.meta.resolve('sillon/' + name + '.js')).join())`,
+  ]);
+  assert.match(page, /dist\/elements\/sillon-view\.js,.*dist\/elements\/sillon-studio\.js/);
 });
 
 test('installed, its command line runs', async () => {
