@@ -60,7 +60,7 @@ test('the package installs without network, makes a plate and has the hashes tha
 test('the zip of the studio is served by its own server, with the headers for threads', async () => {
   unpack(named(/^sillon-studio-[\d.]+\.zip$/));
   const inside = join(folder, `sillon-studio-${version}`);
-  for (const name of ['Dockerfile', 'LICENSE', 'README.md']) assert.ok(existsSync(join(inside, name)), name);
+  for (const name of ['Dockerfile', 'LICENSE', 'README.txt']) assert.ok(existsSync(join(inside, name)), name);
   const licences = readFileSync(join(inside, 'THIRD-PARTY-LICENCES'), 'utf8');
   for (const name of ['==== eigen3 ', 'lit-html ', 'fflate ']) assert.ok(licences.includes(name), name);
   const hashes = JSON.parse(readFileSync(join(inside, 'integrity.json'), 'utf8'));

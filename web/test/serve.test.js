@@ -120,6 +120,7 @@ test('wrong arguments are named, with what to do', () => {
     [['--prot', '1'], /prot/],
     [['a', 'b'], /only one folder/],
     [[folder], /holds no index\.html/],
+    [['--host', 'no-such.invalid', '--port', '0', join(folder, 'dist')], /--host is no-such\.invalid; it must be/],
     [['--port', port, join(folder, 'dist')], new RegExp(`port ${port} is in use; another: --port ${Number(port) + 1}`)],
   ];
   for (const [list, message] of cases) {
