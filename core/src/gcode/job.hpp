@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gcode/motion.hpp"
+#include "sillon/gcode/patches.hpp"
 #include "sillon/gcode/warning.hpp"
 #include "sillon/settings/print_params.hpp"
 #include "sillon/settings/printer.hpp"
@@ -25,6 +26,12 @@ inline double safeHeight(const Printer& printer, const PrintParams& params) {
   return std::min(params.startHeight + 10, printer.maxZ);
 }
 
+/// What a patch prints, and how: sillon/gcode/patches.hpp.
+struct PlacedPatch {
+  Patch how;  ///< its lines are `paths`
+  std::vector<BeadPath> paths;
+};
+
 /// A job that is known to be printable, on the bed [µm].
 struct GcodeJob {
   BeadPath purge;                              ///< before the first layer; without points where there is none
@@ -37,6 +44,7 @@ struct GcodeJob {
   std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
   std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
   std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
+  std::vector<PlacedPatch> patches;            ///< instead of cycles, on the layers above the base
   double spacing = 0;                          ///< of the toolpath [mm]
   Vec2 plate;                                  ///< size of the shape [mm]
   double clampedMm = 0;                        ///< length with a width held at a limit, per oriented layer
@@ -53,6 +61,12 @@ struct GcodeJob {
 
   void warn(WarningCode code, std::vector<WarningValue> values = {}) { warnings.push_back({code, std::move(values)}); }
 };
+
+/// Whether patches try values of pressure advance.
+inline bool setsAdvance(const GcodeJob& job) {
+  return std::any_of(job.patches.begin(), job.patches.end(),
+                     [](const PlacedPatch& patch) { return patch.how.advance >= 0; });
+}
 
 /// A share as warnings tell it, to a tenth.
 inline double percent(double share) { return std::round(1000 * share) / 10; }

@@ -32,6 +32,11 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
   }
   const double height = std::max(params.layerHeight, firstLayerHeight(params));
   double area = params.flow * height * widest;
+  for (const PlacedPatch& patch : job.patches) {
+    for (const BeadPath& path : patch.paths) {
+      for (const double width : path.widths) area = std::max(area, patch.how.flow * height * width);
+    }
+  }
   if (params.base > 0 || params.skirt > 0) area = std::max(area, params.baseFlow * height * printer.nozzle);
   if (printer.maxFlow >= kMinFlowSpeed * area) return std::nullopt;
   return invalid("maxFlow is " + decimal(printer.maxFlow, 3) + " mm3/s; beads of " + decimal(area, 4) +
@@ -76,9 +81,10 @@ std::optional<Error> addBedCycles(GcodeJob& job, const Toolpath& given, const Sh
 // and thin where it sets off. Slow and constant is even. Klipper and RepRapFirmware have it in their own settings.
 void setShowSpeed(GcodeJob& job, const Printer& printer, double cyclesMm, const PrintParams& params) {
   const bool own = printer.flavor == GcodeFlavor::Klipper || printer.flavor == GcodeFlavor::RepRap;
-  job.knowsAdvance = own || printer.setPressureAdvance || setsPressureAdvance(job.startBlock);
+  job.knowsAdvance = own || printer.setPressureAdvance || setsAdvance(job) || setsPressureAdvance(job.startBlock);
   job.showSpeed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
-  if (job.knowsAdvance || printer.showSpeed > 0 || job.showSpeed <= kEvenSpeed) return;
+  const bool unused = !job.patches.empty() && cyclesMm == 0;  // all patches have speeds of their own
+  if (job.knowsAdvance || unused || printer.showSpeed > 0 || job.showSpeed <= kEvenSpeed) return;
   job.showSpeed = kEvenSpeed;
   const double length = cyclesMm * (layerCount(params) - params.base) * static_cast<double>(job.copies.size());
   const double minutes = length * (1 / kEvenSpeed - 1 / printer.speed) / 60;
@@ -110,16 +116,49 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   if (flat > 0) {
     job.warn(WarningCode::FlatBeads, {{"n", static_cast<double>(flat)}, {"height", params.layerHeight}});
   }
-  if (job.fillRatio < 0.97 || job.fillRatio > 1.05) {
+  if (job.patches.empty() && (job.fillRatio < 0.97 || job.fillRatio > 1.05)) {
     job.warn(WarningCode::FillRatio, {{"percent", percent(job.fillRatio)}});
   }
   if (params.mirror && params.showSide == ShowSide::Up) {
     job.warn(WarningCode::MirroredUp);
   }
-  if (printer.setPressureAdvance) {
+  if (printer.setPressureAdvance || setsAdvance(job)) {
     const bool stays = printer.flavor == GcodeFlavor::Klipper;
     job.warn(WarningCode::PressureAdvanceReset, {{"value", stays ? printer.pressureAdvance : 0}});
   }
+}
+
+// Box around all copies of what is on the bed, which must fit it; the first plate's box stays in the job.
+Result<Bounds> fittedBox(GcodeJob& job, const Shape& shape, const Bounds& shapeBox, PointUm offset,
+                         const Printer& printer) {
+  Bounds box{shapeBox.min + mm(offset), shapeBox.max + mm(offset)};
+  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
+    for (const BeadPath& path : *paths) addBeads(box, path);
+  }
+  for (const PlacedPatch& patch : job.patches) {
+    for (const BeadPath& path : patch.paths) addBeads(box, path);
+  }
+  job.firstPlate = box;
+  for (const PointUm copy : job.copies) {
+    box.add(job.firstPlate.min + mm(copy));
+    box.add(job.firstPlate.max + mm(copy));
+  }
+  if (auto error = checkFit(box, shape, mm(offset), job, printer)) return *error;
+  return box;
+}
+
+// What is laid around the plates, and what comes before and after them.
+std::optional<Error> addSurroundings(GcodeJob& job, const Bounds& box, const Printer& printer,
+                                     const PrintParams& params) {
+  if (beginsOnBed(params)) {
+    addSkirt(job, box, printer, params.skirt);
+    if (!primesItself(printer, params, box)) addPurge(job, box, printer, params);
+  } else {
+    warnAbovePrint(job, printer, params.startHeight);
+  }
+  job.aside = job.purge.points.empty() ? corner(printer) : job.purge.points.front();
+  const Vec2 last = 0.5 * (job.firstPlate.min + job.firstPlate.max) + mm(job.copies.back());
+  return addBlocks(job, box, last, printer, params);
 }
 
 }  // namespace
@@ -158,19 +197,8 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   }
   if (auto error = addBrim(job, shape, offset, printer, params)) return *error;
 
-  Bounds box{shapeBox.min + mm(offset), shapeBox.max + mm(offset)};
-  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
-    for (const BeadPath& path : *paths) addBeads(box, path);
-  }
-  const Bounds first = box;
-  for (const PointUm copy : job.copies) {
-    box.add(first.min + mm(copy));
-    box.add(first.max + mm(copy));
-  }
-  if (auto error = checkFit(box, shape, mm(offset), job, printer)) {
-    error->message += wayOut(givenShape, printer, params);
-    return *error;
-  }
+  const Result<Bounds> box = fittedBox(job, shape, shapeBox, offset, printer);
+  if (!box) return Error{box.error().code, box.error().message + wayOut(givenShape, printer, params)};
 
   job.fillRatio = cycles.beadArea / inside.area;
   if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
@@ -187,17 +215,53 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   markSeams(job.cycles, offset, shape, inside, job.spacing);
   markSeams(job.bedCycles, offset, shape, inside, job.spacing);
   if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
-  if (beginsOnBed(params)) {
-    addSkirt(job, box, printer, params.skirt);
-    if (!primesItself(printer, params, box)) addPurge(job, box, printer, params);
-  } else {
-    warnAbovePrint(job, printer, params.startHeight);
-  }
-  job.firstPlate = first;
-  job.aside = job.purge.points.empty() ? corner(printer) : job.purge.points.front();
-  const Vec2 last = 0.5 * (first.min + first.max) + mm(job.copies.back());
-  if (auto error = addBlocks(job, box, last, printer, params)) return *error;
+  if (auto error = addSurroundings(job, box.value(), printer, params)) return *error;
   setShowSpeed(job, printer, cycles.lengthMm, params);
+  addWarnings(job, printer, params);
+  return job;
+}
+
+Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer, const PrintParams& params) {
+  if (auto error = checkPatchInput(plate, printer, params)) return *error;
+  const Bounds shapeBox = bounds(plate.shape);
+  if (shapeBox.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+  const ShapeScan inside = scanShape(plate.shape, shapeBox);
+  if (!(inside.area > kMinArea))
+    return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
+
+  GcodeJob job;
+  job.spacing = printer.nozzle;
+  job.plate = shapeBox.size();
+  const PointUm offset = placement(shapeBox, printer, params);
+  double lengthOfAll = 0;  // [mm] at the job's own speed
+  for (const Patch& patch : plate.patches) {
+    PlacedPatch placedPatch{patch, {}};
+    placedPatch.how.lines.clear();
+    for (const PatchLine& line : patch.lines) {
+      BeadPath path;
+      for (std::size_t i = 0; i < line.points.size(); ++i) {
+        if (!holds(inside, line.points[i])) {
+          return *invalid("a patch has a point at (" + decimal(line.points[i].x, 3) + ", " +
+                          decimal(line.points[i].y, 3) + ") mm, outside the shape that carries it");
+        }
+        const PointUm point = rounded(line.points[i]) + offset;
+        if (!path.points.empty() && path.points.back() == point) continue;
+        if (!path.points.empty() && patch.speed == 0) lengthOfAll += lengthMm(point - path.points.back());
+        path.points.push_back(point);
+        path.widths.push_back(line.widths[i]);
+      }
+      if (path.points.size() < 2) return *invalid("a patch has a line of no length");
+      placedPatch.paths.push_back(std::move(path));
+    }
+    job.patches.push_back(std::move(placedPatch));
+  }
+  if (auto error = checkFlow(job, printer, params)) return *error;
+  if (auto error = addBrim(job, plate.shape, offset, printer, params)) return *error;
+  const Result<Bounds> box = fittedBox(job, plate.shape, shapeBox, offset, printer);
+  if (!box) return box.error();
+  if (auto error = addBaseLayers(job, plate.shape, inside.area, offset, printer, params)) return *error;
+  if (auto error = addSurroundings(job, box.value(), printer, params)) return *error;
+  setShowSpeed(job, printer, lengthOfAll / params.layers, params);
   addWarnings(job, printer, params);
   return job;
 }

@@ -12,4 +12,7 @@ namespace sillon {
 Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
                                  const PrintParams& params);
 
+/// \return InvalidArgument, DoesNotFit or EmptyShape, as writePatches.
+Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer, const PrintParams& params);
+
 }  // namespace sillon

@@ -161,6 +161,100 @@ std::optional<Error> checkToolpath(const Toolpath& toolpath, const Printer& prin
   return std::nullopt;
 }
 
+// What patches do without: they are laid as they are, once.
+std::optional<Error> checkPatchPrint(const PrintParams& params) {
+  const bool plain = params.showSide == ShowSide::Up && params.rotate == 0 && !params.mirror &&
+                     params.copies == Vec2{1, 1} && beginsOnBed(params) && params.basePattern != BasePattern::Same;
+  if (plain) return std::nullopt;
+  return invalid(
+      "patches are printed as they are; showSide must be up, rotate 0, mirror off, copies 1x1, startHeight 0 and "
+      "basePattern hatched or concentric");
+}
+
+std::string patchName(std::size_t patch) { return "patch " + std::to_string(patch) + " (from 0)"; }
+
+std::optional<Error> checkPatch(const Patch& patch, const std::string& name, const Printer& printer,
+                                const PrintParams& params) {
+  const auto within = [&](double value, double low, double high, const char* field, const char* unit,
+                          const char* range) -> std::optional<Error> {
+    if (value >= low && value <= high) return std::nullopt;
+    return invalid(name + ": " + outOfRange(field, value, unit, range));
+  };
+  const bool any = printer.anyTemperature;
+  if (patch.layer < params.base || patch.layer >= layerCount(params)) {
+    return invalid(name + ": layer is " + std::to_string(patch.layer) + "; it must be " + std::to_string(params.base) +
+                   " to " + std::to_string(layerCount(params) - 1) + ", above the base");
+  }
+  if (auto error = within(patch.flow, 0.01, 2, "flow", "", "0.01 to 2")) return error;
+  if (auto error = within(patch.speed, 0, 1000, "speed", " mm/s", "0 to 1000")) return error;
+  if (auto error = within(patch.lift, -0.1, 0.1, "lift", " mm", "-0.1 to 0.1")) return error;
+  if (patch.temperature != 0) {
+    if (auto error = within(patch.temperature, any ? 0 : 170, any ? 500 : 300, "temperature", " degrees",
+                            any ? "0 to 500" : "170 to 300")) {
+      return error;
+    }
+  }
+  if (!(patch.fan < 0)) {
+    if (auto error = within(patch.fan, 0, 100, "fan", " %", "0 to 100, or below 0 for the layer's")) return error;
+  }
+  if (!(patch.advance < 0)) {
+    if (auto error = within(patch.advance, 0, 2, "advance", " s", "0 to 2, or below 0 to leave it")) return error;
+  }
+  const double height = patch.layer == 0 ? firstLayerHeight(params) : params.layerHeight;
+  if (layerTop(params, patch.layer) + patch.lift < 0.05) {
+    return invalid(name + ": lift is " + decimal(patch.lift, 3) + " mm on a layer of " + decimal(height, 3) +
+                   " mm; the nozzle must stay 0.05 mm above the bed");
+  }
+  if (patch.constantFlow && !(patch.spacing > 0 && patch.spacing <= kMaxCoordinate)) {
+    return invalid(name + ": spacing is " + decimal(patch.spacing, 3) + " mm; it must be above 0 for constantFlow");
+  }
+  double widest = 0;
+  for (const PatchLine& line : patch.lines) {
+    if (line.points.size() < 2 || line.widths.size() != line.points.size()) {
+      return invalid(name + " has a line of " + std::to_string(line.points.size()) + " points and " +
+                     std::to_string(line.widths.size()) + " widths; there must be at least 2, and one width per point");
+    }
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const Vec2 p = line.points[i];
+      if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) {
+        return invalid(name + " has a point at (" + decimal(p.x, 3) + ", " + decimal(p.y, 3) +
+                       ") mm; coordinates must be -100000 to 100000");
+      }
+      const double low = kLeastBead * printer.nozzle;
+      const double high = kWidestBead * printer.nozzle;
+      if (!(line.widths[i] >= low - 1e-6 && line.widths[i] <= high + 1e-6)) {
+        return invalid(name + " has a bead " + decimal(line.widths[i], 3) + " mm wide; beads must be " +
+                       decimal(low, 3) + " to " + decimal(high, 3) + ", 0.6 to 1.6 of the nozzle");
+      }
+      widest = std::max(widest, line.widths[i]);
+    }
+  }
+  // A patch that is slower than it says teaches a wrong value.
+  if (patch.speed == 0) return std::nullopt;
+  const double section = patch.flow * height * (patch.constantFlow ? patch.spacing : widest);
+  if (patch.speed * section > printer.maxFlow) {
+    return invalid(name + ": speed is " + decimal(patch.speed, 3) + " mm/s, for which a bead of " +
+                   decimal(section, 4) + " mm2 needs " + decimal(patch.speed * section, 3) + " mm3/s; maxFlow is " +
+                   decimal(printer.maxFlow, 3));
+  }
+  if (printer.machineSpeed > 0 && patch.speed > printer.machineSpeed) {
+    return invalid(name + ": speed is " + decimal(patch.speed, 3) + " mm/s; machineSpeed is " +
+                   decimal(printer.machineSpeed, 3));
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> checkPatches(const std::vector<Patch>& patches, const Printer& printer,
+                                  const PrintParams& params) {
+  std::size_t lines = 0;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    if (auto error = checkPatch(patches[k], patchName(k), printer, params)) return error;
+    lines += patches[k].lines.size();
+  }
+  if (lines > 0) return std::nullopt;
+  return Error{ErrorCode::EmptyShape, "the patches have no lines; there is nothing to print"};
+}
+
 }  // namespace
 
 std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params) {
@@ -175,6 +269,14 @@ std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shap
   if (auto error = checkPlateInput(shape, printer, params)) return error;
   if (auto error = checkThumbnails(params)) return error;
   return checkToolpath(toolpath, printer, params);
+}
+
+std::optional<Error> checkPatchInput(const PatchPlate& plate, const Printer& printer, const PrintParams& params) {
+  if (auto error = checkText(printer, params)) return error;
+  if (auto error = checkPlateInput(plate.shape, printer, params)) return error;
+  if (auto error = checkThumbnails(params)) return error;
+  if (auto error = checkPatchPrint(params)) return error;
+  return checkPatches(plate.patches, printer, params);
 }
 
 }  // namespace sillon

@@ -5,6 +5,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/gcode/patches.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/settings/print_params.hpp"
 #include "sillon/settings/printer.hpp"
@@ -15,6 +16,9 @@ namespace sillon {
 /// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles).
 std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
                                      const PrintParams& params);
+
+/// The same for patches. \return InvalidArgument, DoesNotFit or EmptyShape (no lines).
+std::optional<Error> checkPatchInput(const PatchPlate& plate, const Printer& printer, const PrintParams& params);
 
 /// The part of it that needs no toolpath.
 std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params);

@@ -128,7 +128,12 @@ class Writer {
   void role(const Role& role);
   void beginObject(int copy);
   void endObject(int copy);
+  [[nodiscard]] MotionLimits layerLimits(const Layer& layer, double flow) const;
+  void evenFlow(MotionLimits& limits, double spacing) const;
+  void lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, const Layer& layer, double top);
   void paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer);
+  void patches(const Layer& layer);
+  void heat(double degrees);
   void bead(const Motion& motion, double flow, double height);
   void retract();
   void unretract();
@@ -154,7 +159,9 @@ class Writer {
   bool silent_;
   double expected_ = 0;  // [s], for the progress
   std::array<double, kKinds> pace_{1, 1, 1, 1, 1, 1};
-  int fan_ = -1;  // [0..255] as written
+  int fan_ = -1;          // [0..255] as written
+  double advance_ = -1;   // [s], of patches
+  double patchHeat_ = 0;  // [degrees Celsius] that a patch asked for; 0: the layer's
   double seconds_ = 0;
   double nextProgress_ = 0;  // [s]
   PointUm at_;
@@ -420,28 +427,49 @@ void Writer::bead(const Motion& motion, double flow, double height) {
   at_ = motion.points.back() + shift_;
 }
 
-void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer) {
-  if (paths.empty()) return;
+MotionLimits Writer::layerLimits(const Layer& layer, double flow) const {
   MotionLimits limits = machineLimits();
   limits.layerHeight = layer.height;
   limits.flow = flow;
   limits.filamentArea = filamentArea(printer_.filamentDiameter);
   limits.speed = layer.oriented ? job_.showSpeed : printer_.baseSpeed > 0 ? printer_.baseSpeed : printer_.speed;
   if (layer.first) limits.speed = std::min(printer_.firstLayerSpeed, limits.speed);
-  limits.speed = std::max(limits.speed * pace_[kindOf(layer)], std::min(limits.speed, kSlowestPace));
   if (layer.first) limits.acceleration = firstAcceleration();
   limits.maxFlow = printer_.maxFlow;
   limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
   limits.pressureAdvance = printer_.pressureAdvance;
   limits.curveAcceleration = job_.knowsAdvance ? printer_.curveAcceleration : 0;
-  if (params_.constantFlow && layer.oriented && !layer.first) {
-    limits.evenFlow = limits.speed * job_.spacing;
-    limits.speed *= kFastest;
-    if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
-  }
+  limits.leastBead = kLeastBead * printer_.nozzle;
+  return limits;
+}
+
+void Writer::evenFlow(MotionLimits& limits, double spacing) const {
+  limits.evenFlow = limits.speed * spacing;
+  limits.speed *= kFastest;
+  if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
+}
+
+// Goes there, lays the bead, leaves it. \param top  where the nozzle runs [mm].
+void Writer::lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, const Layer& layer, double top) {
+  const Motion& motion = plans_.of(path, start, limits);
+  approach(motion.points.front() + shift_, top);
+  bead(motion, limits.flow, layer.height);
+  if (out_.failed()) return;
+  leave(motion, limits.speed, top, limits.scarf > 0 && path.closed);
+  if (!layer.oriented) return;
+  for (const double piece : motion.lengths) orientedMm_ += piece;
+  flowSlowedMm_ += motion.flowSlowedMm;
+  segmentSlowedMm_ += motion.segmentSlowedMm;
+  curveSlowedMm_ += motion.curveSlowedMm;
+}
+
+void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const Layer& layer) {
+  if (paths.empty()) return;
+  MotionLimits limits = layerLimits(layer, flow);
+  limits.speed = std::max(limits.speed * pace_[kindOf(layer)], std::min(limits.speed, kSlowestPace));
+  if (params_.constantFlow && layer.oriented && !layer.first) evenFlow(limits, job_.spacing);
   limits.coast = layer.oriented ? params_.coast : 0;
   limits.scarf = layer.oriented ? params_.scarf : 0;
-  limits.leastBead = kLeastBead * printer_.nozzle;
 
   this->role(role);
   for (const BeadPath& path : paths) {
@@ -452,16 +480,40 @@ void Writer::paths(const std::vector<BeadPath>& paths, const Role& role, double 
       const std::size_t chosen = static_cast<std::size_t>(layer.turn) * step % count;
       start = path.seams.empty() ? chosen : path.seams[chosen];
     }
-    const Motion& motion = plans_.of(path, start, limits);
-    approach(motion.points.front() + shift_, layer.top);
-    bead(motion, flow, layer.height);
+    lay(path, start, limits, layer, layer.top);
     if (out_.failed()) return;
-    leave(motion, limits.speed, layer.top, limits.scarf > 0 && path.closed);
-    if (layer.oriented) {
-      for (const double piece : motion.lengths) orientedMm_ += piece;
-      flowSlowedMm_ += motion.flowSlowedMm;
-      segmentSlowedMm_ += motion.segmentSlowedMm;
-      curveSlowedMm_ += motion.curveSlowedMm;
+  }
+}
+
+// Away from the plate, where what drips harms nothing.
+void Writer::heat(double degrees) {
+  clearance_ = safeHeight(printer_, params_) - printer_.lift;
+  moveZ(safeHeight(printer_, params_));
+  travel(job_.aside, printer_.travelSpeed);
+  out_ << waitForNozzle(printer_.flavor, degrees);
+}
+
+void Writer::patches(const Layer& layer) {
+  role(kBaseRole);
+  const double layerFan = fan_ * 100.0 / 255;
+  for (const PlacedPatch& patch : job_.patches) {
+    if (patch.how.layer != layer.index) continue;
+    if (patch.how.temperature != patchHeat_) {
+      patchHeat_ = patch.how.temperature;
+      const double usual = layer.first ? printer_.firstLayerNozzleTemperature : printer_.nozzleTemperature;
+      heat(patchHeat_ > 0 ? patchHeat_ : usual);
+    }
+    fan(patch.how.fan < 0 ? layerFan : patch.how.fan);
+    if (patch.how.advance >= 0 && patch.how.advance != advance_) {
+      advance_ = patch.how.advance;
+      out_ << pressureAdvanceCommand(printer_.flavor, advance_);
+    }
+    MotionLimits limits = layerLimits(layer, patch.how.flow);
+    if (patch.how.speed > 0) limits.speed = patch.how.speed;
+    if (patch.how.constantFlow) evenFlow(limits, patch.how.spacing);
+    for (const BeadPath& path : patch.paths) {
+      lay(path, 0, limits, layer, layer.top + patch.how.lift);
+      if (out_.failed()) return;
     }
   }
 }
@@ -506,12 +558,15 @@ void Writer::layer(const Layer& layer) {
       out_ << accelerationCommand(printer_.flavor, printer_.acceleration);
     }
     out_ << "M104 S" << whole(printer_.nozzleTemperature) << "\n";
+    patchHeat_ = 0;
   }
   if (layer.index == 0) {
     if (layer.copy == 0) paths(job_.skirt, kSkirtRole, params_.baseFlow, layer);
     paths(job_.brim, kBrimRole, params_.baseFlow, layer);
   }
-  if (layer.oriented) {
+  if (layer.oriented && !job_.patches.empty()) {
+    patches(layer);
+  } else if (layer.oriented) {
     paths(layer.onBed ? job_.bedCycles : job_.cycles, kOrientedRole,
           layer.first && params_.showSide != ShowSide::Up ? params_.bedFlow : params_.flow, layer);
   } else if (params_.basePattern == BasePattern::Same) {
@@ -547,7 +602,11 @@ void Writer::endBlock() {
   moveZ(std::min(printer_.maxZ, static_cast<double>(z_) / 1000 + kParkLift));
   // Klipper knows no cap and keeps what it is told: nothing is raised there above what was set at the start.
   const bool capped = printer_.flavor != GcodeFlavor::Klipper;
-  if (printer_.setPressureAdvance && capped) out_ << pressureAdvanceCommand(printer_.flavor, 0);
+  if (printer_.setPressureAdvance && capped) {
+    out_ << pressureAdvanceCommand(printer_.flavor, 0);
+  } else if (advance_ >= 0) {  // the last patch's value is nobody's
+    out_ << pressureAdvanceCommand(printer_.flavor, capped ? 0 : printer_.pressureAdvance);
+  }
   if (printer_.machineAcceleration > 0 && capped) {
     out_ << accelerationCommand(printer_.flavor, printer_.machineAcceleration);
   }
@@ -618,6 +677,10 @@ Estimate estimateFile(const GcodeJob& job, const Printer& printer, const PrintPa
       const Layer layer = layerAt(params, copy, i);
       const std::size_t kind = kindOf(layer);
       double& seconds = known[kind];
+      if (layer.oriented && !job.patches.empty()) {  // each layer its own, at the speeds it asks for
+        estimate.seconds += timeOf(layer);
+        continue;
+      }
       if (seconds < 0) {
         seconds = timeOf(layer);
         for (int round = 0; round < 3 && seconds < printer.minLayerTime * 0.98; ++round) {
@@ -637,8 +700,12 @@ double extrusion(double layerHeight, double width, double length, double filamen
   return flow * layerHeight * width * length / filamentArea(filamentDiameter);
 }
 
-Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& given,
-                                const PrintParams& params, const GcodeSink& sink) {
+namespace {
+
+using Prepare = std::function<Result<GcodeJob>(const Printer&)>;
+
+Result<GcodeSummary> write(const Prepare& prepare, const Printer& given, const PrintParams& params,
+                           const GcodeSink& sink) {
   if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};
   Printer printer = given;
   std::vector<GcodeWarning> held;
@@ -650,7 +717,7 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
   const bool tooFast = given.machineAcceleration > 0 && given.acceleration > given.machineAcceleration;
   if (tooFast) printer.acceleration = given.machineAcceleration;
   if (!beginsOnBed(params)) printer.firstLayerNozzleTemperature = printer.nozzleTemperature;
-  Result<GcodeJob> prepared = prepareGcodeJob(toolpath, shape, printer, params);
+  Result<GcodeJob> prepared = prepare(printer);
   if (!prepared) return prepared.error();
   GcodeJob& job = prepared.value();
   hold("speed", printer.speed);
@@ -677,6 +744,20 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, co
   summary.warnings.insert(summary.warnings.end(), held.begin(), held.end());
   if (writer.failed()) return Error{ErrorCode::Cancelled, "writing was stopped before the file was complete"};
   return summary;
+}
+
+}  // namespace
+
+Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
+                                const PrintParams& params, const GcodeSink& sink) {
+  const auto prepare = [&](const Printer& held) { return prepareGcodeJob(toolpath, shape, held, params); };
+  return write(prepare, printer, params, sink);
+}
+
+Result<GcodeSummary> writePatches(const PatchPlate& plate, const Printer& printer, const PrintParams& params,
+                                  const GcodeSink& sink) {
+  const auto prepare = [&](const Printer& held) { return preparePatchJob(plate, held, params); };
+  return write(prepare, printer, params, sink);
 }
 
 }  // namespace sillon

@@ -56,4 +56,10 @@ inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
   return "M900 K" + value + "\n";
 }
 
+/// Waits until the nozzle is as hot as that, or has cooled down to it. Klipper and Bambu wait for both with S.
+inline std::string waitForNozzle(GcodeFlavor flavor, double degrees) {
+  const bool both = flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu;
+  return (both ? "M109 S" : "M109 R") + fixed(degrees, 0) + "\n";
+}
+
 }  // namespace sillon

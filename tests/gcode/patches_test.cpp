@@ -1,0 +1,117 @@
+#include "sillon/gcode/patches.hpp"
+
+#include <functional>
+
+#include "support/gcode_job.hpp"
+
+using namespace sillon;
+using namespace sillon::test;
+
+namespace {
+
+struct PatchJob {
+  PatchPlate plate{rectangle(30, 20), {{.layer = 1, .lines = {{{{5, 5}, {25, 5}}, {0.4, 0.4}}}}}};
+  Printer printer;
+  PrintParams params;
+
+  PatchJob() { params.base = 1; }
+
+  [[nodiscard]] Result<GcodeSummary> write(std::string& text) const {
+    return writePatches(plate, printer, params, [&](std::string_view piece) {
+      text += piece;
+      return true;
+    });
+  }
+};
+
+std::string refused(const std::function<void(PatchJob&)>& change) {
+  PatchJob job;
+  change(job);
+  std::string text;
+  const Result<GcodeSummary> result = job.write(text);
+  CHECK(text.empty());
+  return result ? "written" : result.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("a line of a patch has the plastic of its cell times its flow, and its own speed") {
+  PatchJob job;
+  job.plate.patches[0].flow = 0.9;
+  job.plate.patches[0].speed = 33;
+  std::string text;
+  const Result<GcodeSummary> result = job.write(text);
+  REQUIRE_MESSAGE(result.ok(), result.error().message);
+  const ReadFile file = readGcode(text);
+  CHECK(file.faults.empty());
+  const ReadPath& path = file.paths.back();
+  CHECK(path.layer == 2);
+  CHECK(path.filament() * kArea == doctest::Approx(0.9 * 20 * 0.4 * 0.2).epsilon(1e-4));
+  CHECK(path.moves.front().feedrate == 33 * 60);
+  CHECK(path.retractsAfter);
+  CHECK(text.find("; test piece = 30.0x20.0 mm, layers = 1, base layers = 1\n") != std::string::npos);
+  CHECK(checkGcode(text, job.printer).findings.empty());
+}
+
+TEST_CASE("after a patch with its own fan and heat the next one has the layer's again") {
+  PatchJob job;
+  Patch plain = job.plate.patches[0];
+  for (PatchLine& line : plain.lines) {
+    for (Vec2& p : line.points) p.y += 5;
+  }
+  job.plate.patches[0].fan = 20;
+  job.plate.patches[0].temperature = 195;
+  job.plate.patches.push_back(plain);
+  std::string text;
+  REQUIRE(job.write(text).ok());
+  const std::size_t cool = text.find("\nM109 R195\n");
+  const std::size_t low = text.find("\nM106 S51\n", cool);
+  const std::size_t hot = text.find("\nM109 R215\n", low);
+  const std::size_t full = text.find("\nM106 S255\n", hot);
+  CHECK(cool != std::string::npos);
+  CHECK(low != std::string::npos);
+  CHECK(hot != std::string::npos);
+  CHECK(full != std::string::npos);
+}
+
+TEST_CASE("patches that cannot be printed as they say are refused before a byte is written") {
+  const auto first = [](PatchJob& job) -> Patch& { return job.plate.patches[0]; };
+  CHECK(refused([&](PatchJob& job) { first(job).layer = 0; }).find("layer is 0; it must be 1 to 1") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).layer = 2; }).find("layer is 2") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).flow = 3; }).find("flow is 3; it must be 0.01 to 2") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).flow = kNan; }).find("flow is not a number") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).lift = 0.2; }).find("lift is 0.2 mm") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).temperature = 400; }).find("170 to 300") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).fan = 101; }).find("fan is 101 %") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).fan = kNan; }).find("fan is not a number") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).advance = 2.1; }).find("advance is 2.1 s") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).speed = 200; }).find("needs 16 mm3/s; maxFlow is 10") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) {
+          first(job).speed = 100;
+          job.printer.machineSpeed = 80;
+        }).find("machineSpeed is 80") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).constantFlow = true; }).find("it must be above 0 for constantFlow") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).lines[0].widths[0] = 0.2; }).find("beads must be 0.24 to 0.64") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).lines[0].widths.pop_back(); }).find("2 points and 1 widths") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).lines[0].points[0].x = kInfinity; }).find("coordinates must be") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).lines[0].points[0].x = 31; }).find("outside the shape") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) {
+          first(job).lines[0].points[1] = {5, 5};
+        }).find("a line of no length") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { job.plate.patches.clear(); }).find("nothing to print") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { job.params.rotate = 90; }).find("rotate 0") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { job.params.showSide = ShowSide::Bed; }).find("showSide must be up") !=
+        std::string::npos);
+  CHECK(refused([&](PatchJob& job) { job.plate.shape = {}; }).find("no points") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) {
+          job.printer.bedMax = {25, 25};
+        }).find("over the edge of the bed") != std::string::npos);
+}
