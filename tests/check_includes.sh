@@ -19,6 +19,7 @@ printer: settings
 gcode_reader: settings printer
 rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality printer gcode_reader
+calibrate: settings geometry input field toolpath pipeline gcode
 export: settings geometry input look toolpath gcode
 project: settings geometry input look pipeline quality
 printer_import: settings look gcode gcode_reader export project

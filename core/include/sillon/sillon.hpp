@@ -6,6 +6,7 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/base/version.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 
 // What a person may choose.
 #include "sillon/settings/input_params.hpp"
@@ -57,6 +58,7 @@
 
 // G-code out, and any G-code in.
 #include "sillon/gcode/bed_fit.hpp"
+#include "sillon/gcode/patches.hpp"
 #include "sillon/gcode/read_back.hpp"
 #include "sillon/gcode/warning.hpp"
 #include "sillon/gcode/writer.hpp"

@@ -1,0 +1,159 @@
+#include "calibrate/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/fast_math.hpp"
+#include "calibrate/strokes.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kWave = 9;      // [mm], of the widths of a wavy row
+constexpr double kSwing = 0.25;  // [width] of a wavy row
+constexpr double kRounding = 1e-6;
+
+Vec2 onCircle(double radians) {
+  const SinCos turn = sinCos(static_cast<float>(radians));
+  return {static_cast<double>(turn.cos), static_cast<double>(turn.sin)};
+}
+
+// The part of the line at `v` across that lies at least `inset` within a convex polygon.
+bool chord(const Ring& polygon, Vec2 along, Vec2 across, double v, double inset, double& begin, double& end) {
+  begin = -1e9;
+  end = 1e9;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 a = polygon[k];
+    const Vec2 side = polygon[(k + 1) % polygon.size()] - a;
+    const double size = length(side);
+    if (!(size > 0)) continue;
+    const Vec2 inward = (1 / size) * Vec2{-side.y, side.x};
+    const double slope = dot(inward, along);
+    const double rest = dot(inward, a) + inset - v * dot(inward, across);  // slope * u >= rest
+    if (std::abs(slope) < kRounding) {
+      if (rest > kRounding) return false;
+    } else if (slope > 0) {
+      begin = std::max(begin, rest / slope);
+    } else {
+      end = std::min(end, rest / slope);
+    }
+  }
+  return begin < end;
+}
+
+}  // namespace
+
+Ring box(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+
+Ring disc(Vec2 centre, double radius) {
+  constexpr int kCorners = 96;
+  Ring ring;
+  for (int k = 0; k < kCorners; ++k) {
+    ring.push_back(centre + radius * onCircle(2 * static_cast<double>(kPi) * k / kCorners));
+  }
+  return ring;
+}
+
+std::vector<PatchLine> filled(const Ring& polygon, Vec2 along, double width) {
+  const Vec2 across{-along.y, along.x};
+  double low = 1e9;
+  double high = -1e9;
+  for (const Vec2 p : polygon) {
+    low = std::min(low, dot(p, across));
+    high = std::max(high, dot(p, across));
+  }
+  const int rows = static_cast<int>((high - low) / width + kRounding);
+  const double first = (low + high - (rows - 1) * width) / 2;
+  PatchLine line;
+  for (int row = 0; row < rows; ++row) {
+    const double v = first + row * width;
+    double begin = 0;
+    double end = 0;
+    if (!chord(polygon, along, across, v, width / 2 - kRounding, begin, end)) continue;
+    if (line.points.size() % 4 == 2) std::swap(begin, end);
+    line.points.push_back(begin * along + v * across);
+    line.points.push_back(end * along + v * across);
+  }
+  if (line.points.empty()) return {};
+  line.widths.assign(line.points.size(), width);
+  return {line};
+}
+
+PatchLine spiral(Vec2 centre, double radius, double width) {
+  constexpr int kSteps = 72;  // of a turn
+  PatchLine line;
+  // Round after round the bead's cell is a ring; all of them together have the disc's area.
+  const double turns = radius / width;
+  const int last = static_cast<int>(std::ceil(turns * kSteps));
+  for (int k = kSteps / 4; k <= last; ++k) {
+    const double turn = std::min(static_cast<double>(k) / kSteps, turns);
+    const double angle = 2 * static_cast<double>(kPi) * (turn - std::floor(turn));
+    line.points.push_back(centre + turn * width * onCircle(angle));
+  }
+  line.widths.assign(line.points.size(), width);
+  return line;
+}
+
+PatchLine wedge(Vec2 leftMiddle, double length, int lines, double from, double to) {
+  PatchLine line;
+  const double inset = from / 2;
+  const double outset = length - to / 2;
+  for (int k = 0; k < lines; ++k) {
+    const double place = k - (lines - 1) / 2.0;
+    const auto at = [&](double x) {
+      const double width = from + (to - from) * x / length;
+      line.points.push_back(leftMiddle + Vec2{x, place * width});
+      line.widths.push_back(width);
+    };
+    at(k % 2 == 0 ? inset : outset);
+    at(k % 2 == 0 ? outset : inset);
+  }
+  return line;
+}
+
+PatchLine wavyRow(Vec2 corner, double length, int lines, double width) {
+  PatchLine line;
+  const double run = length - width;
+  const int knots = static_cast<int>(std::lround(run / (kWave / 4)));
+  for (int k = 0; k < lines; ++k) {
+    const bool upper = k % 2 == 1;
+    for (int j = 0; j <= knots; ++j) {
+      const int i = upper ? knots - j : j;
+      constexpr double kTriangle[] = {0, 1, 0, -1};
+      const double swing = kSwing * kTriangle[i % 4];
+      const double own = width * (upper ? 1 - swing : 1 + swing);
+      const double bottom = (k - (upper ? 1 : 0)) * width;  // of the pair
+      const double middle = upper ? bottom + 2 * width - own / 2 : bottom + own / 2;
+      line.points.push_back(corner + Vec2{width / 2 + run * i / knots, middle});
+      line.widths.push_back(own);
+    }
+  }
+  return line;
+}
+
+PatchLine comb(Vec2 corner, double length, double height, double width) {
+  PatchLine line;
+  const int legs = static_cast<int>((length - width) / (3 * width) + kRounding) + 1;
+  for (int k = 0; k < legs; ++k) {
+    const double x = corner.x + width / 2 + 3 * width * k;
+    const double low = corner.y + width / 2;
+    const double high = corner.y + height - width / 2;
+    line.points.push_back({x, k % 2 == 0 ? low : high});
+    line.points.push_back({x, k % 2 == 0 ? high : low});
+  }
+  line.widths.assign(line.points.size(), width);
+  return line;
+}
+
+std::vector<PatchLine> writing(std::string_view text, Vec2 corner, double unit, double width) {
+  std::vector<PatchLine> lines;
+  for (std::vector<Vec2>& points : textStrokes(text, corner, unit)) {
+    std::vector<double> widths(points.size(), width);
+    lines.push_back({std::move(points), std::move(widths)});
+  }
+  return lines;
+}
+
+PatchLine stroke(Vec2 from, Vec2 to, double width) { return {{from, to}, {width, width}}; }
+
+}  // namespace sillon
