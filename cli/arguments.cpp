@@ -353,16 +353,9 @@ void addToolpath(Options& options) {
                });
 }
 
-void addPrint(Options& options, Arguments& arguments) {
+/// The printer, its filament and its bed.
+void addPrinter(Options& options) {
   options.group("Print");
-  options.word("--copies", "NxM", "plates in a row and in a column [1x1]", [](const std::string& text) {
-    const std::optional<Vec2> copies = parsePair(text, 'x');
-    if (!copies) refuse("--copies", text, "NxM, two whole numbers");
-    return [count = *copies](Project& project) {
-      project.print.copies = count;
-      return std::string();
-    };
-  });
   options.word("--printer", "ID", "a printer that sillon printers lists", [](const std::string& text) {
     return [text](Project& project) {
       project.printerProfile = text;
@@ -392,6 +385,19 @@ void addPrint(Options& options, Arguments& arguments) {
       return std::string();
     };
   });
+}
+
+void addPrint(Options& options, Arguments& arguments) {
+  options.group("Print");
+  options.word("--copies", "NxM", "plates in a row and in a column [1x1]", [](const std::string& text) {
+    const std::optional<Vec2> copies = parsePair(text, 'x');
+    if (!copies) refuse("--copies", text, "NxM, two whole numbers");
+    return [count = *copies](Project& project) {
+      project.print.copies = count;
+      return std::string();
+    };
+  });
+  addPrinter(options);
   options.word(
       "--place", "X,Y|centre|rotate|fit",
       "lower left corner of the page on the bed; centred; and turned if only that fits; and scaled down [centre]",
@@ -439,12 +445,23 @@ const char* groupOf(Section section) {
 }
 
 /// The table's options, but for those with a syntax of their own, which are there already.
-void addSettings(Options& options, CLI::App& app) {
+/// \param wanted  whether a setting is one of the command's.
+void addSettings(Options& options, CLI::App& app, const std::function<bool(const Setting&)>& wanted) {
   for (const Setting& row : sillon::settings()) {
+    if (!wanted(row)) continue;
     if (*row.option == '\0' || app.get_option_no_throw(row.option) != nullptr) continue;
     options.group(row.level == Level::Expert ? "" : groupOf(row.section));  // no group: not in help
     options.setting(row);
   }
+}
+
+/// How a printer prints, without what calibration plates choose themselves.
+bool isOfCalibrations(const Setting& row) {
+  if (row.section == Section::Printer) return true;
+  const std::vector<std::string> own = sillon::splitWords(
+      "layers base basePattern showSide constantFlow coast scarf copies copyGap startHeight rotate mirror strict "
+      "place");
+  return row.section == Section::Print && std::find(own.begin(), own.end(), row.key) == own.end();
 }
 
 /// The command line with today's names of options.
@@ -576,7 +593,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addToolpath(options);
   addPrint(options, arguments);
   addOutputs(options, arguments);
-  addSettings(options, *generate);
+  addSettings(options, *generate, [](const Setting&) { return true; });
 
   CLI::App* zones = app.add_subcommand("zones", "Cut the directions into zones of straight lines, for any slicer");
   zones->add_option("scene", arguments.scene, "project or scene file to begin with")->option_text("SCENE.json");
@@ -584,6 +601,14 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addShape(zoneOptions);
   addPictures(*zones, arguments.pictures);
   addZones(*zones, arguments.zones);
+
+  CLI::App* calibrate =
+      app.add_subcommand("calibrate", "Small prints that teach a printer's and a filament's settings");
+  addCalibrate(*calibrate, arguments.calibrate);
+  calibrate->add_option("project", arguments.scene, "project file to begin with")->option_text("PROJECT.json");
+  Options calibrateOptions(*calibrate, arguments);
+  addPrinter(calibrateOptions);
+  addSettings(calibrateOptions, *calibrate, isOfCalibrations);
 
   arguments.threads = threadsOfMachine();
   generate
@@ -623,7 +648,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
       return Error{ErrorCode::InvalidArgument,
                    "\"" + std::string(argv[1]) +
                        "\" is not a command; it must be generate, check, rebrush, shape, zones, import, printers, "
-                       "filaments, spools or settings"};
+                       "filaments, spools, calibrate or settings"};
     }
     return Error{ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon --help"};
   } catch (const CLI::ParseError& error) {

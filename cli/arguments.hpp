@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate.hpp"
 #include "pictures.hpp"
 #include "rebrush.hpp"
 #include "shape.hpp"
@@ -44,6 +45,7 @@ struct Arguments {
   bool checkJson = false;
   RebrushArguments rebrush;
   ZonesArguments zones;
+  CalibrateArguments calibrate;
   ShapeArguments shape;
   std::string scene;  ///< JSON file; empty: options only
   /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.

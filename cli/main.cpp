@@ -174,6 +174,22 @@ int zones(const cli::Arguments& arguments) {
   return text ? answer(text.value(), 0) : fail(text.error());
 }
 
+int calibrate(const cli::Arguments& arguments) {
+  if (!arguments.pictures.files.empty()) {
+    return fail({ErrorCode::InvalidArgument,
+                 "\"" + arguments.pictures.files.front() + "\" is a picture; calibrate takes a project file"});
+  }
+  sillon::RunContext run(cli::threadsHere(arguments.threads));
+  const CancelOnSignal cancelOnSignal(run);
+  const sillon::Result<std::string> date = cli::runDate();
+  if (!date) return fail(date.error());
+  const sillon::Result<sillon::Project> project = readInput(arguments);
+  if (!project) return fail(project.error());
+  const sillon::Result<std::string> text =
+      cli::runCalibrate(arguments.calibrate, project.value(), arguments.scene, date.value(), run);
+  return text ? answer(text.value(), 0) : fail(text.error());
+}
+
 int generate(const cli::Arguments& arguments) {
   sillon::RunContext run(cli::threadsHere(arguments.threads));
   const CancelOnSignal cancelOnSignal(run);
@@ -220,6 +236,7 @@ int main(int argc, char** argv) {
     if (!arguments.value().check.empty()) return check(arguments.value());
     if (!arguments.value().rebrush.file.empty()) return rebrush(arguments.value().rebrush);
     if (!arguments.value().zones.out.empty()) return zones(arguments.value());
+    if (!arguments.value().calibrate.kind.empty()) return calibrate(arguments.value());
     if (!arguments.value().shape.files.empty()) {
       const cli::ShapeAnswer shapes = cli::describeShapes(arguments.value().shape);
       return answer(shapes.text, shapes.failed ? 2 : 0);

@@ -84,6 +84,7 @@ test('every option of sillon that a page gives exists', async () => {
     'printers',
     'filaments',
     'settings',
+    'calibrate',
     'check',
     'import',
     'rebrush',

@@ -420,6 +420,54 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   CHECK(folder.files() == files);
 }
 
+TEST_CASE("a calibration print is written with its table, for people and for programs") {
+  const Folder folder;
+  const std::string day = "SOURCE_DATE_EPOCH=0";
+  const Run done = folder.run("calibrate flow --nozzle 0.8 --layer-height 0.4 -o flow.gcode --preview flow.png", day);
+  CAPTURE(done.err);
+  REQUIRE(done.code == 0);
+  CHECK(has(done.out, ".88      0.88"));
+  CHECK(has(done.out, "type it  print.flow\n"));
+  CHECK(readAll(folder.at("flow.png")).starts_with("\x89PNG"));
+  const std::string gcode = readAll(folder.at("flow.gcode"));
+  CHECK(has(gcode, "; calibration: flow\n"));
+  CHECK(has(gcode, "; thumbnail begin 32x32"));
+  CHECK(folder.run("check flow.gcode").code == 0);
+
+  const Run json = folder.run("calibrate flow --nozzle 0.8 --layer-height 0.4 -o again.gcode --json", day);
+  REQUIRE(json.code == 0);
+  CHECK(readAll(folder.at("again.gcode")) == gcode);
+  const Json told = Json::parse(json.out);
+  CHECK(told["kind"] == "flow");
+  CHECK(told["values"].size() == 7);
+  CHECK(told["values"][1]["value"] == 0.9);
+  CHECK(told["findings"].empty());
+  CHECK(told["seconds"] > 60);
+
+  // The project's printer, with options over it.
+  folder.write("mine.json", R"({"sillon": 1, "printer": {"flavor": "klipper", "pressureAdvance": 0.06}})");
+  const Run own = folder.run("calibrate advance mine.json --from 0.02 --to 0.1 -o advance.gcode.3mf");
+  CAPTURE(own.err);
+  REQUIRE(own.code == 0);
+  CHECK(has(own.out, "pressure advance is 0.06 after the print"));
+  CHECK(readAll(folder.at("advance.gcode.3mf")).starts_with("PK"));
+  CHECK(folder.run("check advance.gcode.3mf").code == 0);
+
+  folder.picture("l.png", 2, 2, [](int, int) { return 128; });
+  checkRefused(folder, "calibrate gloss -o a.gcode", "kind is \"gloss\"; it must be first-layer, flow, advance,");
+  checkRefused(folder, "calibrate flow", "--output");
+  checkRefused(folder, "calibrate", "kind");
+  checkRefused(folder, "calibrate flow --from x -o a.gcode", "--from");
+  checkRefused(folder, "calibrate flow --from 2 --to 3 -o a.gcode", "flow would try 2; values must be 0.5 to 1.5");
+  checkRefused(folder, "calibrate flow --spool tin -o a.gcode", "sillon spools lists what it may be");
+  checkRefused(folder, "calibrate flow --bed 30x30 -o a.gcode", "over the edge of the bed");
+  checkRefused(folder, "calibrate flow l.png -o a.gcode", "is a picture; calibrate takes a project file");
+  checkRefused(folder, "calibrate flow --rotate 90 -o a.gcode", "--rotate");
+  checkRefused(folder, "calibrate flow -o nowhere/a.gcode", "is no folder");
+  checkRefused(folder, "calibrate flow mine.json -o mine.json", "also an input");
+  checkRefused(folder, "calibrate flow --printer bambu-p1s -o a.gcode", "startGcode is empty");
+}
+
 TEST_CASE("a plate that does not fit is centred, turned or scaled if asked") {
   const Folder folder;
   const std::string wide = "generate --shape rect --size 24x12 --spacing 0.8 --skirt 0 --bed ";

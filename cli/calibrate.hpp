@@ -1,0 +1,38 @@
+// sillon calibrate: small prints that teach a printer's and a filament's settings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/calibrate/calibrate.hpp"
+#include "sillon/project/project.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace cli {
+
+struct CalibrateArguments {
+  std::string kind;  ///< a name of sillon::calibrationKinds; empty: another command
+  std::optional<double> from;
+  std::optional<double> to;
+  std::string out;          ///< G-code; packed by its ending as --gcode of generate
+  std::string preview;      ///< PNG
+  int previewWidth = 1600;  ///< [pixels], as that of generate
+  std::string spool;        ///< whose look the preview has; empty: the project's
+  bool json = false;
+};
+
+/// Adds what only calibrations have; \param command  gets the options of the print elsewhere.
+void addCalibrate(CLI::App& command, CalibrateArguments& arguments);
+
+/// What the command prints, once its files are written.
+/// \param scene  the file that the project is of; empty: none. \param date  for line 1 of the G-code.
+sillon::Result<std::string> runCalibrate(const CalibrateArguments& arguments, const sillon::Project& project,
+                                         const std::string& scene, const std::string& date,
+                                         const sillon::RunContext& run);
+
+}  // namespace cli
