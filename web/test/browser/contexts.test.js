@@ -271,11 +271,17 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
         headers: { ...response.headers(), 'cross-origin-resource-policy': 'cross-origin' },
       });
     });
-    const { value, error } = await page.evaluate((asked) => globalThis.attempt('blocked', asked), {
-      studio: studioAt('bare'),
-    });
-    assert.equal(error, undefined);
-    assert.deepEqual(value, { code: 'Blocked', href: studioAt('bare'), target: '_blank' });
+    for (const [lang, message] of [
+      [undefined, 'The studio cannot be shown here.'],
+      ['de-AT', 'Das Studio kann hier nicht angezeigt werden.'],
+    ]) {
+      const { value, error } = await page.evaluate((asked) => globalThis.attempt('blocked', asked), {
+        studio: studioAt('bare'),
+        lang,
+      });
+      assert.equal(error, undefined);
+      assert.deepEqual(value, { code: 'Blocked', message, href: studioAt('bare'), target: '_blank' });
+    }
     await page.close();
   });
 });

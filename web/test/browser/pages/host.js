@@ -46,14 +46,15 @@ async function plate({ studio, project, attributes = {}, zip = false }) {
 }
 
 /** What a page sees of a frame that the browser does not show. */
-async function blocked({ studio }) {
+async function blocked({ studio, lang = '' }) {
   await import(`${studio}embed/sillon-studio.js`);
   const element = document.createElement('sillon-studio');
   const error = new Promise((resolve) => element.addEventListener('error', ({ detail }) => resolve(detail)));
+  if (lang !== '') element.lang = lang;
   document.body.append(element);
-  const { code } = await inTime(error, 'error');
+  const { code, message } = await inTime(error, 'error');
   const link = element.shadowRoot.querySelector('[role=alert]:not([hidden]) a');
-  return { code, href: link.href, target: link.target };
+  return { code, message, href: link.href, target: link.target };
 }
 
 /** A plain frame that has said hello. */
