@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/simd.hpp"
@@ -43,21 +44,23 @@ class CapsuleRows {
     const F4 row = splat(static_cast<float>(y)) + F4{0, 1, 2, 3};
     F4 left = splat(kFar);
     F4 right = splat(-kFar);
+    // Where a row meets nothing x is no number, which min4 and max4 pass over.
+    const auto meet = [&](F4 from, F4 to) {
+      left = min4(from, left);
+      right = max4(to, right);
+    };
     const auto meetDisc = [&](Vec2f centre, float radius) {
       const F4 dy = row - splat(centre.y);
-      const F4 half2 = splat(radius * radius) - dy * dy;
-      const I4 meets = half2 > splat(0);
-      const F4 half = sqrt4(max4(half2, splat(0)));
-      left = select4(meets, min4(left, splat(centre.x) - half), left);
-      right = select4(meets, max4(right, splat(centre.x) + half), right);
+      const F4 half = sqrt4(splat(radius * radius) - dy * dy);
+      meet(splat(centre.x) - half, splat(centre.x) + half);
     };
     meetDisc(a_, ra_);
     meetDisc(b_, rb_);
     for (const Edge& edge : edges_) {
-      const I4 meets = (row > splat(edge.low)) & (row < splat(edge.high));
-      const F4 x = splat(edge.x) + splat(edge.slope) * (row - splat(edge.low));
-      left = select4(meets, min4(left, x), left);
-      right = select4(meets, max4(right, x), right);
+      const F4 rise = row - splat(edge.low);
+      const F4 x = select4((rise > splat(0)) & (row < splat(edge.high)), splat(edge.x) + splat(edge.slope) * rise,
+                           splat(std::numeric_limits<float>::quiet_NaN()));
+      meet(x, x);
     }
     const F4 width = splat(static_cast<float>(columns));
     const F4 none = splat(0);

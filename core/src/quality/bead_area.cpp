@@ -235,16 +235,22 @@ class TilePasses {
     if (!open_) return;
     open_ = false;
     const Mask& mask = masks_[current_];
+    for (int y = mask.begin; y < mask.end; ++y) samePass_[static_cast<std::size_t>(y)] = {};
+    for (const Mask* near : near_) {
+      const auto end = static_cast<std::size_t>(std::min(mask.end, near->end));
+      for (auto y = static_cast<std::size_t>(std::max(mask.begin, near->begin)); y < end; ++y) {
+        samePass_[y] = samePass_[y] | near->rows[y];
+      }
+    }
     for (std::size_t y = static_cast<std::size_t>(mask.begin); y < static_cast<std::size_t>(mask.end); ++y) {
-      Row samePass;
-      for (const Mask* near : near_) samePass = samePass | near->rows[y];
-      again_[y] = again_[y] | (mask.rows[y] & covered_[y] & ~samePass);
+      again_[y] = again_[y] | (mask.rows[y] & covered_[y] & ~samePass_[y]);
       covered_[y] = covered_[y] | mask.rows[y];
     }
   }
 
   std::array<Row, kTileHeight> covered_{};
   std::array<Row, kTileHeight> again_{};
+  std::array<Row, kTileHeight> samePass_{};
   std::int32_t cycle_ = -1;
   std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
   std::size_t used_ = 0;                   ///< by how many stretches so far
@@ -295,9 +301,14 @@ void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& pas
   const Stretches& stretches = scene.stretchesOf[static_cast<std::size_t>(bead.cycle)];
   const int count = std::max(1, static_cast<int>(std::ceil(bead.length / scene.pieceLength)));
   const auto pieces = static_cast<float>(count);
-  const auto [t0, t1] = withinTile(a, b, std::max(ra, rb) + 1);
-  const int last = std::min(count, static_cast<int>(std::ceil(t1 * pieces)));
-  for (int k = std::max(0, static_cast<int>(t0 * pieces)); k < last; ++k) {
+  int first = 0;
+  int last = count;
+  if (count > 4) {
+    const auto [t0, t1] = withinTile(a, b, std::max(ra, rb) + 1);
+    first = std::max(first, static_cast<int>(t0 * pieces));
+    last = std::min(last, static_cast<int>(std::ceil(t1 * pieces)));
+  }
+  for (int k = first; k < last; ++k) {
     const float from = static_cast<float>(k) / pieces;
     const float to = static_cast<float>(k + 1) / pieces;
     const CapsuleRows piece(a + (b - a) * from, a + (b - a) * to, ra + (rb - ra) * from, ra + (rb - ra) * to);
