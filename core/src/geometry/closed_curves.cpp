@@ -88,7 +88,8 @@ std::vector<Segment> segmentsOf(const ClosedCurves& curves, const std::vector<ch
 // Square cells over all segments, so that only those in a common cell need be compared.
 struct CellRaster {
   PointUm32 low{};
-  std::int64_t cell = 1;  ///< side: about two mean segments, and not many more cells than segments
+  double cell = 1;     ///< side: about two mean segments, and not many more cells than segments
+  double perCell = 1;  ///< divisions took a third of sorting
   int nx = 0;
   int ny = 0;
 
@@ -99,35 +100,41 @@ struct CellRaster {
     for (const Segment& s : segments) {
       low = {std::min({low.x, s.a.x, s.b.x}), std::min({low.y, s.a.y, s.b.y})};
       high = {std::max({high.x, s.a.x, s.b.x}), std::max({high.y, s.a.y, s.b.y})};
-      total += std::hypot(static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y));
+      const Vec2 d{static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y)};
+      total += std::sqrt(dot(d, d));
     }
     const double area = (static_cast<double>(high.x - low.x) + 1) * (static_cast<double>(high.y - low.y) + 1);
     const double count = static_cast<double>(segments.size());
     const double mean = total / count;
-    cell = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::max(2 * mean, std::sqrt(area / (4.0 * count)))));
-    nx = static_cast<int>((high.x - low.x) / cell) + 1;
-    ny = static_cast<int>((high.y - low.y) / cell) + 1;
+    cell = std::max(1.0, std::floor(std::max(2 * mean, std::sqrt(area / (4.0 * count)))));
+    perCell = 1 / cell;
+    nx = cellOf(high.x, low.x) + 1;
+    ny = cellOf(high.y, low.y) + 1;
+  }
+
+  [[nodiscard]] int cellOf(double v, std::int32_t from) const {
+    return static_cast<int>((v - static_cast<double>(from)) * perCell);
   }
 
   /// Calls visit(index) for the cells a segment passes, row by row: exact within a row by the slope, widened by a
   /// cell's rounding.
   template <class Visit>
   void forCells(const Segment& s, const Visit& visit) const {
-    const int y0 = static_cast<int>((std::min(s.a.y, s.b.y) - low.y) / cell);
-    const int y1 = static_cast<int>((std::max(s.a.y, s.b.y) - low.y) / cell);
+    const int y0 = cellOf(std::min(s.a.y, s.b.y), low.y);
+    const int y1 = cellOf(std::max(s.a.y, s.b.y), low.y);
     for (int y = y0; y <= y1; ++y) {
       double x0 = static_cast<double>(std::min(s.a.x, s.b.x));
       double x1 = static_cast<double>(std::max(s.a.x, s.b.x));
       if (y0 != y1) {
         const double slope = static_cast<double>(s.b.x - s.a.x) / static_cast<double>(s.b.y - s.a.y);
-        const double bottom = static_cast<double>(low.y + y * cell);
+        const double bottom = static_cast<double>(low.y) + y * cell;
         const double u = static_cast<double>(s.a.x) + (bottom - static_cast<double>(s.a.y)) * slope;
-        const double v = u + static_cast<double>(cell) * slope;
+        const double v = u + cell * slope;
         x0 = std::max(x0, std::min(u, v) - 1);
         x1 = std::min(x1, std::max(u, v) + 1);
       }
-      const int c0 = std::max(0, static_cast<int>((x0 - static_cast<double>(low.x)) / static_cast<double>(cell)));
-      const int c1 = std::min(nx - 1, static_cast<int>((x1 - static_cast<double>(low.x)) / static_cast<double>(cell)));
+      const int c0 = std::max(0, cellOf(x0, low.x));
+      const int c1 = std::min(nx - 1, cellOf(x1, low.x));
       for (int x = c0; x <= c1; ++x)
         visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x));
     }

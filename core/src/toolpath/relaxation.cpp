@@ -135,9 +135,13 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
   const float step = 0.25f * spacing;
   const float smoothing = static_cast<float>(params.relaxationSmoothing);
   const float strength = static_cast<float>(params.relaxationStrength);
-  ClosedCurves path = resampledSimply(curves, step, run);
-  release(curves);  // memory peaks in here
+  ClosedCurves path = resampled(curves, step, run);
   BeadGaps gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
+  if (!findCrossings(path, run, gaps.tight).empty()) {
+    path = resampledSimply(curves, step, run);
+    gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
+  }
+  release(curves);
   for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);
     std::vector<float> share = sharesOf(path, spacing);
