@@ -1,6 +1,7 @@
 #include "gcode_reader/coverage.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +15,9 @@ constexpr double kFinest = 0.05;  // [mm]
 constexpr double kMostCells = 4e6;
 constexpr std::int64_t kMostVisits = 200'000'000;  // of cells, a second; a plate of 120 x 80 mm takes a quarter
 
-// One byte per cell: which kinds of beads have touched its middle.
+// One bit per cell and kind of beads: whether one has touched its middle.
 struct Raster {
-  static constexpr std::uint8_t kBase = 1;
-  static constexpr std::uint8_t kOriented = 2;
+  using Bits = std::vector<std::uint64_t>;
 
   explicit Raster(const Bounds& box) : min(box.min) {
     const Vec2 size = box.size();
@@ -25,7 +25,9 @@ struct Raster {
     cell = std::max({cell, size.x / kMostCells, size.y / kMostCells});
     columns = static_cast<int>(size.x / cell) + 1;
     rows = static_cast<int>(size.y / cell) + 1;
-    cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
+    rowWords = static_cast<std::size_t>(columns - 1) / 64 + 1;
+    base.assign(rowWords * static_cast<std::size_t>(rows), 0);
+    oriented = base;
   }
 
   /// \return how many cells it has looked at
@@ -36,7 +38,7 @@ struct Raster {
     };
     const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 / cell);
     const CapsuleRows capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
-    const std::uint8_t kind = bead.base ? kBase : kOriented;
+    Bits& bits = bead.base ? base : oriented;
     std::int64_t visits = 0;
     const int end = capsule.endRow(rows);
     for (int row = capsule.firstRow(rows); row < end; row += 4) {
@@ -44,8 +46,7 @@ struct Raster {
       I4 to;
       capsule.at(row, columns, from, to);
       for (int k = 0; k < std::min(4, end - row); ++k) {
-        std::uint8_t* line = cells.data() + static_cast<std::size_t>(row + k) * static_cast<std::size_t>(columns);
-        for (int column = from[k]; column < to[k]; ++column) line[column] |= kind;
+        if (from[k] < to[k]) fill(&bits[static_cast<std::size_t>(row + k) * rowWords], from[k], to[k] - 1);
         visits += std::max(1, to[k] - from[k]);
       }
     }
@@ -54,22 +55,35 @@ struct Raster {
 
   // Share of the base that is covered; the oriented layer is taken off again.
   double takeCoverage() {
-    std::int64_t base = 0;
+    std::int64_t all = 0;
     std::int64_t covered = 0;
-    for (std::uint8_t& cell : cells) {
-      if ((cell & kBase) == 0) continue;
-      ++base;
-      if ((cell & kOriented) != 0) ++covered;
+    for (std::size_t k = 0; k < base.size(); ++k) {
+      all += std::popcount(base[k]);
+      covered += std::popcount(base[k] & oriented[k]);
+      oriented[k] = 0;
     }
-    for (std::uint8_t& cell : cells) cell &= kBase;
-    return base > 0 ? static_cast<double>(covered) / static_cast<double>(base) : -1;
+    return all > 0 ? static_cast<double>(covered) / static_cast<double>(all) : -1;
+  }
+
+  [[nodiscard]] std::int64_t cells() const { return static_cast<std::int64_t>(columns) * rows; }
+
+ private:
+  static void fill(std::uint64_t* row, int first, int last) {
+    for (int word = first / 64; word <= last / 64; ++word) {
+      std::uint64_t mask = ~std::uint64_t{0};
+      if (word == first / 64) mask <<= first % 64;
+      if (word == last / 64) mask &= ~std::uint64_t{0} >> (63 - last % 64);
+      row[word] |= mask;
+    }
   }
 
   Vec2 min;
   double cell = 0;
   int columns = 0;
   int rows = 0;
-  std::vector<std::uint8_t> cells;
+  std::size_t rowWords = 0;
+  Bits base;
+  Bits oriented;
 };
 
 // Without a base, or where that would take too long, the shares are -1.
@@ -99,7 +113,7 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
     return;
   }
   Raster raster(box);
-  rest -= static_cast<std::int64_t>(raster.cells.size());
+  rest -= raster.cells();
   for (const LaidBead* bead = begin; bead != end && rest >= 0; ++bead) {
     if (bead->base) rest -= raster.draw(*bead);
   }
@@ -112,7 +126,7 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
     for (; bead != end && bead->layer == layer; ++bead) {
       if (!bead->base && rest >= 0) rest -= raster.draw(*bead);
     }
-    rest -= static_cast<std::int64_t>(raster.cells.size());
+    rest -= raster.cells();
     shares.push_back(rest >= 0 ? raster.takeCoverage() : -1);
   }
 }
