@@ -119,6 +119,12 @@ TEST_CASE("volume is area times height, with holes, islands in them, touching co
        shapeOf({box(0, 0, 5, 21), box(1, 1, 3, 4), box(1, 6, 3, 4), box(1, 11, 3, 4), box(1, 16, 3, 4)}), 105 - 48},
       {"two squares that touch", shapeOf({box(0, 0, 5, 5), box(5, 5, 5, 5)}), 50},
       {"two holes that touch", shapeOf({box(0, 0, 20, 20), box(5, 5, 5, 5), box(10, 10, 5, 5)}), 350},
+      {"a hole level with two that touch",
+       shapeOf({box(0, 0, 20, 20),
+                {{8, 10}, {10, 12}, {8, 14}, {6, 12}},
+                {{8, 10}, {6, 8}, {8, 6}, {10, 8}},
+                {{14, 10}, {16, 8}, {18, 10}, {16, 12}}}),
+       400 - 24},
       {"a hole that touches the border", shapeOf({box(0, 0, 20, 20), {{0, 10}, {5, 5}, {5, 15}}}), 375},
       {"a bow tie", shapeOf({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}}), 50},
       {"overlaps", shapeOf({box(0, 0, 10, 10), box(5, 5, 10, 10)}, FillRule::NonZero), 175},
@@ -177,6 +183,89 @@ TEST_CASE("random shapes become closed bodies of their volume") {
     CHECK(lookingUp <= outline.value().area + 2 * slack);  // next to nothing is covered twice
   }
   CHECK(bodies > 390);
+}
+
+TEST_CASE("discs that lie nearly on each other become one closed body without folds") {
+  const auto disc = [](Vec2 centre, double turn) {
+    Ring ring;
+    for (int k = 0; k < 300; ++k) {
+      const double angle = (k + turn) * 2 * 3.14159265358979 / 300;
+      ring.push_back(centre + 15.0 * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    return ring;
+  };
+  scenes::Random random(11);
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    Shape shape{{}, {60, 40}};
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 centre{20 + 1e-6 * random.index(2000), 20 + 1e-6 * random.index(2000)};
+      shape.paths.push_back({{disc(centre, random.index(100) / 100.0)}, FillRule::NonZero});
+    }
+    const Result<Outline> outline = resolveOutline(shape);
+    REQUIRE(outline.ok());
+    const Mesh mesh = bodyOf(shape);
+    CHECK(openEdges(mesh) == 0);
+    const double slack = 0.001 * borderOf(outline.value());
+    CHECK(std::abs(topArea(mesh, 0.4) - outline.value().area) <= slack);
+    CHECK(std::abs(volume(mesh) / 0.4 - outline.value().area) <= slack);
+  }
+}
+
+TEST_CASE("holes that meet in one point, and one level with it, leave a closed body however they are turned") {
+  const std::vector<std::vector<Ring>> drawings{
+      {{{8, 10}, {11, 13}, {8, 13}}, {{8, 10}, {5, 13}, {5, 7}}, {{8, 10}, {8, 7}, {11, 7}}, box(14, 10, 3, 3)},
+      {{{8, 10}, {11, 13}, {8, 13}}, {{8, 10}, {5, 13}, {5, 7}}, {{14, 10}, {16, 8}, {18, 10}, {16, 12}}},
+      {{{8, 10}, {12, 12}, {12, 11}}, {{8, 10}, {12, 9}, {12, 8}}, box(14, 10, 3, 3), box(2, 10, 3, 3)},
+      {{{8, 10}, {12, 13}, {12, 12}}, {{8, 10}, {12, 11}, {12, 9}}, {{8, 10}, {12, 8}, {12, 7}}, box(2, 8, 3, 2)},
+  };
+  for (std::size_t k = 0; k < drawings.size(); ++k) {
+    for (int turn = 0; turn < 8; ++turn) {
+      CAPTURE(k);
+      CAPTURE(turn);
+      std::vector<Ring> rings{box(0, 0, 20, 20)};
+      double area = 400;
+      for (const Ring& hole : drawings[k]) {
+        Ring& ring = rings.emplace_back();
+        double twice = 0;
+        for (std::size_t i = 0; i < hole.size(); ++i) {
+          twice += cross(hole[i], hole[(i + 1) % hole.size()]);
+          Vec2 p = hole[i];
+          if (turn & 1) p.x = 20 - p.x;
+          if (turn & 2) p.y = 20 - p.y;
+          if (turn & 4) std::swap(p.x, p.y);
+          ring.push_back(p);
+        }
+        area -= std::abs(twice) / 2;
+      }
+      const Mesh mesh = bodyOf(shapeOf(rings));
+      CHECK(openEdges(mesh) == 0);
+      CHECK(topArea(mesh, 0.4) == Approx(area));
+    }
+  }
+}
+
+TEST_CASE("cells and halves of cells that touch in corners everywhere become one closed body of their area") {
+  scenes::Random random(23);
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    Shape shape{{}, {60, 40}};
+    double area = 0;
+    for (int y = 0; y < 9; ++y) {
+      for (int x = 0; x < 9; ++x) {
+        Ring ring = box(3 * x, 3 * y, 3, 3);
+        const int cut = random.index(8);  // 0 to 3: one corner is missing; 4, 5: empty; 6, 7: full
+        if (cut == 4 || cut == 5) continue;
+        if (cut < 4) ring.erase(ring.begin() + cut);
+        area += cut < 4 ? 4.5 : 9;
+        shape.paths.push_back({{ring}, FillRule::NonZero});
+      }
+    }
+    const Mesh mesh = bodyOf(shape);
+    CHECK(openEdges(mesh) == 0);
+    CHECK(volume(mesh) == Approx(area * 0.4));
+    CHECK(topArea(mesh, 0.4) == Approx(area));
+  }
 }
 
 TEST_CASE("however bad the rings are, the triangles and walls close") {

@@ -2,6 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 
@@ -104,6 +111,56 @@ TEST_CASE("the area of the outline is that of its intervals for random overlappi
     CAPTURE(k);
     CHECK(areaOf(shape) == about(intervalArea(shape, 10, 5000), 2e-3));
   }
+}
+
+TEST_CASE("on the grid pieces meet at their ends only, and from each point as many go as come") {
+  using Point = std::pair<std::int64_t, std::int64_t>;
+  scenes::Random random(4);
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    // Spokes through a region of a few steps, along one line, or anywhere: next to nothing lies on the grid already.
+    const double size = round % 3 == 0 ? 0.02 : 5;
+    Ring ring;
+    for (int k = 0; k < 14; ++k) {
+      const double x = random.in(0, size);
+      ring.push_back(round % 3 == 1 ? Vec2{x, 0.7 * x + random.in(0, 0.004)} : Vec2{x, random.in(0, size)});
+    }
+    const Shape shape = shapeOf({ring}, {5, 5});
+    const auto exact = resolveOutline(shape);
+    const auto outline = outlineOnGrid(shape);
+    REQUIRE(exact.ok());
+    REQUIRE(outline.ok());
+    double border = 0;
+    for (const BorderSegment& s : exact.value().segments) border += length(s.b - s.a);
+    CHECK(std::abs(outline.value().area - exact.value().area) <= 0.001 * border);
+    const auto point = [](Vec2 p) { return Point{std::llround(p.x * 1000), std::llround(p.y * 1000)}; };
+    const auto turn = [](Point a, Point b, Point c) {
+      return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
+    };
+    std::map<Point, int> balance;
+    std::vector<std::pair<Point, Point>> pieces;
+    for (const BorderSegment& s : outline.value().segments) {
+      pieces.emplace_back(point(s.a), point(s.b));
+      CHECK(
+          length(Vec2{static_cast<double>(pieces.back().first.first), static_cast<double>(pieces.back().first.second)} -
+                 s.a * 1000.0) < 1e-9);
+      ++balance[pieces.back().first];
+      --balance[pieces.back().second];
+    }
+    CHECK(std::all_of(balance.begin(), balance.end(), [](const auto& at) { return at.second == 0; }));
+    const auto side = [](std::int64_t v) { return v > 0 ? 1 : v < 0 ? -1 : 0; };
+    for (const auto& [a, b] : pieces) {
+      for (const auto& [c, d] : pieces) {
+        const bool across =
+            side(turn(a, b, c)) * side(turn(a, b, d)) < 0 && side(turn(c, d, a)) * side(turn(c, d, b)) < 0;
+        CHECK(!across);
+        const bool between = std::min(a.first, b.first) <= c.first && c.first <= std::max(a.first, b.first) &&
+                             std::min(a.second, b.second) <= c.second && c.second <= std::max(a.second, b.second);
+        CHECK((c == a || c == b || !between || turn(a, b, c) != 0));
+      }
+    }
+  }
+  CHECK(outlineOnGrid(shapeOf({rectangle({0, 0}, {1e-4, 1e-4})}, {1, 1})).error().code == ErrorCode::EmptyShape);
 }
 
 TEST_CASE("shapes without area say so") {

@@ -14,8 +14,6 @@
 #include "gcode/layout.hpp"
 #include "gcode/plate_transform.hpp"
 #include "gcode/validation.hpp"
-#include "geometry/triangulate.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -47,34 +45,15 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
   const Shape& shape = turn.none() ? given : turn.apply(given);
   const Bounds box = sillon::bounds(shape);
   if (box.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
-  const Result<Outline> outline = resolveOutline(shape);
-  if (!outline) return outline.error();
-
-  std::vector<PointUm> points;
-  const PrismRings rings = ringsOn(outline.value(), placement(box, printer, params), points);
-  const Triangulation flat = triangulate(points, rings);
-  if (!flat.complete) {
-    return Error{ErrorCode::TooLarge, "the outline has " + std::to_string(points.size()) +
-                                          " points, too entangled to cut into triangles; it must be simpler"};
-  }
-  if (flat.triangles.empty()) {
-    return Error{ErrorCode::EmptyShape, "the shape has no area at 0.001 mm; there is no body of it"};
-  }
-  // Rings that did not close, or cross by more than rounding, would make another body than the shape's.
-  double area = 0;
-  for (const Triangle& t : flat.triangles) {
-    area += static_cast<double>(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2e6;
-  }
-  double border = 0;
-  for (const BorderSegment& piece : outline.value().segments) border += length(piece.b - piece.a);
-  if (std::abs(area - outline.value().area) > 0.001 * border + 1e-6) {
-    return Error{ErrorCode::InvalidFile, "the outline does not close at 0.001 mm; there is no body of it"};
-  }
+  const Result<FlatBody> flat = flatBody(shape, placement(box, printer, params));
+  if (!flat) return flat.error();
   const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // oriented layers on the bed
   const double bottom = below == 0 ? params.startHeight : layerTop(params, below - 1);
   const double top = layerTop(params, below + params.base - 1);
   Mesh mesh;
-  for (const PointUm copy : copyPlaces(box, printer, params)) addPrism(flat, points, copy, bottom, top, mesh);
+  for (const PointUm copy : copyPlaces(box, printer, params)) {
+    addPrism(flat.value().triangulation, flat.value().points, copy, bottom, top, mesh);
+  }
   return mesh;
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 
-#include "base/sort_key.hpp"
+#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -23,35 +25,17 @@ bool comesBefore(PrismPoint a, PrismPoint b, PrismPoint c) {
   return half(b) != half(c) ? half(b) < half(c) : cross(b, c) > 0;
 }
 
-// Border pieces on the grid of the file. What lies on each other in opposite directions there bounds nothing.
 std::vector<Edge> edgesOf(const Outline& outline, PrismPoint offset) {
-  const auto rounded = [&](Vec2 p) { return PrismPoint{std::llround(p.x * 1000), std::llround(p.y * 1000)} + offset; };
-  const auto key = [](PrismPoint a, PrismPoint b, bool back) { return SortKey{{a.x, a.y, b.x, b.y}, back ? 1U : 0U}; };
-  std::vector<SortKey> pieces;  // all the same way, and whether that is back
-  for (const BorderSegment& piece : outline.segments) {
-    const PrismPoint a = rounded(piece.a);
-    const PrismPoint b = rounded(piece.b);
-    if (a != b) pieces.push_back(less(a, b) ? key(a, b, false) : key(b, a, true));
-  }
-  std::sort(pieces.begin(), pieces.end());
-  std::vector<SortKey> kept;
-  for (std::size_t i = 0; i < pieces.size();) {
-    const auto& [x0, y0, x1, y1] = pieces[i].first;
-    int sum = 0;
-    std::size_t k = i;
-    for (; k < pieces.size() && pieces[k].first == pieces[i].first; ++k) sum += pieces[k].second == 0 ? 1 : -1;
-    for (; sum > 0; --sum) kept.push_back(key({x0, y0}, {x1, y1}, false));
-    for (; sum < 0; ++sum) kept.push_back(key({x1, y1}, {x0, y0}, false));
-    i = k;
-  }
-  std::sort(kept.begin(), kept.end());
+  const auto exact = [&](Vec2 p) { return PrismPoint{std::llround(p.x * 1000), std::llround(p.y * 1000)} + offset; };
   std::vector<Edge> edges;
-  for (const auto& [ends, back] : kept) edges.push_back({{ends[0], ends[1]}, {ends[2], ends[3]}});
+  for (const BorderSegment& piece : outline.segments) edges.push_back({exact(piece.a), exact(piece.b)});
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& e, const Edge& f) { return e.a != f.a ? less(e.a, f.a) : less(e.b, f.b); });
   return edges;
 }
 
-// Rings of edges with the inside on the left. Where several meet in a point, each goes on with the edge that bounds the
-// same corner of the inside. What does not come back is left out.
+// Rings of edges with the inside on the left; from each point as many edges go as come. Where several meet in a point,
+// each goes on with the edge that bounds the same corner of the inside: holes that touch are one ring.
 PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& points) {
   PrismRings rings;
   std::vector<char> used(edges.size(), 0);
@@ -62,30 +46,23 @@ PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& poin
   };
   for (std::size_t first = 0; first < edges.size(); ++first) {
     if (used[first]) continue;
-    std::vector<PrismPoint> ring;
+    std::vector<std::uint32_t> ring;
     std::size_t edge = first;
-    for (;;) {
+    do {
       used[edge] = 1;
-      ring.push_back(edges[edge].a);
+      ring.push_back(static_cast<std::uint32_t>(points.size()));
+      points.push_back(edges[edge].a);
       const PrismPoint here = edges[edge].b;
-      if (here == edges[first].a) break;
       const PrismPoint back = edges[edge].a - here;
       std::size_t next = edges.size();
       for (std::size_t k = from(here); k < edges.size() && edges[k].a == here; ++k) {
-        if (used[k]) continue;
+        if (used[k] && k != first) continue;
         // The inside lies to the right of the way back: the last direction on the way round to the left bounds it.
         if (next == edges.size() || comesBefore(back, edges[next].b - here, edges[k].b - here)) next = k;
       }
-      if (next == edges.size()) break;
       edge = next;
-    }
-    if (ring.size() < 3 || edges[edge].b != edges[first].a) continue;
-    std::vector<std::uint32_t> indices;
-    for (const PrismPoint p : ring) {
-      indices.push_back(static_cast<std::uint32_t>(points.size()));
-      points.push_back(p);
-    }
-    rings.push_back(std::move(indices));
+    } while (edge != first && edge != edges.size());
+    if (edge == first && ring.size() >= 3) rings.push_back(std::move(ring));
   }
   return rings;
 }
@@ -110,8 +87,28 @@ void extrude(const Triangulation& flat, std::uint32_t count, std::uint32_t first
 
 }  // namespace
 
-PrismRings ringsOn(const Outline& outline, PrismPoint offset, std::vector<PrismPoint>& points) {
-  return ringsOf(edgesOf(outline, offset), points);
+Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset) {
+  const Result<Outline> outline = outlineOnGrid(shape);
+  if (!outline) return outline.error();
+  FlatBody flat;
+  const PrismRings rings = ringsOf(edgesOf(outline.value(), offset), flat.points);
+  Triangulation cut = triangulate(flat.points, rings);
+  if (!cut.complete) {
+    return Error{ErrorCode::TooLarge, "the outline has " + std::to_string(flat.points.size()) +
+                                          " points, too entangled to cut into triangles; it must be simpler"};
+  }
+  // Without regard to sign: triangles that are turned over would take from the sum what others have too much.
+  double area = 0;
+  for (const Triangle& t : cut.triangles) {
+    const PrismPoint a = flat.points[t[0]];
+    area += std::abs(static_cast<double>(cross(flat.points[t[1]] - a, flat.points[t[2]] - a))) / 2e6;
+  }
+  if (std::abs(area - outline.value().area) > 1e-9 * (1 + outline.value().area)) {
+    return Error{ErrorCode::TooLarge,
+                 "the outline touches itself in a way that cannot be cut into triangles; there is no body of it"};
+  }
+  flat.triangulation = std::move(cut);
+  return flat;
 }
 
 void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, PrismPoint offset, double bottom,

@@ -1,20 +1,26 @@
-// Prisms over triangulated outlines.
+// Prisms over shapes.
 #pragma once
 
 #include <vector>
 
 #include "geometry/triangulate.hpp"
+#include "sillon/base/result.hpp"
 #include "sillon/export/base_solid.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 
 using PrismPoint = Vec2T<std::int64_t>;  ///< [µm]
 using PrismRings = std::vector<std::vector<std::uint32_t>>;
 
-/// Rings of an outline on the grid of 1 µm, inside on their left. What lies on each other in opposite directions there
-/// bounds nothing; what does not close is left out. \param points  receives the rings' points.
-PrismRings ringsOn(const Outline& outline, PrismPoint offset, std::vector<PrismPoint>& points);
+struct FlatBody {
+  std::vector<PrismPoint> points;
+  Triangulation triangulation;  ///< of the points
+};
+
+/// A shape on the grid of 1 µm, cut into triangles that cover it once. \param offset  added to all points.
+/// \return EmptyShape, or TooLarge where that is too much work.
+Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset);
 
 /// Appends the prism between two heights [mm]. \param flat  of `points`.
 void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, PrismPoint offset, double bottom,

@@ -10,7 +10,6 @@
 #include "export/prism.hpp"
 #include "export/zip.hpp"
 #include "sillon/export/zones.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -95,20 +94,10 @@ struct Volume {
 
 Result<Mesh> prismOf(const Shape& shape, double height) {
   if (!(height > 0)) return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "above 0 mm")};
-  const Result<Outline> outline = resolveOutline(shape);
-  if (!outline) return outline.error();
-  std::vector<PrismPoint> points;
-  const PrismRings rings = ringsOn(outline.value(), {}, points);
-  const Triangulation flat = triangulate(points, rings);
-  if (!flat.complete) {
-    return Error{ErrorCode::TooLarge, "the outline has " + std::to_string(points.size()) +
-                                          " points, too entangled to cut into triangles; it must be simpler"};
-  }
-  if (flat.triangles.empty()) {
-    return Error{ErrorCode::EmptyShape, "the shape has no area at 0.001 mm; there is no body of it"};
-  }
+  const Result<FlatBody> flat = flatBody(shape, {});
+  if (!flat) return flat.error();
   Mesh mesh;
-  addPrism(flat, points, {}, 0, height, mesh);
+  addPrism(flat.value().triangulation, flat.value().points, {}, 0, height, mesh);
   return mesh;
 }
 

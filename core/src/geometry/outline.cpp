@@ -17,8 +17,12 @@ constexpr double kTouch = 1e-7;  ///< points nearer than this coincide [mm]
 /// An edge that passes a point within this goes through it [mm]: what should lie on one line comes on a grid of 1 nm.
 constexpr double kNear = 2e-6;
 constexpr int kMaxRounds = 5;                    ///< of splitting; two do for nearly all drawings
+constexpr int kMaxGridRounds = 50;               ///< of splitting on a grid; five do for nearly all drawings
+constexpr double kPerGrid = 1000;                ///< points of the grid that files hold [1/mm]
 constexpr std::size_t kMaxPieces = 4'000'000;    ///< beyond any drawing that a spacing of 0.05 mm could show
 constexpr std::uint64_t kMaxWork = 800'000'000;  ///< pair tests; a few seconds, reached by hostile drawings only
+
+enum class Points { AsGiven, OnGrid };  // mm as they are, or whole steps of the grid
 
 struct Edge {
   Vec2 a;
@@ -38,6 +42,18 @@ std::vector<Edge> edgesOf(const std::vector<FilledPath>& paths) {
     }
   }
   return edges;
+}
+
+Vec2 rounded(Vec2 p) { return {std::round(p.x) + 0.0, std::round(p.y) + 0.0}; }
+
+// In steps of the grid: sums and products of these are exact.
+std::vector<Edge> gridEdges(const std::vector<Edge>& edges) {
+  std::vector<Edge> out;
+  for (const Edge& edge : edges) {
+    const Edge to{rounded(edge.a * kPerGrid), rounded(edge.b * kPerGrid), edge.path};
+    if (!(to.a == to.b)) out.push_back(to);
+  }
+  return out;
 }
 
 bool filled(FillRule rule, int winding) { return rule == FillRule::NonZero ? winding != 0 : (winding & 1) != 0; }
@@ -150,23 +166,26 @@ struct Split {
   Vec2 at;
 };
 
-// Where an end of another edge lies on this one.
-void splitAtEnd(const Edge& edge, int index, Vec2 end, std::vector<Split>& splits) {
+// Where an end of another edge lies on this one. On the grid: where this one passes through the end's pixel, so that
+// what crosses stays crossed and splitting comes to an end (iterated snap rounding; Halperin and Packer 2002).
+void splitAtEnd(const Edge& edge, int index, Vec2 end, Points points, std::vector<Split>& splits) {
   const Vec2 along = edge.b - edge.a;
   const double size = length(along);
   const double t = dot(end - edge.a, along) / (size * size);
   if (t * size <= kTouch || (1 - t) * size <= kTouch) return;
-  if (std::abs(cross(along, end - edge.a)) <= kNear * size) splits.push_back({index, t, end});
+  const double off = std::abs(cross(along, end - edge.a));
+  if (points == Points::OnGrid ? off < 0.5 * (std::abs(along.x) + std::abs(along.y)) : off <= kNear * size)
+    splits.push_back({index, t, end});
 }
 
-void splitPair(const std::vector<Edge>& edges, int i, int j, std::vector<Split>& splits) {
+void splitPair(const std::vector<Edge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
   const Edge& e = edges[static_cast<std::size_t>(i)];
   const Edge& f = edges[static_cast<std::size_t>(j)];
   const std::size_t before = splits.size();
-  splitAtEnd(e, i, f.a, splits);
-  splitAtEnd(e, i, f.b, splits);
-  splitAtEnd(f, j, e.a, splits);
-  splitAtEnd(f, j, e.b, splits);
+  splitAtEnd(e, i, f.a, points, splits);
+  splitAtEnd(e, i, f.b, points, splits);
+  splitAtEnd(f, j, e.a, points, splits);
+  splitAtEnd(f, j, e.b, points, splits);
   if (splits.size() != before) return;
   const Vec2 u = e.b - e.a;
   const Vec2 v = f.b - f.a;
@@ -183,7 +202,9 @@ void splitPair(const std::vector<Edge>& edges, int i, int j, std::vector<Split>&
 }
 
 // All places where edges meet away from their own ends. False: too much work, with what was done before.
-bool findSplits(const std::vector<Edge>& edges, const Bounds& box, std::vector<Split>& splits, std::uint64_t& work) {
+bool findSplits(const std::vector<Edge>& edges, const Bounds& box, Points points, std::vector<Split>& splits,
+                std::uint64_t& work) {
+  const double reach = points == Points::OnGrid ? 1 : kNear;
   double total = 0;
   for (const Edge& edge : edges) total += length(edge.b - edge.a);
   const Vec2 size = box.size();
@@ -198,22 +219,22 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, std::vector<S
   };
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const Edge& edge = edges[k];
-    const std::int64_t firstRow = cellOf(std::min(edge.a.y, edge.b.y) - kNear, box.min.y);
-    const std::int64_t lastRow = cellOf(std::max(edge.a.y, edge.b.y) + kNear, box.min.y);
+    const std::int64_t firstRow = cellOf(std::min(edge.a.y, edge.b.y) - reach, box.min.y);
+    const std::int64_t lastRow = cellOf(std::max(edge.a.y, edge.b.y) + reach, box.min.y);
     for (std::int64_t row = firstRow; row <= lastRow; ++row) {
       double low = std::min(edge.a.x, edge.b.x);
       double high = std::max(edge.a.x, edge.b.x);
       if (firstRow != lastRow) {  // only the columns the edge passes within this row
-        const double y0 = box.min.y + static_cast<double>(row) * cell - kNear;
-        const double y1 = y0 + cell + 2 * kNear;
+        const double y0 = box.min.y + static_cast<double>(row) * cell - reach;
+        const double y1 = y0 + cell + 2 * reach;
         const double slope = (edge.b.x - edge.a.x) / (edge.b.y - edge.a.y);
         const double x0 = edge.a.x + (y0 - edge.a.y) * slope;
         const double x1 = edge.a.x + (y1 - edge.a.y) * slope;
         low = std::max(low, std::min(x0, x1));
         high = std::min(high, std::max(x0, x1));
       }
-      const std::int64_t last = cellOf(high + kNear, box.min.x);
-      for (std::int64_t column = cellOf(low - kNear, box.min.x); column <= last; ++column) {
+      const std::int64_t last = cellOf(high + reach, box.min.x);
+      for (std::int64_t column = cellOf(low - reach, box.min.x); column <= last; ++column) {
         entries.push_back({(static_cast<std::uint64_t>(row + 1) << 32) | static_cast<std::uint32_t>(column + 1),
                            static_cast<int>(k)});
       }
@@ -228,7 +249,7 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, std::vector<S
     work += count * count / 2;
     if (work > kMaxWork) return false;
     for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t j = i + 1; j < end; ++j) splitPair(edges, entries[i].edge, entries[j].edge, splits);
+      for (std::size_t j = i + 1; j < end; ++j) splitPair(edges, entries[i].edge, entries[j].edge, points, splits);
     }
     if (splits.size() > 2 * kMaxPieces) return false;
   }
@@ -329,28 +350,36 @@ Bounds mirroredBox(const Bounds& box) {
 
 /// The pieces with inside on exactly one side, on their left. No pieces if nothing is inside.
 /// \param rule  null: inside is where any path is filled.
-Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule* rule) {
+Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule* rule, Points points) {
   const Error tooLarge{
       ErrorCode::TooLarge,
       "the outline has too many edges or meets itself too often; at most 4 million pieces can be read"};
-  const std::vector<Edge> edges = edgesOf(paths);
+  const bool grid = points == Points::OnGrid;
+  const std::vector<Edge> edges = grid ? gridEdges(edgesOf(paths)) : edgesOf(paths);
   Outline outline;
   for (const Edge& edge : edges) outline.bounds.add(edge.a);
   if (edges.empty()) return outline;
   if (edges.size() > kMaxPieces) return tooLarge;
 
-  // What goes through a point within kNear is bent by that much and may cross what it did not before.
+  // What goes through a point within kNear, or through the grid's nearest to a crossing, is bent by that much and may
+  // cross what it did not before.
   std::vector<Edge> pieces = edges;
   std::uint64_t splitting = 0;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  bool settled = false;
+  for (int round = 0; round < (grid ? kMaxGridRounds : kMaxRounds) && !settled; ++round) {
     std::vector<Split> splits;
-    if (!findSplits(pieces, outline.bounds, splits, splitting)) return tooLarge;
-    unifyCrossings(pieces, splits);
+    if (!findSplits(pieces, outline.bounds, points, splits, splitting)) return tooLarge;
+    if (grid) {
+      for (Split& split : splits) split.at = rounded(split.at);
+    } else {
+      unifyCrossings(pieces, splits);
+    }
     const std::size_t before = pieces.size();
     pieces = piecesOf(pieces, splits);
     if (pieces.size() > kMaxPieces) return tooLarge;
-    if (pieces.size() == before) break;
+    settled = pieces.size() == before;
   }
+  if (grid && !settled) return tooLarge;
 
   const std::vector<std::size_t> groupOf = groupedByEnds(pieces);
   std::vector<std::vector<std::size_t>> doubles(pieces.size());  // of a group's first piece: the others
@@ -379,6 +408,14 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
     const bool upwards = runsUp(mirror ? turned[k] : pieces[k]);
     const BorderSegment forwards{pieces[k].a, pieces[k].b}, backwards{pieces[k].b, pieces[k].a};
     outline.segments.push_back(left == upwards ? forwards : backwards);
+  }
+  if (grid) {
+    for (BorderSegment& s : outline.segments)
+      s = {{s.a.x / kPerGrid, s.a.y / kPerGrid}, {s.b.x / kPerGrid, s.b.y / kPerGrid}};
+    Bounds box;
+    box.add({outline.bounds.min.x / kPerGrid, outline.bounds.min.y / kPerGrid});
+    box.add({outline.bounds.max.x / kPerGrid, outline.bounds.max.y / kPerGrid});
+    outline.bounds = box;
   }
   for (const BorderSegment& s : outline.segments) {
     outline.area += 0.5 * cross(s.a - outline.bounds.min, s.b - outline.bounds.min);
@@ -460,8 +497,10 @@ class Chains {
 
 }  // namespace
 
-Result<Outline> resolveOutline(const Shape& shape) {
-  Result<Outline> outline = borderOf(shape.paths, nullptr);
+namespace {
+
+Result<Outline> outlineOf(const Shape& shape, Points points) {
+  Result<Outline> outline = borderOf(shape.paths, nullptr, points);
   if (!outline) return outline;
   if (outline.value().bounds.empty()) {
     return Error{ErrorCode::EmptyShape, "the shape has no outline; it needs at least one closed path"};
@@ -472,8 +511,14 @@ Result<Outline> resolveOutline(const Shape& shape) {
   return outline;
 }
 
+}  // namespace
+
+Result<Outline> resolveOutline(const Shape& shape) { return outlineOf(shape, Points::AsGiven); }
+
+Result<Outline> outlineOnGrid(const Shape& shape) { return outlineOf(shape, Points::OnGrid); }
+
 Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRule& rule) {
-  const Result<Outline> outline = borderOf(paths, &rule);
+  const Result<Outline> outline = borderOf(paths, &rule, Points::AsGiven);
   if (!outline) return outline.error();
   return FilledPath{Chains(outline.value().segments).rings(), FillRule::NonZero};
 }

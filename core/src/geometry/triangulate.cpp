@@ -11,6 +11,7 @@ namespace {
 
 using Point = Vec2T<std::int64_t>;
 
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t kMostWork = 1'000'000'000;  // points looked at, a few seconds; reached by hostile shapes only
 
 // > 0 where a, b, c turn left; exact.
@@ -73,6 +74,10 @@ bool Ears::bridge(std::uint32_t hole) {
     if (at(k).x < at(from).x || (at(k).x == at(from).x && at(k).y < at(from).y)) from = k;
   }
   const Point tip = at(from);
+  const Point left{tip.x - 1, tip.y};
+  for (std::uint32_t k = nodes_[hole].after; k != hole && !opensTo(from, left); k = nodes_[k].after) {
+    if (at(k) == tip && opensTo(k, left)) from = k;  // holes that touch are one ring
+  }
   // The nearest edge to the left that has the inside on its right hand side as seen from there: one that runs down.
   double nearest = -std::numeric_limits<double>::infinity();
   std::uint32_t best = from;
@@ -86,8 +91,11 @@ bool Ears::bridge(std::uint32_t hole) {
     const double x = static_cast<double>(a.x) +
                      static_cast<double>(tip.y - a.y) * static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
     if (x > static_cast<double>(tip.x) || x <= nearest) continue;
+    const std::uint32_t corner = a.y == tip.y ? k : b.y == tip.y ? nodes_[k].after : kNone;
+    // Of several nodes at one place only one has the tip in front of it.
+    if (corner != kNone && !opensTo(corner, tip)) continue;
     nearest = x;
-    best = a.y == tip.y ? k : b.y == tip.y ? nodes_[k].after : a.x < b.x ? k : nodes_[k].after;
+    best = corner != kNone ? corner : a.x < b.x ? k : nodes_[k].after;
   }
   work_ += nodes_.size();
   if (best == from || work_ > kMostWork) {
