@@ -1,4 +1,4 @@
-// One setting of the C library, for programs that make plates.
+// What the system has of memory, and one setting of the C library, for programs that make plates.
 #pragma once
 
 #include <climits>
@@ -18,5 +18,8 @@ inline void keepFreedMemory() {
   mallopt(M_TOP_PAD, 64 << 20);
 #endif
 }
+
+/// Memory that this process may still take [bytes]; infinite where the system does not tell.
+double freeMemory();
 
 }  // namespace cli

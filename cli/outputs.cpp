@@ -279,9 +279,12 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   }
   if (!paths.body.empty()) {
     const auto mesh = sillon::baseBody(job.input.shape, job.project.printer, job.project.print);
-    if (!mesh) return mesh.error();
-    const bool zipped = paths.body.ends_with(".3mf");
-    files.push_back({paths.body, zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value())});
+    if (mesh) {
+      const bool zipped = paths.body.ends_with(".3mf");
+      files.push_back({paths.body, zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value())});
+    } else {
+      job.bodyRefused = Error{mesh.error().code, "\"" + paths.body + "\" is not written: " + mesh.error().message};
+    }
   }
   if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
   // Last, so that the peak holds all that came before.

@@ -28,6 +28,7 @@ struct Job {
   std::vector<sillon::PictureMeasures> pictureMeasures;
   std::optional<sillon::GcodeSummary> gcode;   ///< unset: no G-code was asked for
   std::vector<sillon::GcodeFinding> findings;  ///< of reading that G-code as a printer would
+  std::optional<sillon::Error> bodyRefused;    ///< why there is no body; the other outputs are made all the same
   std::string date;                            ///< for line 1 of the G-code
 };
 
@@ -41,7 +42,7 @@ sillon::Result<std::string> runDate();
 /// \param pictures  each has a preview.
 std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures);
 
-/// Makes every output; fills job.gcode and job.pictureMeasures.
+/// Makes every output; fills job.gcode, job.pictureMeasures and job.bodyRefused.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
 
 /// What a person wants to know of a plate, in a few lines.

@@ -510,6 +510,43 @@ TEST_CASE("the base is written as a solid, STL or 3MF by its name") {
   checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "base is 0; it must be at least 1");
 }
 
+TEST_CASE("a body that cannot be made does not take the G-code with it") {
+  const Folder folder;
+  folder.write("old.stl", "what was there");
+  const Run run = folder.run(std::string(kDisc) + "--base 0 --gcode a.gcode --report a.json --body old.stl");
+  CHECK(run.code == 2);
+  CHECK(run.err ==
+        "sillon: \"old.stl\" is not written: base is 0; it must be at least 1 for a body of the base layers\n");
+  CHECK(has(run.out, "wrote      a.gcode"));
+  CHECK(!has(run.out, "wrote      old.stl"));
+  CHECK(readAll(folder.at("old.stl")) == "what was there");
+  CHECK(folder.run("check a.gcode").code == 0);
+  CHECK(Json::parse(readAll(folder.at("a.json")))["warnings"].is_array());
+  CHECK(folder.files().size() == 3);
+}
+
+TEST_CASE("a plate that the memory does not hold is refused before work begins, and both ways out work") {
+  const Folder folder;
+  const std::string plate = "generate --shape rect --threads 1 --quiet --svg a.svg --angle 30 ";
+  const std::string little = "ulimit -v 300000;";
+  const Run run = folder.run(plate + "--size 1000x400 --spacing 0.4", little);
+  CHECK(run.code == 2);
+  CHECK(has(run.err, "10.1 million cells at spacing 0.4 mm; at most "));
+  CHECK(has(run.err, " GB of memory: use a spacing of at least "));
+  CHECK(folder.files().empty());
+  const auto after = [&](const std::string& words) {
+    return std::stod(run.err.substr(run.err.find(words) + words.size()));
+  };
+  const double spacing = after("use a spacing of at least ");
+  const double percent = after("or a size of at most ");
+  CHECK(spacing > 0.4);
+  CHECK(percent < 100);
+  CHECK(folder.run(plate + "--size 1000x400 --spacing " + std::to_string(1.1 * spacing), little).code == 0);
+  const double scale = 0.9 * percent / 100;
+  const std::string smaller = std::to_string(1000 * scale) + "x" + std::to_string(400 * scale);
+  CHECK(folder.run(plate + "--spacing 0.4 --size " + smaller, little).code == 0);
+}
+
 TEST_CASE("a printer is imported from G-code and prints") {
   const Folder folder;
   REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode").code == 0);

@@ -1,5 +1,6 @@
 // The whole way from shape to toolpath: truths, promises on every scene, goldens.
 #include "sillon/pipeline/pipeline.hpp"
+#include "sillon/pipeline/plate_size.hpp"
 
 #include <doctest/doctest.h>
 
@@ -42,6 +43,31 @@ std::map<std::string, std::string> goldens() {
 }
 
 }  // namespace
+
+TEST_CASE("the spacing and the size that a refusal names are the first that memory holds, in closed form") {
+  // Four cells for each square of one spacing, three more of these each way.
+  CHECK(cellsOf({100, 40}, 0.5) == 4 * 203 * 83);
+  const Vec2 size{100, 40};
+  for (const double freeBytes : {2e6, 5e6, 7e6}) {
+    CAPTURE(freeBytes);
+    CHECK(!plateTooLarge(size, 0.5, kBytesPerCell * cellsOf(size, 0.5)).has_value());
+    const auto error = plateTooLarge(size, 0.5, freeBytes);
+    REQUIRE(error.has_value());
+    CHECK(error->code == ErrorCode::TooLarge);
+    CHECK(error->message.find("needs 0.1 million cells at spacing 0.5 mm; at most 0 million are possible in 0 GB") !=
+          std::string::npos);
+    const auto after = [&](const std::string& words) {
+      return std::stod(error->message.substr(error->message.find(words) + words.size()));
+    };
+    const double spacing = after("use a spacing of at least ");
+    CHECK(!plateTooLarge(size, spacing, freeBytes).has_value());
+    CHECK(plateTooLarge(size, spacing - 0.001, freeBytes).has_value());
+    const double share = after("or a size of at most ") / 100;
+    CHECK(!plateTooLarge(size * share, 0.5, freeBytes).has_value());
+    CHECK(plateTooLarge(size * (share + 0.01), 0.5, freeBytes).has_value());
+  }
+  CHECK(plateTooLarge(size, 0.5, 0)->message.find("use a") == std::string::npos);  // nothing would do
+}
 
 TEST_CASE("a half plane of one direction gives straight beads one spacing apart") {
   // A large square, beads along x: in its middle every bead is a straight row, tau from the next.
@@ -192,6 +218,9 @@ TEST_CASE("odd shapes end in an error that says why") {
   CHECK(codeOf(square(1999.04), 0.4) == ErrorCode::TooLarge);
   const std::string most = sizeof(void*) == 4 ? "8 million" : "100 million";  // in a browser's 32 bits
   CHECK(message.find("100.1 million cells at spacing 0.4 mm; at most " + most) != std::string::npos);
+  CHECK(message.find(sizeof(void*) == 4
+                         ? ": use a spacing of at least 1.418"
+                         : ": use a spacing of at least 0.401 mm, or a size of at most 99 %") != std::string::npos);
   Shape noPage = square(5);
   noPage.page = {0, 5};
   CHECK(codeOf(noPage, 0.4) == ErrorCode::InvalidArgument);

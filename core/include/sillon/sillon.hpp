@@ -50,6 +50,7 @@
 
 // All of it in one call (Alg. 1), and how good the result is.
 #include "sillon/pipeline/pipeline.hpp"
+#include "sillon/pipeline/plate_size.hpp"
 #include "sillon/pipeline/session.hpp"
 #include "sillon/pipeline/stages.hpp"
 #include "sillon/quality/metrics.hpp"

@@ -9,7 +9,7 @@
 namespace sillon {
 namespace {
 
-// A session keeps 60 bytes a cell more than a single run; see kMaxCells.
+// A session keeps 60 bytes a cell more than a single run; see plate_size.cpp.
 constexpr double kMaxKeptCells = sizeof(void*) == 4 ? 3.2e6 : 40e6;
 
 // All parameters but those that only widths and simplification read. A parameter that is listed neither here nor below

@@ -6,6 +6,7 @@
 #include "base/free_memory.hpp"
 #include "geometry/closed_curves.hpp"
 #include "sillon/field/sine_field.hpp"
+#include "sillon/pipeline/plate_size.hpp"
 #include "sillon/toolpath/contour.hpp"
 #include "sillon/toolpath/simplify.hpp"
 #include "sillon/toolpath/small_cycles.hpp"
@@ -13,9 +14,6 @@
 
 namespace sillon {
 namespace {
-
-// A cell takes some 110 bytes; where pointers have 32 bits no more than 2 GB can be had, and 1 GB with threads.
-constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
 
 template <class T>
 void release(Fields fields, T& field) {
@@ -30,13 +28,7 @@ Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, 
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   const Vec2 size = outline.value().bounds.size();
-  const double cells = 4 * (size.x / params.spacing + 3) * (size.y / params.spacing + 3);
-  if (cells > kMaxCells) {
-    return Error{ErrorCode::TooLarge, "the plate of " + decimal(size.x, 1) + " x " + decimal(size.y, 1) + " mm needs " +
-                                          decimal(std::ceil(cells / 1e5) / 10, 1) + " million cells at spacing " +
-                                          decimal(params.spacing, 3) + " mm; at most " + decimal(kMaxCells / 1e6, 0) +
-                                          " million are possible"};
-  }
+  if (auto error = plateTooLarge(size, params.spacing)) return *error;
 
   clock.start("distance", 0.06);
   const Grid grid = makeGrid(outline.value().bounds, params.spacing);

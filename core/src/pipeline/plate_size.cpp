@@ -1,0 +1,48 @@
+#include "sillon/pipeline/plate_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/decimal_text.hpp"
+
+namespace sillon {
+namespace {
+
+// Where pointers have 32 bits no more than 2 GB can be had, and 1 GB with threads.
+constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
+constexpr double kFrame = 3;           // [tau] in each direction, around the outline
+constexpr double kWidestSpacing = 20;  // [mm] that may be chosen
+
+// The spacing at which there are just so many cells [mm]; infinite where the frame alone has more.
+double spacingFor(Vec2 size, double cells) {
+  // cells = 4 (w u + frame) (h u + frame), u = 1 / spacing
+  const double a = size.x * size.y;
+  const double b = kFrame * (size.x + size.y);
+  const double c = kFrame * kFrame - cells / 4;
+  if (c >= 0) return std::numeric_limits<double>::infinity();
+  return (b + std::sqrt(b * b - 4 * a * c)) / (-2 * c);
+}
+
+}  // namespace
+
+double cellsOf(Vec2 size, double spacing) { return 4 * (size.x / spacing + kFrame) * (size.y / spacing + kFrame); }
+
+std::optional<Error> plateTooLarge(Vec2 size, double spacing, double freeBytes) {
+  const double cells = cellsOf(size, spacing);
+  const bool byMemory = freeBytes < kMaxCells * kBytesPerCell;
+  const double most = byMemory ? std::max(0.0, freeBytes / kBytesPerCell) : kMaxCells;
+  if (cells <= most) return std::nullopt;
+  const auto millions = [](double tenths) { return decimal(tenths / 10, 1); };
+  std::string text = "the plate of " + decimal(size.x, 1) + " x " + decimal(size.y, 1) + " mm needs " +
+                     millions(std::ceil(cells / 1e5)) + " million cells at spacing " + decimal(spacing, 3) +
+                     " mm; at most " + millions(std::floor(most / 1e5)) + " million are possible";
+  if (byMemory) text += " in " + decimal(std::floor(freeBytes / 1e7) / 100, 2) + " GB of memory";
+  const double wider = std::ceil(1000 * spacingFor(size, most)) / 1000;
+  const double percent = std::floor(100 * spacing / wider);
+  if (wider <= kWidestSpacing) text += ": use a spacing of at least " + decimal(wider, 3) + " mm";
+  if (percent >= 1) text += ", or a size of at most " + decimal(percent, 0) + " % of this";
+  return Error{ErrorCode::TooLarge, std::move(text)};
+}
+
+}  // namespace sillon
