@@ -7,7 +7,7 @@ export const de: Dictionary = {
   'app.name': 'Sillon Studio',
   'app.local': 'Alles geschieht auf diesem Gerät. Nichts wird hochgeladen.',
   'app.host':
-    'Eingebettet in {host}: Diese Seite kann die Platte und die hier geöffneten Dateien lesen. Sonst wird nichts hochgeladen.',
+    'Eingebettet in {host}; von dort lassen sich die Platte und die hier geöffneten Dateien lesen. Sonst wird nichts hochgeladen.',
   'app.someHost': 'eine andere Seite',
   'app.open': 'In neuem Tab öffnen',
   'app.skip': 'Zur Platte springen',
@@ -248,7 +248,7 @@ export const de: Dictionary = {
   'tool.erase': 'Radierer',
   'tool.pan.help': 'Ziehen verschiebt, Mausrad oder zwei Finger zoomen.',
   'tool.comb.help': 'Über die Platte ziehen: Die Bahnen folgen dem Strich.',
-  'tool.mode.help': 'Über die Platte ziehen: Es wird festgelegt, was die Bahnen dort tun.',
+  'tool.mode.help': 'Über die Platte ziehen und festlegen, was die Bahnen dort tun.',
   'tool.erase.help': 'Entfernt Bearbeitungen.',
   'tool.radius': 'Pinselgröße',
   'tool.softness': 'Weichheit',
@@ -364,7 +364,7 @@ export const de: Dictionary = {
   'setting.print.base': 'Grundschichten',
   'help.print.base': 'Schraffierte Schichten darunter, die die Platte steif machen.',
   'setting.print.layerHeight': 'Schichthöhe',
-  'help.print.layerHeight': 'Höchstens 0,8 des Düsendurchmessers.',
+  'help.print.layerHeight': 'Höchstens das 0,8-Fache des Düsendurchmessers.',
   'setting.print.mirror': 'Von unten gesehen',
   'help.print.mirror': 'Spiegelt die Platte, damit sie von der Seite auf dem Druckbett richtig zu lesen ist.',
   'setting.print.rotate': 'Drehung auf dem Druckbett',
@@ -372,7 +372,7 @@ export const de: Dictionary = {
   'setting.print.place': 'Lage auf dem Druckbett',
   'help.print.place': 'Untere linke Ecke der Platte.',
   'null.print.place': 'Mittig',
-  'setting.print.startHeight': 'Drucken auf Höhe von',
+  'setting.print.startHeight': 'Beginnen in Höhe von',
   'help.print.startHeight':
     'Die Höhe eines Drucks, der schon auf dem Druckbett steht; alle Schichten liegen darüber. Die Referenzfahrt darf ihn nicht berühren. 0 ist das Druckbett.',
   'setting.print.firstLayerHeight': 'Höhe der ersten Schicht',
@@ -810,14 +810,14 @@ export const de: Dictionary = {
   'finding.retraction': 'Eine Leerfahrt ohne Rückzug oder Extrusion nach einem Rückzug.',
   'finding.cycle': 'Ein Weg schließt sich nicht.',
   'finding.coverage': 'Eine Deckschicht lässt einen Teil ihres Grunds frei.',
-  'finding.noise': 'Der Weg zittert so, dass Drucker bremsen.',
+  'finding.noise': 'Der Weg zittert so stark, dass Drucker bremsen.',
   'finding.settings': 'Sie ändert Einstellungen, die den Druck überdauern.',
   'finding.totals': 'Ihre Angaben sind nicht die ihrer Bewegungen.',
   'finding.end': 'Am Ende bleiben Heizungen an.',
   'warning.SpeedHeld': 'Ein Tempo von {asked} mm/s ist mehr, als die Maschine hat; es wird auf {held} begrenzt.',
   'warning.AccelerationHeld': 'Die Beschleunigung ist {asked} mm/s²; sie wird auf die der Maschine begrenzt, {held}.',
   'warning.NoPressureAdvance':
-    'Nichts stellt Pressure Advance auf diesem Drucker ein; ausgerichtete Schichten laufen daher gleichmäßig mit {speed} mm/s, {minutes} min länger als mit {asked}. Es oder das Tempo der ausgerichteten Schichten einstellen.',
+    'Nichts stellt Pressure Advance auf diesem Drucker ein; ausgerichtete Schichten laufen daher gleichmäßig mit {speed} mm/s, {minutes} min länger als mit {asked}. Pressure Advance oder das Tempo der ausgerichteten Schichten einstellen.',
   'warning.NotPrimed':
     'Die Platte lässt keinen Platz für eine Spüllinie; die Düse ist vor der ersten Bahn nicht gefüllt.',
   'warning.PrintOnBed':
