@@ -95,7 +95,7 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
     wanted.directions = cutMap(options_.directions, &DirectionMap::angle, page, stretched.value());
     return wanted;
   }
-  const Spool* spool = findSpool(options_.spool);
+  const Spool* spool = options_.ownSpool != nullptr ? options_.ownSpool : findSpool(options_.spool);
   if (spool == nullptr)
     return Error{ErrorCode::InvalidArgument, "spool \"" + options_.spool + "\" is none of those listed"};
   const bool below = surface.side == SurfaceSide::Bottom;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sillon/base/result.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/settings/picture_params.hpp"
 
@@ -32,6 +33,10 @@ const std::vector<Spool>& spools();
 const Spool* findSpool(std::string_view key);
 
 const Spool& spoolOf(SpoolName name);
+
+/// A person's own spools, sorted by key, out of a file as docs/reference/spools.md describes it.
+/// \return InvalidFile (which spool, what of it, what is allowed) or TooLarge (beyond 1 MiB).
+Result<std::vector<Spool>> readSpools(std::string_view text);
 
 /// \param nozzle  diameter [mm]; between those measured in proportion, beyond them as the nearer one.
 Roughness roughnessOf(const Spool& spool, double nozzle, bool bedSide);

@@ -11,6 +11,7 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/input/direction_map.hpp"
 #include "sillon/look/inversion.hpp"
+#include "sillon/look/spools.hpp"
 #include "sillon/quality/picture_measures.hpp"
 #include "sillon/rebrush/surfaces.hpp"
 #include "sillon/settings/toolpath_params.hpp"
@@ -31,7 +32,8 @@ struct RebrushOptions {
   ModeMap modes;
   std::vector<LitPicture> pictures;  ///< to be seen under lamps, at most 4: then `directions` do not count
   InversionParams inversion;
-  std::string spool = "bluePla";  ///< how the filament looks: a key of spools()
+  std::string spool = "bluePla";    ///< how the filament looks: a key of spools()
+  const Spool* ownSpool = nullptr;  ///< instead of it; outlives the call
   PictureFit fit = PictureFit::Face;
   bool tops = true;
   bool bottoms = false;

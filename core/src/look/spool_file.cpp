@@ -1,0 +1,141 @@
+// Reads files of a person's own spools: docs/reference/spools.md. They come from anywhere.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/decimal_text.hpp"
+#include "base/json.hpp"
+#include "base/words.hpp"
+#include "sillon/look/spools.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostSpools = 1000;
+constexpr std::size_t kLongestKey = 40;
+constexpr double kLeastSlope = 0.1, kMostSlope = 45;  // [degrees], as of pictures.slopes
+
+Error fault(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
+
+// The JSON, or what is wrong with it as text. Of repeated keys the library would drop all but the last one.
+Result<Json> parsed(std::string_view text) {
+  if (text.size() > kMaxBytes) {
+    return Error{ErrorCode::TooLarge, "a file of spools has " + std::to_string(text.size()) +
+                                          " bytes; it must have at most " + std::to_string(kMaxBytes)};
+  }
+  std::vector<std::set<std::string>> keys;
+  std::string twice;
+  const auto look = [&](int /*depth*/, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(value.get_ref<const std::string&>()).second &&
+        twice.empty()) {
+      twice = value.get<std::string>();
+    }
+    return true;
+  };
+  Json json = Json::parse(text.begin(), text.end(), look, false);
+  if (json.is_discarded()) return fault("a file of spools is JSON, and this text is not");
+  if (!twice.empty()) return fault("key " + inQuotes(twice) + " is given twice; each key may be given once");
+  return json;
+}
+
+/// The first key that is none of the words.
+std::optional<std::string> unknownKey(const Json& object, std::initializer_list<const char*> words) {
+  for (const auto& item : object.items()) {
+    const bool known = std::any_of(words.begin(), words.end(), [&](const char* word) { return item.key() == word; });
+    if (!known) return item.key();
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> readSlopes(const Json& sides, const char* side, const std::string& name, Roughness& out) {
+  const std::string what = name + "." + side;
+  const auto found = sides.find(side);
+  const bool pair = found != sides.end() && found->is_array() && found->size() == 2 && (*found)[0].is_number() &&
+                    (*found)[1].is_number();
+  if (!pair) {
+    return fault(what + " must be two numbers: the RMS slopes along and across the bead in degrees");
+  }
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const double slope = (*found)[k].get<double>();
+    if (slope >= kLeastSlope && slope <= kMostSlope) continue;
+    return fault(outOfRange((what + "[" + std::to_string(k) + "]").c_str(), slope, " degrees", "0.1 to 45"));
+  }
+  out = {(*found)[0].get<double>(), (*found)[1].get<double>()};
+  return std::nullopt;
+}
+
+std::optional<Error> readSides(const Json& spool, const char* nozzle, const std::string& name, SideRoughness& out) {
+  const std::string what = name + "." + nozzle;
+  const Json& sides = spool[nozzle];
+  if (!sides.is_object()) return fault(what + " must be an object with nozzleSide and bedSide");
+  if (const auto key = unknownKey(sides, {"nozzleSide", "bedSide"})) {
+    return fault(what + " has the key " + inQuotes(*key) + "; it may have nozzleSide and bedSide");
+  }
+  if (auto error = readSlopes(sides, "nozzleSide", what, out.nozzleSide)) return error;
+  return readSlopes(sides, "bedSide", what, out.bedSide);
+}
+
+Result<Spool> readSpool(const std::string& key, const Json& json) {
+  const std::string name = "spool " + inQuotes(key);
+  const bool plain = !key.empty() && key.size() <= kLongestKey && std::all_of(key.begin(), key.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  });
+  if (!plain) return fault(name + " must be called by 1 to 40 letters, digits, - and _");
+  if (findSpool(key) != nullptr) return fault(name + " is one that comes with the program; call yours otherwise");
+  if (!json.is_object()) return fault(name + " must be an object with colour and fine");
+  if (const auto other = unknownKey(json, {"colour", "fine", "wide", "source"})) {
+    return fault(name + " has the key " + inQuotes(*other) + "; it may have colour, fine, wide and source");
+  }
+  if (json.contains("source") && !json["source"].is_string()) return fault(name + ".source must be text");
+  Spool spool;
+  spool.key = key;
+  const Json colour = json.value("colour", Json());
+  bool rgb = colour.is_array() && colour.size() == 3;
+  for (std::size_t k = 0; rgb && k < 3; ++k) {
+    rgb = colour[k].is_number_unsigned() && colour[k].get<std::uint64_t>() <= 255;
+    if (rgb) spool.colour[k] = colour[k].get<std::uint8_t>();
+  }
+  if (!rgb) return fault(name + ".colour must be red, green and blue, whole numbers from 0 to 255");
+  if (!json.contains("fine")) return fault(name + " has no slopes; fine must have nozzleSide and bedSide");
+  if (auto error = readSides(json, "fine", name, spool.fine)) return *error;
+  spool.wide = spool.fine;
+  if (json.contains("wide")) {
+    if (auto error = readSides(json, "wide", name, spool.wide)) return *error;
+  }
+  return spool;
+}
+
+}  // namespace
+
+Result<std::vector<Spool>> readSpools(std::string_view text) {
+  const Result<Json> json = parsed(text);
+  if (!json) return json.error();
+  const Json& root = json.value();
+  if (!root.is_object() || !root.contains("spools") || !root["spools"].is_object()) {
+    return fault("a file of spools is an object with version and spools");
+  }
+  if (const auto key = unknownKey(root, {"version", "spools"})) {
+    return fault("a file of spools has the key " + inQuotes(*key) + "; it may have version and spools");
+  }
+  if (root.value("version", Json()) != 1) return fault("version of a file of spools must be 1");
+  if (root["spools"].size() > kMostSpools) {
+    return fault("a file has " + std::to_string(root["spools"].size()) + " spools; it may have at most " +
+                 std::to_string(kMostSpools));
+  }
+  std::vector<Spool> spools;
+  for (const auto& item : root["spools"].items()) {
+    Result<Spool> spool = readSpool(item.key(), item.value());
+    if (!spool) return spool.error();
+    spools.push_back(std::move(spool).value());
+  }
+  return spools;
+}
+
+}  // namespace sillon
