@@ -18,6 +18,7 @@
 
 #include "presets.hpp"
 #include "sillon/base/version.hpp"
+#include "sillon/look/spools.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
 #include "spools.hpp"
@@ -510,8 +511,18 @@ void addPresetLists(CLI::App& app, Arguments& arguments) {
 void addSpoolList(CLI::App& app, Arguments& arguments) {
   CLI::App* command = app.add_subcommand("spools", "List the measured spools, and what they show under lamps");
   const auto json = std::make_shared<bool>(false);
+  const auto own = std::make_shared<PictureOptions>();
   command->add_flag("--json", *json, "with slopes and light by direction, as JSON");
-  command->callback([&arguments, json] { arguments.answer = *json ? spoolJson() : spoolTable(); });
+  command->add_option("--spools", own->spoolsFile, "file of your own spools, listed behind them")
+      ->option_text("F.json");
+  command->callback([&arguments, json, own] {
+    if (const std::optional<Error> problem = readOwnSpools(*own)) {
+      throw CLI::ValidationError(problem->message, CLI::ExitCodes::ValidationError);
+    }
+    std::vector<sillon::Spool> all = sillon::spools();
+    all.insert(all.end(), own->ownSpools.begin(), own->ownSpools.end());
+    arguments.answer = *json ? spoolJson(all) : spoolTable(all);
+  });
 }
 
 void addCheck(CLI::App& app, Arguments& arguments) {
@@ -606,6 +617,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
       app.add_subcommand("calibrate", "Small prints that teach a printer's and a filament's settings");
   addCalibrate(*calibrate, arguments.calibrate);
   calibrate->add_option("project", arguments.scene, "project file to begin with")->option_text("PROJECT.json");
+  addSpools(*calibrate, arguments.pictures, "Calibration");
   Options calibrateOptions(*calibrate, arguments);
   addPrinter(calibrateOptions);
   addSettings(calibrateOptions, *calibrate, isOfCalibrations);

@@ -80,10 +80,15 @@ std::string tableJson(const std::string& kind, const CalibrationPlate& plate, co
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-sillon::LookParams lookOf(const CalibrationPlate& plate, const sillon::Spool& spool) {
+/// As the side looks that the nozzle has passed over.
+sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& project) {
   sillon::LookParams look;
+  const sillon::Spool* own = ownSpool(options);
+  const sillon::Spool& spool = own != nullptr ? *own : sillon::spoolOf(project.pictures.spool);
   look.colour = spool.colour;
-  look.roughness = sillon::roughnessOf(spool, plate.printer.nozzle, false);
+  sillon::Project shown = project;
+  shown.print.showSide = sillon::ShowSide::Up;
+  look.roughness = own != nullptr ? sillon::roughnessOf(*own, project.printer.nozzle, false) : roughnessOf(shown);
   return look;
 }
 
@@ -122,24 +127,19 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
       ->option_text("PX")
       ->check(CLI::Range(16, 16384))
       ->group(group);
-  command.add_option("--spool", arguments.spool, "whose look the picture has [the project's]")
-      ->option_text("KEY")
-      ->group(group);
   command.add_flag("--json", arguments.json, "what is printed, as JSON")->group(group);
 }
 
-Result<std::string> runCalibrate(const CalibrateArguments& arguments, const sillon::Project& project,
-                                 const std::string& scene, const std::string& date, const sillon::RunContext& run) {
+Result<std::string> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
+                                 const sillon::Project& project, const std::string& scene, const std::string& date,
+                                 const sillon::RunContext& run) {
   std::vector<std::string> outputs{arguments.out};
   if (!arguments.preview.empty()) outputs.push_back(arguments.preview);
-  const std::vector<std::string> inputs(scene.empty() ? 0 : 1, scene);
-  if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
-  const sillon::Spool* spool =
-      arguments.spool.empty() ? &sillon::spoolOf(project.pictures.spool) : sillon::findSpool(arguments.spool);
-  if (spool == nullptr) {
-    return Error{ErrorCode::InvalidArgument,
-                 "--spool is \"" + arguments.spool + "\"; sillon spools lists what it may be"};
+  std::vector<std::string> inputs;
+  for (const std::string* name : {&scene, &options.spoolsFile}) {
+    if (!name->empty()) inputs.push_back(*name);
   }
+  if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
   const std::vector<std::string>& kinds = sillon::calibrationKinds();
   const auto kind =
       static_cast<sillon::CalibrationKind>(std::find(kinds.begin(), kinds.end(), arguments.kind) - kinds.begin());
@@ -148,7 +148,7 @@ Result<std::string> runCalibrate(const CalibrateArguments& arguments, const sill
   CalibrationPlate& plate = made.value();
   const sillon::Toolpath shown = sillon::shownCalibration(plate);
   const sillon::Vec2 page = plate.patches.shape.page;
-  const sillon::LookParams look = lookOf(plate, *spool);
+  const sillon::LookParams look = lookOf(options, project);
   auto thumbnails = sillon::lookThumbnails(shown, page, plate.printer.screenSizes, look, run);
   if (!thumbnails) return thumbnails.error();
   plate.print.thumbnails = std::move(thumbnails).value();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "pictures.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/calibrate/calibrate.hpp"
@@ -22,7 +23,6 @@ struct CalibrateArguments {
   std::string out;          ///< G-code; packed by its ending as --gcode of generate
   std::string preview;      ///< PNG
   int previewWidth = 1600;  ///< [pixels], as that of generate
-  std::string spool;        ///< whose look the preview has; empty: the project's
   bool json = false;
 };
 
@@ -30,9 +30,10 @@ struct CalibrateArguments {
 void addCalibrate(CLI::App& command, CalibrateArguments& arguments);
 
 /// What the command prints, once its files are written.
-/// \param scene  the file that the project is of; empty: none. \param date  for line 1 of the G-code.
-sillon::Result<std::string> runCalibrate(const CalibrateArguments& arguments, const sillon::Project& project,
-                                         const std::string& scene, const std::string& date,
-                                         const sillon::RunContext& run);
+/// \param options  of which the spool counts. \param scene  the file that the project is of; empty: none. \param date
+/// for line 1 of the G-code.
+sillon::Result<std::string> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
+                                         const sillon::Project& project, const std::string& scene,
+                                         const std::string& date, const sillon::RunContext& run);
 
 }  // namespace cli

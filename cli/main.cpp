@@ -194,7 +194,7 @@ int calibrate(const cli::Arguments& arguments) {
   const sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
   const sillon::Result<std::string> text =
-      cli::runCalibrate(arguments.calibrate, project.value(), arguments.scene, date.value(), run);
+      cli::runCalibrate(arguments.calibrate, arguments.pictures, project.value(), arguments.scene, date.value(), run);
   return text ? answer(text.value(), 0) : fail(text.error());
 }
 
@@ -213,7 +213,9 @@ int generate(const cli::Arguments& arguments) {
 
   job.pictureOptions = arguments.pictures;
   std::vector<std::string> inputs = cli::inputFiles(job.project);
-  if (!arguments.scene.empty()) inputs.push_back(arguments.scene);
+  for (const std::string* name : {&arguments.scene, &arguments.pictures.spoolsFile}) {
+    if (!name->empty()) inputs.push_back(*name);
+  }
   if (const std::optional<Error> problem =
           cli::checkOutputs(cli::outputNames(arguments.outputs, job.project.pictures.files.size()), inputs)) {
     return fail(*problem);
@@ -239,9 +241,12 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is said may go away: what is written stays
 #endif
   try {
-    const sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
+    sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
     if (!arguments) return fail(arguments.error());
     if (!arguments.value().answer.empty()) return answer(arguments.value().answer, 0);
+    for (cli::PictureOptions* options : {&arguments.value().pictures, &arguments.value().rebrush.pictures}) {
+      if (const std::optional<Error> problem = cli::readOwnSpools(*options)) return fail(*problem);
+    }
     if (!arguments.value().check.empty()) return check(arguments.value());
     if (!arguments.value().rebrush.file.empty()) return rebrush(arguments.value().rebrush);
     if (!arguments.value().zones.out.empty()) return zones(arguments.value());

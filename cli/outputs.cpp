@@ -68,8 +68,8 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   print.date = job.date;
   print.notes = sillon::plateNotes(job.project.toolpath, job.measures);
   // Without a picture to show, as every other product draws them: the files are the same everywhere.
-  const sillon::LookParams thumbnailLook =
-      job.pictures.shown.empty() ? sillon::LookParams{} : sillon::lookOf(job.project, job.pictures, 0);
+  sillon::LookParams thumbnailLook;
+  if (!job.pictures.shown.empty()) thumbnailLook = previewLook(job.pictureOptions, job.project, job.pictures, 0);
   auto thumbnails = sillon::lookThumbnails(job.plate.toolpath, job.input.shape.page, job.project.printer.screenSizes,
                                            thumbnailLook, run);
   if (!thumbnails) return thumbnails.error();

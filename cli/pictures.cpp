@@ -70,13 +70,37 @@ void addPictures(CLI::App& app, PictureOptions& pictures) {
   app.add_option("--lamp-size", pictures.lampSize, "how large the lamps are, or their slope [softbox]")
       ->option_text("bulb|softbox|window|SLOPE")
       ->group(group);
-  app.add_option("--spool", pictures.spool, "what the filament looks like [bluePla]")->option_text("KEY")->group(group);
+  addSpools(app, pictures, group);
   app.add_option("--smoothness", pictures.smoothness, "more: fewer U-turns, less detail [0.02]")
       ->option_text("F")
       ->group(group);
   app.add_option("--local-contrast", pictures.localContrast, "raises what differs from its surroundings [0]")
       ->option_text("F")
       ->group(group);
+}
+
+void addSpools(CLI::App& app, PictureOptions& pictures, const std::string& group) {
+  app.add_option("--spool", pictures.spool, "what the filament looks like [bluePla]")->option_text("KEY")->group(group);
+  app.add_option("--spools", pictures.spoolsFile, "file of your own spools, of which --spool names one")
+      ->option_text("F.json")
+      ->group(group);
+}
+
+std::optional<sillon::Error> readOwnSpools(PictureOptions& options) {
+  if (options.spoolsFile.empty()) return std::nullopt;
+  const sillon::Result<std::string> text = readFile(options.spoolsFile, "file of spools", kMaxProjectBytes);
+  if (!text) return text.error();
+  sillon::Result<std::vector<sillon::Spool>> read = sillon::readSpools(text.value());
+  if (!read) return sillon::Error{read.error().code, "\"" + options.spoolsFile + "\": " + read.error().message};
+  options.ownSpools = std::move(read).value();
+  return std::nullopt;
+}
+
+const sillon::Spool* ownSpool(const PictureOptions& options) {
+  for (const sillon::Spool& spool : options.ownSpools) {
+    if (options.spool == spool.key) return &spool;
+  }
+  return nullptr;
 }
 
 std::string applyPictures(const PictureOptions& options, sillon::Project& project) {
@@ -95,16 +119,25 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
     }
     project.pictures.lampSize = *slope;
   }
-  if (options.spool) {
+  if (!options.spoolsFile.empty() && !options.spool) {
+    return "--spools is \"" + options.spoolsFile + "\", but no --spool is given; it must name one";
+  }
+  if (const sillon::Spool* own = ownSpool(options)) {
+    const bool bed = project.print.showSide == sillon::ShowSide::Bed;
+    const sillon::Roughness slopes = sillon::roughnessOf(*own, project.printer.nozzle, bed);
+    project.pictures.slopes = Vec2{slopes.along, slopes.across};
+  } else if (options.spool) {
     const sillon::Setting& row = *sillon::findSetting(sillon::Section::Pictures, "spool");
     const std::vector<std::string> words = sillon::splitWords(row.choices);
     const auto found = std::find(words.begin(), words.end(), *options.spool);
     if (found == words.end()) {
       std::string all;
       for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+      for (const sillon::Spool& own : options.ownSpools) all += ", " + own.key;
       return "--spool is \"" + *options.spool + "\"; it must be one of " + all;
     }
     sillon::choose(row.field(sillon::viewOf(project)), static_cast<std::size_t>(found - words.begin()));
+    project.pictures.slopes.reset();  // those of a spool of one's own
   }
   if (options.smoothness) project.pictures.smoothness = *options.smoothness;
   if (options.localContrast) project.pictures.localContrast = *options.localContrast;
@@ -132,6 +165,7 @@ bool looksLikePicture(const std::string& path) {
 sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
                                const sillon::PlatePictures& pictures, std::size_t picture) {
   sillon::LookParams look = sillon::lookOf(project, pictures, picture);
+  if (const sillon::Spool* own = ownSpool(options)) look.colour = own->colour;
   if (picture < pictures.shown.size() || options.lamps.empty()) return look;
   const Vec2 lamp = lampOf(options.lamps[0]).value_or(Vec2{look.lamp.azimuth, look.lamp.elevation});
   look.lamp.azimuth = lamp.x;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sillon/base/result.hpp"
+#include "sillon/look/spools.hpp"
 #include "sillon/project/pictures.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/picture_measures.hpp"
@@ -21,12 +23,23 @@ struct PictureOptions {
   std::vector<std::string> lamps;       ///< "AZ" or "AZ,EL"; fewer than files: the rest is chosen
   std::optional<std::string> lampSize;  ///< "bulb", "softbox", "window" or a slope
   std::optional<std::string> spool;
+  std::string spoolsFile;                ///< of a person's own; empty: none
+  std::vector<sillon::Spool> ownSpools;  ///< what is in it, once it is read
   std::optional<double> smoothness;
   std::optional<double> localContrast;
 };
 
 /// Adds the options. \param app  has --directions and --angle already, which they exclude.
 void addPictures(CLI::App& app, PictureOptions& pictures);
+
+/// Adds --spool and --spools alone.
+void addSpools(CLI::App& app, PictureOptions& pictures, const std::string& group);
+
+/// Reads the file of own spools, if one is named. \return what is wrong with it.
+std::optional<sillon::Error> readOwnSpools(PictureOptions& options);
+
+/// The own spool that is asked for; null if none is, or one that comes with the program.
+const sillon::Spool* ownSpool(const PictureOptions& options);
 
 /// Lays the options over a project: pictures replace its own and its directions, lamps alone move its own pictures'.
 /// \return what is wrong; empty: nothing.

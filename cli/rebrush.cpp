@@ -212,6 +212,7 @@ Result<sillon::RebrushOptions> readOptions(const RebrushArguments& arguments, co
     options.pictures = std::move(pictures).value();
     options.inversion = sillon::inversionOf(asked);
     options.spool = sillon::spoolOf(asked.spool).key;
+    options.ownSpool = ownSpool(arguments.pictures);
     // A bead along the border would frame the picture in tones that it does not have.
     if (!arguments.perimeters) options.toolpath.perimeterMode = PerimeterMode::Soft;
   }
@@ -391,7 +392,9 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
     if (!name->empty()) outputs.push_back(*name);
   }
   std::vector<std::string> inputs = arguments.pictures.files;
-  if (!arguments.directions.empty()) inputs.push_back(arguments.directions);
+  for (const std::string* name : {&arguments.directions, &arguments.pictures.spoolsFile}) {
+    if (!name->empty()) inputs.push_back(*name);
+  }
   if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
   Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options.value(), run);
   if (!done) return named(done.error());
@@ -402,12 +405,14 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
                                                    : packed(container.value(), std::move(done.value().gcode), out);
   if (!file) return file.error();
   files.push_back({out, std::move(file).value()});
-  std::size_t shown = 0;
+  std::size_t drawn = 0;
+  const sillon::Spool* own = ownSpool(arguments.pictures);
+  const sillon::Spool& shown = own != nullptr ? *own : sillon::spoolOf(pictures.spool);
   for (const RebrushedSurface& made : done.value().surfaces) {
     if (arguments.preview.empty() || !made.replaced) continue;
-    Result<std::string> png = previewPng(arguments, sillon::spoolOf(pictures.spool), done.value(), made, run);
+    Result<std::string> png = previewPng(arguments, shown, done.value(), made, run);
     if (!png) return png.error();
-    files.push_back({previewName(arguments.preview, shown++), std::move(png).value()});
+    files.push_back({previewName(arguments.preview, drawn++), std::move(png).value()});
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};

@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "sillon/look/spools.hpp"
-
 namespace cli {
 namespace {
 
@@ -32,9 +30,9 @@ Json sidesJson(const sillon::SideRoughness& sides) {
 
 }  // namespace
 
-std::string spoolTable() {
+std::string spoolTable(const std::vector<Spool>& spools) {
   std::string out = "spool        colour     white to black under a bulb, softbox, window at 60,45; nozzle 0.4\n";
-  for (const Spool& spool : sillon::spools()) {
+  for (const Spool& spool : spools) {
     char line[160];
     std::snprintf(line, sizeof line, "%-12s #%02x%02x%02x   ", spool.key.c_str(), spool.colour[0], spool.colour[1],
                   spool.colour[2]);
@@ -49,14 +47,14 @@ std::string spoolTable() {
   return out;
 }
 
-std::string spoolJson() {
+std::string spoolJson(const std::vector<Spool>& spools) {
   const sillon::Lobe any = sillon::lobeOf({}, {});
   Json root{{"version", 1},
             {"profileSlope", rounded(static_cast<double>(any.profile))},
             {"diffuse", rounded(static_cast<double>(any.diffuse))}};
   for (const auto& [name, slope] : lampSizes()) root[name] = slope;
   root["spools"] = Json::array();
-  for (const Spool& spool : sillon::spools()) {
+  for (const Spool& spool : spools) {
     Json light = Json::object();
     for (const auto& [name, slope] : lampSizes()) {
       Json table = Json::array();

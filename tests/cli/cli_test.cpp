@@ -206,6 +206,51 @@ TEST_CASE("spools are listed with what they show under lamps") {
   }
 }
 
+TEST_CASE("a spool of one's own is listed, solved for and shown like the measured ones") {
+  const Folder folder;
+  // Blue PLA by another name and in another colour.
+  folder.write("mine.json", R"({"version": 1, "spools": {"mySilk": {"colour": [1, 2, 3], "source": "a photograph",
+    "fine": {"nozzleSide": [2.36, 17.32], "bedSide": [2.56, 13.54]}}}})");
+  const Run text = folder.run("spools --spools mine.json");
+  CHECK(text.code == 0);
+  const auto lineOf = [&](const std::string& key) {
+    const std::size_t at = text.out.find("\n" + key) + 1;
+    return text.out.substr(at, text.out.find('\n', at) - at);
+  };
+  CHECK(has(lineOf("mySilk"), "#010203"));
+  CHECK(lineOf("mySilk").substr(24) == lineOf("bluePla").substr(24));  // the same slopes show the same
+  const Json json = Json::parse(folder.run("spools --json --spools mine.json").out);
+  REQUIRE(json["spools"].size() == 6);
+  CHECK(json["spools"][5]["key"] == "mySilk");
+  CHECK(json["spools"][5]["wide"] == json["spools"][5]["fine"]);
+  CHECK(json["spools"][5]["light"] == json["spools"][0]["light"]);
+
+  folder.picture("l.png", 8, 8, [](int column, int row) { return 30 * column + row; });
+  const std::string plate = "generate --picture l.png --size 16 --spacing 0.8 --lamp 60 --svg ";
+  REQUIRE(folder.run(plate + "blue.svg").code == 0);
+  REQUIRE(folder.run(plate + "own.svg --spools mine.json --spool mySilk --project own.json").code == 0);
+  REQUIRE(folder.run(plate + "gold.svg --spool goldPla").code == 0);
+  CHECK(readAll(folder.at("own.svg")) == readAll(folder.at("blue.svg")));
+  CHECK(readAll(folder.at("gold.svg")) != readAll(folder.at("blue.svg")));
+  // The project keeps the slopes; a spool that is asked for over it wins.
+  CHECK(Json::parse(readAll(folder.at("own.json")))["pictures"]["slopes"] == Json({2.36, 17.32}));
+  REQUIRE(folder.run("generate own.json --spool goldPla --svg again.svg").code == 0);
+  CHECK(readAll(folder.at("again.svg")) == readAll(folder.at("gold.svg")));
+
+  REQUIRE(folder.run("calibrate fan -o a.gcode --preview own.png --preview-width 64 --spools mine.json --spool mySilk")
+              .code == 0);
+  REQUIRE(folder.run("calibrate fan -o a.gcode --preview blue.png --preview-width 64").code == 0);
+  CHECK(readAll(folder.at("own.png")) != readAll(folder.at("blue.png")));  // its colour is another
+
+  folder.write("bad.json", R"({"version": 1, "spools": {"bluePla": {}}})");
+  checkRefused(folder, "spools --spools bad.json",
+               "\"bad.json\": spool \"bluePla\" is one that comes with the program");
+  checkRefused(folder, "spools --spools nothing.json", "nothing.json");
+  checkRefused(folder, plate + "a.svg --spools mine.json", "no --spool is given; it must name one");
+  checkRefused(folder, plate + "a.svg --spools mine.json --spool hers", "goldPla, greyPla, redPetg, mySilk");
+  checkRefused(folder, plate + "mine.json --spools mine.json --spool mySilk", "also an input");
+}
+
 TEST_CASE("printers and filaments are listed, and one of them begins a project") {
   const Folder folder;
   const Run list = folder.run("printers");
@@ -355,6 +400,15 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
   CHECK(picture["r"] > 0.6);
   CHECK(picture["lamp"][0] == 0.0);
 
+  // A spool of one's own with the slopes of gold PLA gives what gold PLA gives.
+  folder.write("mine.json", R"({"version": 1, "spools": {"mySilk": {"colour": [1, 2, 3],
+    "fine": {"nozzleSide": [8.93, 15.6], "bedSide": [2.43, 9.72]}}}})");
+  const std::string lit = "rebrush part.gcode --picture half.png --lamp 0,35 ";
+  CHECK(folder.run(lit + "-o own.gcode --spools mine.json --spool mySilk").code == 0);
+  CHECK(folder.run(lit + "-o gold.gcode --spool goldPla").code == 0);
+  CHECK(readAll(folder.at("own.gcode")) == readAll(folder.at("gold.gcode")));
+  CHECK(readAll(folder.at("own.gcode")) != readAll(folder.at("new.gcode")));
+
   const auto files = folder.files();
   const std::pair<const char*, const char*> refused[] = {
       {"part.gcode --picture half.png --lamp x", "it must be AZ or AZ,EL"},
@@ -459,7 +513,8 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   checkRefused(folder, "calibrate", "kind");
   checkRefused(folder, "calibrate flow --from x -o a.gcode", "--from");
   checkRefused(folder, "calibrate flow --from 2 --to 3 -o a.gcode", "flow would try 2; values must be 0.5 to 1.5");
-  checkRefused(folder, "calibrate flow --spool tin -o a.gcode", "sillon spools lists what it may be");
+  checkRefused(folder, "calibrate flow --spool tin -o a.gcode",
+               "--spool is \"tin\"; it must be one of bluePla, clearPetg,");
   checkRefused(folder, "calibrate flow --bed 30x30 -o a.gcode", "over the edge of the bed");
   checkRefused(folder, "calibrate flow l.png -o a.gcode", "is a picture; calibrate takes a project file");
   checkRefused(folder, "calibrate flow --rotate 90 -o a.gcode", "--rotate");
