@@ -305,7 +305,7 @@ void Rules::move(const MachineMove& move) {
   if (!check_.homes && !lift && (move.length > 0 || move.z != move.zFrom)) found("unhomed", true);
   if (move.length > 0) {
     if (machine_.speed <= 0) {
-      found("no-speed", true);
+      found("no-speed", !block());  // firmware has a speed to begin with
       machine_.speed = 1;
     }
     const double e = machine_.volumetric ? move.e / area_ : move.e;
@@ -369,7 +369,9 @@ void Rules::bead(const MachineMove& move, double e) {
     check_.fastest = std::max(check_.fastest, speed);
     check_.mostFlow = std::max(check_.mostFlow, sure * speed);
   }
-  if (move.z <= 0) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
+  // How high homing and levelling leave the nozzle is the printer's own affair: a block may purge there.
+  const bool untold = block() && !machine_.zKnown && move.z == 0;
+  if (move.z <= 0 && !untold) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
   // Makers' blocks purge thick lines; Klipper stops there too.
   if (settings_.nozzle > 0 && sure > 4 * settings_.nozzle * settings_.nozzle && (klipper() || !block())) {
     found("too-thick", klipper() || ours_, {{"area", decimal(section, 3)}});
@@ -461,12 +463,13 @@ void Rules::filament(double e, double retractedBefore) {
   if (e < 0) {
     endPath();
     ++check_.retractions;
-    if (machine_.retracted > 25) found("far-retracted", true);
+    const bool unloads = custom_ && layers_ > 0;  // the end block of a printer with several filaments
+    if (machine_.retracted > 25 && !unloads) found("far-retracted", true);
     return;
   }
   if (e > kLongestPrime) found("long-prime", klipper());
-  // Other programs give back a little less on purpose (retract_restart_extra below 0).
-  if (!ours_ && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
+  // Other programs, and makers' blocks, give back a little less on purpose (retract_restart_extra below 0).
+  if ((!ours_ || block()) && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
   if (!check_.heatsNozzle) found("cold-start", true);
 }
 
