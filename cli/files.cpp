@@ -62,8 +62,13 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   const std::string name = "the " + what + " \"" + path + "\"";
   std::error_code error;
   if (fs::is_directory(path, error)) return invalid(name + " is a folder; it must be a file");
+  const auto unreadable = [&](int reasonNumber) {
+    // A signal while it waited for the other end of a pipe.
+    if (reasonNumber == EINTR) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
+    return invalid(name + " cannot be read: " + reason(reasonNumber));
+  };
   File file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) return invalid(name + " cannot be read: " + reason(errno));
+  if (file == nullptr) return unreadable(errno);
 
   std::string bytes;
   std::array<char, 65536> buffer;
@@ -72,7 +77,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
     bytes.append(buffer.data(), count);
     if (count < buffer.size()) break;
   }
-  if (std::ferror(file.get()) != 0) return invalid(name + " cannot be read: " + reason(errno));
+  if (std::ferror(file.get()) != 0) return unreadable(errno);
   if (bytes.size() > maxBytes) {
     return Error{ErrorCode::TooLarge,
                  name + " is larger than " + std::to_string(maxBytes >> 20) + " MiB; it must be at most that"};

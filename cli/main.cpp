@@ -31,6 +31,8 @@ namespace {
 using sillon::Error;
 using sillon::ErrorCode;
 
+constexpr const char* kCancelled = "cancelled; nothing was written";
+
 std::atomic<sillon::RunContext*> running{nullptr};
 static_assert(std::atomic<sillon::RunContext*>::is_always_lock_free, "used in a signal handler");
 
@@ -45,8 +47,15 @@ class CancelOnSignal {
  public:
   explicit CancelOnSignal(sillon::RunContext& run) {
     running.store(&run);
+#if defined(__unix__) || defined(__APPLE__)
+    struct sigaction action {};
+    action.sa_handler = cancelRun;  // without SA_RESTART: what waits for a pipe wakes up
+    ::sigaction(SIGINT, &action, nullptr);
+    ::sigaction(SIGTERM, &action, nullptr);
+#else
     std::signal(SIGINT, cancelRun);
     std::signal(SIGTERM, cancelRun);
+#endif
   }
   ~CancelOnSignal() { running.store(nullptr); }
   CancelOnSignal(const CancelOnSignal&) = delete;
@@ -222,11 +231,11 @@ int generate(const cli::Arguments& arguments) {
   }
 
   const auto files = prepare(arguments, job, run);
-  if (!files) return fail(files.error());
+  if (!files) return fail(run.cancelled() ? Error{ErrorCode::Cancelled, kCancelled} : files.error());
   // From here on it is faster to finish than to stop.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
-  if (run.cancelled()) return fail({ErrorCode::Cancelled, "cancelled; nothing was written"});
+  if (run.cancelled()) return fail({ErrorCode::Cancelled, kCancelled});
   if (files.value().empty() && job.bodyRefused) return fail(*job.bodyRefused);
   if (const std::optional<Error> problem = cli::writeTogether(files.value())) return fail(*problem);
   if (!arguments.quiet) std::fputs(cli::summary(job, run.threads(), files.value()).c_str(), stdout);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -1090,35 +1091,56 @@ TEST_CASE("an output that was there is replaced, links stay links, and no tempor
   CHECK(folder.files().size() == 2);
 }
 
-TEST_CASE("Ctrl-C ends with code 3 and leaves nothing behind") {
-  const Folder folder;
-  const std::string gcode = folder.at("a.gcode").string();
-  // The program opens its shape after it began to listen for signals, and waits there for us: no race to win.
-  const std::string shape = folder.at("shape.svg").string();
-  REQUIRE(::mkfifo(shape.c_str(), 0600) == 0);
-  const pid_t child = ::fork();
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    const int sink = ::open(folder.at("../err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    ::dup2(sink, STDERR_FILENO);
-    ::dup2(sink, STDOUT_FILENO);
-    ::execl(SILLON_CLI, "sillon", "generate", "--shape", shape.c_str(), "--threads", "1", "--gcode", gcode.c_str(),
-            static_cast<char*>(nullptr));
-    ::_exit(127);
-  }
-  int writer = -1;
-  while (writer < 0 && ::waitpid(child, nullptr, WNOHANG) == 0) writer = ::open(shape.c_str(), O_WRONLY | O_NONBLOCK);
-  REQUIRE(writer >= 0);
-  ::kill(child, SIGINT);
+TEST_CASE("the first Ctrl-C ends with code 3 and leaves nothing behind, also while a pipe keeps the program waiting") {
   const std::string svg = R"(<svg width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M0 0H40V40H0Z"/></svg>)";
-  CHECK(::write(writer, svg.data(), svg.size()) == static_cast<ssize_t>(svg.size()));
-  ::close(writer);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  REQUIRE(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 3);
-  CHECK(folder.files() == std::set<std::string>{shape});
-  const std::string err = readAll(folder.at("../err"));
-  CHECK(err.rfind("sillon: ", 0) == 0);
-  CHECK(err.find('\n') == err.size() - 1);
+  for (const bool whole : {false, true}) {
+    CAPTURE(whole);
+    const Folder folder;
+    const std::string gcode = folder.at("a.gcode").string();
+    // The program opens its shape after it began to listen for signals, and waits there for us: no race to win.
+    const std::string shape = folder.at("shape.svg").string();
+    REQUIRE(::mkfifo(shape.c_str(), 0600) == 0);
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      const int sink = ::open(folder.at("../err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+      ::dup2(sink, STDERR_FILENO);
+      ::dup2(sink, STDOUT_FILENO);
+      ::execl(SILLON_CLI, "sillon", "generate", "--shape", shape.c_str(), "--threads", "1", "--gcode", gcode.c_str(),
+              static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    int writer = -1;
+    while (writer < 0 && ::waitpid(child, nullptr, WNOHANG) == 0) {
+      writer = ::open(shape.c_str(), O_WRONLY | O_NONBLOCK);
+    }
+    REQUIRE(writer >= 0);
+    const std::string part = whole ? svg : svg.substr(0, 20);
+    CHECK(::write(writer, part.data(), part.size()) == static_cast<ssize_t>(part.size()));
+#if defined(__linux__)
+    // It has read what there is, and waits for more.
+    const auto waits = [&] {
+      int unread = -1;
+      ::ioctl(writer, FIONREAD, &unread);
+      const std::string stat = readAll("/proc/" + std::to_string(child) + "/stat");
+      return unread == 0 && stat.find(") S ") != std::string::npos;
+    };
+    while (!waits() && ::waitpid(child, nullptr, WNOHANG) == 0) {
+    }
+    ::kill(child, SIGINT);
+#else
+    ::kill(child, SIGINT);
+    ::close(writer);
+#endif
+    int status = 0;
+    ::waitpid(child, &status, 0);
+#if defined(__linux__)
+    ::close(writer);
+#endif
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 3);
+    CHECK(folder.files() == std::set<std::string>{shape});
+    const std::string err = readAll(folder.at("../err"));
+    CHECK(err == "sillon: cancelled; nothing was written\n");
+  }
 }
