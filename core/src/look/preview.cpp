@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/parallel_for.hpp"
+#include "base/simd.hpp"
 #include "look/direction_colour.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/tones.hpp"
@@ -221,13 +222,20 @@ void rasterise(const std::vector<Bead>& beads, const Bands& bands, std::size_t b
       const int begin = static_cast<int>(std::clamp(left - 0.5f, 0.0f, static_cast<float>(width)));
       const int end = static_cast<int>(std::clamp(right + 1.5f, 0.0f, static_cast<float>(width)));
       Hit* line = &hits[static_cast<std::size_t>(row - firstRow) * static_cast<std::size_t>(width)];
-      for (int column = begin; column < end; ++column) {
-        const Vec2f fromA{static_cast<float>(column) + 0.5f - bead.a.x, y - bead.a.y};
-        const float t = std::clamp(dot(fromA, d) * perSquared, 0.0f, 1.0f);
-        const Vec2f off = fromA - d * t;
-        const float radius = bead.radiusA + (bead.radiusB - bead.radiusA) * t;
-        const float offset = dot(off, off);
-        if (offset < line[column].squaredOffset * (radius * radius)) line[column] = {offset / (radius * radius), index};
+      const F4 fromY = splat(y - bead.a.y);
+      for (int column = begin; column < end; column += 4) {
+        const F4 fromX = splat(static_cast<float>(column)) + F4{0.5f, 1.5f, 2.5f, 3.5f} - splat(bead.a.x);
+        const F4 along = (fromX * splat(d.x) + fromY * splat(d.y)) * splat(perSquared);
+        const F4 t = min4(max4(along, splat(0)), splat(1));
+        const F4 offX = fromX - splat(d.x) * t;
+        const F4 offY = fromY - splat(d.y) * t;
+        const F4 radius = splat(bead.radiusA) + splat(bead.radiusB - bead.radiusA) * t;
+        const F4 offset2 = offX * offX + offY * offY;
+        const F4 radius2 = radius * radius;
+        for (int k = 0; k < 4 && column + k < end; ++k) {
+          Hit& hit = line[column + k];
+          if (offset2[k] < hit.squaredOffset * radius2[k]) hit = {offset2[k] / radius2[k], index};
+        }
       }
     }
   }
