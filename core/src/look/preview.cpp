@@ -232,9 +232,9 @@ void rasterise(const std::vector<Bead>& beads, const Bands& bands, std::size_t b
         const F4 radius = splat(bead.radiusA) + splat(bead.radiusB - bead.radiusA) * t;
         const F4 offset2 = offX * offX + offY * offY;
         const F4 radius2 = radius * radius;
-        for (int k = 0; k < 4 && column + k < end; ++k) {
-          Hit& hit = line[column + k];
-          if (offset2[k] < hit.squaredOffset * radius2[k]) hit = {offset2[k] / radius2[k], index};
+        for (int lane = 0; lane < 4 && column + lane < end; ++lane) {
+          Hit& hit = line[column + lane];
+          if (offset2[lane] < hit.squaredOffset * radius2[lane]) hit = {offset2[lane] / radius2[lane], index};
         }
       }
     }

@@ -27,10 +27,10 @@ Result<std::vector<LostPlace>> lostPlaces(const Shape& shape, const BorderIndex&
                   cell,
                   static_cast<int>((box.size().x + 2 * spacing) / cell) + 1,
                   static_cast<int>((box.size().y + 2 * spacing) / cell) + 1};
-  const Result<std::vector<float>> distance = bandDistance(shape, border, grid, static_cast<float>(spacing), run);
+  const float deep = static_cast<float>(-0.5 * spacing);
+  const Result<std::vector<float>> distance = bandDistance(shape, border, grid, -deep, run);  // exact down to `deep`
   if (!distance) return distance.error();
   const std::vector<float>& sd = distance.value();
-  const float deep = static_cast<float>(-0.5 * spacing);
   std::vector<char> lost(grid.size(), 0);
   constexpr int kReach = kSamples / 2 + 1;
   constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
