@@ -20,7 +20,7 @@ after(() => rmSync(folder, { recursive: true }));
 const prusaSample = [
   'Original Prusa i3 MK3S & MK3S+',
   'Original Prusa MINI & MINI+',
-  'Creality Ender-3',
+  'Creality Ender-3 (0.4 mm nozzle)',
   'FLSun Q5',
   'Anycubic Kossel Linear Plus', // gives 0.2 mm less back than it retracts
   'Original Prusa i3 MK3 MMU2', // takes the filament out at the end
@@ -158,6 +158,7 @@ test('PrusaSlicer: files for its printers become printers whose files pass', {
 }, (context) => {
   const printers = prusaPrinters().filter(({ name }) => all || prusaSample.includes(name));
   const byName = new Map(printers.map((one) => [one.name, one]));
+  assert.deepEqual(prusaSample.filter((name) => !byName.has(name)), [], 'no such profiles');
   judge(context, [...byName.keys()], (name, donor) => {
     const { bundle, printer } = byName.get(name);
     const unquoted = (text) => (text ?? '').split(';')[0].replaceAll('"', '');
