@@ -68,10 +68,11 @@ std::string listText(const SlicedFile& file) {
   std::snprintf(line, sizeof line, "%s, %d layers, %lld lines, %zu surfaces\n", file.program.c_str(), file.layers,
                 static_cast<long long>(file.lines), file.surfaces.size());
   std::string out = line;
-  for (const SlicedSurface& surface : file.surfaces) {
+  for (std::size_t k = 0; k < file.surfaces.size(); ++k) {
+    const SlicedSurface& surface = file.surfaces[k];
     std::snprintf(line, sizeof line,
-                  "%-6s layer %-4d z %-7.2f %9.2f mm2, beads %.2f x %.2f mm at %.0f mm/s, lines %lld to %lld",
-                  sideName(surface), surface.layer, surface.z, surface.areaMm2, surface.width, surface.height,
+                  "%4zu %-6s layer %-4d z %-7.2f %9.2f mm2, beads %.2f x %.2f mm at %.0f mm/s, lines %lld to %lld",
+                  k + 1, sideName(surface), surface.layer, surface.z, surface.areaMm2, surface.width, surface.height,
                   surface.speed, static_cast<long long>(surface.firstLine), static_cast<long long>(surface.lastLine));
     out += line;
     if (!surface.object.empty()) out += ", of " + surface.object;
@@ -307,6 +308,21 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
                                                      }),
                                          "top, bottom (of the first layer) or both [top]")
       ->option_text("WHICH");
+  command
+      ->add_option_function<std::vector<std::size_t>>(
+          "--only",
+          [&arguments](const std::vector<std::size_t>& numbers) {
+            for (const std::size_t number : numbers) {
+              if (number == 0) {
+                throw CLI::ValidationError("--only is 0; the numbers of --list begin with 1",
+                                           CLI::ExitCodes::ValidationError);
+              }
+              arguments.options.only.push_back(number - 1);
+            }
+          },
+          "these surfaces alone, by their numbers in --list")
+      ->delimiter(',')
+      ->option_text("N,N...");
   command->add_option("--angle", arguments.angle, "direction of the beads, counter-clockwise from +x [0]")
       ->option_text("DEG");
   command->add_option("--directions,--lines", arguments.directions, "picture of directions, instead of an angle")

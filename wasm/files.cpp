@@ -21,6 +21,7 @@
 #include "sillon/look/view_file.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/project/project.hpp"
+#include "sillon/rebrush/relief.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace {
@@ -137,6 +138,23 @@ val checkGcode(const val& file, const std::string& projectJson) {
   });
 }
 
+/// \param side  most cells of the longer side.
+val printRelief(const val& file, int side) {
+  return guarded([&](sillon::RunContext&) {
+    const auto text = sillon::unpackGcode(convert::bytes(file));
+    if (!text) return failure(text.error());
+    const auto relief = sillon::printRelief(text.value(), side);
+    if (!relief) return failure(relief.error());
+    val out = val::object();
+    out.set("corner", convert::toJs(relief.value().corner));
+    out.set("cell", relief.value().cell);
+    out.set("columns", relief.value().columns);
+    out.set("rows", relief.value().rows);
+    out.set("heights", convert::copied(relief.value().heights.data(), relief.value().heights.size()));
+    return success(out);
+  });
+}
+
 val packGcode(const val& gcode) {
   return guarded([&](sillon::RunContext&) {
     const auto archive = sillon::packGcode(convert::bytes(gcode));
@@ -156,4 +174,5 @@ EMSCRIPTEN_BINDINGS(files) {
   emscripten::function("importPrinter", &importPrinter);
   emscripten::function("checkGcode", &checkGcode);
   emscripten::function("packGcode", &packGcode);
+  emscripten::function("printRelief", &printRelief);
 }

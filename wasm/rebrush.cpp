@@ -2,12 +2,15 @@
 // plates and reads files, so neither of the other modules has to do both.
 #include <emscripten/bind.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 
 #include "call.hpp"
 #include "convert.hpp"
 #include "sillon/export/gcode_archive.hpp"
+#include "sillon/look/spools.hpp"
+#include "sillon/project/pictures.hpp"
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/rebrush/rebrush.hpp"
@@ -36,6 +39,7 @@ val surfaceOf(const sillon::SlicedSurface& surface) {
   out.set("volumeMm3", surface.volumeMm3);
   out.set("speed", surface.speed);
   out.set("left", surface.left == sillon::LeftBecause::None ? val("") : val(surfaceReason(surface.left)));
+  out.set("reason", val(surfaceReasonName(surface.left)));
   return out;
 }
 
@@ -61,18 +65,30 @@ val listSurfaces(const val& file) {
   });
 }
 
-/// \param projectJson  whose directions, modes and toolpath count. \param sides, fit  as sillon.d.ts names them.
+val picturesOf(const sillon::RebrushedSurface& made) {
+  val pictures = val::array();
+  for (std::size_t k = 0; k < made.pictures.size(); ++k) {
+    val out = val::object();
+    out.set("lamp", convert::toJs(sillon::Vec2{made.lamps[k].azimuth, made.lamps[k].elevation}));
+    out.set("r", made.pictures[k].r);
+    out.set("contrast", made.pictures[k].contrast);
+    pictures.call<void>("push", out);
+  }
+  return pictures;
+}
+
+/// \param projectJson  whose directions, modes, pictures and toolpath count. \param sides, fit, only  as sillon.d.ts
+/// names them.
 val rebrush(const val& file, const std::string& projectJson, const val& files, const std::string& sides,
-            const std::string& fit, const val& onProgress) {
+            const std::string& fit, const val& only, const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
-    tell(run, onProgress, 0, 1);
-    auto project = sillon::readProject(projectJson);
+    const auto project = sillon::readProject(projectJson);
     if (!project) return failure(project.error());
-    // The shapes are those of the surfaces; maps are laid over any.
-    project.value().builtin = sillon::BuiltinShape::Rectangle;
-    project.value().builtinSize = {1, 1};
-    auto input = sillon::readPlateInput(project.value(), convert::reader(files));
-    if (!input) return failure(input.error());
+    const sillon::PictureParams& asked = project.value().pictures;
+    auto field = sillon::readPlateField(project.value(), convert::reader(files));
+    if (!field) return failure(field.error());
+    auto pictures = sillon::readPictures(asked, convert::reader(files));
+    if (!pictures) return failure(pictures.error());
     const auto container = sillon::readGcodeContainer(convert::bytes(file));
     if (!container) return failure(container.error());
     if (container.value().plates > 1) {
@@ -81,14 +97,22 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
     }
     sillon::RebrushOptions options;
     options.toolpath = project.value().toolpath;
-    options.directions = std::move(input.value().directions);
-    options.modes = std::move(input.value().modes);
+    options.directions = std::move(field.value().directions);
+    options.modes = std::move(field.value().modes);
+    options.pictures = std::move(pictures).value();
+    options.inversion = sillon::inversionOf(asked);
+    options.spool = sillon::spoolOf(asked.spool).key;
     options.tops = sides != "bottom";
     options.bottoms = sides != "top";
     options.fit = fit == "object" ? sillon::PictureFit::Object
                   : fit == "bed"  ? sillon::PictureFit::Bed
                   : fit == "all"  ? sillon::PictureFit::All
                                   : sillon::PictureFit::Face;
+    for (const double index : convert::numbers<double>(only)) options.only.push_back(static_cast<std::size_t>(index));
+    options.onSurface = [&](std::size_t done, std::size_t all) {
+      const double share = 1.0 / static_cast<double>(all);
+      tell(run, onProgress, static_cast<double>(done) * share, static_cast<double>(done + 1) * share);
+    };
     const auto done = sillon::rebrush(container.value().gcode, options, run);
     if (!done) return failure(done.error());
     const auto packed = sillon::writeGcodeContainer(container.value(), done.value().gcode);
@@ -96,6 +120,7 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
     val surfaces = val::array();
     for (const sillon::RebrushedSurface& made : done.value().surfaces) {
       val out = surfaceOf(done.value().file.surfaces[made.surface]);
+      out.set("index", static_cast<double>(made.surface));
       out.set("left", val(made.why));
       out.set("replaced", made.replaced);
       out.set("newVolumeMm3", made.volumeMm3);
@@ -103,6 +128,8 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
       out.set("coverage", made.coverage);
       out.set("beyond", made.beyond);
       out.set("seconds", made.seconds);
+      out.set("pictures", picturesOf(made));
+      out.set("cycles", convert::toJs(made.toolpath)["cycles"]);
       surfaces.call<void>("push", out);
     }
     const std::string& bytes = packed.value();

@@ -92,6 +92,9 @@ export interface Engine {
   /** The top and bottom surfaces of a file that PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura sliced:
    * G-code, .gcode.3mf, .bgcode or .gz. @throws `InvalidFile`, `TooLarge`. */
   listSurfaces(file: Bytes, options?: RunOptions): Promise<SlicedFile>;
+  /** What such a print looks like from above: the highest bead at each place.
+   * @param side  most cells of the longer side, 16..4096, default 1024. @throws `InvalidFile`, `InvalidArgument`. */
+  printRelief(file: Bytes, side?: number, options?: RunOptions): Promise<PrintRelief>;
   /** Lays other beads on the surfaces of such a file, and changes nothing else (docs/guide/rebrush.md).
    * @throws `InvalidArgument` (also where no surface can be replaced), `InvalidFile`, `TooLarge`. */
   rebrush(file: Bytes, how?: Partial<RebrushOptions>, options?: RunOptions): Promise<Rebrushed>;
@@ -129,13 +132,44 @@ export interface RebrushOptions {
   directions: DirectionInput;
   /** Default: constrained, that is: as the directions say. */
   modes: ModeInput;
+  /** Pictures to be seen under lamps, instead of `directions`; `slopes` are those of the spool. Beads then follow borders only
+   * where the pictures allow it, unless `toolpath.perimeterMode` says otherwise. */
+  pictures: PictureInput;
   /** The spacing is that of each surface. */
   toolpath: ToolpathOptions;
   /** Bottoms are those of the first layer. Default 'top'. */
   sides: 'top' | 'bottom' | 'both';
   /** What pictures are stretched over: each face, the faces of one object, the bed, or all faces. Default 'face'. */
   fit: 'face' | 'object' | 'bed' | 'all';
+  /** Places in the list of listSurfaces: these alone, whatever their side. Default: all that `sides` names. */
+  only: number[];
 }
+
+/** Heights above the bed at the middle of each cell, row 0 on top. */
+export interface PrintRelief {
+  /** Lower left, on the bed. */
+  corner: [number, number];
+  cell: number;
+  columns: number;
+  rows: number;
+  /** 0: nothing lies there. */
+  heights: Float32Array;
+}
+
+/** Why a surface cannot be replaced: `core/include/sillon/rebrush/surfaces.hpp` lists them. */
+export type LeftReason =
+  | 'Narrow'
+  | 'Small'
+  | 'Covered'
+  | 'Ironed'
+  | 'Interleaved'
+  | 'Command'
+  | 'Object'
+  | 'Height'
+  | 'Modes'
+  | 'Flow'
+  | 'Travel'
+  | 'Cut';
 
 /** A surface of a sliced file. */
 export interface SlicedSurface {
@@ -158,6 +192,8 @@ export interface SlicedSurface {
   speed: number;
   /** Why it cannot be, or was not, replaced; else empty. */
   left: string;
+  /** The same as one word, where reading the file tells it; else empty. */
+  reason: LeftReason | '';
 }
 
 export interface SlicedFile {
@@ -175,6 +211,8 @@ export interface Rebrushed {
   seconds: number;
   /** Those that were asked for. */
   surfaces: (SlicedSurface & {
+    /** Its place in the list of listSurfaces. */
+    index: number;
     replaced: boolean;
     newVolumeMm3: number;
     /** -1 is perfect. */
@@ -184,6 +222,10 @@ export interface Rebrushed {
     /** How far a bead reaches over the region at most. */
     beyond: number;
     seconds: number;
+    /** Lamps as azimuth and elevation, and how well each picture is seen: docs/reference/metrics.md. */
+    pictures: { lamp: [number, number]; r: number; contrast: number }[];
+    /** The new path, on the region's page; none where it was left. */
+    cycles: Cycle[];
   })[];
 }
 

@@ -337,12 +337,17 @@ TEST_CASE("rebrush lists and replaces tops, and writes the kind of file that it 
   CHECK(has(list.out, "top    layer 3"));
   CHECK(Json::parse(folder.run("rebrush part.gcode --list --json").out)["surfaces"].size() == 2);
 
+  // By its number in the list.
+  CHECK(has(list.out, "   2 top    layer 3"));
+  CHECK(folder.run("rebrush part.gcode --angle 30 --only 2 -o one.gcode").code == 0);
+
   const Run done = folder.run("rebrush part.gcode --angle 30 -o new.gcode --report r.json --preview p.png");
   CAPTURE(done.err);
   REQUIRE(done.code == 0);
   CHECK(has(done.out, "replaced"));
   const std::string brushed = readAll(folder.at("new.gcode"));
   CHECK(brushed != text);
+  CHECK(readAll(folder.at("one.gcode")) == brushed);
   CHECK(brushed.substr(0, text.find(";LAYER_CHANGE")) == text.substr(0, text.find(";LAYER_CHANGE")));
   CHECK(readAll(folder.at("part.gcode")) == text);
   CHECK(readAll(folder.at("p.png")).starts_with("\x89PNG"));
@@ -420,6 +425,8 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
       {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or 0 to 100"},
       {"part.gcode --angle 3 -o part.gcode --report part.gcode", "two outputs"},
       {"half.png", "does not mark its surfaces"},
+      {"part.gcode --only 0", "begin with 1"},
+      {"part.gcode --only 7", "surface 7 is chosen; the file has 2"},
   };
   for (const auto& one : refused) {
     const auto& arguments = one.first;

@@ -473,6 +473,44 @@ TEST_CASE("a picture is shown on each face, or runs across them") {
   CHECK_FALSE(rebrush(text, how, run));
 }
 
+TEST_CASE("chosen faces alone are replaced, and share their picture with no others") {
+  const RunContext run(2);
+  const std::string text = twoFaces(kDialects[0]);
+  const auto listed = readSlicedFile(text);
+  REQUIRE(listed);
+  std::vector<std::size_t> tops;
+  for (std::size_t k = 0; k < listed.value().surfaces.size(); ++k) {
+    if (listed.value().surfaces[k].side == SurfaceSide::Top) tops.push_back(k);
+  }
+  REQUIRE(tops.size() == 2);
+  RebrushOptions how = options(0);
+  how.fit = PictureFit::All;
+  how.directions.width = 2;
+  how.directions.height = 1;
+  how.directions.angle = {32768, 65535};  // along x on the left, along y on the right
+  how.only = {tops[1]};
+  std::vector<std::pair<std::size_t, std::size_t>> told;
+  how.onSurface = [&](std::size_t done, std::size_t all) { told.emplace_back(done, all); };
+  const auto done = rebrush(text, how, run);
+  REQUIRE(done);
+  CHECK(told == std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}});
+  REQUIRE(done.value().surfaces.size() == 1);
+  CHECK(done.value().surfaces.front().surface == tops[1]);
+  // The other face keeps its bytes; this one has the whole map.
+  const SlicedSurface& other = listed.value().surfaces[tops[0]];
+  CHECK(done.value().gcode.find(text.substr(other.begin, other.end - other.begin)) != std::string::npos);
+  const Vec2 page = done.value().file.surfaces[tops[1]].region.page;
+  CHECK(leanings(done.value().surfaces.front(), page).first > 0.5);
+  CHECK(leanings(done.value().surfaces.front(), page).second < -0.5);
+
+  // Whatever its side.
+  how.only = {0};
+  CHECK(listed.value().surfaces[0].side == SurfaceSide::Bottom);
+  CHECK(rebrush(text, how, run));
+  how.only = {listed.value().surfaces.size()};
+  CHECK(why(text, how).find("is chosen; the file has") != std::string::npos);
+}
+
 TEST_CASE("maps are cut where they lie over faces that share them") {
   const RunContext run(2);
   RebrushOptions how = options(0);

@@ -162,9 +162,15 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await prints.run(call, input.callOptions(options))) as api.SlicedFile;
     },
 
+    async printRelief(file, side, options) {
+      const checked = input.callOptions(options);
+      const call: FileCall = { name: 'printRelief', file: input.bytesFile(file), side: input.cells(side) };
+      return (await runOnFile(call, checked)) as api.PrintRelief;
+    },
+
     async rebrush(file, how, options) {
       const checked = input.callOptions(options);
-      const { sides, fit, sections, files: given } = input.rebrushOptions(how);
+      const { sides, fit, only, sections, files: given } = input.rebrushOptions(how);
       const content = input.bytesFile(file);
       const call: RebrushCall = {
         name: 'rebrush',
@@ -173,6 +179,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
         files: given,
         sides,
         fit,
+        only,
       };
       return (await prints.run(call, checked)) as api.Rebrushed;
     },

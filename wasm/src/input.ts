@@ -242,24 +242,38 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
   return { sections, files };
 }
 
+/** In a list. */
+function place(value: unknown, path: string): number {
+  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= 2 ** 31) {
+    throw mustBe(path, value, 'a whole number from 0');
+  }
+  return value as number;
+}
+
 /** What to lay on a print: sections of a project and their files. */
 export function rebrushOptions(value: unknown): {
   sides: api.RebrushOptions['sides'];
   fit: api.RebrushOptions['fit'];
+  only: number[];
   sections: Fields;
   files: Files;
 } {
   const given = optionalFields(value, 'how');
-  refuseUnknown(given, 'how', ['directions', 'modes', 'toolpath', 'sides', 'fit']);
-  const { directions, modes, toolpath: params, sides = 'top', fit = 'face' } = given;
+  refuseUnknown(given, 'how', ['directions', 'modes', 'pictures', 'toolpath', 'sides', 'fit', 'only']);
+  const { directions, modes, pictures, toolpath, sides = 'top', fit = 'face' } = given;
   if (sides !== 'top' && sides !== 'bottom' && sides !== 'both') {
     throw mustBe('how.sides', sides, '"top", "bottom" or "both"');
   }
   if (fit !== 'face' && fit !== 'object' && fit !== 'bed' && fit !== 'all') {
     throw mustBe('how.fit', fit, '"face", "object", "bed" or "all"');
   }
-  const { sections, files } = plate({ directions, modes });
-  return { sides, fit, sections: { ...sections, toolpath: section(params, 'how.toolpath') }, files };
+  const only = given['only'] === undefined ? [] : listOf(given['only'], 'how.only', place);
+  if (given['only'] !== undefined && only.length === 0) throw invalid('how.only is empty; it must name a surface');
+  const { sections, files } = plate({ directions, modes, pictures });
+  // A bead along the border would frame the pictures in tones that they do not have.
+  const border = pictures === undefined ? {} : { perimeterMode: 'soft' };
+  const params = { ...border, ...section(toolpath, 'how.toolpath') };
+  return { sides, fit, only, sections: { ...sections, toolpath: params }, files };
 }
 
 /** Bytes in any form. */
@@ -294,6 +308,14 @@ export function previewParams(value: unknown): api.PreviewParams {
     lightAzimuth: finite(lightAzimuth, 'lightAzimuth'),
     lightElevation: finite(lightElevation, 'lightElevation'),
   };
+}
+
+/** Of the longer side of a relief; the engine would cut it to 32 bits. */
+export function cells(value: unknown = 1024): number {
+  if (!Number.isInteger(value) || Math.abs(value as number) >= 2 ** 31) {
+    throw mustBe('side', value, 'a whole number from 16 to 4096');
+  }
+  return value as number;
 }
 
 export function viewParams(value: unknown): api.ViewParams {

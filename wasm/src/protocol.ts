@@ -45,7 +45,8 @@ export type FileCall =
   | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
   /** `project`: whose printer counts; empty: what the file's own settings say. */
   | { name: 'checkGcode'; file: Uint8Array | Blob; project: string }
-  | { name: 'packGcode'; file: Uint8Array | Blob };
+  | { name: 'packGcode'; file: Uint8Array | Blob }
+  | { name: 'printRelief'; file: Uint8Array | Blob; side: number };
 
 /** Of the module that lays plates on other people's prints. */
 export type RebrushCall =
@@ -57,6 +58,7 @@ export type RebrushCall =
       files: Files;
       sides: api.RebrushOptions['sides'];
       fit: api.RebrushOptions['fit'];
+      only: number[];
     };
 
 export interface StartMessage {

@@ -73,6 +73,44 @@ test('a re-brushed file is that of the native program, byte for byte', async () 
   }
 });
 
+test('chosen surfaces under a picture become what the native program makes of them', async () => {
+  const name = 'prusa.gcode';
+  const picture = join(root, 'examples/inputs/photo.png');
+  const out = join(folder, 'picture.gcode');
+  const made = spawnSync(nativeProgram, [
+    'rebrush',
+    join(samples, name),
+    ...['--picture', picture, '--lamp', '60,35', '--only', '2', '--fit', 'all', '-o', out],
+  ]);
+  assert.equal(made.status, 0, String(made.stderr));
+  const fractions = [];
+  const done = await engine.rebrush(
+    readFileSync(join(samples, name)),
+    { pictures: { files: [{ file: readFileSync(picture), lamp: [60, 35] }] }, only: [1], fit: 'all' },
+    { onProgress: ({ fraction }) => fractions.push(fraction) },
+  );
+  assert.equal(Buffer.from(await done.blob.arrayBuffer()).compare(readFileSync(out)), 0);
+  const [face] = done.surfaces;
+  assert.deepEqual([done.surfaces.length, face.index, face.replaced, face.cycles.length], [1, 1, true, 1]);
+  assert.deepEqual(face.pictures[0].lamp, [60, 35]);
+  assert.ok(face.cycles[0].widths.length > 100);
+  assert.equal(fractions.at(-1), 1);
+});
+
+test('a print is seen from above as high as it is', async () => {
+  const file = readFileSync(join(samples, 'prusa.gcode'));
+  const { surfaces } = await engine.listSurfaces(file);
+  const top = surfaces.find(({ side }) => side === 'top');
+  const { corner, cell, columns, rows, heights } = await engine.printRelief(file, 256);
+  assert.equal(heights.length, columns * rows);
+  assert.ok(Math.max(columns, rows) <= 256);
+  const column = Math.floor((top.corner[0] + top.region.page[0] / 2 - corner[0]) / cell);
+  const row = rows - 1 - Math.floor((top.corner[1] + top.region.page[1] / 2 - corner[1]) / cell);
+  assert.ok(Math.abs(heights[row * columns + column] - top.z) < top.height);
+  assert.equal(heights[0], 0);
+  assert.deepEqual(await engine.printRelief(gzipSync(file), 256), { corner, cell, columns, rows, heights });
+});
+
 test('what cannot be re-brushed is refused in a sentence', async () => {
   const file = readFileSync(join(samples, names[0]));
   const refused = [
@@ -83,6 +121,11 @@ test('what cannot be re-brushed is refused in a sentence', async () => {
     [() => engine.rebrush(file, { angle: 3 }), 'InvalidArgument', /unknown key "how\.angle"/],
     [() => engine.rebrush(file, { toolpath: { seed: -1 } }), 'InvalidArgument', /seed/],
     [() => engine.rebrush('file'), 'InvalidArgument', /^file is "file"/],
+    [() => engine.rebrush(file, { only: [] }), 'InvalidArgument', /how\.only is empty/],
+    [() => engine.rebrush(file, { only: [0.5] }), 'InvalidArgument', /how\.only\[0\] is 0\.5/],
+    [() => engine.rebrush(file, { only: [99] }), 'InvalidArgument', /surface 100 is chosen; the file has 2/],
+    [() => engine.printRelief(Buffer.from('G28\n')), 'InvalidFile', /does not mark layers/],
+    [() => engine.printRelief(file, 3), 'InvalidArgument', /side is 3; it must be 16 to 4096/],
   ];
   for (const [call, code, message] of refused) {
     await assert.rejects(call, (error) => {

@@ -67,6 +67,8 @@
 #include "sillon/gcode_reader/examine.hpp"
 #include "sillon/gcode_reader/finding.hpp"
 #include "sillon/rebrush/rebrush.hpp"
+#include "sillon/rebrush/relief.hpp"
+#include "sillon/rebrush/relief.hpp"
 #include "sillon/rebrush/surfaces.hpp"
 
 // Pictures, drawings and other files.

@@ -75,8 +75,10 @@ Result<Image> readPicture(const ReadInput& read, const std::string& name, const 
   return picture(std::move(file).value(), name);
 }
 
-Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read) {
-  std::optional<Image> lines;
+namespace {
+
+/// \param lines  receives the picture of the directions, if there is one.
+Result<PlateField> fieldOf(const Project& project, const ReadInput& read, std::optional<Image>& lines) {
   if (!project.directionFile.empty()) {
     Result<Image> decoded = readPicture(read, project.directionFile, "direction picture");
     if (!decoded) return decoded.error();
@@ -93,7 +95,20 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read)
     if (!map) return named("mode picture", project.modeFile, map.error());
     modes = std::move(map).value();
   }
+  return PlateField{std::move(directions).value(), std::move(modes)};
+}
 
+}  // namespace
+
+Result<PlateField> readPlateField(const Project& project, const ReadInput& read) {
+  std::optional<Image> lines;
+  return fieldOf(project, read, lines);
+}
+
+Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read) {
+  std::optional<Image> lines;
+  Result<PlateField> field = fieldOf(project, read, lines);
+  if (!field) return field.error();
   // Its directions are solved for later; here it lends its proportions.
   const bool proportions = project.shapeFile.empty() && !lines && !project.pictures.files.empty();
   if (proportions && (project.builtin == BuiltinShape::None || project.builtinSize.y == 0)) {
@@ -103,7 +118,7 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read)
   }
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, lines) : shapeFromFile(project, read);
   if (!shape) return named("shape", project.shapeFile, shape.error());
-  return PlateInput{std::move(shape).value(), std::move(directions).value(), std::move(modes)};
+  return PlateInput{std::move(shape).value(), std::move(field.value().directions), std::move(field.value().modes)};
 }
 
 }  // namespace sillon

@@ -54,10 +54,6 @@ std::string problemOf(const Measures& measures) {
   return {};
 }
 
-bool isChosen(const SlicedSurface& surface, const RebrushOptions& options) {
-  return surface.side == SurfaceSide::Top ? options.tops : options.bottoms;
-}
-
 }  // namespace
 
 Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options, const RunContext& run) {
@@ -67,6 +63,15 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
   Result<SlicedBlocks> read = readBlocks(gcode);
   if (!read) return read.error();
   const std::vector<SurfaceBlock>& blocks = read.value().blocks;
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (isChosen(blocks[k].surface, k, options)) chosen.push_back(k);
+  }
+  for (const std::size_t k : options.only) {
+    if (k < blocks.size()) continue;
+    return Error{ErrorCode::InvalidArgument,
+                 "surface " + std::to_string(k + 1) + " is chosen; the file has " + std::to_string(blocks.size())};
+  }
   const FileSettings settings = readFileSettings(gcode, {});
   const double area = read.value().filamentArea;
 
@@ -75,10 +80,10 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
   std::vector<Edit> edits;
   std::vector<TimeChange> changes;
   std::string reason;  // why the first was left
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
+  for (const std::size_t k : chosen) {
     const SurfaceBlock& block = blocks[k];
     const SlicedSurface& surface = block.surface;
-    if (!isChosen(surface, options)) continue;
+    if (options.onSurface) options.onSurface(out.surfaces.size(), chosen.size());
     if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
     RebrushedSurface& made = out.surfaces.emplace_back();
     made.surface = k;

@@ -38,6 +38,38 @@ const char* surfaceReason(LeftBecause reason) {
   return "";
 }
 
+const char* surfaceReasonName(LeftBecause reason) {
+  switch (reason) {
+    case LeftBecause::None:
+      return "";
+    case LeftBecause::Narrow:
+      return "Narrow";
+    case LeftBecause::Small:
+      return "Small";
+    case LeftBecause::Covered:
+      return "Covered";
+    case LeftBecause::Ironed:
+      return "Ironed";
+    case LeftBecause::Interleaved:
+      return "Interleaved";
+    case LeftBecause::Command:
+      return "Command";
+    case LeftBecause::Object:
+      return "Object";
+    case LeftBecause::Height:
+      return "Height";
+    case LeftBecause::Modes:
+      return "Modes";
+    case LeftBecause::Flow:
+      return "Flow";
+    case LeftBecause::Travel:
+      return "Travel";
+    case LeftBecause::Cut:
+      return "Cut";
+  }
+  return "";
+}
+
 Result<SlicedFile> readSlicedFile(std::string_view gcode) {
   Result<SlicedBlocks> blocks = readBlocks(gcode);
   if (!blocks) return blocks.error();

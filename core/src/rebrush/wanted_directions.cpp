@@ -58,17 +58,17 @@ Bounds pageOf(const SlicedSurface& surface) {
 
 }  // namespace
 
-bool isWanted(const SlicedSurface& surface, const RebrushOptions& options) {
-  const bool chosen = surface.side == SurfaceSide::Top ? options.tops : options.bottoms;
-  return chosen && surface.left == LeftBecause::None;
+bool isChosen(const SlicedSurface& surface, std::size_t index, const RebrushOptions& options) {
+  if (!options.only.empty()) return std::find(options.only.begin(), options.only.end(), index) != options.only.end();
+  return surface.side == SurfaceSide::Top ? options.tops : options.bottoms;
 }
 
 Bounds DirectionSource::shared(const SlicedSurface& surface) const {
   if (options_.fit == PictureFit::Face) return pageOf(surface);
   Bounds box;
-  for (const SurfaceBlock& block : blocks_) {
-    const SlicedSurface& other = block.surface;
-    if (!isWanted(other, options_)) continue;
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const SlicedSurface& other = blocks_[k].surface;
+    if (!isChosen(other, k, options_) || other.left != LeftBecause::None) continue;
     if (options_.fit == PictureFit::Object && other.object != surface.object) continue;
     const Bounds page = pageOf(other);
     box.add(page.min);

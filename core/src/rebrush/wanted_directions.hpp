@@ -44,7 +44,7 @@ class DirectionSource {
   std::map<std::string, SolvedDirections> solved_;
 };
 
-/// Whether the options ask for this surface, and it can be replaced as far as reading tells.
-bool isWanted(const SlicedSurface& surface, const RebrushOptions& options);
+/// Whether the options ask for this surface. \param index  of SlicedFile::surfaces
+bool isChosen(const SlicedSurface& surface, std::size_t index, const RebrushOptions& options);
 
 }  // namespace sillon

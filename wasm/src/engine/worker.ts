@@ -40,6 +40,7 @@ interface SillonModule {
   checkGcode(file: Uint8Array, project: string): Outcome<api.GcodeCheck>;
   examineBlock(block: string, project: string): Outcome<api.GcodeFinding[]>;
   packGcode(file: Uint8Array): Outcome<CopiedBytes>;
+  printRelief(file: Uint8Array, side: number): Outcome<api.PrintRelief>;
   listSurfaces(file: Uint8Array): Outcome<api.SlicedFile>;
   rebrush(
     file: Uint8Array,
@@ -47,6 +48,7 @@ interface SillonModule {
     files: Inputs,
     sides: string,
     fit: string,
+    only: Float64Array,
     onProgress: OnProgress,
   ): Outcome<Omit<api.Rebrushed, 'blob'> & { bytes: CopiedBytes }>;
 }
@@ -351,6 +353,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return new Blob([valueOf(module.packGcode(file))], { type: 'model/3mf' });
     }
+    case 'printRelief': {
+      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      return valueOf(module.printRelief(file, call.side));
+    }
     case 'listSurfaces': {
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return valueOf(module.listSurfaces(file));
@@ -359,7 +365,8 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       completed(call.project, module);
       const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       const files = await inputsOf(call.files);
-      const made = valueOf(module.rebrush(file, call.project, files, call.sides, call.fit, onProgress));
+      const only = Float64Array.from(call.only);
+      const made = valueOf(module.rebrush(file, call.project, files, call.sides, call.fit, only, onProgress));
       const { bytes, ...others } = made;
       return { blob: new Blob([bytes], { type: 'application/octet-stream' }), ...others } satisfies api.Rebrushed;
     }

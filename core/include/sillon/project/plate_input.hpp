@@ -18,6 +18,15 @@ using InputFile = std::variant<std::string, Image>;
 /// Hands over the file that a project names. \param what  "shape", "direction picture", "mode picture": for messages.
 using ReadInput = std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
 
+/// What a project says of directions, for shapes that come from elsewhere.
+struct PlateField {
+  DirectionMap directions;
+  ModeMap modes;
+};
+
+/// Reads and decodes directions and modes. \return as readPlateInput.
+Result<PlateField> readPlateField(const Project& project, const ReadInput& read);
+
 /// Reads and decodes shape, directions and modes. A shape file is SVG if it begins like one or is called .svg, else a
 /// mask picture.
 /// \return what `read` returned, or the errors of readSvg, decodeImage and the maps, with the file's name.

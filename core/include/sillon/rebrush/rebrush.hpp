@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ struct RebrushOptions {
   PictureFit fit = PictureFit::Face;
   bool tops = true;
   bool bottoms = false;
+  std::vector<std::size_t> only;  ///< of SlicedFile::surfaces, whatever their side; empty: all that are asked for
+  /// Called before each surface is made, for what tells progress: the context's begins anew with each.
+  std::function<void(std::size_t done, std::size_t all)> onSurface;
 };
 
 /// What became of one surface.
@@ -70,8 +74,8 @@ struct Rebrushed {
 /// behind them, stays; place after the next travel, E, retraction, modes, speed and what the block set are as
 /// before. Times and progress that the file tells of itself (see rebrush/totals.hpp) change by the estimated
 /// difference; filament stays as it is. A surface that cannot be replaced so is left, with the reason. \return
-/// InvalidFile as readSlicedFile; InvalidArgument if no surface is left to replace, or a parameter is out of its
-/// range; Cancelled.
+/// InvalidFile as readSlicedFile; InvalidArgument if no surface is left to replace, one is chosen that the file does
+/// not have, or a parameter is out of its range; Cancelled.
 Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options, const RunContext& run);
 
 }  // namespace sillon

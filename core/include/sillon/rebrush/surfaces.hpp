@@ -39,6 +39,9 @@ enum class LeftBecause {
 /// The sentence for people, without a full stop.
 const char* surfaceReason(LeftBecause reason);
 
+/// The name of the reason as it stands above; empty for None.
+const char* surfaceReasonName(LeftBecause reason);
+
 /// One connected surface of one layer. Lengths mm, places on the bed.
 struct SlicedSurface {
   SurfaceSide side = SurfaceSide::Top;

@@ -1,0 +1,181 @@
+#include "sillon/rebrush/relief.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gcode_reader/file_settings.hpp"
+#include "gcode_reader/machine.hpp"
+#include "gcode_reader/parser.hpp"
+#include "rebrush/marks.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kFinest = 0.05;   // [mm] of a cell
+constexpr double kMargin = 1;      // [mm] around what is higher than the first layer
+constexpr double kFarthest = 1e4;  // [mm]
+constexpr double kRound = 0.35;    // by how much of its height a bead falls towards its sides
+constexpr float kWidest = 3;       // [mm] of a bead: more is a lump of a purge
+
+struct Bead {
+  Vec2f from;
+  Vec2f to;
+  float width = 0;
+  float top = 0;
+  float height = 0;
+};
+
+// All beads of a file, in its order.
+class Beads {
+ public:
+  explicit Beads(const FileSettings& settings)
+      : machine_(settings.flavor),
+        area_(settings.volumetric ? 1 : kPi * settings.filamentDiameter * settings.filamentDiameter / 4) {}
+
+  void line(const GcodeLine& line) {
+    const GcodeParts parts = partsOf(line.text);
+    if (parts.code.empty()) {
+      if (parts.comment.empty()) return;
+      const Mark mark = readMark(parts.comment);
+      if (mark.kind == MarkKind::Layer) {
+        begun = true;
+        below_ = z_;
+      }
+      if (mark.kind == MarkKind::Height) told_ = mark.value;
+      return;
+    }
+    const GcodeCommand command = commandOf(parts.code);
+    const auto move = runCommand(machine_, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+    if (!begun || !move || !(move->e > 0) || !(move->length > 0)) return;
+    const double farthest = std::max({std::abs(move->from.x), std::abs(move->from.y), std::abs(move->to.x),
+                                      std::abs(move->to.y), std::abs(move->z), move->length});
+    if (!(farthest < kFarthest)) {
+      beyond = true;
+      return;
+    }
+    z_ = move->z;
+    const double height = std::clamp(told_ > 0 ? told_ : z_ - below_, 0.02, 2.0);
+    const double section = move->e * area_ / move->length;
+    const double width = std::clamp(section / height + (1 - kPi / 4) * height, 0.05, double{kWidest});
+    add(*move, static_cast<float>(width), static_cast<float>(height));
+  }
+
+  std::vector<Bead> all;
+  bool begun = false;   // a layer was marked
+  bool beyond = false;  // a bead lies where no bed reaches
+
+ private:
+  void add(const MachineMove& move, float width, float height) {
+    const auto single = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
+    const auto top = static_cast<float>(move.z);
+    if (!move.arc || !move.readable) {
+      all.push_back({single(move.from), single(move.to), width, top, height});
+      return;
+    }
+    const Vec2 a = move.from - move.centre;
+    const int pieces = std::clamp(static_cast<int>(std::abs(move.turn) * 8) + 1, 1, 64);
+    Vec2 last = move.from;
+    for (int k = 1; k <= pieces; ++k) {
+      const double turn = move.turn * k / pieces;
+      const Vec2 p =
+          move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)};
+      all.push_back({single(last), single(p), width, top, height});
+      last = p;
+    }
+  }
+
+  MachineState machine_;
+  double area_;
+  double z_ = 0;
+  double below_ = 0;
+  double told_ = 0;
+};
+
+Bounds boxOf(const std::vector<Bead>& beads) {
+  const float first =
+      std::min_element(beads.begin(), beads.end(), [](const Bead& a, const Bead& b) { return a.top < b.top; })->top;
+  Bounds whole;
+  Bounds higher;
+  for (const Bead& bead : beads) {
+    for (Bounds* box : {&whole, bead.top > first ? &higher : nullptr}) {
+      if (box == nullptr) continue;
+      box->add({bead.from.x, bead.from.y});
+      box->add({bead.to.x, bead.to.y});
+    }
+  }
+  if (higher.empty()) return whole;
+  Bounds box;
+  box.add({std::max(whole.min.x, higher.min.x - kMargin), std::max(whole.min.y, higher.min.y - kMargin)});
+  box.add({std::min(whole.max.x, higher.max.x + kMargin), std::min(whole.max.y, higher.max.y + kMargin)});
+  return box;
+}
+
+// Along its longer way, one line of cells across it at each step: a few cells per bead, whatever its direction.
+void draw(const Bead& bead, PrintRelief& relief) {
+  const auto toCells = [&](Vec2f p) {
+    return Vec2{(static_cast<double>(p.x) - relief.corner.x) / relief.cell - 0.5,
+                relief.rows - 0.5 - (static_cast<double>(p.y) - relief.corner.y) / relief.cell};
+  };
+  Vec2 a = toCells(bead.from);
+  Vec2 b = toCells(bead.to);
+  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  if (steep) {
+    std::swap(a.x, a.y);
+    std::swap(b.x, b.y);
+  }
+  if (a.x > b.x) std::swap(a, b);
+  const double run = b.x - a.x;
+  const double rise = run > 0 ? (b.y - a.y) / run : 0;
+  const double half = 0.5 * static_cast<double>(bead.width) / relief.cell;
+  const double across = half * std::sqrt(1 + rise * rise);  // of the bead, along the line of cells
+  const double end = half / std::sqrt(1 + rise * rise);
+  const int most = (steep ? relief.rows : relief.columns) - 1;
+  const int widest = (steep ? relief.columns : relief.rows) - 1;
+  const int from = static_cast<int>(std::ceil(std::clamp(a.x - end, 0.0, most + 1.0)));
+  const int to = static_cast<int>(std::floor(std::clamp(b.x + end, -1.0, static_cast<double>(most))));
+  for (int u = from; u <= to; ++u) {
+    const double middle = a.y + (u - a.x) * rise;
+    const int low = static_cast<int>(std::ceil(std::clamp(middle - across, 0.0, widest + 1.0)));
+    const int high = static_cast<int>(std::floor(std::clamp(middle + across, -1.0, static_cast<double>(widest))));
+    for (int v = low; v <= high; ++v) {
+      const double aside = (v - middle) / across;
+      const auto z =
+          static_cast<float>(static_cast<double>(bead.top) - kRound * static_cast<double>(bead.height) * aside * aside);
+      const std::size_t row = static_cast<std::size_t>(steep ? u : v);
+      const std::size_t column = static_cast<std::size_t>(steep ? v : u);
+      float& height = relief.heights[row * static_cast<std::size_t>(relief.columns) + column];
+      height = std::max(height, z);
+    }
+  }
+}
+
+}  // namespace
+
+Result<PrintRelief> printRelief(std::string_view gcode, int side) {
+  if (side < 16 || side > 4096) {
+    return Error{ErrorCode::InvalidArgument, "side is " + std::to_string(side) + "; it must be 16 to 4096"};
+  }
+  Beads beads(readFileSettings(gcode, {}));
+  forEachLine(gcode, [&](const GcodeLine& line) { beads.line(line); });
+  if (beads.beyond) {
+    return Error{ErrorCode::InvalidFile, "a bead lies more than 10 m away from the bed's origin"};
+  }
+  if (beads.all.empty()) {
+    return Error{ErrorCode::InvalidFile, beads.begun ? "no bead lies in any of its layers" : "it does not mark layers"};
+  }
+  const Bounds box = boxOf(beads.all);
+  const Vec2 room{static_cast<double>(kWidest) / 2, static_cast<double>(kWidest) / 2};
+  const Vec2 size = box.size() + 2 * room;
+  PrintRelief relief;
+  relief.corner = box.min - room;
+  relief.cell = std::max(kFinest, std::max(size.x, size.y) / side);
+  relief.columns = std::clamp(static_cast<int>(std::ceil(size.x / relief.cell)), 1, side);
+  relief.rows = std::clamp(static_cast<int>(std::ceil(size.y / relief.cell)), 1, side);
+  relief.heights.assign(static_cast<std::size_t>(relief.columns) * static_cast<std::size_t>(relief.rows), 0);
+  for (const Bead& bead : beads.all) draw(bead, relief);
+  return relief;
+}
+
+}  // namespace sillon
