@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sillon/rebrush/rebrush.hpp"
+#include "sillon/rebrush/relief.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
@@ -18,6 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const sillon::SlicedSurface& surface = file.value().surfaces[k];
       if (surface.begin >= surface.end || surface.end > size || surface.layer > file.value().layers) std::abort();
     }
+    const auto relief = sillon::printRelief(text, 64);
+    if (!relief && relief.error().message.empty()) std::abort();
     return 0;
   }
   sillon::RebrushOptions options;

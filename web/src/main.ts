@@ -140,6 +140,8 @@ studio.services = {
     reviewed.add(text);
     if (!framed) remember('reviewed', text);
   },
+  engine: () => engine.engine(),
+  directions: () => pipeline.directions(),
   examine: async (block, flavor) => (await engine.engine()).examineBlock(block, flavor),
 };
 

@@ -6,7 +6,7 @@ import { newPlate } from './model/defaults.js';
 import { withFilament } from './model/filaments.js';
 import { homeLight } from './model/lamp.js';
 import type { Plate, ShapeSource, SourceFile } from './model/plate.js';
-import { problemOf, StudioError, type Problem } from './model/problem.js';
+import { StudioError, type Problem } from './model/problem.js';
 import type { Example } from './panels/examples.js';
 import type { Opened, Opening, Role } from './model/file-role.js';
 import type { Studio } from './panels/studio.js';
@@ -48,8 +48,14 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
 
   const opener: Opener = {
     async open(files, role) {
-      const { hasUnits, identify } = await import('./files/open.js');
-      const { plate } = studio.store.state;
+      const { hasUnits, identify, isSliced, readable } = await import('./files/open.js');
+      const { plate, mode, host } = studio.store.state;
+      const [sliced] = files;
+      // What somebody dropped for their printer is not for a page that shows this one.
+      if (sliced !== undefined && role === undefined && mode === 'edit' && host === '' && (await isSliced(files))) {
+        studio.store.set({ sliced, dialog: 'rebrush' });
+        return;
+      }
       const found = await identify(await Promise.all(files.map(readable)), plate, await engine());
       if (found.project !== undefined) {
         show(onOwnPrinter(found.project, plate.printer));
@@ -86,7 +92,7 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
     },
 
     async load(openings, trusted = false) {
-      const { identify, withFiles } = await import('./files/open.js');
+      const { identify, readable, withFiles } = await import('./files/open.js');
       const plate = newPlate();
       const files = await Promise.all(openings.map(({ file }) => readable(file)));
       const found = await identify(files, plate, await engine());
@@ -120,27 +126,6 @@ function asked({ source, role, roles }: Opened, wanted: string): Role {
   const found = possible.find((one) => roles.includes(one) && (wanted !== 'image' || directions.includes(one)));
   if (found === undefined) throw new StudioError('GuestValue', { where: source.name, value: wanted });
   return found;
-}
-
-/** Pictures of kinds that only the browser reads, as PNG; everything else as it is. What it is, its bytes say: files of phones
- * and chats come with wrong types, or with none.
- * @throws StudioError BrowserPicture */
-async function readable(file: File): Promise<File> {
-  const { browserPicture } = await import('./files/kind.js');
-  const head = await file
-    .slice(0, 64)
-    .arrayBuffer()
-    .catch(() => new ArrayBuffer(0)); // a folder, or gone: told when it is read
-  const type = browserPicture(new Uint8Array(head));
-  if (type === '') return file;
-  try {
-    const image = await createImageBitmap(new Blob([file], { type }));
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    canvas.getContext('2d')?.drawImage(image, 0, 0);
-    return new File([await canvas.convertToBlob({ type: 'image/png' })], file.name, { type: 'image/png' });
-  } catch (error) {
-    throw new StudioError('BrowserPicture', { name: file.name }, problemOf(error).detail);
-  }
 }
 
 async function fetchedBytes(path: string): Promise<Blob> {

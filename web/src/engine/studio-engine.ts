@@ -7,7 +7,7 @@ import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.
 import type { Made, Progress } from '../model/state.js';
 import { Cost } from './coarse.js';
 import { engineInput, sameToolpath, type Input } from '../model/input.js';
-import { TimeLeft } from './time-left.js';
+import { TimeLeft } from '../model/time-left.js';
 
 const restAfter = 250; // [ms] without an update, after which a hand rests
 

@@ -8,7 +8,10 @@ import type { Opened, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
 import { enoughToKnow, kindOf, type Kind } from './kind.js';
+import { seemsSliced } from './sliced.js';
 import { sourceFile, stemOf } from './source-file.js';
+
+export { readable } from './readable.js';
 
 const mostBytes = { one: 64e6, project: 256e6, together: 256e6 };
 
@@ -82,6 +85,17 @@ async function pictureFacts(source: SourceFile, engine: Pick<Engine, 'decodePict
   const facts = factsOf(await naming(source.name, engine.decodePicture(source.bytes)));
   known.set(source, facts);
   return facts;
+}
+
+/** Whether this is one print of a slicer, to be re-brushed. */
+export async function isSliced(files: readonly File[]): Promise<boolean> {
+  const [file] = files;
+  if (file === undefined || files.length > 1) return false;
+  const head = await file
+    .slice(0, 64)
+    .arrayBuffer()
+    .catch(() => undefined); // a folder, or gone: told when it is read
+  return head !== undefined && seemsSliced(file.name, new Uint8Array(head));
 }
 
 /** @param plate  that they will be put into

@@ -1,9 +1,9 @@
 // Alle Wörter der Seite auf Deutsch; dieselben Schlüssel wie in en.ts.
-import type { Dictionary } from './text.js';
+import type { Translation } from './text.js';
 
 export const frame = { blocked: 'Das Studio kann hier nicht angezeigt werden.', open: 'In eigenem Tab öffnen' };
 
-export const de: Dictionary = {
+export const de: Translation = {
   'app.name': 'Sillon Studio',
   'app.local': 'Alles geschieht auf diesem Gerät. Nichts wird hochgeladen.',
   'app.host':
@@ -76,7 +76,7 @@ export const de: Dictionary = {
   'section.basics': 'Grundlegendes',
 
   // --- Dateien --------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG oder ein gespeichertes Projekt',
+  'drop.help': 'SVG, PNG, JPEG, ein gespeichertes Projekt oder ein gesliceter Druck',
   'drop.now': 'Zum Öffnen ablegen',
   'example.ripples': 'Wellen',
   'example.whirl': 'Wirbel',
@@ -881,7 +881,7 @@ export const de: Dictionary = {
   'hint.OneTone': 'Auf der Platte wäre nichts davon zu sehen. Ein Bild mit Licht und Schatten verwenden.',
   'problem.PrinterFileHere': '{name} ist eine Druckerdatei.',
   'hint.PrinterFileHere':
-    'Um ihre Druckereinstellungen zu übernehmen, unter Druck mit „Aus einer Datei des Slicers …“ öffnen. Eigene Richtungen für ihre Deckschichten gibt die Befehlszeile: sillon rebrush.',
+    'Um ihre Druckereinstellungen zu übernehmen, unter Druck mit „Aus einer Datei des Slicers …“ öffnen. Ein gesliceter Druck, der neu gebürstet werden soll, kommt allein.',
   'problem.LeftOut': '{name} enthält Text oder Bilder, die weggelassen wurden.',
   'hint.LeftOut':
     'Text im Ursprungsprogramm in Pfade umwandeln und die Datei neu öffnen. Bilder als eigene Dateien öffnen.',
@@ -952,4 +952,76 @@ export const de: Dictionary = {
   'key.ctrl': 'Strg',
   'key.shift': 'Umschalt',
   'key.escape': 'Esc',
+
+  'rebrush.title': '{name} neu bürsten',
+  'rebrush.back': 'Zurück zur Platte',
+  'rebrush.bench': 'Der Druck von oben. Ein Klick auf eine Fläche wählt sie aus oder ab; mit Ziehen und Rollen umsehen',
+  'rebrush.print': { one: '{program}, {n} Schicht, {size}', other: '{program}, {n} Schichten, {size}' },
+  'rebrush.another': 'Andere Datei …',
+  'rebrush.reading': '{name} wird gelesen',
+  'rebrush.faces': 'Deckflächen',
+  'rebrush.chosen': '{n} von {all} gewählt, {area} mm²',
+  'rebrush.all': 'Alle',
+  'rebrush.none': 'Keine',
+  'rebrush.face': 'Schicht {layer}, {z} mm hoch',
+  'rebrush.area': '{area} mm²',
+  'rebrush.done': 'Neue Bahnen',
+  'rebrush.keeps': 'Bleibt, wie sie war: {why}',
+  'rebrush.left': { one: '{n} weitere Fläche bleibt, wie sie ist', other: '{n} weitere Flächen bleiben, wie sie sind' },
+  'rebrush.why': { one: '{why}: {n} Fläche, {area} mm²', other: '{why}: {n} Flächen, {area} mm²' },
+  'rebrush.directions': 'Richtung der Bahnen',
+  'rebrush.way.angle': 'Ein Winkel',
+  'rebrush.way.plate': 'Wie die Platte',
+  'rebrush.way.picture': 'Bild',
+  'rebrush.angle': 'Winkel',
+  'rebrush.plate.help': 'Die Richtungen der geöffneten Platte, mit ihren Pinselstrichen.',
+  'rebrush.picture.help':
+    'Ein Foto, das die Flächen zeigen, solange die Lampe auf sie scheint. Ablegen oder auswählen.',
+  'rebrush.picture.choose': 'Bild auswählen …',
+  'rebrush.picture.seen': 'Unter der Lampe dem Bild zu {percent} % ähnlich',
+  'rebrush.lamp': 'Lampe',
+  'rebrush.light': 'Licht',
+  'rebrush.light.stands': 'Licht bei {azimuth}°, {elevation}° hoch',
+  'rebrush.height': 'Höhe der Lampe',
+  'rebrush.spool': 'Filament im Drucker',
+  'rebrush.fit': 'Gestreckt über',
+  'rebrush.fit.face': 'Jede Fläche',
+  'rebrush.fit.object': 'Jedes Objekt',
+  'rebrush.fit.bed': 'Das Druckbett',
+  'rebrush.fit.all': 'Alle gewählten Flächen',
+  'rebrush.making': 'Neue Bahnen werden gelegt, Fläche {k} von {n}',
+  'rebrush.cancelled': 'Abgebrochen.',
+  'rebrush.again': 'Bahnen legen',
+  'rebrush.nothing': 'Eine Fläche auswählen.',
+  'rebrush.noPicture': 'Ein Bild auswählen.',
+  'rebrush.ready': {
+    one: '{n} Fläche hat neue Bahnen; der Druck dauert {time} {more}. Jede andere Zeile ist, wie {slicer} sie schrieb.',
+    other:
+      '{n} Flächen haben neue Bahnen; der Druck dauert {time} {more}. Jede andere Zeile ist, wie {slicer} sie schrieb.',
+  },
+  'rebrush.longer': 'länger',
+  'rebrush.shorter': 'kürzer',
+  'rebrush.untried': 'Noch auf keinem Drucker erprobt. Bei den ersten Schichten davon zusehen.',
+  'rebrush.download': '{name} herunterladen',
+  'rebrush.saved': '{name} liegt bei den Downloads.',
+  'rebrush.unreadable': '{name} kann nicht neu gebürstet werden.',
+  'rebrush.unreadableHelp':
+    'Es muss G-Code, .gcode.3mf oder .bgcode sein, wie PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio oder Cura sie schreiben. Um stattdessen Druckereinstellungen zu übernehmen, unter Druck mit „Aus einer Datei des Slicers …“ öffnen.',
+  'rebrush.noFaces': '{name} hat keine Deckfläche, die neu gebürstet werden kann.',
+  'rebrush.noTops': '{name} hat keine Deckfläche.',
+  'rebrush.failed': 'Die neuen Bahnen konnten nicht gelegt werden.',
+  'rebrush.tooLarge':
+    '{name} hat {mb} MB; höchstens {most} MB werden hier gelesen. Die Befehlszeile nimmt mehr: sillon rebrush.',
+  'rebrush.left.Narrow': 'Schmaler als drei Bahnen',
+  'rebrush.left.Small': 'Kleiner als zehn Quadrate von Bahnbreite',
+  'rebrush.left.Covered': 'Die nächste Schicht liegt zum Teil darauf',
+  'rebrush.left.Ironed': 'Wird danach gebügelt; im Slicer das Bügeln ausschalten',
+  'rebrush.left.Interleaved': 'Der Slicer springt zwischen ihr und einer anderen Fläche hin und her',
+  'rebrush.left.Command': 'Ein Befehl darin ginge verloren',
+  'rebrush.left.Object': 'Darin beginnt ein anderes Objekt',
+  'rebrush.left.Height': 'Ihre Bewegungen steigen oder fallen',
+  'rebrush.left.Modes': 'Zoll, relative Koordinaten oder Bögen mit Radius',
+  'rebrush.left.Flow': 'Ihr Kunststoff ist nicht der einer vollen Schicht',
+  'rebrush.left.Travel': 'Was folgt, braucht die Düse dort, wo die letzte Bahn endete',
+  'rebrush.left.Cut': 'Die Datei endet darin',
 };

@@ -75,7 +75,7 @@ export const en = {
   'section.basics': 'Basics',
 
   // --- Files ----------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG or a saved project',
+  'drop.help': 'SVG, PNG, JPEG, a saved project or a sliced print',
   'drop.now': 'Drop to open',
   'example.ripples': 'Ripples',
   'example.whirl': 'Whirl',
@@ -856,7 +856,7 @@ export const en = {
   'hint.OneTone': 'Nothing of it can be seen on the plate. Use a picture with light and shade.',
   'problem.PrinterFileHere': '{name} is a printer file.',
   'hint.PrinterFileHere':
-    'To import its printer settings, open it under Print, “From your slicer’s file…”. To give its top layers directions of their own, use the command line: sillon rebrush.',
+    'To import its printer settings, open it under Print, “From your slicer’s file…”. A sliced print, to be re-brushed, comes alone.',
   'problem.LeftOut': '{name} contains text or pictures, which were left out.',
   'hint.LeftOut':
     'Convert text to paths in the program that made the file, and open it again. Open pictures as separate files.',

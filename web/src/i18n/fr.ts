@@ -1,9 +1,9 @@
 // Tous les mots de la page, en français ; mêmes clés que en.ts.
-import type { Dictionary } from './text.js';
+import type { Translation } from './text.js';
 
 export const frame = { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' };
 
-export const fr: Dictionary = {
+export const fr: Translation = {
   'app.name': 'Sillon Studio',
   'app.local': 'Tout se passe sur cet appareil. Rien n’est envoyé.',
   'app.host':
@@ -76,7 +76,7 @@ export const fr: Dictionary = {
   'section.basics': 'Essentiel',
 
   // --- Fichiers -------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG ou un projet enregistré',
+  'drop.help': 'SVG, PNG, JPEG, un projet enregistré ou une impression tranchée',
   'drop.now': 'Déposez pour ouvrir',
   'example.ripples': 'Ondes',
   'example.whirl': 'Tourbillon',
@@ -890,7 +890,7 @@ export const fr: Dictionary = {
   'hint.OneTone': 'On n’en verrait rien sur la plaque. Prenez une image avec des clairs et des sombres.',
   'problem.PrinterFileHere': '{name} est un fichier d’imprimante.',
   'hint.PrinterFileHere':
-    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ». Pour donner des directions à ses couches du dessus, prenez la ligne de commande : sillon rebrush.',
+    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ». Une impression tranchée, à rebrosser, vient seule.',
   'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
   'hint.LeftOut':
     'Convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier. Ouvrez les images séparément.',
@@ -960,4 +960,82 @@ export const fr: Dictionary = {
   'key.ctrl': 'Ctrl',
   'key.shift': 'Maj',
   'key.escape': 'Échap',
+
+  'rebrush.title': 'Rebrosser {name}',
+  'rebrush.back': 'Retour à la plaque',
+  'rebrush.bench':
+    'L’impression vue de dessus. Cliquez sur une face pour la choisir ou la laisser ; glissez et défilez pour regarder autour',
+  'rebrush.print': { one: '{program}, {n} couche, {size}', other: '{program}, {n} couches, {size}' },
+  'rebrush.another': 'Autre fichier…',
+  'rebrush.reading': 'Lecture de {name}',
+
+  'rebrush.faces': 'Faces du dessus',
+  'rebrush.chosen': '{n} sur {all} choisies, {area} mm²',
+  'rebrush.all': 'Toutes',
+  'rebrush.none': 'Aucune',
+  'rebrush.face': 'Couche {layer}, à {z} mm',
+  'rebrush.area': '{area} mm²',
+  'rebrush.done': 'Nouveaux cordons',
+  'rebrush.keeps': 'Laissée telle quelle : {why}',
+  'rebrush.left': { one: '{n} autre face reste telle quelle', other: '{n} autres faces restent telles quelles' },
+  'rebrush.why': { one: '{why} : {n} face, {area} mm²', other: '{why} : {n} faces, {area} mm²' },
+
+  'rebrush.directions': 'Direction des cordons',
+  'rebrush.way.angle': 'Un angle',
+  'rebrush.way.plate': 'La plaque',
+  'rebrush.way.picture': 'Image',
+  'rebrush.angle': 'Angle',
+  'rebrush.plate.help': 'Les directions de la plaque ouverte, avec ses coups de pinceau.',
+  'rebrush.picture.help':
+    'Une photo que les faces montrent tant que la lampe les éclaire. Déposez-en une, ou choisissez-la.',
+  'rebrush.picture.choose': 'Choisir une image…',
+  'rebrush.picture.seen': 'Vue sous la lampe : ressemble à l’image à {percent} %',
+  'rebrush.lamp': 'Lampe',
+  'rebrush.light': 'Lumière',
+  'rebrush.light.stands': 'Lumière à {azimuth}°, {elevation}° de haut',
+  'rebrush.height': 'Hauteur de la lampe',
+  'rebrush.spool': 'Filament de l’imprimante',
+  'rebrush.fit': 'Étendue sur',
+  'rebrush.fit.face': 'Chaque face',
+  'rebrush.fit.object': 'Chaque objet',
+  'rebrush.fit.bed': 'Le plateau',
+  'rebrush.fit.all': 'Toutes les faces choisies',
+
+  'rebrush.making': 'Pose des cordons, face {k} sur {n}',
+  'rebrush.cancelled': 'Annulé.',
+  'rebrush.again': 'Poser les cordons',
+  'rebrush.nothing': 'Choisissez une face.',
+  'rebrush.noPicture': 'Choisissez une image.',
+  'rebrush.ready': {
+    one: '{n} face a de nouveaux cordons ; l’impression dure {time} de {more}. Toute autre ligne reste celle de {slicer}.',
+    other:
+      '{n} faces ont de nouveaux cordons ; l’impression dure {time} de {more}. Toute autre ligne reste celle de {slicer}.',
+  },
+  'rebrush.longer': 'plus',
+  'rebrush.shorter': 'moins',
+  'rebrush.untried': 'Pas encore essayé sur une imprimante. Surveillez-en les premières couches.',
+  'rebrush.download': 'Télécharger {name}',
+  'rebrush.saved': '{name} est dans vos téléchargements.',
+
+  'rebrush.unreadable': '{name} ne peut pas être rebrossé.',
+  'rebrush.unreadableHelp':
+    'Il faut un G-code, .gcode.3mf ou .bgcode, tel que PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio ou Cura l’ont écrit. Pour en prendre plutôt les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ».',
+  'rebrush.noFaces': '{name} n’a aucune face du dessus qui puisse être rebrossée.',
+  'rebrush.noTops': '{name} n’a aucune face du dessus.',
+  'rebrush.failed': 'Les nouveaux cordons n’ont pas pu être posés.',
+  'rebrush.tooLarge':
+    '{name} fait {mb} Mo ; {most} Mo au plus sont lus ici. La ligne de commande en prend plus : sillon rebrush.',
+
+  'rebrush.left.Narrow': 'Plus étroite que trois cordons',
+  'rebrush.left.Small': 'Plus petite que dix carrés de cordon',
+  'rebrush.left.Covered': 'La couche suivante en couvre une partie',
+  'rebrush.left.Ironed': 'Lissée ensuite ; désactivez le lissage dans le trancheur',
+  'rebrush.left.Interleaved': 'Le trancheur va et vient entre elle et une autre face',
+  'rebrush.left.Command': 'Une commande à l’intérieur serait perdue',
+  'rebrush.left.Object': 'Un autre objet commence à l’intérieur',
+  'rebrush.left.Height': 'Ses mouvements montent ou descendent',
+  'rebrush.left.Modes': 'Pouces, coordonnées relatives ou arcs par leur rayon',
+  'rebrush.left.Flow': 'Son plastique n’est pas celui d’une couche pleine',
+  'rebrush.left.Travel': 'La suite a besoin de la buse là où finissait le dernier cordon',
+  'rebrush.left.Cut': 'Le fichier finit à l’intérieur',
 };

@@ -1,11 +1,14 @@
 // The page's words. What a language lacks would be a type error.
 import { en } from './en.js';
 import { languages, spoken } from './languages.js';
+import type { rebrushEn } from './rebrush-en.js';
 
 export type TextId = keyof typeof en;
 /** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
 export type Text = string | { readonly one: string; readonly other: string };
 export type Dictionary = Readonly<Record<TextId, Text>>;
+/** Of a language but English, whose words of views that are rarely opened are in files of their own. */
+export type Translation = Dictionary & Readonly<Record<keyof typeof rebrushEn, Text>>;
 export type Values = Readonly<Record<string, string | number>>;
 
 let current = 'en';
@@ -31,8 +34,13 @@ export function languageFor(wanted: readonly string[]): string {
 }
 
 /** Numbers among the values are written as the language does, with at most two decimals. */
-export function t(id: TextId, values: Values = {}): string {
-  const text = dictionary[id];
+export const t = (id: TextId, values: Values = {}): string => filled(dictionary[id], values);
+
+/** Of words that English has elsewhere; undefined: they are English. */
+export const translated = (id: string): Text | undefined => (dictionary as Readonly<Record<string, Text>>)[id];
+
+/** A text with its values, in the form that their number asks for. */
+export function filled(text: Text, values: Values): string {
   const form = typeof text === 'string' ? text : plurals.select(Number(values['n'])) === 'one' ? text.one : text.other;
   return form.replace(/\{(\w+)\}/g, (whole, name: string) => {
     const value = values[name];

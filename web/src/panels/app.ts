@@ -29,6 +29,7 @@ const loadDialog: Record<Dialog, () => Promise<unknown>> = {
   share: () => import('./share-dialog.js'),
   brought: () => import('./blocks-dialog.js'),
   blocks: () => import('./blocks-dialog.js'),
+  rebrush: () => import('./rebrush-view.js'),
 };
 
 /** Sections that no first visit begins with. */
@@ -281,6 +282,8 @@ export class App extends StudioElement {
         return html`<sillon-files .studio=${this.studio}></sillon-files>`;
       case 'share':
         return html`<sillon-share .studio=${this.studio}></sillon-share>`;
+      case 'rebrush':
+        return html`<sillon-rebrush .studio=${this.studio}></sillon-rebrush>`;
       case 'brought':
       case 'blocks':
         return html`<sillon-blocks .studio=${this.studio} .purpose=${dialog}></sillon-blocks>`;

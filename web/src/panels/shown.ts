@@ -7,8 +7,9 @@ import type { Opened } from '../model/file-role.js';
 import type { Mark } from '../model/view.js';
 
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
-/** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded. */
-export type Dialog = 'gallery' | 'help' | 'files' | 'share' | 'brought' | 'blocks';
+/** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded; 'rebrush': a sliced
+ * print, all over the page. */
+export type Dialog = 'gallery' | 'help' | 'files' | 'share' | 'brought' | 'blocks' | 'rebrush';
 
 export interface Brush {
   /** Share of the page's width. */
@@ -53,6 +54,8 @@ export interface Shown extends State {
   dialog: Dialog | undefined;
   /** The files that were opened last, for as long as what they are for can be changed. */
   opened: readonly Opened[];
+  /** The print that dialog 'rebrush' is about. */
+  sliced: File | undefined;
   dropping: boolean;
   recording: boolean;
   notices: readonly Notice[];
@@ -92,6 +95,7 @@ export const newShown = (): Shown => ({
   live: false,
   dialog: undefined,
   opened: [],
+  sliced: undefined,
   dropping: false,
   recording: false,
   notices: [],

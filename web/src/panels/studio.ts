@@ -1,10 +1,11 @@
 // What the elements can do. They know the state and this; what it takes stands in main.ts.
 import { download } from '../files/download.js';
-import type { Gcode, GcodeFinding, PrinterValues } from 'sillon';
+import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, lampsOf } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
+import type { DirectionRaster } from '../model/raster.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf } from '../model/problem.js';
 import type { Store } from '../model/store.js';
@@ -46,6 +47,10 @@ export interface Services {
   /** Whether what `toReview` says was seen already. */
   reviewed(text: string): boolean;
   setReviewed(text: string): void;
+  /** For what the plate has no part in. */
+  engine(): Promise<Engine>;
+  /** Of the plate as it is now, in full. */
+  directions(): Promise<DirectionRaster>;
   /** What a start or end block would do, line by line. */
   examine(block: string, flavor: PrinterValues['flavor']): Promise<GcodeFinding[]>;
 }

@@ -5,6 +5,8 @@ import { afterEach, test } from 'node:test';
 import type { Report, WarningCode } from 'sillon';
 import { en, frame as english } from '../../src/i18n/en.js';
 import { languages, spoken } from '../../src/i18n/languages.js';
+import { r, type RebrushTextId } from '../../src/i18n/rebrush.js';
+import { rebrushEn } from '../../src/i18n/rebrush-en.js';
 import {
   choiceLabel,
   findingText,
@@ -44,7 +46,9 @@ const entries = (dictionary: object): [string, string[]][] =>
   Object.entries(dictionary as Record<string, Text>).map(([id, text]) => [id, forms(text)]);
 const placeholders = (text: string): string[] => [...new Set(text.match(/\{\w+\}/g) ?? [])].sort();
 
-const wordsOf = async (tag: string): Promise<[string, string[]][]> => entries((await languages[tag]?.words()) ?? {});
+/** English has words of rarely opened views in files of their own. */
+const wordsOf = async (tag: string): Promise<[string, string[]][]> =>
+  entries({ ...(tag === 'en' ? rebrushEn : {}), ...(await languages[tag]?.words()) });
 
 test('every language has a line, a file, and words for where the studio is blocked', async () => {
   const files = readdirSync('web/src/i18n').filter((name) => /^..\.ts$/.test(name));
@@ -64,7 +68,7 @@ test('every language has a line, a file, and words for where the studio is block
 test('all languages have the same ids and placeholders, and no text is empty', async () => {
   for (const tag of spoken) {
     const own = new Map(await wordsOf(tag));
-    const english = entries(en);
+    const english = entries({ ...en, ...rebrushEn });
     assert.deepEqual([...own.keys()].sort(), english.map(([id]) => id).sort());
     for (const [id, texts] of english) {
       const said = own.get(id) ?? [];
@@ -106,6 +110,9 @@ test('no language has a straight apostrophe or quote', async () => {
     for (const [id, texts] of await wordsOf(tag)) for (const text of texts) assert.doesNotMatch(text, /['"]/, id);
 });
 
+/** What `lackOf` gives. */
+const lacks: string[] = ['nothing', 'noPicture'] satisfies RebrushTextId[];
+
 // What templates are made of, the compiler checks.
 test('texts that the sources name are there, and all texts are for something', () => {
   const files = readdirSync('web/src', { recursive: true, encoding: 'utf8' }).filter(
@@ -121,6 +128,24 @@ test('texts that the sources name are there, and all texts are for something', (
   for (const id of Object.keys(en)) {
     assert.ok(source.includes(`'${id}'`) || built.some((ids) => ids.test(id)), `nothing shows ${id}`);
   }
+});
+
+test('the view that re-brushes prints speaks every language, and shows all its words', async () => {
+  const source = ['panels/rebrush-view.ts', 'panels/rebrush-bench.ts']
+    .map((file) => readFileSync(join('web/src', file), 'utf8'))
+    .join('\n');
+  const built = ['left', 'fit', 'way'].map((what) => `rebrush.${what}.`);
+  for (const id of Object.keys(rebrushEn)) {
+    const name = id.replace('rebrush.', '');
+    assert.ok(source.includes(`'${name}'`) || built.some((start) => id.startsWith(start)) || lacks.includes(name), id);
+  }
+  const said = new Set<string>();
+  for (const tag of spoken) {
+    await setLanguage(tag);
+    said.add(r('left', { n: 2 }));
+    assert.doesNotMatch(r('chosen', { n: 1, all: 2, area: '3' }), /[{}]/, tag);
+  }
+  assert.equal(said.size, spoken.length);
 });
 
 test('values are put in, numbers as the language writes them', async () => {

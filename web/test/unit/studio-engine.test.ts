@@ -14,7 +14,7 @@ import type { DirectionRaster } from '../../src/model/raster.js';
 import { Cost, cellsOf } from '../../src/engine/coarse.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
-import { TimeLeft } from '../../src/engine/time-left.js';
+import { TimeLeft } from '../../src/model/time-left.js';
 import { newGenerator, newPlate } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';

@@ -1,7 +1,7 @@
 // What of a page's controls cannot be reached.
 
-/** Runs in the page. @returns what lies over what, in words */
-export function overlaps() {
+/** Runs in the page. @param element  whose controls count; left out: all @returns what lies over what, in words */
+export function overlaps(element) {
   const all = (root) =>
     [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
   const above = (one) => one.assignedSlot ?? one.parentElement ?? one.getRootNode().host;
@@ -36,7 +36,7 @@ export function overlaps() {
   const name = (one) =>
     `${one.tagName.toLowerCase()} "${(one.ariaLabel ?? one.textContent).replace(/\s+/g, ' ').trim().slice(0, 40)}"`;
   const ofNotices = (one) => one.getRootNode().host?.tagName === 'SILLON-NOTICES';
-  const boxes = all(document)
+  const boxes = all(element?.shadowRoot ?? document)
     .filter((one) => one.matches('button, select, input, a[href], .notice'))
     .filter((one) => !ofNotices(one) || one.matches('.notice'))
     .flatMap((one) => {

@@ -1,0 +1,22 @@
+// Which files are prints that a slicer made, and what a re-brushed one is called.
+
+const ending = /\.(?:gcode\.3mf|3mf|(?:gcode|gco|g)(?:\.gz)?|bgcode|bgc)$/i;
+
+const startsWith = (bytes: Uint8Array, ...magic: readonly number[]): boolean =>
+  magic.every((byte, k) => bytes[k] === byte);
+
+/** Whether a file seems to be one: its name says so, and its first bytes do not speak against it. What it holds, the engine
+ * tells. @param head  some first bytes */
+export function seemsSliced(name: string, head: Uint8Array): boolean {
+  if (!ending.test(name)) return startsWith(head, 0x47, 0x43, 0x44, 0x45); // GCDE: binary G-code by any name
+  if (/\.3mf$/i.test(name)) return startsWith(head, 0x50, 0x4b);
+  return !startsWith(head, 0x89, 0x50, 0x4e, 0x47) && !startsWith(head, 0xff, 0xd8, 0xff);
+}
+
+/** "part.gcode.3mf" is "part_brushed.gcode.3mf". */
+export function brushedName(name: string): string {
+  const plain = name.replace(/[\p{Cc}\p{Cs}/\\]/gu, '');
+  const [tail = ''] = ending.exec(plain) ?? [];
+  const stem = tail === '' ? plain : plain.slice(0, -tail.length);
+  return `${stem.replace(/_brushed$/, '') || 'print'}_brushed${tail || '.gcode'}`;
+}
