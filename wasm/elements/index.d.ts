@@ -1,6 +1,6 @@
 // Types of <sillon-studio> and <sillon-view>, the elements for other people's pages; docs/guide/embedding.md says what each name
 // does. Types alone: the elements themselves are scripts of the place where the studio is served.
-import type { Project, Report } from '../sillon.js';
+import type { GcodeFinding, GcodeSummary, Project, Report } from '../sillon.js';
 
 /** Attributes, and properties of the same names: '' where there is none. */
 export interface StudioAttributes {
@@ -20,11 +20,19 @@ export interface StudioAttributes {
   autosave: string;
   base: string;
   sandbox: string;
+  /** Address of a picture, shown until the studio is there. */
+  poster: string;
 }
 
 export interface StudioFile {
   name: string;
   blob: Blob;
+}
+
+/** G-code, what it takes, and what `sillon check` finds in it. */
+export interface GcodeFile extends StudioFile {
+  summary: GcodeSummary;
+  findings: GcodeFinding[];
 }
 
 /** What the promises of a studio reject with, but for AbortError after `signal`. */
@@ -41,7 +49,7 @@ export interface StudioMethods {
   getProject(): Promise<Project>;
   generate(options?: { signal?: AbortSignal }): Promise<Report>;
   report(): Promise<Report | null>;
-  exportGcode(options?: { signal?: AbortSignal }): Promise<StudioFile>;
+  exportGcode(options?: { signal?: AbortSignal }): Promise<GcodeFile>;
   exportBody(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportSvg(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportProject(options?: { signal?: AbortSignal }): Promise<StudioFile>;

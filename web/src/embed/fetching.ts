@@ -25,12 +25,14 @@ function nameOf({ pathname }: URL): string {
   }
 }
 
-async function bytesAt(url: URL): Promise<ArrayBuffer> {
+/** @param credentials  of the page's own files, never of those that a project names */
+async function bytesAt(url: URL, credentials: RequestCredentials, signal?: AbortSignal): Promise<ArrayBuffer> {
   if (!allowed.includes(url.protocol)) throw new Error(`${url.protocol} addresses are not fetched`);
   let response: Response;
   try {
-    response = await fetch(url, { credentials: 'same-origin' });
+    response = await fetch(url, { credentials, signal: signal ?? null });
   } catch {
+    signal?.throwIfAborted();
     throw new Error(
       `${url.href} could not be fetched: it is not there, or its site does not allow this one to read it`,
     );
@@ -65,14 +67,35 @@ function namedBy(bytes: ArrayBuffer): string[] {
     return [];
   }
   if (!isFields(project) || field(project, 'sillon') === undefined) return [];
-  const parts = ['shape', 'directions', 'modes'].map((part) => field(project, part));
+  const pictures = field(project, 'pictures');
+  const shown = isFields(pictures) ? field(pictures, 'files') : undefined;
+  const parts = [
+    ...['shape', 'directions', 'modes'].map((part) => field(project, part)),
+    ...(Array.isArray(shown) ? (shown as unknown[]) : []),
+  ];
   const names = parts.flatMap((part) => (isFields(part) ? [field(part, 'file')] : []));
   return [...new Set(names.filter((name): name is string => typeof name === 'string' && name !== ''))];
 }
 
+/** Whoever wrote a project must not have the host's site asked for anything else: the file lies in the project's folder or
+ * below it, and no query goes with it. */
+function besideProject(name: string, project: URL): URL {
+  const short = name.slice(0, 100);
+  if (!URL.canParse(name, project)) throw new Error(`${short} is no address`);
+  const url = new URL(name, project);
+  if (url.origin !== project.origin) throw new Error(`${short} lies on another site than its project`);
+  const folder = project.protocol === 'blob:' ? undefined : new URL('.', project).pathname;
+  // Servers may take a coded slash for one.
+  const below = folder !== undefined && url.pathname.startsWith(folder) && !/%2f|%5c/i.test(url.pathname);
+  if (!below || url.search !== '') {
+    throw new Error(`${short} does not lie in the folder of its project or below it`);
+  }
+  return url;
+}
+
 /** @param base  that relative addresses are relative to
- * @throws Error with one sentence for people */
-export async function fetchFiles(files: readonly Asked[], base: string): Promise<Fetched[]> {
+ * @throws Error with one sentence for people; the signal's reason */
+export async function fetchFiles(files: readonly Asked[], base: string, signal?: AbortSignal): Promise<Fetched[]> {
   const addressOf = (text: string, from: string | URL): URL => {
     if (!URL.canParse(text, from)) throw new Error(`${text.slice(0, 100)} is no address`);
     return new URL(text, from);
@@ -80,13 +103,11 @@ export async function fetchFiles(files: readonly Asked[], base: string): Promise
   const fetched: Fetched[] = [];
   for (const { url: text, role } of files) {
     const url = addressOf(text, base);
-    const bytes = await bytesAt(url);
+    const bytes = await bytesAt(url, 'same-origin', signal);
     fetched.push({ name: nameOf(url), bytes, role });
     for (const name of namedBy(bytes)) {
-      const beside = addressOf(name, url);
-      // Whoever wrote the project must not have other sites read.
-      if (beside.origin !== url.origin) throw new Error(`${name.slice(0, 100)} lies on another site than its project`);
-      fetched.push({ name: nameOf(beside), bytes: await bytesAt(beside), role: '' });
+      const beside = besideProject(name, url);
+      fetched.push({ name: nameOf(beside), bytes: await bytesAt(beside, 'omit', signal), role: '' });
     }
   }
   if (fetched.length > most.files)

@@ -138,7 +138,15 @@ class Host {
     ],
     ['getProject', async () => ({ result: { project: await this.services.project() } })],
     ['generate', async () => ({ result: { report: (await this.services.finished()).report } })],
-    ['exportGcode', async () => sent(await this.services.make('gcode'))],
+    [
+      'exportGcode',
+      async () => {
+        const { result, transfer = [] } = await sent(await this.services.make('gcode'));
+        const { summary, check } = this.studio.store.state;
+        const told = { summary: summary ?? null, findings: check?.findings ?? [] };
+        return { result: { ...(result as FileMessage), ...told }, transfer };
+      },
+    ],
     ['exportBody', async () => sent(await this.services.make('body'))],
     ['exportSvg', async () => sent(await this.services.make('svg'))],
     ['exportView', async () => sent(await this.services.make('view'))],

@@ -1,7 +1,7 @@
 // <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
 // into events and promises. No dependencies: one file for a script tag.
-import type { Project, Report } from 'sillon';
-import type { StudioFile, StudioMethods, StudioSource } from 'sillon/elements';
+import type { GcodeFinding, GcodeSummary, Project, Report } from 'sillon';
+import type { GcodeFile, StudioFile, StudioMethods, StudioSource } from 'sillon/elements';
 import { download } from '../files/download.js';
 import { frame } from '../i18n/en.js';
 import { fetchFiles, type Fetched } from './fetching.js';
@@ -30,14 +30,21 @@ const ofStudio = ['mode', 'controls', 'lang', 'theme', 'units', 'printer'] as co
 /** Attributes that name files, and what each is for. */
 const ofFiles = { src: '', project: '', shape: 'shape', image: 'image' } as const;
 const others = ['base', 'sandbox'] as const;
+/** A picture that stands in the studio's place until it is there. */
+const ofPoster = 'poster';
 /** Not part of the address, which anybody may write: 'printer' lets a project's own printer be used. */
 const ofLoads = 'trusted';
-const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...others, ofLoads];
+const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...others, ofLoads, ofPoster];
 
-const patience = 10_000; // [ms] for the frame's first word; a frame that the browser blocks never says any
+const patience = 10_000; // [ms] for the frame's first word once it is loaded; one that the browser blocks never says any
+const longest = 60_000; // [ms] for its loading, on the slowest of networks
+const near = '800px'; // around the window: the studio is loaded when the element comes that close
 
 /** Of every language's file these few words alone, which the bundler finds and puts into this one. */
 const words = import.meta.glob<typeof frame>('../i18n/??.ts', { eager: true, import: 'frame' });
+
+/** Of files that the visitor downloads. */
+const extensions = /\.(gcode|bgcode|3mf|stl|svg|png|zip|mp4|webm)$/;
 
 /** What went wrong, for people and programs: docs/guide/embedding.md lists the codes. */
 export class StudioFrameError extends Error {
@@ -60,6 +67,8 @@ const style = `
   :host { display: block; position: relative; height: 640px; overflow: hidden; }
   :host([hidden]) { display: none; }
   iframe { display: block; width: 100%; height: 100%; border: 0; }
+  img { position: absolute; inset: 0; width: 100%; height: 100%; object-fit: contain; background: #f4f3ef; }
+  img[hidden] { display: none; }
   p { position: absolute; inset: 0; display: grid; place-content: center; justify-items: center; gap: 8px; margin: 0;
     padding: 16px; font: 16px/1.5 system-ui, sans-serif; color: #23282d; background: #f4f3ef; text-align: center; }
   p[hidden] { display: none; }
@@ -82,12 +91,17 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   readonly #frame = document.createElement('iframe');
   readonly #notice = document.createElement('p');
+  readonly #poster = document.createElement('img');
   #port: MessagePort | undefined;
-  #connected: Promise<MessagePort>;
-  #onConnected!: (port: MessagePort) => void;
+  /** Why there is no port, and there will be none. */
+  #fault: StudioFrameError | undefined;
+  /** Whoever waits for a port. */
+  readonly #callers = new Set<Waiter>();
   readonly #waiters = new Map<number, Waiter>();
   #nextId = 1;
   #late: ReturnType<typeof setTimeout> | undefined;
+  /** While the studio is not to be loaded yet. */
+  #near: IntersectionObserver | undefined;
   /** Of the files that attributes name: done when the studio has them. */
   #loading: Promise<void> = Promise.resolve();
   #loads = 0;
@@ -98,24 +112,43 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     root.adoptedStyleSheets = [styleSheet()];
     this.#notice.hidden = true;
     this.#notice.setAttribute('role', 'alert');
-    root.append(this.#frame, this.#notice);
-    this.#connected = this.#nextConnection();
+    this.#poster.hidden = true;
+    this.#poster.alt = '';
+    this.#poster.part.add('poster');
+    this.#frame.addEventListener('load', () => {
+      if (this.#frame.src !== '' && this.#port === undefined) this.#wait(patience);
+    });
+    root.append(this.#frame, this.#poster, this.#notice);
   }
 
   connectedCallback(): void {
     addEventListener('message', this.#onMessage);
-    this.#open();
+    this.#showPoster();
+    this.#near = new IntersectionObserver(
+      (entries) => {
+        if (entries.some(({ isIntersecting }) => isIntersecting)) this.#open();
+      },
+      { rootMargin: near },
+    );
+    this.#near.observe(this);
+    if (this.#callers.size > 0) this.#open();
   }
 
   disconnectedCallback(): void {
     removeEventListener('message', this.#onMessage);
+    this.#near?.disconnect();
+    this.#near = undefined;
     clearTimeout(this.#late);
-    this.#drop();
+    this.#close(new StudioFrameError('Closed', 'The element was taken out of its page.', ''));
+    this.#frame.removeAttribute('src');
   }
 
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
     if (before === now || !this.isConnected || name === ofLoads) return;
-    if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
+    if (name === ofPoster) this.#showPoster();
+    else if (this.#near !== undefined)
+      return; // all of them are looked at when the studio is loaded
+    else if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
     else if (name in ofFiles) this.#loadAttributes();
     else if (this.#port !== undefined) {
       // Taken away, an attribute has its default again.
@@ -129,6 +162,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   /** Shows another plate. @throws StudioFrameError */
   async load(source: StudioSource): Promise<void> {
+    this.#wake(); // whose attributes name another plate, which this one comes after
     ++this.#loads;
     this.#loading = Promise.resolve();
     await this.#load(source);
@@ -150,8 +184,15 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     return isFields(result) && isFields(field(result, 'report')) ? (objectIn(result, 'report') as Report) : null;
   }
 
-  exportGcode({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
-    return this.#file('exportGcode', {}, signal);
+  /** The file, what it takes (grams, seconds) and what is to be known of it. */
+  async exportGcode({ signal }: { signal?: AbortSignal } = {}): Promise<GcodeFile> {
+    const result = await this.#askOfPlate('exportGcode', {}, signal);
+    const findings = isFields(result) ? field(result, 'findings') : undefined;
+    return {
+      ...fileIn(result),
+      summary: objectIn(result, 'summary') as GcodeSummary,
+      findings: Array.isArray(findings) ? (findings as GcodeFinding[]) : [],
+    };
   }
 
   /** The base layers as a solid for other slicers, 3MF. */
@@ -196,14 +237,19 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   #open(): void {
-    this.#drop();
+    this.#near?.disconnect();
+    this.#near = undefined;
+    this.#drop(new StudioFrameError('Closed', 'The frame was closed.', ''));
+    this.#fault = undefined;
     clearTimeout(this.#late);
     this.#notice.hidden = true;
     let address: URL;
     try {
       address = new URL('embed.html', this.#base());
     } catch (error) {
-      this.#tellError(new StudioFrameError('BadAttribute', String(error), ''));
+      const fault = new StudioFrameError('BadAttribute', String(error), '');
+      this.#close(fault);
+      this.#tellError(fault);
       return;
     }
     for (const name of [...ofAddress, ...ofStudio]) {
@@ -217,10 +263,16 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     if (sandbox === null) this.#frame.removeAttribute('sandbox');
     else this.#frame.setAttribute('sandbox', sandbox);
     this.#frame.src = address.href;
+    this.#wait(longest);
+    this.#loadAttributes();
+  }
+
+  /** A frame that says nothing for so long is blocked, or out of reach [ms]. */
+  #wait(time: number): void {
+    clearTimeout(this.#late);
     this.#late = setTimeout(() => {
       this.#blocked();
-    }, patience);
-    this.#loadAttributes();
+    }, time);
   }
 
   #blocked(): void {
@@ -233,20 +285,56 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     link.textContent = say.open;
     this.#notice.replaceChildren(say.blocked, link);
     this.#notice.hidden = false;
-    this.#tellError(new StudioFrameError('Blocked', say.blocked, say.open));
+    this.#poster.hidden = true;
+    const fault = new StudioFrameError('Blocked', say.blocked, say.open);
+    this.#close(fault);
+    this.#tellError(fault);
   }
 
-  #nextConnection(): Promise<MessagePort> {
-    return new Promise((resolve) => (this.#onConnected = resolve));
+  #showPoster(): void {
+    const address = this.getAttribute(ofPoster);
+    if (address !== null && address !== '') this.#poster.src = address;
+    this.#poster.hidden = address === null || address === '' || this.#port !== undefined;
   }
 
-  #drop(): void {
+  /** A port to the frame, which is loaded if it was not yet.
+   * @throws StudioFrameError Blocked, Closed, BadAttribute; the signal's reason */
+  #connection(signal?: AbortSignal): Promise<MessagePort> {
+    if (this.#port !== undefined) return Promise.resolve(this.#port);
+    if (this.#fault !== undefined) return Promise.reject(this.#fault);
+    return new Promise((resolve, reject) => {
+      const caller: Waiter = {
+        resolve: (port) => {
+          resolve(port as MessagePort);
+        },
+        reject,
+      };
+      this.#callers.add(caller);
+      signal?.addEventListener('abort', () => {
+        if (this.#callers.delete(caller)) reject(signal.reason as Error);
+      });
+      this.#wake();
+    });
+  }
+
+  /** Loads the studio now, however far away the element is. */
+  #wake(): void {
+    if (this.isConnected && this.#near !== undefined) this.#open();
+  }
+
+  /** Nobody is answered any more until the next opening. */
+  #close(fault: StudioFrameError): void {
+    this.#fault = this.isConnected ? fault : undefined; // put into a page again, it opens again
+    for (const { reject } of this.#callers) reject(fault);
+    this.#callers.clear();
+    this.#drop(fault);
+  }
+
+  #drop(fault: StudioFrameError): void {
     if (this.#port === undefined) return;
     this.#port.close();
     this.#port = undefined;
-    this.#connected = this.#nextConnection();
-    for (const { reject } of this.#waiters.values())
-      reject(new StudioFrameError('Closed', 'The frame was closed.', ''));
+    for (const { reject } of this.#waiters.values()) reject(fault);
     this.#waiters.clear();
   }
 
@@ -254,9 +342,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   readonly #onMessage = ({ source, origin, data }: MessageEvent): void => {
     const frame = this.#frame.contentWindow;
     if (frame === null || source !== frame || origin !== this.#origin() || !isHello(data)) return;
-    this.#drop(); // it has been loaded anew
+    this.#drop(new StudioFrameError('Closed', 'The frame was loaded anew.', ''));
+    this.#fault = undefined; // however late it comes
     clearTimeout(this.#late);
     this.#notice.hidden = true;
+    this.#poster.hidden = true;
     const { port1, port2 } = new MessageChannel();
     port1.addEventListener('message', this.#onPortMessage);
     port1.start();
@@ -264,7 +354,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     // An opaque origin cannot be named; whoever is in the sandbox was put there by this page.
     frame.postMessage(connect, origin === 'null' ? '*' : origin, [port2]);
     this.#port = port1;
-    this.#onConnected(port1);
+    for (const { resolve } of this.#callers) resolve(port1);
+    this.#callers.clear();
   };
 
   readonly #onPortMessage = ({ data }: MessageEvent): void => {
@@ -297,7 +388,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     const blob = new Blob([file.bytes], { type });
     const event = new CustomEvent('export', { detail: { name, type, blob }, cancelable: true });
     if (!this.dispatchEvent(event)) return;
-    download(blob, name);
+    // In this page's name, so only what a studio writes, and only after the visitor has done something.
+    if (extensions.test(name) && navigator.userActivation.hasBeenActive) download(blob, name);
+    else this.#tellError(new StudioFrameError('NoDownload', `${name} was not asked for by the visitor.`, ''));
   }
 
   readonly #tellError = (error: unknown): void => {
@@ -313,7 +406,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     transfer: Transferable[] = [],
   ): Promise<unknown> {
     signal?.throwIfAborted();
-    const port = await this.#connected;
+    const port = await this.#connection(signal);
     signal?.throwIfAborted();
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
@@ -327,14 +420,14 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   /** Of the plate that the attributes name, once it is there. */
   async #askOfPlate(method: Method, params: Fields = {}, signal?: AbortSignal): Promise<unknown> {
-    await this.#loading;
+    signal?.throwIfAborted();
+    this.#wake();
+    await (signal === undefined ? this.#loading : Promise.race([this.#loading, abortOf(signal)]));
     return this.#ask(method, params, signal);
   }
 
   async #file(method: Method, params: Fields, signal?: AbortSignal): Promise<StudioFile> {
-    const file = fileFrom(await this.#askOfPlate(method, params, signal));
-    if (file === undefined) throw new StudioFrameError('BadReply', 'The frame sent no file.', '');
-    return { name: file.name, blob: new Blob([file.bytes], { type: file.type }) };
+    return fileIn(await this.#askOfPlate(method, params, signal));
   }
 
   // --- Files ----------------------------------------------------------------------------------------------------------------
@@ -352,7 +445,10 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
         const files = await fetchFiles(asked, document.baseURI);
         if (mine === this.#loads) await this.#send(files, {}, true); // else another plate was asked for meanwhile
       })
-      .catch(this.#tellError);
+      .catch((error: unknown) => {
+        // That there is no frame is told once, or known to whoever took the element out of the page.
+        if (error !== this.#fault && this.isConnected) this.#tellError(error);
+      });
   }
 
   async #load(source: StudioSource): Promise<void> {
@@ -379,7 +475,20 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 }
 
+const abortOf = (signal: AbortSignal): Promise<never> =>
+  new Promise((_, reject) => {
+    signal.addEventListener('abort', () => {
+      reject(signal.reason as Error);
+    });
+  });
+
 const errorText = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+function fileIn(result: unknown): StudioFile {
+  const file = fileFrom(result);
+  if (file === undefined) throw new StudioFrameError('BadReply', 'The frame sent no file.', '');
+  return { name: file.name, blob: new Blob([file.bytes], { type: file.type }) };
+}
 
 /** What the studio gave: from where this script is, too, so taken at its word. */
 function objectIn(result: unknown, name: string): object {

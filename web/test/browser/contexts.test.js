@@ -280,7 +280,8 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
         lang,
       });
       assert.equal(error, undefined);
-      assert.deepEqual(value, { code: 'Blocked', message, href: studioAt('bare'), target: '_blank' });
+      const href = studioAt('bare');
+      assert.deepEqual(value, { code: 'Blocked', refused: 'Blocked', message, href, target: '_blank' });
     }
     await page.close();
   });

@@ -317,6 +317,40 @@ test('what a hostile frame says is dropped or made harmless', { skip }, async ()
   ]);
 });
 
+test('a frame downloads nothing in the page’s name that no visitor asked for, or that no studio writes', { skip }, async () => {
+  const visit = await hosts.open();
+  const downloads = [];
+  visit.page.on('download', (download) => downloads.push(download.suggestedFilename()));
+  const script = `
+    addEventListener('message', ({ ports: [port] }) => {
+      for (const name of ['plate.gcode', 'plate.exe'])
+        port.postMessage({ v: 1, event: 'export', detail: { name, type: 'text/x-gcode', bytes: new ArrayBuffer(3) } });
+    });
+    parent.postMessage({ sillon: 'hello', v: 1 }, '*');`;
+  const told = (base) =>
+    visit.page.evaluate(
+      async ({ studio, base }) => {
+        await import(`${studio}embed/sillon-studio.js`);
+        const element = document.createElement('sillon-studio');
+        element.setAttribute('base', base);
+        const errors = [];
+        return new Promise((resolve) => {
+          element.addEventListener('error', ({ detail }) => {
+            errors.push([detail.code, detail.message.split(' ')[0]]);
+            if (errors.length === 2) resolve(errors);
+          });
+          document.body.append(element);
+        });
+      },
+      { studio: hosts.studio, base },
+    );
+  assert.deepEqual(await impostor(script, told), [
+    ['NoDownload', 'plate.gcode'],
+    ['NoDownload', 'plate.exe'],
+  ]);
+  assert.deepEqual(downloads, []);
+});
+
 test('a frame that goes to another site gets no port', { skip }, async () => {
   const visit = await hosts.open();
   const gone = `

@@ -87,6 +87,77 @@ test('methods give the plate that was loaded, as project, report and files', { s
   assert.deepEqual(problems, []);
 });
 
+test('the file comes with what it takes and what is to be known of it', { skip }, async () => {
+  const { page } = await element();
+  const { grams, seconds, findings, size } = await page.evaluate(async (project) => {
+    const { element } = globalThis;
+    await element.load({ ...project, print: { ...project.print, purgeLength: 0 } });
+    const { blob, summary, findings } = await element.exportGcode();
+    return { grams: summary.filamentGrams, seconds: summary.seconds, findings, size: [blob.size, summary.bytes] };
+  }, project);
+  assert.ok(grams > 0.01 && grams < 1, `${grams} g`);
+  assert.ok(seconds > 5 && seconds < 600, `${seconds} s`);
+  assert.equal(size[0], size[1]);
+  assert.ok(Array.isArray(findings));
+  for (const { code, message } of findings) assert.ok(code !== '' && message !== '');
+});
+
+test(
+  'every promise settles: of an element taken away, and of a call given up before there is a studio',
+  { skip },
+  async () => {
+    const { page } = await hosts.open();
+    const outcomes = await page.evaluate(async ({ studio }) => {
+      await import(`${studio}embed/sillon-studio.js`);
+      const outcome = (promise) =>
+        promise.then(
+          () => 'done',
+          ({ name, code }) => (name === 'AbortError' ? name : code),
+        );
+      const waiting = document.createElement('sillon-studio'); // in no page yet
+      const control = new AbortController();
+      const given = outcome(waiting.generate({ signal: control.signal }));
+      control.abort();
+      const taken = document.createElement('sillon-studio');
+      document.body.append(taken);
+      const gone = [taken.generate(), taken.report(), taken.load({ sillon: 1 })].map(outcome);
+      await new Promise((resolve) => setTimeout(resolve)); // they wait for the frame
+      taken.remove();
+      const wrong = document.createElement('sillon-studio');
+      wrong.setAttribute('base', 'data:text/html,');
+      document.body.append(wrong);
+      return Promise.all([given, ...gone, outcome(wrong.getProject())]);
+    }, hosts);
+    assert.deepEqual(outcomes, ['AbortError', 'Closed', 'Closed', 'Closed', 'BadAttribute']);
+  },
+);
+
+test(
+  'far below, the studio is not loaded until somebody comes near; a poster stands there meanwhile',
+  { skip },
+  async () => {
+    const { page } = await hosts.open();
+    await page.evaluate(async ({ studio }) => {
+      await import(`${studio}embed/sillon-studio.js`);
+      document.body.style.paddingTop = '5000px';
+      const element = document.createElement('sillon-studio');
+      globalThis.ready = new Promise((resolve) => element.addEventListener('ready', resolve, { once: true }));
+      element.setAttribute('poster', `${studio}icon.svg`);
+      document.body.append(element);
+      globalThis.element = element;
+    }, hosts);
+    const poster = page.locator('sillon-studio img');
+    await poster.waitFor();
+    await page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve)))),
+    );
+    assert.equal(await page.evaluate(() => globalThis.element.shadowRoot.querySelector('iframe').src), '');
+    await page.evaluate(() => globalThis.element.scrollIntoView());
+    await page.evaluate(() => globalThis.ready.then(() => undefined));
+    assert.equal(await poster.isVisible(), false);
+  },
+);
+
 test('events tell progress, result and changes by the visitor', { skip }, async () => {
   const { page, frame } = await element();
   await load(page);

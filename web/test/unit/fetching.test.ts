@@ -40,6 +40,58 @@ test('a project brings the files it names, from its own site only', async () => 
   );
 });
 
+test('files of a project lie in its folder or below, are asked for without query and cookies, pictures among them', async () => {
+  const asked: string[] = [];
+  const shapes = [
+    '../a.svg',
+    '/a.svg',
+    'a.svg?next=1',
+    'b/../../a.svg',
+    '%2e%2e/a.svg',
+    '..%2fa.svg',
+    'b%5c..%5ca.svg',
+  ];
+  await serving(
+    (request, response) => {
+      asked.push(request.url ?? '');
+      const k = /project(\d+)\.json/.exec(request.url ?? '')?.[1];
+      if (k === undefined) response.end('<svg/>');
+      else if (shapes[Number(k)] !== undefined)
+        response.end(JSON.stringify({ sillon: 1, shape: { file: shapes[Number(k)] } }));
+      else {
+        const pictures = { files: [{ file: 'one.png', lamp: [60, 45] }, { file: 'two.png' }] };
+        response.end(JSON.stringify({ sillon: 1, pictures }));
+      }
+    },
+    async (base) => {
+      for (const k of shapes.keys()) {
+        asked.length = 0;
+        await assert.rejects(
+          fetchFiles([{ url: `project${k}.json`, role: '' }], base),
+          /does not lie in the folder of its project or below it/,
+          shapes[k],
+        );
+        assert.deepEqual(asked, [`/page/project${k}.json`]);
+      }
+      const files = await fetchFiles([{ url: `project${shapes.length}.json`, role: '' }], base);
+      assert.deepEqual(
+        files.slice(1).map(({ name }) => name),
+        ['one.png', 'two.png'],
+      );
+    },
+  );
+});
+
+test('an abort ends what is being fetched', async () => {
+  const control = new AbortController();
+  await serving(
+    () => {
+      control.abort(); // it has asked, and never gets an answer
+    },
+    (base) => assert.rejects(fetchFiles([{ url: 'slow.svg', role: '' }], base, control.signal), { name: 'AbortError' }),
+  );
+});
+
 test('addresses that are none, that run script, or that are not there are told in a sentence', async () => {
   await serving(
     (_, response) => {
