@@ -107,27 +107,30 @@ test(
   { skip },
   async () => {
     const { page } = await hosts.open();
-    const outcomes = await page.evaluate(async ({ studio }) => {
-      await import(`${studio}embed/sillon-studio.js`);
-      const outcome = (promise) =>
-        promise.then(
-          () => 'done',
-          ({ name, code }) => (name === 'AbortError' ? name : code),
-        );
-      const waiting = document.createElement('sillon-studio'); // in no page yet
-      const control = new AbortController();
-      const given = outcome(waiting.generate({ signal: control.signal }));
-      control.abort();
-      const taken = document.createElement('sillon-studio');
-      document.body.append(taken);
-      const gone = [taken.generate(), taken.report(), taken.load({ sillon: 1 })].map(outcome);
-      await new Promise((resolve) => setTimeout(resolve)); // they wait for the frame
-      taken.remove();
-      const wrong = document.createElement('sillon-studio');
-      wrong.setAttribute('base', 'data:text/html,');
-      document.body.append(wrong);
-      return Promise.all([given, ...gone, outcome(wrong.getProject())]);
-    }, hosts);
+    const outcomes = await page.evaluate(
+      async ({ studio }) => {
+        await import(`${studio}embed/sillon-studio.js`);
+        const outcome = (promise) =>
+          promise.then(
+            () => 'done',
+            ({ name, code }) => (name === 'AbortError' ? name : code),
+          );
+        const waiting = document.createElement('sillon-studio'); // in no page yet
+        const control = new AbortController();
+        const given = outcome(waiting.generate({ signal: control.signal }));
+        control.abort();
+        const taken = document.createElement('sillon-studio');
+        document.body.append(taken);
+        const gone = [taken.generate(), taken.report(), taken.load({ sillon: 1 })].map(outcome);
+        await new Promise((resolve) => setTimeout(resolve)); // they wait for the frame
+        taken.remove();
+        const wrong = document.createElement('sillon-studio');
+        wrong.setAttribute('base', 'data:text/html,');
+        document.body.append(wrong);
+        return Promise.all([given, ...gone, outcome(wrong.getProject())]);
+      },
+      { studio: hosts.studio },
+    );
     assert.deepEqual(outcomes, ['AbortError', 'Closed', 'Closed', 'Closed', 'BadAttribute']);
   },
 );
@@ -137,15 +140,18 @@ test(
   { skip },
   async () => {
     const { page } = await hosts.open();
-    await page.evaluate(async ({ studio }) => {
-      await import(`${studio}embed/sillon-studio.js`);
-      document.body.style.paddingTop = '5000px';
-      const element = document.createElement('sillon-studio');
-      globalThis.ready = new Promise((resolve) => element.addEventListener('ready', resolve, { once: true }));
-      element.setAttribute('poster', `${studio}icon.svg`);
-      document.body.append(element);
-      globalThis.element = element;
-    }, hosts);
+    await page.evaluate(
+      async ({ studio }) => {
+        await import(`${studio}embed/sillon-studio.js`);
+        document.body.style.paddingTop = '5000px';
+        const element = document.createElement('sillon-studio');
+        globalThis.ready = new Promise((resolve) => element.addEventListener('ready', resolve, { once: true }));
+        element.setAttribute('poster', `${studio}icon.svg`);
+        document.body.append(element);
+        globalThis.element = element;
+      },
+      { studio: hosts.studio },
+    );
     const poster = page.locator('sillon-studio img');
     await poster.waitFor();
     await page.evaluate(

@@ -52,20 +52,14 @@ async function blocked({ studio, lang = '' }) {
   const error = new Promise((resolve) => element.addEventListener('error', ({ detail }) => resolve(detail)));
   if (lang !== '') element.lang = lang;
   document.body.append(element);
-<<<<<<< HEAD
-  const { code, message } = await inTime(error, 'error');
-  const link = element.shadowRoot.querySelector('[role=alert]:not([hidden]) a');
-  return { code, message, href: link.href, target: link.target };
-=======
   const asked = element.generate().then(
     () => 'done',
     (refused) => refused.code,
   );
-  const { code } = await inTime(error, 'error');
+  const { code, message } = await inTime(error, 'error');
   const refused = await inTime(asked, 'an answer');
   const link = element.shadowRoot.querySelector('[role=alert]:not([hidden]) a');
-  return { code, refused, href: link.href, target: link.target };
->>>>>>> fcc1ba5 (embed: Promises settle, studios load when near, G-code comes with findings)
+  return { code, refused, message, href: link.href, target: link.target };
 }
 
 /** A plain frame that has said hello. */
