@@ -68,7 +68,6 @@
 #include "sillon/gcode_reader/finding.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 #include "sillon/rebrush/relief.hpp"
-#include "sillon/rebrush/relief.hpp"
 #include "sillon/rebrush/surfaces.hpp"
 
 // Pictures, drawings and other files.

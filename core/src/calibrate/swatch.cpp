@@ -106,7 +106,8 @@ std::optional<Error> addSwatch(CalibrationPlate& plate, const Project& project, 
   const double line = room / static_cast<double>(std::size(lines));
   for (std::size_t k = 0; k < std::size(lines); ++k) {
     if (lines[k].empty()) continue;
-    const double unit = std::min({kLargest, (kCard.x - 2 * kMargin) / textWidth(lines[k]), 0.72 * line / kLetterHeight});
+    const double unit =
+        std::min({kLargest, (kCard.x - 2 * kMargin) / textWidth(lines[k]), 0.72 * line / kLetterHeight});
     const double y = kCard.y - kMargin - line * static_cast<double>(k + 1) + (line - kLetterHeight * unit) / 2;
     picture.write(lines[k], {kMargin, y}, unit);
   }

@@ -326,8 +326,8 @@ test(
     const page = await context.newPage();
     const told = [];
     page.on('console', (message) => {
-    if (message.text().startsWith('NoDownload')) told.push(message.text());
-  });
+      if (message.text().startsWith('NoDownload')) told.push(message.text());
+    });
     page.on('download', (download) => told.push(`downloaded ${download.suggestedFilename()}`));
     const script = `
     addEventListener('message', ({ ports: [port] }) => {
