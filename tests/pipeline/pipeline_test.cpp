@@ -219,7 +219,7 @@ TEST_CASE("odd shapes end in an error that says why") {
   const std::string most = sizeof(void*) == 4 ? "8 million" : "100 million";  // in a browser's 32 bits
   CHECK(message.find("100.1 million cells at spacing 0.4 mm; at most " + most) != std::string::npos);
   CHECK(message.find(sizeof(void*) == 4
-                         ? ": use a spacing of at least 1.418"
+                         ? ": use a spacing of at least 1.417 mm, or a size of at most 28 %"
                          : ": use a spacing of at least 0.401 mm, or a size of at most 99 %") != std::string::npos);
   Shape noPage = square(5);
   noPage.page = {0, 5};
