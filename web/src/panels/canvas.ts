@@ -8,6 +8,8 @@ import { lookOf } from '../model/filaments.js';
 import { homeLight, lampsOf } from '../model/lamp.js';
 import type { Plate, Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
+import { bench } from '../style/bench.js';
+import { panned, zoomed } from '../views/camera.js';
 import { between, lightOfTilt, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
 import type { Light } from '../model/view.js';
@@ -30,29 +32,10 @@ const swayFor = 90_000; // [ms] without anybody touching anything, after which t
 export class PlateCanvas extends StudioElement implements Stage {
   static override styles = [
     ...StudioElement.styles,
+    bench,
     css`
-      :host {
-        position: relative;
-        display: block;
-        overflow: hidden;
-        background: var(--bench);
-        touch-action: none;
-      }
-      canvas {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        display: block;
-      }
-      .overlay {
-        cursor: grab;
-      }
       .overlay.draws {
         cursor: none;
-      }
-      .overlay:focus-visible {
-        outline-offset: -3px;
       }
       .overlay:active {
         cursor: grabbing;
@@ -397,26 +380,15 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { page } = this.#page();
     const { width } = this.getBoundingClientRect();
     const least = (width * devicePixelRatio) / (12 * Math.max(...page));
-    const scale = Math.min(1200 * devicePixelRatio, Math.max(least, this.#camera.scale * factor));
-    const share = this.#camera.scale / scale;
-    this.#camera = {
-      x: at.x + (this.#camera.x - at.x) * share,
-      y: at.y + (this.#camera.y - at.y) * share,
-      scale,
-    };
+    this.#camera = zoomed(this.#camera, at, factor, least, 1200 * devicePixelRatio);
     this.#fitted = false;
     this.#redraw();
   }
 
   #move(dx: number, dy: number): void {
-    const scale = this.#camera.scale / devicePixelRatio;
     const { page, shown } = this.#page();
-    const within = (value: number, length: number): number => Math.min(1.5 * length, Math.max(-0.5 * length, value));
-    this.#camera = {
-      ...this.#camera,
-      x: within(this.#camera.x - dx / scale, shown),
-      y: within(this.#camera.y + dy / scale, page[1]),
-    };
+    const ratio = devicePixelRatio;
+    this.#camera = panned(this.#camera, dx * ratio, dy * ratio, [shown, page[1]], 0.5);
     this.#fitted = false;
     this.#redraw();
   }

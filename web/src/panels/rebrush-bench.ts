@@ -8,7 +8,9 @@ import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
 import type { Face } from '../model/rebrush.js';
 import type { FilamentLook, Light } from '../model/view.js';
+import { bench } from '../style/bench.js';
 import { controls } from '../style/controls.js';
+import { panned, zoomed } from '../views/camera.js';
 import { lightUnder } from '../views/light.js';
 import { shadedRelief } from '../views/relief.js';
 import { createRenderer } from '../views/renderer.js';
@@ -41,29 +43,10 @@ function addLine(path: Path2D, points: ArrayLike<number>): void {
 export class RebrushBench extends LitElement {
   static override styles = [
     controls,
+    bench,
     css`
-      :host {
-        position: relative;
-        display: block;
-        overflow: hidden;
-        background: var(--bench);
-        touch-action: none;
-      }
-      canvas {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        display: block;
-      }
-      .overlay {
-        cursor: grab;
-      }
       .overlay.hits {
         cursor: pointer;
-      }
-      .overlay:focus-visible {
-        outline-offset: -3px;
       }
       .zoom {
         position: absolute;
@@ -433,21 +416,15 @@ export class RebrushBench extends LitElement {
     const { width, height } = this.getBoundingClientRect();
     const [atX, atY] = this.#toPage(x ?? width / 2, y ?? height / 2);
     const least = (width * devicePixelRatio) / (8 * Math.max(...this.#page));
-    const scale = Math.min(closest * devicePixelRatio, Math.max(least, this.#camera.scale * factor));
-    const share = this.#camera.scale / scale;
-    this.#camera = { x: atX + (this.#camera.x - atX) * share, y: atY + (this.#camera.y - atY) * share, scale };
+    const at = { x: atX, y: atY };
+    this.#camera = zoomed(this.#camera, at, factor, least, closest * devicePixelRatio);
     this.#fitted = false;
     this.#redraw();
   }
 
   #move(dx: number, dy: number): void {
-    const scale = this.#camera.scale / devicePixelRatio;
-    const within = (value: number, length: number): number => Math.min(1.4 * length, Math.max(-0.4 * length, value));
-    this.#camera = {
-      ...this.#camera,
-      x: within(this.#camera.x - dx / scale, this.#page[0]),
-      y: within(this.#camera.y + dy / scale, this.#page[1]),
-    };
+    const ratio = devicePixelRatio;
+    this.#camera = panned(this.#camera, dx * ratio, dy * ratio, this.#page, 0.4);
     this.#fitted = false;
     this.#redraw();
   }

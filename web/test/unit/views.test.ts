@@ -4,6 +4,7 @@ import { test } from 'node:test';
 
 import type { Toolpath } from 'sillon';
 import { widthHistogram } from '../../src/panels/histogram.js';
+import { panned, zoomed } from '../../src/views/camera.js';
 import { findGaps } from '../../src/views/gaps.js';
 import { findMarks } from '../../src/views/marks.js';
 import { directionPalette, rampColour } from '../../src/views/palette.js';
@@ -184,4 +185,27 @@ test('the histogram counts length, not points', () => {
   const at = (width: number): number => bars[Math.floor(((width - low) / (high - low)) * bars.length)] ?? 0;
   assert.ok(Math.abs(at(0.3) / total - 0.5) < 0.03, `${at(0.3) / total}`);
   assert.ok(Math.abs(at(0.5) / total - 0.5) < 0.03);
+});
+
+test('a zoom keeps the place under the pointer, within its bounds', () => {
+  const camera = { x: 10, y: 20, scale: 4 };
+  const at = { x: 13, y: 15 };
+  const pixelOf = (one: typeof camera): number[] => [(at.x - one.x) * one.scale, (at.y - one.y) * one.scale];
+  for (const [factor, scale] of [
+    [2, 8],
+    [0.5, 2],
+    [100, 40],
+    [0.001, 1],
+  ] as const) {
+    const next = zoomed(camera, at, factor, 1, 40);
+    assert.equal(next.scale, scale);
+    for (const [k, pixel] of pixelOf(next).entries()) assert.ok(Math.abs(pixel - (pixelOf(camera)[k] ?? NaN)) < 1e-9);
+  }
+});
+
+test('a drag moves the page with the hand, and not out of sight', () => {
+  const camera = { x: 10, y: 20, scale: 4 };
+  assert.deepEqual(panned(camera, 8, 4, [30, 40], 0.5), { x: 8, y: 21, scale: 4 });
+  assert.deepEqual(panned(camera, 1e6, 1e6, [30, 40], 0.5), { x: -15, y: 60, scale: 4 });
+  assert.deepEqual(panned(camera, -1e6, -1e6, [30, 40], 0.5), { x: 45, y: -20, scale: 4 });
 });
