@@ -360,9 +360,12 @@ void addPrinter(Options& options) {
   options.word("--printer", "ID", "a printer that sillon printers lists", [](const std::string& text) {
     return [text](Project& project) {
       project.printerProfile = text;
-      const double nozzle = project.printer.nozzle;  // the plate was made for it; no profile knows which one is in
-      project.printer = {};
-      project.printer.nozzle = nozzle;
+      // The plate was made for its nozzle, and its look for a speed and a fan: no profile knows them.
+      sillon::Printer printer;
+      printer.nozzle = project.printer.nozzle;
+      printer.showSpeed = project.printer.showSpeed;
+      printer.showFan = project.printer.showFan;
+      project.printer = printer;
       if (const std::string wrong = applyProfile(ProfileKind::Printer, text, project.printer); !wrong.empty()) {
         return "--printer: " + wrong;
       }
@@ -431,6 +434,8 @@ void addOutputs(Options& options, Arguments& arguments) {
                  if (width < 16 || width > 16384) refuse("--preview-width", text, "16 to 16384 pixels");
                  return [](Project&) { return std::string(); };
                });
+  options.output("--conflict", "where several pictures take tones from each other, PNG for each",
+                 arguments.outputs.conflict);
   options.output("--view", "picture of directions for <sillon-view> on web pages, PNG", arguments.outputs.view);
   options.output("--body", "base layers as a solid for a slicer, STL, or 3MF if F ends in .3mf",
                  arguments.outputs.body);
@@ -614,9 +619,10 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addZones(*zones, arguments.zones);
 
   CLI::App* calibrate =
-      app.add_subcommand("calibrate", "Small prints that teach a printer's and a filament's settings");
+      app.add_subcommand("calibrate", "Small prints that teach a printer's and a filament's settings, and reading one");
   addCalibrate(*calibrate, arguments.calibrate);
-  calibrate->add_option("project", arguments.scene, "project file to begin with")->option_text("PROJECT.json");
+  calibrate->add_option("project", arguments.scene, "project file to begin with; of read, the photograph")
+      ->option_text("PROJECT.json|PHOTO");
   addSpools(*calibrate, arguments.pictures, "Calibration");
   Options calibrateOptions(*calibrate, arguments);
   addPrinter(calibrateOptions);

@@ -24,6 +24,7 @@ struct OutputPaths {
   std::string report;
   std::string preview;
   int previewWidth = 1600;  ///< of each panel [pixels]
+  std::string conflict;
   std::string project;
   std::string view;
   std::string body;

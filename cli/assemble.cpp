@@ -56,8 +56,8 @@ Result<Project> loadProject(const std::string& path) {
   return project;
 }
 
-Result<sillon::PlateInput> assemblePlate(const Project& project) {
-  return sillon::readPlateInput(project, readInputFile);
+Result<sillon::PlateInput> assemblePlate(const Project& project, const sillon::RunContext& run) {
+  return sillon::readPlateInput(project, readInputFile, run);
 }
 
 Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what) {

@@ -14,7 +14,8 @@ namespace cli {
 sillon::Result<sillon::Project> loadProject(const std::string& path);
 
 /// Reads and decodes shape, directions and modes.
-sillon::Result<sillon::PlateInput> assemblePlate(const sillon::Project& project);
+sillon::Result<sillon::PlateInput> assemblePlate(const sillon::Project& project,
+                                                 const sillon::RunContext& run = sillon::RunContext());
 
 /// Reads one file that a project names.
 sillon::Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files.hpp"
+#include "sillon/calibrate/read_photo.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/input/image_io.hpp"
@@ -31,6 +32,7 @@ constexpr const char* kExamples =
     "  sillon calibrate coupon --printer prusa-mk4 --filament pla-silk -o coupon.gcode\n"
     "  sillon calibrate flow mine.json -o flow.gcode --preview flow.png\n"
     "  sillon calibrate advance mine.json --from 0.2 --to 0.6 -o advance.gcode --json\n"
+    "  sillon calibrate read photograph.jpg --name mySilk -o mine.json   (a photograph of the coupon)\n"
     "\n"
     "docs/guide/calibrate.md shows what to look for on each, and what to type back.";
 
@@ -92,18 +94,64 @@ sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& 
   return look;
 }
 
+double hundredths(double value) { return std::round(value * 100) / 100; }
+double thousandths(double value) { return std::round(value * 1000) / 1000; }
+
+std::string readingText(const sillon::CouponReading& r, double closest, const std::string& name) {
+  std::string out;
+  const auto add = [&](const char* format, auto... values) {
+    char line[240];
+    std::snprintf(line, sizeof line, format, values...);
+    out += line;
+  };
+  add("slopes   %.2f +- %.2f degrees along the beads, %.2f +- %.2f across them\n", r.along.value, r.along.error,
+      r.across.value, r.across.error);
+  if (r.flow) {
+    add("flow     %.3f +- %.3f is the lowest that closes the surface\n", r.flow->value, r.flow->error);
+  } else if (r.flowIsLower) {
+    add("flow     all discs are closed; print a coupon with lower values (--from, --to)\n");
+  } else {
+    add("flow     no disc is closed; print a coupon with higher values (--from, --to)\n");
+  }
+  add("width    %.3f +- %.3f mm for a bead of %.3f mm\n", r.width.value, r.width.error, closest);
+  add("lamp     at %.0f +- %.0f degrees, %.0f +- %.0f degrees high\n", r.azimuth.value, r.azimuth.error,
+      r.elevation.value, r.elevation.error);
+  add("picture  %.1f pixels per mm, blurred by %.2f mm, camera tilted by %.0f degrees\n", r.pixelsPerMm, r.blur,
+      r.tilt);
+  return out + "spool    " + name + "; keep it with -o FILE, and use it with --spools FILE --spool " + name + "\n";
+}
+
+std::string readingJson(const sillon::CouponReading& r, double asked, const std::string& name) {
+  const auto measured = [](const sillon::Measured& m, double (*round)(double)) {
+    return nlohmann::ordered_json{{"value", round(m.value)}, {"error", round(m.error)}};
+  };
+  nlohmann::ordered_json root{{"version", 1}, {"spool", name}};
+  root["along"] = measured(r.along, hundredths);
+  root["across"] = measured(r.across, hundredths);
+  root["flow"] = r.flow ? measured(*r.flow, thousandths) : nlohmann::ordered_json(nullptr);
+  root["allDiscsClosed"] = r.flowIsLower;
+  root["width"] = measured(r.width, thousandths);
+  root["width"]["asked"] = thousandths(asked);
+  root["lamp"] = {{"azimuth", measured(r.azimuth, hundredths)}, {"elevation", measured(r.elevation, hundredths)}};
+  root["colour"] = r.colour;
+  root["camera"] = {
+      {"tilt", hundredths(r.tilt)}, {"pixelsPerMm", hundredths(r.pixelsPerMm)}, {"blur", thousandths(r.blur)}};
+  return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
   const char* group = "Calibration";
-  const std::string kinds = joined(sillon::calibrationKinds(), ", ", " or ");
+  const std::string kinds =
+      joined(sillon::calibrationKinds(), ", ", " or ") + "; or read, for a photograph of the coupon";
   command.footer(kExamples);
   command
       .add_option_function<std::string>(
           "kind",
           [&arguments, kinds](const std::string& text) {
             const std::vector<std::string>& all = sillon::calibrationKinds();
-            if (std::find(all.begin(), all.end(), text) == all.end()) {
+            if (text != kReadPhotograph && std::find(all.begin(), all.end(), text) == all.end()) {
               throw CLI::ValidationError("kind is \"" + text + "\"; it must be " + kinds,
                                          CLI::ExitCodes::ValidationError);
             }
@@ -112,9 +160,10 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
           kinds)
       ->option_text("KIND")
       ->required();
-  command.add_option("-o,--output", arguments.out, "G-code; packed if F ends in .gcode.3mf or .bgcode")
+  command
+      .add_option("-o,--output", arguments.out,
+                  "G-code; packed if F ends in .gcode.3mf or .bgcode; of a photograph, a file for --spools")
       ->option_text("F")
-      ->required()
       ->group(group);
   command.add_option("--from", arguments.from, "first value to try [as the kind has it]")
       ->option_text("VALUE")
@@ -128,11 +177,27 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
       ->check(CLI::Range(16, 16384))
       ->group(group);
   command.add_flag("--json", arguments.json, "what is printed, as JSON")->group(group);
+  const char* photograph = "Photograph (read)";
+  command.add_option("--name", arguments.name, "of the spool [mySpool]")->option_text("KEY")->group(photograph);
+  command
+      .add_option("--lamp-size", arguments.lampSize, "of the lamp: bulb, softbox, window or its slope [unknown, small]")
+      ->option_text("S")
+      ->group(photograph);
+  command
+      .add_option("--lamp-elevation", arguments.lampElevation,
+                  "how high the lamp stands, as measured within 2 degrees [47 within 9]")
+      ->option_text("DEG")
+      ->group(photograph);
 }
 
 Result<std::string> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
                                  const sillon::Project& project, const std::string& scene, const std::string& date,
                                  const sillon::RunContext& run) {
+  if (arguments.out.empty()) return Error{ErrorCode::InvalidArgument, "--output is required; it names the G-code"};
+  if (!arguments.lampSize.empty() || arguments.lampElevation) {
+    return Error{ErrorCode::InvalidArgument,
+                 "--lamp-size and --lamp-elevation are of a photograph; only calibrate read has them"};
+  }
   std::vector<std::string> outputs{arguments.out};
   if (!arguments.preview.empty()) outputs.push_back(arguments.preview);
   std::vector<std::string> inputs;
@@ -186,6 +251,44 @@ Result<std::string> runCalibrate(const CalibrateArguments& arguments, const Pict
   }
   for (const sillon::GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
   return out;
+}
+
+Result<std::string> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
+                                      const sillon::Project& project, const sillon::RunContext& run) {
+  if (photograph.empty()) {
+    return Error{ErrorCode::InvalidArgument, "no photograph is given; sillon calibrate read PHOTO reads one"};
+  }
+  if (!arguments.preview.empty()) {
+    return Error{ErrorCode::InvalidArgument, "--preview shows a print; calibrate read has none"};
+  }
+  std::vector<std::string> outputs;
+  if (!arguments.out.empty()) outputs.push_back(arguments.out);
+  if (const auto problem = checkOutputs(outputs, {photograph})) return *problem;
+  sillon::PhotoRequest request{project, arguments.from, arguments.to, {}, arguments.lampElevation};
+  if (!arguments.lampSize.empty()) {
+    request.lampSlope = lampSlopeOf(arguments.lampSize);
+    if (!request.lampSlope) {
+      return Error{ErrorCode::InvalidArgument, "--lamp-size is \"" + arguments.lampSize +
+                                                   "\"; it must be bulb, softbox, window or a slope from 0 to 2"};
+    }
+  }
+  const Result<std::string> bytes = readFile(photograph, "photograph", kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.value().data());
+  const Result<sillon::Image> image = sillon::decodeImage({data, bytes.value().size()}, photograph);
+  if (!image) return image.error();
+  const Result<sillon::CouponReading> reading = sillon::readCouponPhoto(image.value(), request, run);
+  if (!reading) return Error{reading.error().code, "\"" + photograph + "\": " + reading.error().message};
+  const std::string file =
+      sillon::spoolFile(reading.value(), arguments.name, "photograph of a coupon; only the nozzle's side was measured");
+  const auto spools = sillon::readSpools(file);
+  if (!spools) return spools.error();  // the name
+  if (!arguments.out.empty()) {
+    if (const auto problem = writeTogether({{arguments.out, file}})) return *problem;
+  }
+  const double asked = project.printer.nozzle * project.print.flow;
+  return arguments.json ? readingJson(reading.value(), asked, arguments.name)
+                        : readingText(reading.value(), asked, arguments.name);
 }
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// sillon calibrate: small prints that teach a printer's and a filament's settings.
+// sillon calibrate: small prints that teach a printer's and a filament's settings, and a photograph of one read back.
 #pragma once
 
 #include <optional>
@@ -17,14 +17,19 @@ class App;
 namespace cli {
 
 struct CalibrateArguments {
-  std::string kind;  ///< a name of sillon::calibrationKinds; empty: another command
+  std::string kind;  ///< a name of sillon::calibrationKinds, or kReadPhotograph; empty: another command
   std::optional<double> from;
   std::optional<double> to;
-  std::string out;          ///< G-code; packed by its ending as --gcode of generate
+  std::string out;          ///< G-code; packed by its ending as --gcode of generate; of a photograph, a file of spools
   std::string preview;      ///< PNG
   int previewWidth = 1600;  ///< [pixels], as that of generate
   bool json = false;
+  std::string name = "mySpool";         ///< of the spool in a photograph
+  std::optional<double> lampElevation;  ///< [degrees]
+  std::string lampSize;                 ///< of the photograph's lamp; empty: unknown
 };
+
+inline constexpr const char* kReadPhotograph = "read";
 
 /// Adds what only calibrations have; \param command  gets the options of the print elsewhere.
 void addCalibrate(CLI::App& command, CalibrateArguments& arguments);
@@ -35,5 +40,10 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments);
 sillon::Result<std::string> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
                                          const sillon::Project& project, const std::string& scene,
                                          const std::string& date, const sillon::RunContext& run);
+
+/// What is printed of a photograph of a coupon, once the file of spools is written, if one is asked for.
+/// \param photograph  a picture's file. \param project  as the coupon was made.
+sillon::Result<std::string> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
+                                              const sillon::Project& project, const sillon::RunContext& run);
 
 }  // namespace cli

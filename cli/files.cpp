@@ -36,18 +36,18 @@ fs::path target(const std::string& path) {
 }
 
 /// A free name in the same folder: renaming is atomic only within one file system.
-std::string temporaryName(const fs::path& path, std::size_t index) {
+fs::path temporaryName(const fs::path& path, std::size_t index) {
 #if defined(__unix__) || defined(__APPLE__)
   const auto process = static_cast<long>(::getpid());
 #else
   const long process = 0;
 #endif
   const std::string name = ".sillon-" + std::to_string(process) + "-" + std::to_string(index) + ".tmp";
-  return (path.parent_path() / name).string();
+  return path.parent_path() / name;
 }
 
-std::optional<Error> writeNew(const std::string& path, const std::string& bytes, const std::string& wanted) {
-  File file(std::fopen(path.c_str(), "wbx"));  // x: never into a file that is there
+std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, const std::string& wanted) {
+  File file(std::fopen(path.string().c_str(), "wbx"));  // x: never into a file that is there
   if (file == nullptr) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
@@ -55,6 +55,44 @@ std::optional<Error> writeNew(const std::string& path, const std::string& bytes,
   if (!written || !flushed) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   return std::nullopt;
 }
+
+/// Files beside their targets, removed at the end unless they were kept. All names are known from the beginning:
+/// nothing after the first byte may run out of memory.
+class TemporaryFiles {
+ public:
+  explicit TemporaryFiles(const std::vector<OutputFile>& files) {
+    for (const OutputFile& file : files) {
+      const fs::path to = target(file.path);
+      files_.push_back({file.path, temporaryName(to, files_.size()), to});
+    }
+  }
+  ~TemporaryFiles() {
+    std::error_code ignored;
+    for (std::size_t k = kept_; k < files_.size(); ++k) fs::remove(files_[k].from, ignored);
+  }
+  TemporaryFiles(const TemporaryFiles&) = delete;
+  TemporaryFiles& operator=(const TemporaryFiles&) = delete;
+
+  [[nodiscard]] const fs::path& name(std::size_t k) const { return files_[k].from; }
+
+  std::optional<Error> keep() {
+    for (; kept_ < files_.size(); ++kept_) {
+      std::error_code error;
+      fs::rename(files_[kept_].from, files_[kept_].to, error);
+      if (error) return invalid("\"" + files_[kept_].wanted + "\" cannot be written: " + error.message());
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Names {
+    std::string wanted;
+    fs::path from;
+    fs::path to;
+  };
+  std::vector<Names> files_;
+  std::size_t kept_ = 0;
+};
 
 }  // namespace
 
@@ -71,6 +109,9 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   if (file == nullptr) return unreadable(errno);
 
   std::string bytes;
+  // Grown step by step, a large file would be held twice; what is no file on a disk tells no size.
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (!error && size <= maxBytes) bytes.reserve(static_cast<std::size_t>(size) + 1);
   std::array<char, 65536> buffer;
   while (bytes.size() <= maxBytes) {
     const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get());
@@ -116,21 +157,11 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
 }
 
 std::optional<Error> writeTogether(const std::vector<OutputFile>& files) {
-  std::vector<std::string> temporary;
-  std::optional<Error> problem;
-  for (std::size_t k = 0; k < files.size() && !problem; ++k) {
-    temporary.push_back(temporaryName(target(files[k].path), k));
-    problem = writeNew(temporary.back(), files[k].bytes, files[k].path);
+  TemporaryFiles written(files);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    if (auto problem = writeNew(written.name(k), files[k].bytes, files[k].path)) return problem;
   }
-  for (std::size_t k = 0; k < files.size() && !problem; ++k) {
-    std::error_code error;
-    fs::rename(temporary[k], target(files[k].path), error);
-    if (error) problem = invalid("\"" + files[k].path + "\" cannot be written: " + error.message());
-  }
-  if (problem) {
-    for (const std::string& path : temporary) std::remove(path.c_str());
-  }
-  return problem;
+  return written.keep();
 }
 
 }  // namespace cli

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -75,18 +76,20 @@ int fail(const Error& error) {
 /// The scene with the options laid over it, every field in range.
 sillon::Result<sillon::Project> readInput(const cli::Arguments& arguments) {
   sillon::Project project;
-  // A bead along the border would frame the picture in tones that it does not have.
-  if (!arguments.pictures.files.empty()) project.toolpath.perimeterMode = sillon::PerimeterMode::Soft;
+  // Beads along the border would frame the picture in tones that it does not have.
+  if (!arguments.pictures.files.empty()) project.toolpath.perimeterMode = sillon::PerimeterMode::None;
   if (!arguments.scene.empty()) {
     sillon::Result<sillon::Project> scene = cli::loadProject(arguments.scene);
     if (!scene) return scene.error();
     project = std::move(scene).value();
   }
+  const sillon::Project given = project;
   for (const auto& change : arguments.changes) {
     if (std::string problem = change(project); !problem.empty()) {
       return Error{ErrorCode::InvalidArgument, std::move(problem)};
     }
   }
+  sillon::followAdvance(given, project);
   if (std::string problem = cli::applyPictures(arguments.pictures, project); !problem.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(problem)};
   }
@@ -96,31 +99,45 @@ sillon::Result<sillon::Project> readInput(const cli::Arguments& arguments) {
   return project;
 }
 
+int endWithoutMemory() {
+  // Without a string, which would take memory.
+  std::fputs("sillon: the memory does not suffice; a larger spacing or a smaller size takes less\n", stderr);
+  return 2;
+}
+
+/// Where memory runs out in what may not throw: destructors, and some of the libraries.
+[[noreturn]] void onTerminate() {
+  try {
+    if (const std::exception_ptr problem = std::current_exception()) std::rethrow_exception(problem);
+  } catch (const std::bad_alloc&) {
+    std::_Exit(endWithoutMemory());
+  } catch (...) {  // ends as without this handler
+  }
+  std::abort();
+}
+
 /// Everything up to the first byte on the disk.
 sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& arguments, cli::Job& job,
                                                      sillon::RunContext& run) {
   cli::ProgressBar bar(!arguments.quiet);
   run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
 
-  sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project);
+  sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project, run);
   if (!input) return input.error();
   if (arguments.placing != cli::Placing::AsGiven &&
       cli::bringUponBed(job.project, input.value().shape, arguments.placing == cli::Placing::Fit)) {
-    input = cli::assemblePlate(job.project);
+    input = cli::assemblePlate(job.project, run);
     if (!input) return input.error();
   }
   job.input = std::move(input).value();
   const sillon::Vec2 size = sillon::bounds(job.input.shape).size();
-  // Report, G-code and preview raise the peak from 120 to 140 bytes a cell (2 million cells, 280 mm at 0.4 mm).
-  constexpr double kForMaking = 0.8;
-  if (auto error = sillon::plateTooLarge(size, job.project.toolpath.spacing, kForMaking * cli::freeMemory())) {
-    return *error;
-  }
+  if (auto error = sillon::plateTooLarge(size, job.project.toolpath.spacing, run.memory())) return *error;
   auto pictures = sillon::solvePictures(job.project, cli::readInputFile, job.input, run);
   if (!pictures) return pictures.error();
   job.pictures = std::move(pictures).value();
 
-  // Measuring takes up to half as long as making: only if the report, the header of the G-code or the summary shows it.
+  // Measuring takes up to two fifths as long as making: only if the report, the header of the G-code or the summary
+  // shows it.
   const bool measure = !arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet;
   const auto make = [&](const sillon::PlateInput& input, int /*round*/, int /*rounds*/) {
     return sillon::generateToolpath(input, job.project.toolpath, run, measure);
@@ -151,9 +168,9 @@ int answer(const std::string& text, int code) {
 }
 
 int check(const cli::Arguments& arguments) {
-  const sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
   if (!file) return fail(file.error());
-  const sillon::Result<std::string> text = sillon::unpackGcode(file.value());
+  const sillon::Result<std::string> text = sillon::unpackGcode(std::move(file).value());
   if (!text) return fail(text.error());
   const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
   return answer(arguments.checkJson ? cli::checkJson(result) : cli::checkText(result), result.errors() == 0 ? 0 : 2);
@@ -177,6 +194,7 @@ int importFrom(const cli::Arguments& arguments) {
 
 int rebrush(const cli::RebrushArguments& arguments) {
   sillon::RunContext run(cli::threadsHere(arguments.threads));
+  run.limitMemory(cli::memoryForPlates());
   const CancelOnSignal cancelOnSignal(run);
   const sillon::Result<std::string> text = cli::runRebrush(arguments, run);
   return text ? answer(text.value(), 0) : fail(text.error());
@@ -184,10 +202,25 @@ int rebrush(const cli::RebrushArguments& arguments) {
 
 int zones(const cli::Arguments& arguments) {
   sillon::RunContext run(cli::threadsHere(arguments.threads));
+  run.limitMemory(cli::memoryForPlates());
   const CancelOnSignal cancelOnSignal(run);
   sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
   const sillon::Result<std::string> text = cli::runZones(arguments.zones, std::move(project).value(), run);
+  return text ? answer(text.value(), 0) : fail(text.error());
+}
+
+int readPhotograph(cli::Arguments arguments) {
+  std::string photograph = arguments.scene;
+  if (!arguments.pictures.files.empty()) photograph = arguments.pictures.files.front();
+  arguments.scene.clear();
+  arguments.pictures.files.clear();
+  sillon::RunContext run(cli::threadsHere(arguments.threads));
+  const CancelOnSignal cancelOnSignal(run);
+  const sillon::Result<sillon::Project> project = readInput(arguments);
+  if (!project) return fail(project.error());
+  const sillon::Result<std::string> text =
+      cli::runReadPhotograph(arguments.calibrate, photograph, project.value(), run);
   return text ? answer(text.value(), 0) : fail(text.error());
 }
 
@@ -197,6 +230,7 @@ int calibrate(const cli::Arguments& arguments) {
                  "\"" + arguments.pictures.files.front() + "\" is a picture; calibrate takes a project file"});
   }
   sillon::RunContext run(cli::threadsHere(arguments.threads));
+  run.limitMemory(cli::memoryForPlates());
   const CancelOnSignal cancelOnSignal(run);
   const sillon::Result<std::string> date = cli::runDate();
   if (!date) return fail(date.error());
@@ -209,6 +243,7 @@ int calibrate(const cli::Arguments& arguments) {
 
 int generate(const cli::Arguments& arguments) {
   sillon::RunContext run(cli::threadsHere(arguments.threads));
+  run.limitMemory(cli::memoryForPlates());
   const CancelOnSignal cancelOnSignal(run);
 
   cli::Job job;
@@ -230,6 +265,11 @@ int generate(const cli::Arguments& arguments) {
     return fail(*problem);
   }
 
+  if (!arguments.outputs.conflict.empty() && job.project.pictures.files.size() < 2) {
+    return fail({ErrorCode::InvalidArgument,
+                 "--conflict is \"" + arguments.outputs.conflict + "\"; it must go with two pictures or more"});
+  }
+
   const auto files = prepare(arguments, job, run);
   if (!files) return fail(run.cancelled() ? Error{ErrorCode::Cancelled, kCancelled} : files.error());
   // From here on it is faster to finish than to stop.
@@ -237,8 +277,9 @@ int generate(const cli::Arguments& arguments) {
   std::signal(SIGTERM, SIG_IGN);
   if (run.cancelled()) return fail({ErrorCode::Cancelled, kCancelled});
   if (files.value().empty() && job.bodyRefused) return fail(*job.bodyRefused);
+  const std::string summary = arguments.quiet ? "" : cli::summary(job, run.threads(), files.value());
   if (const std::optional<Error> problem = cli::writeTogether(files.value())) return fail(*problem);
-  if (!arguments.quiet) std::fputs(cli::summary(job, run.threads(), files.value()).c_str(), stdout);
+  std::fputs(summary.c_str(), stdout);
   return job.bodyRefused ? fail(*job.bodyRefused) : 0;
 }
 
@@ -246,6 +287,7 @@ int generate(const cli::Arguments& arguments) {
 
 int main(int argc, char** argv) {
   cli::keepFreedMemory();
+  std::set_terminate(onTerminate);
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is said may go away: what is written stays
 #endif
@@ -259,6 +301,7 @@ int main(int argc, char** argv) {
     if (!arguments.value().check.empty()) return check(arguments.value());
     if (!arguments.value().rebrush.file.empty()) return rebrush(arguments.value().rebrush);
     if (!arguments.value().zones.out.empty()) return zones(arguments.value());
+    if (arguments.value().calibrate.kind == cli::kReadPhotograph) return readPhotograph(arguments.value());
     if (!arguments.value().calibrate.kind.empty()) return calibrate(arguments.value());
     if (!arguments.value().shape.files.empty()) {
       const cli::ShapeAnswer shapes = cli::describeShapes(arguments.value().shape);
@@ -267,7 +310,7 @@ int main(int argc, char** argv) {
     if (!arguments.value().import.empty()) return importFrom(arguments.value());
     return generate(arguments.value());
   } catch (const std::bad_alloc&) {
-    return fail({ErrorCode::TooLarge, "the memory does not suffice; a larger spacing or a smaller size takes less"});
+    return endWithoutMemory();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sillon: stopped by %s; this is a fault of the program\n", error.what());
     return 1;

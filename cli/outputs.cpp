@@ -1,7 +1,5 @@
 #include "outputs.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,6 +16,7 @@
 #include "sillon/export/svg_drawing.hpp"
 #include "sillon/gcode/read_back.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/look/conflict.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/thumbnails.hpp"
 #include "sillon/look/view_file.hpp"
@@ -74,12 +73,20 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
                                            thumbnailLook, run);
   if (!thumbnails) return thumbnails.error();
   print.thumbnails = std::move(thumbnails).value();
+  sillon::Toolpath across;
+  if (sillon::needsAcross(print)) {
+    auto made = sillon::generateAcross(job.input, job.project.toolpath, run);
+    if (!made) return made.error();
+    across = std::move(made).value().toolpath;
+  }
   std::string text;
-  auto summary =
-      sillon::writeGcode(job.plate.toolpath, job.input.shape, job.project.printer, print, [&](std::string_view piece) {
+  auto summary = sillon::writeGcode(
+      job.plate.toolpath, job.input.shape, job.project.printer, print,
+      [&](std::string_view piece) {
         text += piece;
         return !run.cancelled();
-      });
+      },
+      &across);
   if (!summary) return summary.error();
   job.gcode = std::move(summary).value();
   job.findings = sillon::checkGcode(text, job.project.printer).findings;
@@ -106,37 +113,11 @@ std::optional<Error> judgePictures(Job& job, const std::string& gcode, const sil
 
 // Of the plate, then of the G-code.
 std::vector<sillon::GcodeWarning> warningsOf(const Job& job) {
-  std::vector<sillon::GcodeWarning> all = sillon::drawingWarnings(job.input.shape.drawing);
-  if (job.measures) {
-    for (sillon::GcodeWarning& lost :
-         sillon::lossWarnings(*job.measures, job.input.shape.page, job.plate.toolpath.spacing)) {
-      all.push_back(std::move(lost));
-    }
-  }
+  std::vector<sillon::GcodeWarning> all =
+      sillon::plateWarnings(job.input.shape.drawing, job.plate.apart, job.pictures.fieldR, job.measures,
+                            job.input.shape.page, job.plate.toolpath.spacing);
   if (job.gcode) all.insert(all.end(), job.gcode->warnings.begin(), job.gcode->warnings.end());
   return all;
-}
-
-// The report with the warnings as its last entry: docs/reference/report.md.
-std::string withWarnings(std::string report, const std::vector<sillon::GcodeWarning>& all) {
-  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
-  for (const sillon::GcodeWarning& warning : all) {
-    nlohmann::ordered_json values = nlohmann::ordered_json::object();
-    for (const sillon::WarningValue& value : warning.values) {
-      if (value.text.empty()) {
-        values[value.name] = value.number;
-      } else {
-        values[value.name] = value.text;
-      }
-    }
-    warnings.push_back({{"code", sillon::warningName(warning.code)},
-                        {"values", values},
-                        {"message", sillon::warningSentence(warning)}});
-  }
-  report.resize(report.rfind("\n}"));
-  return report +
-         ",\n  \"warnings\": " + warnings.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-         "\n}\n";
 }
 
 Result<std::string> previewPng(const Job& job, int width, std::size_t shown, const sillon::RunContext& run) {
@@ -148,6 +129,18 @@ Result<std::string> previewPng(const Job& job, int width, std::size_t shown, con
   const sillon::RgbImage& image = picture.value();
   const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
   return std::string(png.begin(), png.end());
+}
+
+void addConflicts(const Job& job, const std::string& path, std::vector<OutputFile>& files) {
+  constexpr int kSide = 800;  // [pixels]
+  const sillon::PlatePictures& pictures = job.pictures;
+  const sillon::PictureConflict conflict =
+      sillon::conflictOf(job.input.directions, pictures.shown, pictures.roughness, pictures.level);
+  for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
+    const sillon::RgbImage image = sillon::conflictImage(conflict, k, pictures.shown[k].tones, kSide);
+    const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+    files.push_back({previewName(path, k), std::string(png.begin(), png.end())});
+  }
 }
 
 std::string durationText(double seconds) {
@@ -214,11 +207,13 @@ Result<std::string> runDate() {
 
 std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures) {
   std::vector<std::string> names;
-  for (const std::string* path :
-       {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.view, &paths.body, &paths.project}) {
+  for (const std::string* path : {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.conflict, &paths.view,
+                                  &paths.body, &paths.project}) {
     if (!path->empty()) names.push_back(*path);
   }
-  for (std::size_t k = 1; k < pictures && !paths.preview.empty(); ++k) names.push_back(previewName(paths.preview, k));
+  for (const std::string* path : {&paths.preview, &paths.conflict}) {
+    for (std::size_t k = 1; k < pictures && !path->empty(); ++k) names.push_back(previewName(*path, k));
+  }
   return names;
 }
 
@@ -231,9 +226,9 @@ Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
   if (paths.container.empty()) {
     return package ? sillon::packGcode(gcode) : binary ? sillon::packBinaryGcode(gcode) : std::move(gcode);
   }
-  const Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
+  Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
   if (!bytes) return bytes.error();
-  const Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(bytes.value());
+  const Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(std::move(bytes).value());
   if (!container) return container.error();
   const auto kind = package  ? sillon::GcodeContainerKind::Package3mf
                     : binary ? sillon::GcodeContainerKind::Binary
@@ -242,7 +237,7 @@ Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
     return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
                                                  " must both be .gcode.3mf or both .bgcode"};
   }
-  return sillon::writeGcodeContainer(container.value(), gcode);
+  return sillon::writeGcodeContainer(container.value(), std::move(gcode));
 }
 
 }  // namespace
@@ -271,6 +266,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
       files.push_back({previewName(paths.preview, k), std::move(png).value()});
     }
   }
+  if (!paths.conflict.empty()) addConflicts(job, paths.conflict, files);
   if (!paths.view.empty()) {
     const sillon::LookParams look = previewLook(job.pictureOptions, job.project, job.pictures, 0);
     const auto view = sillon::viewFile(job.plate.toolpath, job.input.shape.page, {look.colour, look.roughness});
@@ -291,7 +287,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   if (!paths.report.empty() && job.measures) {
     std::string report = sillon::reportJson(job.plate, *job.measures, run.threads(), peakBytes());
     report = sillon::withPictures(std::move(report), job.pictures.shown, job.pictureMeasures, job.gcode.has_value());
-    files.push_back({paths.report, withWarnings(std::move(report), warningsOf(job))});
+    files.push_back({paths.report, sillon::withWarnings(std::move(report), warningsOf(job))});
   }
   return files;
 }
@@ -309,14 +305,16 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
                toolpaths, toolpaths == 1 ? "" : "s");
   if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);
   out += "\n";
-  if (plate.unjoined > 0) {
-    out += print("note       %d toolpath%s could not be joined to the rest of the part and %s printed separately\n",
-                 plate.unjoined, plate.unjoined == 1 ? "" : "s", plate.unjoined == 1 ? "is" : "are");
-  }
   if (job.measures) {
     const Measures& m = *job.measures;
     out += print("quality    alignment %.3f (interior %.3f), coverage %.1f %%, overlap %.2f %%, crossings %lld\n",
                  m.alignment, m.alignmentInterior, m.coverage, m.overlap, static_cast<long long>(m.crossings));
+  }
+  if (!job.input.shape.kept.empty()) {
+    double area = 0;
+    for (const sillon::ThinPlace& place : job.input.shape.kept) area += place.areaMm2;
+    out += print("kept       %.2f mm2 in %zu place%s narrower than a bead, widened to one\n", area,
+                 job.input.shape.kept.size(), job.input.shape.kept.size() == 1 ? "" : "s");
   }
   out += pictureLines(job.pictures, job.pictureMeasures);
   out += print("time       %.2f s on %d thread%s\n", seconds, threads, threads == 1 ? "" : "s");
@@ -328,11 +326,19 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
     }
   }
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
-  for (const sillon::GcodeWarning& warning : warningsOf(job)) {
+  const std::vector<sillon::GcodeWarning> warnings = warningsOf(job);
+  for (const sillon::GcodeWarning& warning : warnings) {
     out += "warning    " + sillon::warningSentence(warning) + "\n";
   }
   if (job.gcode) {
     for (const sillon::GcodeFinding& finding : job.findings) {
+      // A line of the owner's start or end code has been told, by its place there.
+      if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::GcodeWarning& warning) {
+            const sillon::WarningValue* what = warning.value("what");
+            return what != nullptr && what->text == finding.message;
+          })) {
+        continue;
+      }
       out += (finding.error ? "error      " : "warning    ") + finding.rule + ": " + finding.message;
       out += finding.line > 0 ? " (line " + std::to_string(finding.line) + " of the file)\n" : "\n";
     }

@@ -30,13 +30,6 @@ std::optional<double> numberIn(std::string_view given) {
   return value;
 }
 
-std::optional<double> slopeOf(const std::string& size) {
-  if (size == "bulb") return sillon::bulbSlope();
-  if (size == "softbox") return sillon::softboxSlope();
-  if (size == "window") return sillon::windowSlope();
-  return numberIn(size);
-}
-
 /// "AZ" or "AZ,EL".
 std::optional<Vec2> lampOf(const std::string& text) {
   const std::size_t comma = text.find(',');
@@ -79,6 +72,13 @@ void addPictures(CLI::App& app, PictureOptions& pictures) {
       ->group(group);
 }
 
+std::optional<double> lampSlopeOf(const std::string& size) {
+  if (size == "bulb") return sillon::bulbSlope();
+  if (size == "softbox") return sillon::softboxSlope();
+  if (size == "window") return sillon::windowSlope();
+  return numberIn(size);
+}
+
 void addSpools(CLI::App& app, PictureOptions& pictures, const std::string& group) {
   app.add_option("--spool", pictures.spool, "what the filament looks like [bluePla]")->option_text("KEY")->group(group);
   app.add_option("--spools", pictures.spoolsFile, "file of your own spools, of which --spool names one")
@@ -113,7 +113,7 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
            "from 1 to 90 degrees";
   }
   if (options.lampSize) {
-    const std::optional<double> slope = slopeOf(*options.lampSize);
+    const std::optional<double> slope = lampSlopeOf(*options.lampSize);
     if (!slope || !(*slope >= 0 && *slope <= 2)) {
       return "--lamp-size is \"" + *options.lampSize + "\"; it must be bulb, softbox, window or a slope from 0 to 2";
     }

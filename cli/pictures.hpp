@@ -32,6 +32,9 @@ struct PictureOptions {
 /// Adds the options. \param app  has --directions and --angle already, which they exclude.
 void addPictures(CLI::App& app, PictureOptions& pictures);
 
+/// "bulb", "softbox", "window" or a slope from 0 to 2. \return nothing for any other text.
+std::optional<double> lampSlopeOf(const std::string& text);
+
 /// Adds --spool and --spools alone.
 void addSpools(CLI::App& app, PictureOptions& pictures, const std::string& group);
 

@@ -239,9 +239,9 @@ Result<sillon::RebrushOptions> readOptions(const RebrushArguments& arguments, co
 
 /// Files of 200 MB are not held twice.
 Result<sillon::GcodeContainer> readContainer(const std::string& path) {
-  const Result<std::string> bytes = readFile(path, "G-code", kMaxInputBytes);
+  Result<std::string> bytes = readFile(path, "G-code", kMaxInputBytes);
   if (!bytes) return bytes.error();
-  return sillon::readGcodeContainer(bytes.value());
+  return sillon::readGcodeContainer(std::move(bytes).value());
 }
 
 /// The new text in the kind of file that the old one is, or the plain text of it. Nothing is packed anew but by gzip:
@@ -254,7 +254,7 @@ Result<std::string> packed(const sillon::GcodeContainer& container, std::string 
                                      : ends(".gz")                                  ? std::optional(Kind::Gzip)
                                      : ends(".gcode") || ends(".gco") || ends(".g") ? std::optional(Kind::Text)
                                                                                     : std::nullopt;
-  if (!wanted || *wanted == container.kind) return sillon::writeGcodeContainer(container, gcode);
+  if (!wanted || *wanted == container.kind) return sillon::writeGcodeContainer(container, std::move(gcode));
   if (*wanted == Kind::Text) return gcode;
   if (*wanted == Kind::Gzip && container.kind == Kind::Text) return sillon::gzipGcode(gcode);
   return Error{ErrorCode::InvalidArgument,
@@ -417,8 +417,9 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
   std::vector<OutputFile> files;
   const std::string& out = arguments.out.empty() ? arguments.file : arguments.out;
   // In place the kind of file stays, whatever its name.
-  Result<std::string> file = arguments.out.empty() ? sillon::writeGcodeContainer(container.value(), done.value().gcode)
-                                                   : packed(container.value(), std::move(done.value().gcode), out);
+  Result<std::string> file = arguments.out.empty()
+                                 ? sillon::writeGcodeContainer(container.value(), std::move(done.value().gcode))
+                                 : packed(container.value(), std::move(done.value().gcode), out);
   if (!file) return file.error();
   files.push_back({out, std::move(file).value()});
   std::size_t drawn = 0;

@@ -73,7 +73,7 @@ Result<std::string> runZones(const ZonesArguments& arguments, sillon::Project pr
     project.builtin = sillon::BuiltinShape::Rectangle;
     project.builtinSize = seen.page;
   }
-  Result<sillon::PlateInput> input = assemblePlate(project);
+  Result<sillon::PlateInput> input = assemblePlate(project, run);
   if (!input) return input.error();
   const auto pictures = sillon::solvePictures(project, readInputFile, input.value(), run);
   if (!pictures) return pictures.error();

@@ -689,7 +689,7 @@ void islands() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// star and heart: one plate, two pictures. These hold tones.
+// star and heart, sun and moon: one plate, two pictures. These hold tones.
 
 /// White where inside(p), with p in [-1, 1] and edges a texel soft.
 template <class Inside>
@@ -707,21 +707,78 @@ void writeEmblem(const std::string& name, Inside inside) {
   });
 }
 
+/// Five points, one of them up. \param point, notch  their radii
+bool inStar(Vec2 p, double point, double notch) {
+  const double turn = std::atan2(p.x, p.y) * 5 / (2 * kPi) + 0.5;  // a point at every whole number and a half
+  const double from = std::abs(turn - std::floor(turn) - 0.5) * 2 * kPi / 5;  // [rad] from the nearest point's axis
+  // The edge runs from (point, 0) to the notch at 36 degrees.
+  const Vec2 q{length(p) * std::cos(from), length(p) * std::sin(from)};
+  const Vec2 n{notch * std::cos(kPi / 5), notch * std::sin(kPi / 5)};
+  return (q.x - point) * n.y - q.y * (n.x - point) < 0;
+}
+
+/// Clockwise. \param by  [degrees]
+Vec2 turned(Vec2 p, double by) {
+  const double c = std::cos(radians(by)), s = std::sin(radians(by));
+  return {c * p.x + s * p.y, c * p.y - s * p.x};
+}
+
+/// A round stroke along an arc. \param from, to  [degrees], counter-clockwise
+bool onArc(Vec2 p, Vec2 centre, double radius, double from, double to, double halfWidth) {
+  const Vec2 q = p - centre;
+  const double past = degrees(angleOf(q)) - from;
+  const double turned = past - 360 * std::floor(past / 360);
+  if (turned <= to - from) return std::abs(length(q) - radius) < halfWidth;
+  const auto end = [&](double at) { return Vec2{radius * std::cos(radians(at)), radius * std::sin(radians(at))}; };
+  return std::min(length(q - end(from)), length(q - end(to))) < halfWidth;
+}
+
+/// A smiling face in a ring of rays, straight ones and flames by turns.
+bool inSun(Vec2 p) {
+  constexpr double kFace = 0.46, kRays = 0.53, kTip = 0.95, kPairs = 8;
+  const double r = length(p);
+  if (r < kFace) {
+    const Vec2 q{std::abs(p.x), p.y};  // both halves are alike
+    const bool eye = onArc(q, {0.17, 0.09}, 0.085, 10, 170, 0.027);
+    const bool brow = onArc(q, {0.18, 0.08}, 0.19, 45, 125, 0.02);
+    const bool mouth = onArc(q, {0, -0.06}, 0.2, -140, -40, 0.03);
+    const bool cheek = length(q - Vec2{0.27, -0.09}) < 0.05;
+    return !(eye || brow || mouth || cheek);
+  }
+  if (r < kRays) return false;
+  const double turn = std::atan2(p.x, p.y) * kPairs / kPi;  // straight rays at even numbers, flames at odd ones
+  const double nearest = std::round(turn);
+  const bool flame = std::fmod(std::abs(nearest), 2) == 1;
+  const double t = (r - kRays) / ((flame ? 0.88 : kTip) - kRays);
+  const double aside = (turn - nearest) * kPi / kPairs * r - (flame ? 0.045 * std::sin(2 * kPi * t) : 0);
+  return std::abs(aside) < (flame ? 0.085 : 0.1) * (1 - t);
+}
+
+/// A sleeping crescent among stars.
+bool inMoon(Vec2 p) {
+  const Vec2 n = turned(p - Vec2{-0.3, 0.015}, 25);
+  const bool nose = length(Vec2{n.x / 1.6, n.y}) < 0.075;
+  if ((length(p - Vec2{-0.1, 0}) < 0.8 && length(p - Vec2{0.31, 0.1}) > 0.63) || nose) {
+    const bool eye = onArc(p, {-0.54, 0.2}, 0.13, 200, 340, 0.03);
+    const bool brow = onArc(p, {-0.53, 0.22}, 0.21, 60, 120, 0.024);
+    const bool mouth = onArc(p, {-0.4, -0.14}, 0.15, 225, 320, 0.03);
+    const bool cheek = length(p - Vec2{-0.64, -0.13}) < 0.055;
+    return !(eye || brow || mouth || cheek);
+  }
+  return inStar(p - Vec2{0.34, 0.24}, 0.29, 0.125) || inStar(p - Vec2{0.7, -0.16}, 0.19, 0.08) ||
+         inStar(p - Vec2{0.22, -0.22}, 0.15, 0.064) || length(p - Vec2{0.66, 0.5}) < 0.045 ||
+         length(p - Vec2{0.78, 0.2}) < 0.035 || length(p - Vec2{0.05, 0.45}) < 0.035;
+}
+
 void emblems() {
-  writeEmblem("star.png", [](Vec2 p) {
-    constexpr double kPoint = 0.86, kNotch = 0.4;
-    const double turn = std::atan2(p.x, p.y) * 5 / (2 * kPi) + 0.5;  // a point at every whole number and a half
-    const double from = std::abs(turn - std::floor(turn) - 0.5) * 2 * kPi / 5;  // [rad] from the nearest point's axis
-    // The edge runs from (kPoint, 0) to the notch at 36 degrees.
-    const Vec2 q{length(p) * std::cos(from), length(p) * std::sin(from)};
-    const Vec2 notch{kNotch * std::cos(kPi / 5), kNotch * std::sin(kPi / 5)};
-    return (q.x - kPoint) * notch.y - q.y * (notch.x - kPoint) < 0;
-  });
+  writeEmblem("star.png", [](Vec2 p) { return inStar(p, 0.86, 0.4); });
   writeEmblem("heart.png", [](Vec2 p) {
     const double x = p.x / 0.68, y = (p.y + 0.05) / 0.68;
     const double ring = x * x + y * y - 1;
     return ring * ring * ring < x * x * y * y * y;
   });
+  writeEmblem("sun.png", inSun);
+  writeEmblem("moon.png", inMoon);
 }
 
 }  // namespace

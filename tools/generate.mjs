@@ -1,12 +1,13 @@
 // Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
-// the studio's defaults and ranges) and from the appearance model (its constants and spools for the studio's views, and
-// light to test these by).
+// the studio's defaults and ranges), from the appearance model (its constants and spools for the studio's views, and light
+// to test these by) and from the includes of core (which room includes which, in docs/internals/rooms.md).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { drawRooms, includesOfRooms } from './rooms.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..');
 const [program, mode] = process.argv.slice(2);
@@ -179,10 +180,26 @@ ${look.spools.map(spoolRow).join('\n')}
 const light = () =>
   `{\n${look.spools.map(({ key, fine, light }) => `  "${key}": ${JSON.stringify({ slopes: fine.nozzleSide, light })}`).join(',\n')}\n}\n`;
 
+// --- docs/internals/rooms.md, docs/pictures/rooms.svg ---------------------------------------------------------------------------
+
+/** The table's last column; rooms in the order of the table. */
+function rooms(text) {
+  const includes = includesOfRooms(root);
+  const order = [...text.matchAll(/^\| `(\w+)` \|/gm)].map(([, room]) => room);
+  const missing = [...includes.keys()].filter((room) => !order.includes(room));
+  if (missing.length > 0) throw new Error(`docs/internals/rooms.md has no row for ${missing.join(', ')}`);
+  return text.replace(/^(\| `(\w+)` \|.*\|)[^|]*\|$/gm, (_, row, room) => {
+    const names = order.filter((other) => other !== 'base' && includes.get(room)?.has(other));
+    return `${row} ${names.join(', ')} |`.replace('|  |', '| |');
+  });
+}
+
 // --- Files ---------------------------------------------------------------------------------------------------------------
 
 const made = {
   'docs/reference/project.md': docs,
+  'docs/internals/rooms.md': rooms,
+  'docs/pictures/rooms.svg': () => drawRooms(root),
   'wasm/sillon.d.ts': types,
   'web/src/model/setting-table.ts': settingTable,
   'web/src/model/appearance.ts': appearance,

@@ -2,11 +2,16 @@
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
+#include <malloc.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include "convert.hpp"
 #include "sillon/base/version.hpp"
@@ -20,16 +25,46 @@ using convert::success;
 
 // Lives as long as the module: threads are started once, with it.
 std::unique_ptr<sillon::RunContext> context;
+double granted = 0;  // [bytes] that the host lets this module's memory grow to
 
+/// What is free in the engine's memory, or may be had; a quarter is left for pieces too small to use, and for answers.
+double freeMemory() {
+  const double most = std::min(static_cast<double>(emscripten_get_heap_max()), granted);
+  return 0.75 * (most - static_cast<double>(static_cast<std::uint32_t>(mallinfo().uordblks)));
+}
+
+/// \param most  that this module's memory may grow to [bytes].
 /// \param poll  () => boolean, for RunContext::onPoll; null where memory is shared.
-val start(int threads, const val& poll) {
+val start(int threads, double most, const val& poll) {
   return guarded([&](sillon::RunContext&) {
+    granted = most;
     context = std::make_unique<sillon::RunContext>(threads);
     if (!poll.isNull()) context->onPoll([poll] { return poll().as<bool>(); });
     val out = val::object();
     out.set("version", convert::toJs(sillon::kVersion));
     out.set("cancelFlag", reinterpret_cast<std::uintptr_t>(&context->cancelFlag()));
     return success(out);
+  });
+}
+
+std::string incoming;  // filled by the host between two calls
+
+val room(double size) {
+  return guarded([&](sillon::RunContext&) {
+    incoming = std::string();
+    constexpr double kMiB = 1 << 20;
+    const double most = std::floor(freeMemory() / 2 / kMiB);  // what becomes of it is as large
+    if (!(size <= most * kMiB)) {
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "the file is %.0f MiB; it must be at most %.0f: put fewer objects into it, or slice with a coarser "
+                    "resolution",
+                    std::ceil(size / kMiB), most);
+      return failure("TooLarge", text);
+    }
+    incoming.resize(static_cast<std::size_t>(size));
+    return success(
+        val(emscripten::typed_memory_view(incoming.size(), reinterpret_cast<std::uint8_t*>(incoming.data()))));
   });
 }
 
@@ -48,6 +83,7 @@ val guarded(const std::function<val(sillon::RunContext&)>& body) {
     if (context == nullptr) context = std::make_unique<sillon::RunContext>(1);
     context->cancelFlag().store(false);
     context->onProgress({});
+    context->limitMemory(freeMemory());
     return body(*context);
   } catch (const std::bad_alloc&) {
     return failure("OutOfMemory",
@@ -65,6 +101,8 @@ void tell(sillon::RunContext& run, const val& onProgress, double begin, double e
   });
 }
 
+std::string takenFile() { return std::exchange(incoming, std::string()); }
+
 val file(const std::string& bytes) {
   return success(convert::copied(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
 }
@@ -73,5 +111,6 @@ val file(const std::string& bytes) {
 
 EMSCRIPTEN_BINDINGS(call) {
   emscripten::function("start", &call::start);
+  emscripten::function("room", &call::room);
   emscripten::function("readProject", &call::readProject);
 }

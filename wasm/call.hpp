@@ -5,6 +5,7 @@
 #include <emscripten/val.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sillon/base/run_context.hpp"
@@ -18,6 +19,14 @@ val guarded(const std::function<val(sillon::RunContext&)>& body);
 
 /// Tells JavaScript how far a job is. \param begin, end  the part of the whole call that the job is, in [0, 1].
 void tell(sillon::RunContext& run, const val& onProgress, double begin, double end);
+
+/// Of a number, or of undefined.
+inline std::optional<double> optionalOf(const val& js) {
+  return js.isUndefined() ? std::nullopt : std::optional<double>(js.as<double>());
+}
+
+/// The file that the host has put into room().
+std::string takenFile();
 
 /// {value}: the bytes of a file.
 val file(const std::string& bytes);

@@ -3,6 +3,7 @@
 
 #include <emscripten/val.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,6 +16,7 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/look/conflict.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/project/pictures.hpp"
@@ -85,6 +87,16 @@ inline val toJs(const sillon::Shape& shape) {
   out.set("images", shape.drawing.images);
   out.set("offPage", shape.drawing.offPage);
   out.set("unpainted", shape.drawing.unpainted);
+  if (!shape.kept.empty()) {
+    val kept = val::array();
+    for (const sillon::ThinPlace& place : shape.kept) {
+      val numbers = val::array();
+      for (const double number : {place.at.x, place.at.y, place.areaMm2, place.width})
+        numbers.call<void>("push", number);
+      kept.call<void>("push", numbers);
+    }
+    out.set("kept", kept);
+  }
   return out;
 }
 
@@ -155,6 +167,24 @@ inline val toJs(const sillon::Project& project, const sillon::PlatePictures& pic
   out.set("slopes", toJs(sillon::Vec2{look.roughness.along, look.roughness.across}));
   out.set("lampSize", look.lamp.slope);
   out.set("lamps", lamps);
+  return out;
+}
+
+/// What several pictures take from each other: Plate.conflict.
+inline val conflictOf(const sillon::PlateInput& input, const sillon::PlatePictures& pictures) {
+  const sillon::PictureConflict conflict =
+      sillon::conflictOf(input.directions, pictures.shown, pictures.roughness, pictures.level);
+  val missing = val::array();
+  for (const std::vector<float>& of : conflict.missing) {
+    std::vector<std::int8_t> percent;
+    percent.reserve(of.size());
+    for (const float off : of) percent.push_back(static_cast<std::int8_t>(std::lround(100 * off)));
+    missing.call<void>("push", copied(percent.data(), percent.size()));
+  }
+  val out = val::object();
+  out.set("width", conflict.width);
+  out.set("height", conflict.height);
+  out.set("missing", missing);
   return out;
 }
 
@@ -307,6 +337,8 @@ inline const char* codeName(sillon::ErrorCode code) {
       return "InvalidFile";
     case sillon::ErrorCode::TooLarge:
       return "TooLarge";
+    case sillon::ErrorCode::OutOfMemory:
+      return "OutOfMemory";
     case sillon::ErrorCode::EmptyShape:
       return "EmptyShape";
     case sillon::ErrorCode::DoesNotFit:

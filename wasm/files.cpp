@@ -2,6 +2,9 @@
 // is wanted. A visitor's first plate does not wait for it.
 #include <emscripten/bind.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <optional>
@@ -39,7 +42,9 @@ val listOf(const std::vector<std::string>& texts) {
   return list;
 }
 
-val writeGcode(const val& toolpath, const std::string& projectJson, const std::string& date, const val& onChunk) {
+/// \param below  a toolpath, or undefined.
+val writeGcode(const val& toolpath, const val& below, const std::string& projectJson, const std::string& date,
+               const val& onChunk) {
   return guarded([&](sillon::RunContext& run) {
     const auto project = sillon::readProject(projectJson);
     if (!project) return failure(project.error());
@@ -52,10 +57,14 @@ val writeGcode(const val& toolpath, const std::string& projectJson, const std::s
                                              convert::lookFrom(toolpath["look"]), run);
     if (!thumbnails) return failure(thumbnails.error());
     print.thumbnails = std::move(thumbnails).value();
-    const auto summary = sillon::writeGcode(path, shape, project.value().printer, print, [&](std::string_view piece) {
+    std::optional<sillon::Toolpath> across;
+    if (!below.isUndefined()) across = convert::toolpathFrom(below);
+    const auto sink = [&](std::string_view piece) {
       const auto* data = reinterpret_cast<const std::uint8_t*>(piece.data());
       return !run.cancelled() && onChunk(convert::copied(data, piece.size())).as<bool>();
-    });
+    };
+    const auto summary =
+        sillon::writeGcode(path, shape, project.value().printer, print, sink, across ? &*across : nullptr);
     if (!summary) return failure(summary.error());
     return success(convert::toJs(summary.value()));
   });
@@ -79,15 +88,21 @@ val writeSvg(const val& toolpath) {
   });
 }
 
-val renderPreview(const val& toolpath, int width, double lightAzimuth, double lightElevation, const val& onProgress) {
+val renderPreview(const val& toolpath, int width, const val& light, const val& colour, const val& slopes, bool lookOnly,
+                  const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
     tell(run, onProgress, 0, 1);
     sillon::PreviewParams params;
     params.width = width;
-    params.look.lamp.azimuth = lightAzimuth;
-    params.look.lamp.elevation = lightElevation;
-    const auto picture =
-        sillon::renderPreview(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page, params, run);
+    params.look.lamp.azimuth = light[0].as<double>();
+    params.look.lamp.elevation = light[1].as<double>();
+    for (std::size_t k = 0; k < 3; ++k) params.look.colour[k] = colour[k].as<std::uint8_t>();
+    params.look.roughness = {slopes[0].as<double>(), slopes[1].as<double>()};
+    const sillon::Toolpath path = convert::toolpathFrom(toolpath);
+    const sillon::Vec2 page = convert::shapeFrom(toolpath["shape"]).page;
+    const double height = std::min(std::round(width * page.y / page.x), 1e6);
+    const auto picture = lookOnly ? sillon::renderLook(path, page, width, static_cast<int>(height), params.look, run)
+                                  : sillon::renderPreview(path, page, params, run);
     if (!picture) return failure(picture.error());
     const sillon::RgbImage& image = picture.value();
     const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
@@ -107,9 +122,9 @@ val writeView(const val& toolpath, const val& colour, double slopeAlong, double 
   });
 }
 
-val importPrinter(const val& file, const std::string& name) {
+val importPrinter(const std::string& name) {
   return guarded([&](sillon::RunContext&) {
-    const auto imported = sillon::importPrinter(convert::bytes(file), name);
+    const auto imported = sillon::importPrinter(call::takenFile(), name);
     if (!imported) return failure(imported.error());
     val out = val::object();
     out.set("project", val(sillon::writePrinter(imported.value().printer)));
@@ -124,7 +139,7 @@ val importPrinter(const val& file, const std::string& name) {
 }
 
 /// \param projectJson  whose printer counts; empty: what the file's own settings say.
-val checkGcode(const val& file, const std::string& projectJson) {
+val checkGcode(const std::string& projectJson) {
   return guarded([&](sillon::RunContext&) {
     std::optional<sillon::Printer> printer;
     if (!projectJson.empty()) {
@@ -132,18 +147,18 @@ val checkGcode(const val& file, const std::string& projectJson) {
       if (!project) return failure(project.error());
       printer = project.value().printer;
     }
-    const auto text = sillon::unpackGcode(convert::bytes(file));
+    const auto text = sillon::unpackGcode(call::takenFile());
     if (!text) return failure(text.error());
     return success(convert::toJs(sillon::checkGcode(text.value(), printer)));
   });
 }
 
 /// \param side  most cells of the longer side.
-val printRelief(const val& file, int side) {
+val printRelief(int side) {
   return guarded([&](sillon::RunContext&) {
-    const auto text = sillon::unpackGcode(convert::bytes(file));
-    if (!text) return failure(text.error());
-    const auto relief = sillon::printRelief(text.value(), side);
+    const auto gcode = sillon::unpackGcode(call::takenFile());
+    if (!gcode) return failure(gcode.error());
+    const auto relief = sillon::printRelief(gcode.value(), side);
     if (!relief) return failure(relief.error());
     val out = val::object();
     out.set("corner", convert::toJs(relief.value().corner));
@@ -155,9 +170,9 @@ val printRelief(const val& file, int side) {
   });
 }
 
-val packGcode(const val& gcode) {
+val packGcode() {
   return guarded([&](sillon::RunContext&) {
-    const auto archive = sillon::packGcode(convert::bytes(gcode));
+    const auto archive = sillon::packGcode(call::takenFile());
     if (!archive) return failure(archive.error());
     return file(archive.value());
   });

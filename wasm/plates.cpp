@@ -10,6 +10,7 @@
 
 #include "call.hpp"
 #include "convert.hpp"
+#include "sillon/gcode/warning.hpp"
 #include "sillon/gcode_reader/examine.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/pipeline/session.hpp"
@@ -32,19 +33,36 @@ using emscripten::val;
 sillon::Session session;  // lives as long as the module: what one plate leaves serves the next
 
 constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
+constexpr double kShownShare = 0.8;   // of a plate with pictures and the path across it
 
-val generateToolpath(const std::string& projectJson, const val& files, bool measure, const val& onProgress) {
+/// \param across  the path of the layer below instead, which nothing measures.
+val generateToolpath(const std::string& projectJson, const val& files, bool measure, bool across,
+                     const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
     tell(run, onProgress, 0, measure ? kMakingShare : 1);
     const auto project = sillon::readProject(projectJson);
     if (!project) return failure(project.error());
     const sillon::ToolpathParams& params = project.value().toolpath;
-    auto input = sillon::readPlateInput(project.value(), convert::reader(files));
+    auto input = sillon::readPlateInput(project.value(), convert::reader(files), run);
     if (!input) return failure(input.error());
     const auto pictures = sillon::solvePictures(project.value(), convert::reader(files), input.value(), run);
     if (!pictures) return failure(pictures.error());
     const sillon::PlateInput& plateInput = input.value();
-    const auto plate = session.generateToolpath(plateInput, params, run, measure);
+    const double making = measure ? kMakingShare : across ? kShownShare : 1;
+    const auto make = [&](const sillon::PlateInput& tried, int round, int rounds) {
+      tell(run, onProgress, making * round / rounds, making * (round + 1) / rounds);
+      return session.generateToolpath(tried, params, run, measure);
+    };
+    const auto generate = [&]() -> sillon::Result<sillon::ToolpathResult> {
+      // Corrections of pictures turn the directions that a path across lies across.
+      if (!across || !pictures.value().shown.empty()) {
+        auto shown = sillon::makeShownPlate(project.value(), pictures.value(), input.value(), make, run);
+        if (!shown || !across) return shown;
+        tell(run, onProgress, making, 1);
+      }
+      return sillon::generateAcross(plateInput, params, run);
+    };
+    const auto plate = generate();
     if (!plate) return failure(plate.error());
     const sillon::Toolpath& toolpath = plate.value().toolpath;
 
@@ -71,18 +89,23 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     if (!pictures.value().shown.empty()) path.set("look", convert::toJs(project.value(), pictures.value()));
     val out = val::object();
     out.set("toolpath", path);
+    if (pictures.value().shown.size() > 1) out.set("conflict", convert::conflictOf(plateInput, pictures.value()));
     std::string report = sillon::reportJson(plate.value(), measures, run.threads(),
                                             static_cast<std::int64_t>(emscripten_get_heap_size()));
-    out.set("report", val(sillon::withPictures(std::move(report), pictures.value().shown, seen, false)));
+    report = sillon::withPictures(std::move(report), pictures.value().shown, seen, false);
+    const std::vector<sillon::GcodeWarning> warnings =
+        sillon::plateWarnings(plateInput.shape.drawing, plate.value().apart, pictures.value().fieldR, measures,
+                              plateInput.shape.page, toolpath.spacing);
+    out.set("report", val(sillon::withWarnings(std::move(report), warnings)));
     return success(out);
   });
 }
 
 val readShape(const std::string& projectJson, const val& files) {
-  return guarded([&](sillon::RunContext&) {
+  return guarded([&](sillon::RunContext& run) {
     const auto project = sillon::readProject(projectJson);
     if (!project) return failure(project.error());
-    const auto input = sillon::readPlateInput(project.value(), convert::reader(files));
+    const auto input = sillon::readPlateInput(project.value(), convert::reader(files), run);
     if (!input) return failure(input.error());
     return success(convert::toJs(input.value().shape));
   });

@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 
 const folder = dirname(fileURLToPath(import.meta.url));
 const { files } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-const engines = ['st', 'mt', 'files', 'rebrush'].flatMap((name) => [
+const engines = ['st', 'mt', 'files', 'rebrush', 'calibrate', 'photo'].flatMap((name) => [
   `dist/engine/sillon-${name}.js`,
   `dist/engine/sillon-${name}.wasm`,
 ]);

@@ -3,7 +3,9 @@
 #include <emscripten/bind.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "call.hpp"
@@ -55,11 +57,11 @@ val fileOf(const sillon::SlicedFile& file) {
   return out;
 }
 
-val listSurfaces(const val& file) {
+val listSurfaces() {
   return guarded([&](sillon::RunContext&) {
-    const auto container = sillon::readGcodeContainer(convert::bytes(file));
-    if (!container) return failure(container.error());
-    const auto read = sillon::readSlicedFile(container.value().gcode);
+    const auto gcode = sillon::unpackGcode(call::takenFile());
+    if (!gcode) return failure(gcode.error());
+    const auto read = sillon::readSlicedFile(gcode.value());
     if (!read) return failure(read.error());
     return success(fileOf(read.value()));
   });
@@ -78,9 +80,9 @@ val picturesOf(const sillon::RebrushedSurface& made) {
 }
 
 /// \param projectJson  whose directions, modes, pictures and toolpath count. \param sides, fit, only  as sillon.d.ts
-/// names them.
-val rebrush(const val& file, const std::string& projectJson, const val& files, const std::string& sides,
-            const std::string& fit, const val& only, const val& onProgress) {
+/// names them. \param onPiece  takes the new file piece by piece: whole, it would be held once more.
+val rebrush(const std::string& projectJson, const val& files, const std::string& sides, const std::string& fit,
+            const val& only, const val& onProgress, const val& onPiece) {
   return guarded([&](sillon::RunContext& run) {
     const auto project = sillon::readProject(projectJson);
     if (!project) return failure(project.error());
@@ -89,7 +91,7 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
     if (!field) return failure(field.error());
     auto pictures = sillon::readPictures(asked, convert::reader(files));
     if (!pictures) return failure(pictures.error());
-    const auto container = sillon::readGcodeContainer(convert::bytes(file));
+    const auto container = sillon::readGcodeContainer(call::takenFile());
     if (!container) return failure(container.error());
     if (container.value().plates > 1) {
       return failure("InvalidFile", "file holds " + std::to_string(container.value().plates) +
@@ -102,6 +104,12 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
     options.pictures = std::move(pictures).value();
     options.inversion = sillon::inversionOf(asked);
     options.spool = sillon::spoolOf(asked.spool).key;
+    sillon::Spool own;  // of the side that is seen, whichever that is
+    if (asked.slopes) {
+      const sillon::Roughness slopes{asked.slopes->x, asked.slopes->y};
+      own.fine = own.wide = {slopes, slopes};
+      options.ownSpool = &own;
+    }
     options.tops = sides != "bottom";
     options.bottoms = sides != "top";
     options.fit = fit == "object" ? sillon::PictureFit::Object
@@ -113,9 +121,9 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
       const double share = 1.0 / static_cast<double>(all);
       tell(run, onProgress, static_cast<double>(done) * share, static_cast<double>(done + 1) * share);
     };
-    const auto done = sillon::rebrush(container.value().gcode, options, run);
+    auto done = sillon::rebrush(container.value().gcode, options, run);
     if (!done) return failure(done.error());
-    const auto packed = sillon::writeGcodeContainer(container.value(), done.value().gcode);
+    const auto packed = sillon::writeGcodeContainer(container.value(), std::move(done.value().gcode));
     if (!packed) return failure(packed.error());
     val surfaces = val::array();
     for (const sillon::RebrushedSurface& made : done.value().surfaces) {
@@ -132,9 +140,13 @@ val rebrush(const val& file, const std::string& projectJson, const val& files, c
       out.set("cycles", convert::toJs(made.toolpath)["cycles"]);
       surfaces.call<void>("push", out);
     }
-    const std::string& bytes = packed.value();
+    constexpr std::size_t kPiece = std::size_t{4} << 20;
+    const std::string_view bytes = packed.value();
+    for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
+      const std::string_view piece = bytes.substr(at, kPiece);
+      onPiece(convert::copied(reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size()));
+    }
     val out = val::object();
-    out.set("bytes", convert::copied(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
     out.set("seconds", done.value().seconds);
     out.set("surfaces", surfaces);
     return success(out);

@@ -15,6 +15,57 @@ export interface EngineOptions {
   /** Milliseconds without work after which the worker is ended and its memory given back; it comes back by itself.
    * 0..Infinity. Default 10000. */
   idleTimeout?: number;
+  /** Most memory that each of the engine's modules may take [MiB], 64..4096; so may, apart from it, the JavaScript of its worker
+   * in Node, and a G-code file that is not taken in pieces. A call that would need more ends with `OutOfMemory`. Default:
+   * 3072; with threads as much of it as the system lets them share. */
+  memory?: number;
+}
+
+/** What a page that sells or shows plates needs of an upload, in one call with limits. The engine that it starts is ended in
+ * any case. docs/guide/shops.md
+ * @throws SillonError as the calls of Engine do; `TooLarge` also after `limits.seconds`, `OutOfMemory` also beyond
+ * `limits.memory`. */
+export function preparePlate(upload: PlateInput, options?: PrepareOptions): Promise<PreparedPlate>;
+
+export interface PrepareOptions {
+  toolpath?: ToolpathOptions;
+  /** Of the shop, in place of one in the upload: start and end blocks are run by a machine. */
+  printer?: Partial<Printer>;
+  print?: Partial<PrintParams>;
+  /** The filament that poster and view show. */
+  filament?: Partial<ViewParams>;
+  /** Longer side of the poster [pixels], 16..1024. Default 640. */
+  posterSide?: number;
+  /** Ends the work, too. */
+  signal?: AbortSignal;
+  limits?: {
+    /** For all of it. More than 0; default 60. */
+    seconds?: number;
+    /** As EngineOptions.memory. Default 512. */
+    memory?: number;
+    /** As EngineOptions.threads. Default 'off', as servers have other uploads to look after. */
+    threads?: EngineOptions['threads'];
+  };
+  /** As EngineOptions.assetBase. */
+  assetBase?: string | URL;
+}
+
+export interface PreparedPlate {
+  /** image/png: the look under one light. */
+  poster: Blob;
+  /** image/png: for `<sillon-view>`. */
+  view: Blob;
+  /** text/x-gcode */
+  gcode: Blob;
+  /** What a printer would trip over, as `sillon check` finds it. */
+  findings: GcodeFinding[];
+  grams: number;
+  /** Estimate. */
+  minutes: number;
+  /** Of the plate's page, in mm. */
+  page: [number, number];
+  summary: GcodeSummary;
+  report: Report;
 }
 
 /** What was started, and why not more. */
@@ -35,7 +86,7 @@ export interface Engine {
   readonly info: EngineInfo;
   /** @throws `InvalidArgument` (which field, its value, its range), `InvalidFile`, `EmptyShape`, `TooLarge`,
    * `OutOfMemory`. */
-  generateToolpath(input: PlateInput, params?: ToolpathOptions, options?: GenerateOptions): Promise<Plate>;
+  generateToolpath(input: PlateInput, params?: ToolpathOptions, options?: GenerateOptions): Promise<ToolpathResult>;
   /** @throws `InvalidArgument`, `DoesNotFit`, `EmptyShape`. */
   writeGcode(
     toolpath: Toolpath,
@@ -57,7 +108,7 @@ export interface Engine {
   writeSvg(toolpath: Toolpath, options?: RunOptions): Promise<Blob>;
   /** A small picture of directions, from which `<sillon-view>` draws the plate's shimmer on web pages. */
   writeView(toolpath: Toolpath, params?: Partial<ViewParams>, options?: RunOptions): Promise<Blob>;
-  /** Directions with their legend beside the look under one light, as PNG. */
+  /** Directions with their legend beside the look under one light, or the look alone, as PNG. */
   renderPreview(toolpath: Toolpath, params?: Partial<PreviewParams>, options?: RunOptions): Promise<Blob>;
 
   /** The polygons of a shape, as generateToolpath would fill them. `directions` lends its proportions to a built-in
@@ -99,6 +150,14 @@ export interface Engine {
    * @throws `InvalidArgument` (also where no surface can be replaced), `InvalidFile`, `TooLarge`. */
   rebrush(file: Bytes, how?: Partial<RebrushOptions>, options?: RunOptions): Promise<Rebrushed>;
 
+  /** A small print that teaches a setting of a printer or a filament, as `sillon calibrate` writes it (docs/guide/calibrate.md).
+   * @throws `InvalidArgument` (also where the hot end cannot do a value), `DoesNotFit`, `TooLarge`. */
+  calibrate(kind: CalibrationKind, request?: CalibrationRequest, options?: RunOptions): Promise<Calibration>;
+  /** Measures the spool in a photograph of the print 'coupon' (docs/internals/photographs.md).
+   * @param photograph  as decodePicture gives it, or a canvas; at most 64 million pixels.
+   * @throws `InvalidFile` (one sentence: why nothing can be measured), `InvalidArgument`, `TooLarge`. */
+  readCoupon(photograph: Picture, request?: CouponRequest, options?: RunOptions): Promise<CouponReading>;
+
   /** Ends the worker; running and waiting calls reject with code `Disposed`. */
   dispose(): void;
 }
@@ -114,16 +173,114 @@ export interface RunOptions {
 export interface GenerateOptions extends RunOptions {
   /** Also judge the plate (alignment, coverage, overlap, ...), which takes up to half as long as making it. Default true. */
   measure?: boolean;
+  /** Makes the path of the layer below instead: its beads run across the plate's, except along the border. It is not
+   * measured. */
+  across?: boolean;
 }
 
 export interface GcodeOptions extends RunOptions {
   /** Receives the file in pieces of UTF-8, in order, as they are written; then `blob` is empty. */
   onChunk?: (chunk: Uint8Array) => void;
+  /** The path of the layer below, from generateToolpath with `across`; needed where `print.basePattern` is 'across'. */
+  below?: Toolpath;
 }
 
 export interface BodyOptions extends RunOptions {
   /** Default '3mf', which says that its numbers are millimetres. */
   format?: '3mf' | 'stl';
+}
+
+/** docs/guide/calibrate.md shows each. */
+export type CalibrationKind =
+  'first-layer' | 'flow' | 'advance' | 'speed' | 'temperature' | 'fan' | 'width' | 'directions' | 'swatch' | 'coupon';
+
+export interface CalibrationRequest {
+  printer?: Partial<Printer>;
+  print?: Partial<PrintParams>;
+  /** Only of the swatch. */
+  toolpath?: ToolpathOptions;
+  /** First and last value to try, in the kind's unit; left out: the kind's own. */
+  from?: number;
+  to?: number;
+  /** What the file's pictures and `picture` show. Default: blue PLA. */
+  filament?: Partial<ViewParams>;
+  /** Longer side of `picture` [pixels], 64..1024; 0 makes none. Default 0. */
+  pictureSide?: number;
+}
+
+export interface Calibration {
+  /** text/x-gcode */
+  blob: Blob;
+  summary: GcodeSummary;
+  /** Of the same file, read back. */
+  check: GcodeCheck;
+  /** What to type back: names of settings, or words where it is none of ours. */
+  setting: string[];
+  /** Of the values: 'mm', 's', 'mm/s', 'degrees Celsius', '%', 'degrees' or ''. */
+  unit: string;
+  /** One English sentence: which of the values is right. */
+  advice: string;
+  /** What was tried, and where: from the page's lower left. `label` is printed beside it. */
+  values: { label: string; value: number; at: [number, number] }[];
+  /** Width and height. */
+  page: [number, number];
+  /** image/png: how the print would look under one light. */
+  picture?: Blob;
+}
+
+export interface CouponRequest {
+  /** As the coupon was made: nozzle and flow count. */
+  printer?: Partial<Printer>;
+  print?: Partial<PrintParams>;
+  from?: number;
+  to?: number;
+  /** A slope as `pictures.lampSize`, 0..2; left out: unknown, and small. */
+  lampSize?: number;
+  /** As measured within 2° [degrees], 10..80; left out: 47 within 9. */
+  lampElevation?: number;
+}
+
+/** With one standard deviation. */
+export interface Measured {
+  value: number;
+  error: number;
+}
+
+export interface CouponReading {
+  /** RMS slopes of the surface that the nozzle passed over, along and across the bead [degrees]. */
+  along: Measured;
+  across: Measured;
+  /** The lowest that closes the surface; null: none of the discs tells it. */
+  flow: Measured | null;
+  /** Without `flow`: all discs are closed, else none is. */
+  allDiscsClosed: boolean;
+  /** Of a bead, and what was asked for. */
+  width: Measured;
+  widthAsked: number;
+  /** Of the lamp, in the coupon's own directions [degrees]. */
+  azimuth: Measured;
+  elevation: Measured;
+  /** Of the camera off the coupon's normal [degrees]. */
+  tilt: number;
+  pixelsPerMm: number;
+  /** Standard deviation. */
+  blur: number;
+  /** For a file of spools. */
+  spool: Spool;
+}
+
+/** An entry of a file of spools: docs/reference/spools.md. */
+export interface Spool {
+  colour: [number, number, number];
+  fine: SpoolSlopes;
+  wide?: SpoolSlopes;
+  source?: string;
+}
+
+/** Along and across the bead [degrees]. */
+export interface SpoolSlopes {
+  nozzleSide: [number, number];
+  bedSide: [number, number];
 }
 
 /** What to lay on a print. */
@@ -241,10 +398,14 @@ export interface PlateInput {
   modes?: ModeInput;
   /** Pictures to be seen under lamps, instead of `directions`. */
   pictures?: PictureInput;
+  /** Whose nozzle lays the beads: it gives pictures the spool's slopes. As for writeGcode; default: 0.4 mm. */
+  printer?: Partial<Printer>;
+  /** Whose `showSide` is the side that pictures are seen on. As for writeGcode. */
+  print?: Partial<PrintParams>;
 }
 
 /** Up to four pictures, each with its lamp as [azimuth, elevation]; without one it is chosen. The slopes are those of the spool
- * from a nozzle of 0.4 mm unless `slopes` says others. */
+ * from the nozzle of `printer` unless `slopes` says others. */
 export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
   files: { file: InputFile; lamp?: [number, number] | null }[];
 };
@@ -252,8 +413,9 @@ export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
 export type ShapeInput =
   | { builtin: 'rectangle' | 'rounded' | 'disc'; size?: [number, number]; radius?: number }
   /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
-   * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint. */
-  | { file: InputFile; pageWidth?: number; unitless?: 'px' | 'mm'; paint?: 'shown' | 'ignore' }
+   * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint.
+   * `keepThin`: places of half a bead to one are widened to one. */
+  | { file: InputFile; pageWidth?: number; unitless?: 'px' | 'mm'; paint?: 'shown' | 'ignore'; keepThin?: boolean }
   /** A rectangle of the direction picture's proportions. */
   | { size?: [number, number] };
 
@@ -298,67 +460,67 @@ export interface LampPicture {
 
 /** Section `pictures` of docs/reference/project.md. */
 export interface PictureParams {
-  /** Pictures to be seen, each under its own lamp, instead of directions: {"file", "lamp"}, the lamp as [azimuth, elevation] in degrees, or null to choose it. Default []. */
+  /** Pictures to show instead of directions, one per lamp: {"file", "lamp"}; lamp is [azimuth, elevation] in degrees, or null to let the solver choose. Default []. */
   files: LampPicture[];
-  /** The filament whose shine the pictures are made for, as measured in 2023. Default "bluePla". */
+  /** The filament whose reflection the pictures are solved for. Default "bluePla". */
   spool: 'bluePla' | 'clearPetg' | 'goldPla' | 'greyPla' | 'redPetg';
-  /** RMS slopes of the surface along and across the bead of a spool of your own; null is the named one’s. 0.1..45 °, default null. */
+  /** RMS surface slopes of your own spool, along and across the bead; null uses the named spool’s. 0.1..45 °, default null. */
   slopes: [number, number] | null;
-  /** The slope of the surface that would blur a point as much: 0.02 is a bulb, 0.1 a softbox, 0.4 a window. 0..2, default 0.1. */
+  /** Angular size of the lamp, as the surface slope that would blur its reflection as much: 0.02 is a bulb, 0.1 a softbox, 0.4 a window. 0..2, default 0.1. */
   lampSize: number;
-  /** Weight of changes of direction against errors of tone: more means fewer U-turns and less detail. 0.001..10, default 0.02. */
+  /** Weight of smooth directions against exact tones: larger values give fewer U-turns and less detail. 0.001..10, default 0.02. */
   smoothness: number;
-  /** How far what differs from its surroundings is raised: readable faces, but other tones than the picture has. 0..2, default 0. */
+  /** Amount of local contrast added before solving; makes faces readable but departs from the picture’s own tones. 0..2, default 0. */
   localContrast: number;
-  /** How often a single picture’s plate is looked at and made again with what its beads left out; each takes as long as a plate. 0..8, default 3. */
+  /** Number of times the pictures are solved again to correct what the previous plate did not show; each takes as long as a plate. 0..8, default 3. */
   corrections: number;
 }
 
 /** Section `toolpath` of docs/reference/project.md: defaults, units and ranges. */
 export interface ToolpathParams {
-  /** Distance between neighbouring beads; the nozzle’s diameter is a good start. 0.05..20 mm, default 0.4. */
+  /** Distance between the centre lines of neighbouring beads; start with the nozzle diameter. 0.05..20 mm, default 0.4. */
   spacing: number;
-  /** Beads end at the border, follow it where directions allow, or a number of perimeters follows it. Default "count". */
+  /** Whether beads end at the border, follow it where the directions allow, or are enclosed by a number of perimeters. Default "count". */
   perimeterMode: 'none' | 'soft' | 'count';
-  /** How many beads follow the border in mode "count". 0..100, default 1. */
+  /** Number of beads that follow the border in mode "count". 0..100, default 1. */
   perimeters: number;
-  /** Parts of the shape nearer than this become one path; null is one spacing. 0..100 mm, default null. */
+  /** Joins parts of the shape nearer than this into one path; null uses one spacing. 0..100 mm, default null. */
   bridge: number | null;
   /** Whether neighbouring pixels of the direction picture are averaged or the nearest one is taken. Default "average". */
   mapFilter: 'average' | 'nearest';
-  /** 0 is regular; other numbers give other plates of like quality. 0..9007199254740991, default 0. */
+  /** 0 is regular; every other number gives a different plate of the same quality. 0..9007199254740991, default 0. */
   seed: number;
-  /** How far a seed moves the points at which directions are sampled. 0..0.25 τ, default 0.025. */
+  /** How far a seed moves the points where directions are sampled. 0..0.25 τ, default 0.025. */
   jitter: number;
-  /** A neighbour’s wave is continued by the mean of both directions, or by the neighbour’s alone as in 2023. Default "midpoint". */
+  /** Continues a neighbour’s wave by the mean of both directions, or by the neighbour’s alone as in 2023. Default "midpoint". */
   phaseTransport: 'midpoint' | 'neighbour';
-  /** Smoothing sweeps on each level of the hierarchy; more take longer. 1..1000, default 8. */
+  /** Smoothing sweeps on each level of the hierarchy; more sweeps take longer. 1..1000, default 8. */
   sweepsPerLevel: number;
-  /** Beads may lie closer or wider by a factor of up to e^this where that saves U-turns; 0 keeps them one spacing apart. 0..0.5, default 0.3. */
+  /** Spacing may vary by a factor of up to e^this to save U-turns; 0 keeps it constant. 0..0.5, default 0.3. */
   spacingVariation: number;
-  /** Beads may deviate this far from the directions where that saves U-turns; takes about twice as long. 0..30 °, default 0. */
+  /** Beads may deviate from the directions by up to this angle to save U-turns; takes about twice as long. 0..30 °, default 0. */
   directionTolerance: number;
-  /** Radius over which the waves of cells are averaged, three σ of a Gaussian; 0.5 in 2023. 0.45..1.5 τ, default 1. */
+  /** Radius over which the cells’ waves are averaged: three standard deviations of a Gaussian; 0.5 in 2023. 0.45..1.5 τ, default 1. */
   kernelRadius: number;
   /** In mode "soft", the weight of the border’s wave relative to a neighbour’s. 0..100, default 1. */
   borderWeight: number;
   /** Cost of misaligned length where two curves are joined. 0..10, default 1.1. */
   stitchAlignment: number;
-  /** Rounds that even out the gaps between beads: fewer kinks, directions slightly less exact. 0..100, default 2. */
+  /** Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact directions. 0..100, default 2. */
   relaxationRounds: number;
-  /** How far a bead moves towards its wider side per round, as a share of the difference between its gaps. 0..0.5, default 0.08. */
+  /** How far a bead moves towards its wider gap per round, as a fraction of the difference between its gaps. 0..0.5, default 0.08. */
   relaxationStrength: number;
   /** How much each round of relaxation straightens a bead. 0..1, default 0.65. */
   relaxationSmoothing: number;
-  /** 0: the nearer neighbour limits a bead on both sides (Eq. 16); 1: the space between both does. 0..1, default 1. */
+  /** 0: the nearer neighbour limits the width on both sides (Eq. 16); 1: the space between both neighbours does. 0..1, default 1. */
   widthBalance: number;
-  /** How far neighbouring beads may overlap before both are made narrower; at 1 none is. 0..1 τ, default 0.0021. */
+  /** Overlap of neighbouring beads above which both are made narrower; 1 allows any. 0..1 τ, default 0.0021. */
   beadOverlap: number;
-  /** No bead is narrower, except where the border leaves less space. 0.1..1 τ, default 0.5. */
+  /** Minimum bead width, except where the border leaves less space. 0.1..1 τ, default 0.5. */
   minWidth: number;
-  /** No bead is wider. 1..4 τ, default 2. */
+  /** Maximum bead width. 1..4 τ, default 2. */
   maxWidth: number;
-  /** Largest change of position and width when points are left out; more makes smaller files. 0..1 mm, default 0.0013. */
+  /** Largest change of position and width when points are removed; larger values make smaller files. 0..1 mm, default 0.0013. */
   simplifyTolerance: number;
 }
 
@@ -371,143 +533,143 @@ export interface Printer extends PrinterValues {
 }
 
 export interface PrinterValues {
-  /** Name of the printer, written into the G-code. Default "Generic". */
+  /** Printer name, written into the G-code. Default "Generic". */
   name: string;
-  /** What the printer’s firmware understands; "prusa" is Prusa’s Buddy boards; "bambu" needs a start block of your own. Default "marlin". */
+  /** Firmware dialect of the G-code; "prusa" is for Prusa’s Buddy boards; "bambu" needs your own start block. Default "marlin". */
   flavor: 'marlin' | 'klipper' | 'reprap' | 'prusa' | 'bambu';
-  /** Lower left corner of the bed: [0, 0] on most printers, negative where the origin is the centre. -5000..5000 mm, default [0,0]. */
+  /** Lower left corner of the bed: [0, 0] on most printers, negative where the origin is at the centre. -5000..5000 mm, default [0,0]. */
   bedMin: [number, number];
-  /** Upper right corner of the bed, at least 10 mm right of and above the lower left one. -5000..5000 mm, default [220,220]. */
+  /** Upper right corner of the bed, at least 10 mm to the right of and above the lower left one. -5000..5000 mm, default [220,220]. */
   bedMax: [number, number];
-  /** The bed is the disc within its corners, which are then those of a square. Default false. */
+  /** The bed is the disc inscribed in its corners, which must form a square. Default false. */
   roundBed: boolean;
-  /** Lower left corner of a box on the bed that nothing may touch. -5000..5000 mm, default [0,0]. */
+  /** Lower left corner of a rectangle on the bed that nothing may touch. -5000..5000 mm, default [0,0]. */
   excludedMin: [number, number];
-  /** Upper right corner of that box; a box of no size excludes nothing. -5000..5000 mm, default [0,0]. */
+  /** Upper right corner of that rectangle; equal corners exclude nothing. -5000..5000 mm, default [0,0]. */
   excludedMax: [number, number];
-  /** How high the printer can print. 0.05..5000 mm, default 200. */
+  /** Highest Z the printer can reach while printing. 0.05..5000 mm, default 200. */
   maxZ: number;
-  /** Diameter of the nozzle; most printers come with 0.4 mm. 0.05..2 mm, default 0.4. */
+  /** Nozzle diameter; 0.4 mm on most printers. 0.05..2 mm, default 0.4. */
   nozzle: number;
-  /** Diameter of the filament: 1.75 mm, or 2.85 mm on some printers. 0.5..5 mm, default 1.75. */
+  /** Filament diameter: 1.75 mm, or 2.85 mm on some printers. 0.5..5 mm, default 1.75. */
   filamentDiameter: number;
-  /** Density of the filament, for its weight only. 0.1..25 g/cm³, default 1.24. */
+  /** Filament density, used only to estimate weight. 0.1..25 g/cm³, default 1.24. */
   filamentDensity: number;
-  /** Kind of filament, written into the G-code. Default "PLA". */
+  /** Filament type, written into the G-code. Default "PLA". */
   filamentType: string;
-  /** For those who know why: allows nozzles of 0 to 500 °C and beds of up to 200. Default false. */
+  /** For experts: allows nozzle temperatures of 0 to 500 °C and bed temperatures of up to 200. Default false. */
   anyTemperature: boolean;
-  /** Temperature of the nozzle, as on the filament’s label; 170 to 300 without anyTemperature. 0..500 °C, default 215. */
+  /** Nozzle temperature; 170 to 300 unless any temperature is allowed. 0..500 °C, default 215. */
   nozzleTemperature: number;
-  /** Temperature of the nozzle on the first layer, where a little hotter sticks better; 170 to 300 without anyTemperature. 0..500 °C, default 220. */
+  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to 300 unless any temperature is allowed. 0..500 °C, default 220. */
   firstLayerNozzleTemperature: number;
-  /** Temperature of the bed, as on the filament’s label; at most 120 without anyTemperature. 0..200 °C, default 60. */
+  /** Bed temperature; at most 120 unless any temperature is allowed. 0..200 °C, default 60. */
   bedTemperature: number;
-  /** Speed along the beads; even and slow shines best. 5..1000 mm/s, default 50. */
+  /** Printing speed; slow and constant gives the cleanest reflection. 5..1000 mm/s, default 50. */
   speed: number;
-  /** Speed of the first layer; slow sticks better. 5..1000 mm/s, default 20. */
+  /** Printing speed of the first layer; slower adheres better. 5..1000 mm/s, default 20. */
   firstLayerSpeed: number;
-  /** Speed of base layers above the first; 0: the same as along the beads. 0..1000 mm/s, default 0. */
+  /** Printing speed of base layers above the first; 0 uses the printing speed. 0..1000 mm/s, default 0. */
   baseSpeed: number;
-  /** Speed of oriented layers; 0: speed, but at most 20 where nothing sets pressure advance. 0..1000 mm/s, default 0. */
+  /** Printing speed of the oriented layers; 0 uses the printing speed, but at most 20 mm/s where pressure advance is not set. 0..1000 mm/s, default 0. */
   showSpeed: number;
-  /** Speed of moves that extrude nothing. 5..1000 mm/s, default 120. */
+  /** Speed of moves that do not extrude. 5..1000 mm/s, default 120. */
   travelSpeed: number;
-  /** The machine’s own limit, 5 or more, at which all speeds are held; 0: not known. 0..1000 mm/s, default 0. */
+  /** The machine’s own speed limit, at least 5; all speeds are capped at it; 0 means unknown. 0..1000 mm/s, default 0. */
   machineSpeed: number;
-  /** Acceleration while printing; 1000 to 2000 keeps U-turns clean. 1..100000 mm/s², default 1000. */
+  /** Acceleration while printing; 1000 to 2000 gives clean U-turns. 1..100000 mm/s², default 1000. */
   acceleration: number;
-  /** Acceleration of the first layer; 0: the same as above it. 0..100000 mm/s², default 0. */
+  /** Acceleration on the first layer; 0 uses the printing acceleration. 0..100000 mm/s², default 0. */
   firstLayerAcceleration: number;
-  /** The printer’s own, put back at the end; acceleration is held at it; 0: acceleration is only estimated with, not set. 0..100000 mm/s², default 0. */
+  /** The printer’s own acceleration, restored at the end, and the upper limit while printing; 0 means unknown: acceleration is only used for estimates and not set. 0..100000 mm/s², default 0. */
   machineAcceleration: number;
-  /** Klipper’s square corner velocity; half of Marlin’s jerk. 0.1..100 mm/s, default 5. */
+  /** Klipper’s square corner velocity; about half of Marlin’s jerk. 0.1..100 mm/s, default 5. */
   cornerSpeed: number;
-  /** The printer’s own, put back at the end; 0: corner speed is only estimated with, not set. 0..100 mm/s, default 0. */
+  /** The printer’s own corner speed, restored at the end; 0 means unknown: corner speed is only used for estimates and not set. 0..100 mm/s, default 0. */
   machineCornerSpeed: number;
-  /** Curves of radius r are printed at most at the root of this × r, but at 5 mm/s; 0: as fast as straights. 0..100000 mm/s², default 1000. */
+  /** Limits speed in curves of radius r to the square root of this times r, but never below 5 mm/s; 0 means no limit. 0..100000 mm/s², default 1000. */
   curveAcceleration: number;
   /** Fan speed on the first layer. 0..100 %, default 0. */
   firstLayerFan: number;
-  /** Fan speed on base layers above the first; below 0: 100 for PLA, 50 for others. -1..100 %, default -1. */
+  /** Fan speed on base layers above the first; negative values choose 100 for PLA and 50 for other filaments. -1..100 %, default -1. */
   baseFan: number;
-  /** Fan speed on oriented layers above the first; below 0: 100 for PLA, 50 for others. -1..100 %, default -1. */
+  /** Fan speed on oriented layers above the first; negative values choose 100 for PLA and 50 for other filaments. -1..100 %, default -1. */
   showFan: number;
-  /** Layers that would take less are slowed, but not below 5 mm/s; 0: none is. 0..300 s, default 8. */
+  /** Layers that would take less time are slowed down, but not below 5 mm/s; 0 means no minimum. 0..300 s, default 8. */
   minLayerTime: number;
-  /** What the hot end can melt; wide beads are printed slower to keep to it. 0.1..1000 mm³/s, default 10. */
+  /** Largest volume per second the hot end can melt; wide beads are slowed down to stay within it. 0.1..1000 mm³/s, default 10. */
   maxFlow: number;
-  /** What the printer’s board can keep up with. 1..100000 1/s, default 300. */
+  /** Largest number of moves per second the printer’s board can process. 1..100000 1/s, default 300. */
   maxSegmentsPerSecond: number;
-  /** Limits how fast a bead’s width may change along the path. 0..2 s, default 0.04. */
+  /** Pressure advance of the printer and filament; limits how fast the bead width changes along the path. 0..2 s, default 0.04. */
   pressureAdvance: number;
-  /** Writes it into the G-code; off: the printer keeps its own. Default false. */
+  /** Writes pressure advance into the G-code; otherwise the printer keeps its own. Default false. */
   setPressureAdvance: boolean;
-  /** How far filament is pulled back before a travel. 0..20 mm, default 0.8. */
+  /** Length of filament retracted before a travel. 0..20 mm, default 0.8. */
   retractLength: number;
-  /** Speed of pulling filament back and pushing it forward. 1..200 mm/s, default 35. */
+  /** Speed at which filament is retracted and returned. 1..200 mm/s, default 35. */
   retractSpeed: number;
-  /** How far the nozzle rises before a travel. 0..20 mm, default 0.4. */
+  /** Height the nozzle is raised before a travel. 0..20 mm, default 0.4. */
   lift: number;
-  /** Writes E as a position (M82, G92 E0 per layer) instead of a distance, for hosts that know nothing else. Default false. */
+  /** Writes E as absolute positions (M82, reset with G92 E0 on each layer) instead of distances, for hosts that do not support relative extrusion. Default false. */
   absoluteE: boolean;
-  /** Start block, which may have placeholders; empty: home, heat, wait. Default "". */
+  /** Start block with optional placeholders; empty uses the built-in one: home, heat, wait. Default "". */
   startGcode: string;
-  /** End block, likewise; empty: park, heaters off. Default "". */
+  /** End block with optional placeholders; empty uses the built-in one: park, heaters off. Default "". */
   endGcode: string;
-  /** Sizes in pixels: WxH, WxH/PNG or WxH/QOI, at most 8, sides of 16 to 1024. Default "32x32, 300x300". */
+  /** Thumbnail sizes in pixels: WxH, WxH/PNG or WxH/QOI; at most 8, with sides of 16 to 1024. Default "32x32, 300x300". */
   screenSizes: string;
 }
 
 /** Section `print` of docs/reference/project.md, and the date in the file's first line. */
 export interface PrintParams {
-  /** Oriented layers on each side that shows them. 1..1000, default 1. */
+  /** Number of oriented layers on each side that shows them. 1..1000, default 1. */
   layers: number;
-  /** Plain layers that carry the oriented ones. 0..1000, default 2. */
+  /** Number of plain layers under the oriented ones. 0..1000, default 2. */
   base: number;
-  /** Zigzags at 45 and 135° in turn, loops along the border, or the oriented path itself. Default "hatched". */
-  basePattern: 'hatched' | 'concentric' | 'same';
-  /** Loops along the border of hatched base layers. 0..10, default 1. */
+  /** Hatching at alternately 45 and 135°, loops that follow the border, the oriented path itself, or hatching with the layer next to the oriented ones across their beads, which takes a second path. Default "hatched". */
+  basePattern: 'hatched' | 'concentric' | 'same' | 'across';
+  /** Loops around the border of hatched base layers. 0..10, default 1. */
   basePerimeters: number;
-  /** Oriented layers on top; mirrored on the bed with the base above; or both, where the shape is its own mirror image. Default "up". */
+  /** Top: oriented layers on top. Bed: mirrored on the bed, base above. Both: both sides, for shapes that are their own mirror image. Default "up". */
   showSide: 'up' | 'bed' | 'both';
-  /** Loops around the plates that get the plastic flowing. 0..20, default 1. */
+  /** Loops around the plates that prime the nozzle. 0..20, default 1. */
   skirt: number;
-  /** Length of filament that is laid off the plate first, besides what the last print drew back. 0..100 mm, default 10. */
+  /** Filament extruded beside the plate before printing, in addition to what the last print retracted. 0..100 mm, default 10. */
   purgeLength: number;
-  /** Loops that touch the plate on the first layer, so that it stays on the bed. 0..50, default 0. */
+  /** Loops attached to the plate’s first layer, for adhesion. 0..50, default 0. */
   brim: number;
-  /** How far a first layer of the base stays within the border, as it is squeezed wider. 0..0.5 mm, default 0.1. */
+  /** Inset of the first base layer, to compensate for its being squeezed wider. 0..0.5 mm, default 0.1. */
   elephantFoot: number;
-  /** Oriented beads are printed at speed × spacing / width, at most 1.5 times the speed, except on the first layer. Default false. */
+  /** Prints oriented beads at speed × spacing / width, at most 1.5 times the speed, except on the first layer. Default false. */
   constantFlow: boolean;
-  /** Length before the end of a path over which nothing is extruded. 0..1 mm, default 0. */
+  /** Length before the end of a path that is travelled without extruding. 0..1 mm, default 0. */
   coast: number;
-  /** Length over which both ends of an oriented cycle overlap, one thinning out as the other sets in; needs a coast of 0. 0..20 mm, default 0. */
+  /** Length over which the two ends of an oriented cycle overlap, one ramping down while the other ramps up; requires coasting of 0. 0..20 mm, default 0. */
   scarf: number;
-  /** Plates in a row and in a column, printed one after the other; at most 3 mm high then. 1..20, default [1,1]. */
+  /** Columns and rows of copies, printed one after another; copied plates may be at most 3 mm high. 1..20, default [1,1]. */
   copies: [number, number];
-  /** Space between copies, brims included. 1..100 mm, default 10. */
+  /** Distance between copies, brims included. 1..100 mm, default 10. */
   copyGap: number;
-  /** Height of a layer, at most 0.8 of the nozzle. 0.05..1.6 mm, default 0.2. */
+  /** Layer height, at most 0.8 of the nozzle diameter. 0.05..1.6 mm, default 0.2. */
   layerHeight: number;
-  /** All layers lie above a print of this height that stands on the bed; at most maxZ. 0..5000 mm, default 0. */
+  /** Prints on top of an object of this height that stands on the bed; at most the build height. 0..5000 mm, default 0. */
   startHeight: number;
-  /** Height of the first layer, at least 0.05 mm and at most 0.8 of the nozzle; 0 is the height of the others. 0..1.6 mm, default 0. */
+  /** First layer height, at least 0.05 mm and at most 0.8 of the nozzle diameter; 0 uses the layer height. 0..1.6 mm, default 0. */
   firstLayerHeight: number;
-  /** Flow of the oriented layers; slightly less than 1 keeps the furrows between beads crisp. 0.01..2, default 0.95. */
+  /** Extrusion multiplier of the oriented layers; slightly below 1 keeps the grooves between beads crisp. 0.01..2, default 0.95. */
   flow: number;
-  /** Flow of the base layers; 1 fills them. 0.01..2, default 1. */
+  /** Extrusion multiplier of the base layers; 1 fills them. 0.01..2, default 1. */
   baseFlow: number;
-  /** Flow of an oriented layer that lies on the bed. 0.01..2, default 1. */
+  /** Extrusion multiplier of an oriented layer printed on the bed. 0.01..2, default 1. */
   bedFlow: number;
-  /** Turns the plate on the bed, counter-clockwise. -360..360 °, default 0. */
+  /** Rotation of the plate on the bed, counter-clockwise. -360..360 °, default 0. */
   rotate: number;
-  /** Mirrors left to right, before the rotation, for plates seen from below; a side shown on the bed is mirrored by itself. Default false. */
+  /** Mirrors the plate left to right, before rotation, for plates seen from below; a show side on the bed is mirrored automatically. Default false. */
   mirror: boolean;
-  /** Refuses a path that crosses itself or leaves the shape by more than 0.1 mm, instead of reporting it. Default false. */
+  /** Refuses a path that crosses itself or leaves the shape by more than 0.1 mm; otherwise both are only reported. Default false. */
   strict: boolean;
-  /** Lower left corner, on the bed, of the page or of the box around the turned page; null is centred. -10000..10000 mm, default null. */
+  /** Where the lower left corner of the (rotated) page goes on the bed; null centres it. -10000..10000 mm, default null. */
   place: [number, number] | null;
 
   /** Of the file's first line; default: now. The same date gives the same bytes. */
@@ -523,8 +685,15 @@ export interface ViewParams {
 }
 
 export interface PreviewParams {
-  /** Of one panel [pixels], 16..16384. Default 1600. */
+  /** Of one panel [pixels], 16..16384; of the look alone 16..1024, and so its height, which follows the page. Default 1600;
+   * 1024 for the look alone. */
   width: number;
+  /** Directions with their legend beside the look, or the look alone, as a poster. Default 'both'. */
+  panels: 'both' | 'look';
+  /** Of the body: red, green, blue in sRGB, 0..255. Default blue. */
+  colour: [number, number, number];
+  /** RMS slopes of the surface along and across the bead [degrees], 0.1..45. Default 2.36, 17.32. */
+  slopes: [number, number];
   /** Of the light, degrees counter-clockwise from +x. Default 60. */
   lightAzimuth: number;
   /** Degrees above the plate, 1..90. Default 35. */
@@ -542,6 +711,7 @@ export interface Project {
     pageWidth: number;
     unitless: 'px' | 'mm';
     paint?: 'shown' | 'ignore';
+    keepThin?: boolean;
   };
   directions: { file: string; encoding: DirectionEncoding; angle: number };
   modes: { file: string; mode: DirectionMode };
@@ -559,9 +729,23 @@ export type DeepPartial<T> = T extends readonly unknown[]
 
 // --- What comes out ----------------------------------------------------------------------------------------------------
 
-export interface Plate {
+export interface ToolpathResult {
   toolpath: Toolpath;
   report: Report;
+  /** Of two pictures and more. */
+  conflict?: Conflict;
+}
+
+/** @deprecated Its older name. */
+export type Plate = ToolpathResult;
+
+/** What pictures on one plate take from each other, in cells over the page, row 0 on top. */
+export interface Conflict {
+  width: number;
+  height: number;
+  /** For each picture, `width` times `height` tones asked for minus tones that the directions show under its lamp: -100..100, in
+   * percent of the way (in sRGB) from the darkest direction to white. Above 0 light is missing, below 0 there is too much. */
+  missing: Int8Array[];
 }
 
 /** Plain data, copied out of the engine: may be kept, changed, cloned and its buffers transferred. */
@@ -608,6 +792,8 @@ export interface Shape {
   offPage?: number;
   /** Nothing is painted: outlines were taken whatever their paint. */
   unpainted?: boolean;
+  /** Places that `keepThin` widened: x, y [mm], area [mm²], width [mm]. */
+  kept?: [number, number, number, number][];
 }
 
 /** docs/reference/report.md. Everything from `lengthMm` on but `time` and `digest` only where the plate was measured. */
@@ -623,6 +809,8 @@ export interface Report {
   gapJoints: number;
   /** Toolpaths more than connected parts: no joint to the rest of their part was possible. */
   unjoined: number;
+  /** Where these lie: x, y [mm] of the middle of each. */
+  apart: [number, number][];
   /** Seconds by stage, and their `total`. */
   time: Record<string, number>;
   /** Of the engine's memory. */
@@ -630,6 +818,8 @@ export interface Report {
   threads: number;
   /** Equal digests mean equal plates, on every platform. */
   digest: string;
+  /** Of the drawing, its pictures and the path. Those of the print stand in `GcodeSummary.warnings`. */
+  warnings: GcodeWarning[];
 
   lengthMm?: number;
   alignment?: number;
@@ -644,11 +834,16 @@ export interface Report {
   dislocations?: number;
   singularities?: number;
   dislocationBound?: number;
+  turnBound?: number;
   width?: { p01: number; median: number; p99: number; belowHalf: number; clamped: number };
   fillRatio?: number;
   lostAreaMm2?: number;
   /** The largest hundred: x, y [mm], area [mm²], width [mm]. */
   lostPlaces?: [number, number, number, number][];
+  /** Widened to one bead by `keepThin`. */
+  keptAreaMm2?: number;
+  /** As lostPlaces. */
+  keptPlaces?: [number, number, number, number][];
   /** How well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
   pictures?: PictureReport[];
 }
@@ -687,7 +882,7 @@ export interface GcodeSummary {
   warnings: GcodeWarning[];
 }
 
-/** What the user should know of a file that was written. */
+/** What the user should know of a plate, or of a file that was written. */
 export interface GcodeWarning {
   code: WarningCode;
   /** Numbers, names of settings, and what a reader of a block says; the words in braces of `message`'s pattern. */
@@ -701,6 +896,7 @@ export type WarningCode =
   | 'BaseTooThin'
   | 'BlockMovesLow'
   | 'DetailLost'
+  | 'DrawingFaint'
   | 'DrawingOffPage'
   | 'DrawingUnpainted'
   | 'EndHot'
@@ -715,12 +911,15 @@ export type WarningCode =
   | 'NotPrimed'
   | 'NotPrimedAbovePrint'
   | 'OutsideShape'
+  | 'PicturesCrowded'
   | 'PressureAdvanceReset'
   | 'PrintOnBed'
+  | 'PrintedApart'
   | 'SegmentsSlow'
   | 'SkirtLeftOut'
   | 'SpeedHeld'
   | 'StartLine'
+  | 'StartScales'
   | 'StartTemperature'
   | 'ThinLayers'
   | 'UnusualFilament'

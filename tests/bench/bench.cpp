@@ -5,9 +5,14 @@
 //                                                         measures and the G-code file add, in processor time
 //   sillon_bench live [SCENE.json ...]                    edits of a kept session against runs from nothing
 //   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
-//   sillon_bench look [PICTURE ...]                       what the G-code shows of pictures, solved for and straight
-//   sillon_bench random [N [SEED]]                        promises on random shapes, fields and parameters (2000 from
-//   1) sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes per cell
+//   sillon_bench photo [N [SEED]] [elevation]             rendered photographs of coupons, read back
+//   sillon_bench photograph FILE.jpg                      one of them
+//   sillon_bench look [PICTURE[+PICTURE] ...]             what the G-code shows of pictures, solved for and straight
+//   sillon_bench random [N [SEED [NOZZLE]]]               promises on random shapes, fields and parameters (2000 from
+//   1);
+//                                                         every fifth is a drawing: made here, or one of
+//                                                         SILLON_DRAWINGS
+//   sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes per cell
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -29,6 +34,8 @@
 #include "base/simd.hpp"
 #include "look.hpp"
 #include "memory.hpp"
+#include "photo.hpp"
+#include "random.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/look/thumbnails.hpp"
@@ -116,14 +123,14 @@ double totalOf(const ToolpathResult& plate) {
 }
 
 void qualityRow(const std::string& name, const sillon::Measures& m) {
-  std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %7.3f %6d %6d %5d", name.c_str(), m.alignment,
+  std::printf("%-27s %8.4f %8.4f %8.4f %7.2f %7.2f %7.3f %7.3f %6d %6.0f %6d %5d", name.c_str(), m.alignment,
               m.alignmentInterior, m.alignmentConstrained, m.coverage, m.overlap, m.spill, m.fillRatio,
-              static_cast<int>(m.uTurns), static_cast<int>(m.kinks), static_cast<int>(m.crossings));
+              static_cast<int>(m.uTurns), m.turnBound, static_cast<int>(m.kinks), static_cast<int>(m.crossings));
 }
 
 void quality(const std::vector<std::string>& scenes, const std::string& perimeters) {
-  std::printf("%-27s %8s %8s %8s %7s %7s %7s %7s %6s %6s %5s %6s %5s %6s\n", "scene", "align", "inner", "constr.",
-              "cover%", "over%", "spill%", "fill", "U-turn", "kinks", "cross", "cycles", "parts", "paths");
+  std::printf("%-27s %8s %8s %8s %7s %7s %7s %7s %6s %6s %6s %5s %6s %5s %6s\n", "scene", "align", "inner", "constr.",
+              "cover%", "over%", "spill%", "fill", "U-turn", "bound", "kinks", "cross", "cycles", "parts", "paths");
   const RunContext run(2);
   for (const std::string& path : scenes) {
     Loaded scene;
@@ -462,83 +469,6 @@ void growth(double most) {
   std::printf("fitted exponent of time over cells: %.3f\n", (n * sxy - sx * sy) / (n * sxx - sx * sx));
 }
 
-/// One random plate after another; prints those that break a promise, and what all of them come to.
-void randomPlates(std::uint64_t count, std::uint64_t seed) {
-  const RunContext run(2);
-  std::uint64_t made = 0, empty = 0, crossing = 0, parted = 0, spilling = 0, spillingAnyhow = 0;
-  std::uint64_t kinked = 0, kinkedMore = 0;
-  std::uint64_t refused = 0, writtenCrossing = 0, writtenSpilling = 0, writtenKinked = 0;
-  std::vector<double> coverage, overlap;
-  for (std::uint64_t k = seed; k < seed + count; ++k) {
-    const scenes::RandomPlate plate = scenes::randomPlate(k);
-    const auto result = generateToolpath(plate.input, plate.params, run);
-    if (!result) {
-      ++empty;
-      if (result.error().code != sillon::ErrorCode::EmptyShape) {
-        std::printf("%llu: %s\n", static_cast<unsigned long long>(k), result.error().message.c_str());
-      }
-      continue;
-    }
-    const auto measuredAs = [&](const sillon::Toolpath& toolpath) {
-      return measureToolpath(toolpath, plate.input.shape, plate.input.directions, plate.input.modes, plate.params, run);
-    };
-    const auto measured = measuredAs(result.value().toolpath);
-    if (!measured) continue;
-    ++made;
-    const auto& m = measured.value();
-    const bool crosses = m.crossings > 0;
-    const bool parts = static_cast<int>(result.value().toolpath.cycles.size()) != result.value().parts;
-    const bool spills = m.spill > scenes::spillAllowed(plate, result.value());
-    crossing += crosses ? 1 : 0;
-    parted += parts ? 1 : 0;
-    spilling += spills ? 1 : 0;
-    const double kinksOver = static_cast<double>(m.kinks) - 0.05 * static_cast<double>(m.uTurns);
-    kinked += kinksOver > 0 ? 1 : 0;
-    kinkedMore += kinksOver > 1 ? 1 : 0;
-    spillingAnyhow += m.spill > 0.05 ? 1 : 0;
-    coverage.push_back(m.coverage);
-    overlap.push_back(m.overlap);
-    const bench::Written written = bench::writtenToolpath(result.value().toolpath, plate.input.shape);
-    const auto path = measuredAs(written.path);  // an error where nothing was written
-    const auto beads = measuredAs(written.beads);
-    if (!path || !beads) {
-      ++refused;
-    } else {
-      writtenCrossing += path.value().crossings > 0 ? 1 : 0;
-      writtenSpilling += beads.value().spill > 0.05 ? 1 : 0;
-      writtenKinked +=
-          static_cast<double>(path.value().kinks) > 0.05 * static_cast<double>(path.value().uTurns) ? 1 : 0;
-    }
-    if (crosses || parts || spills) {
-      std::printf("%llu: %s: crossings %d, paths %d of %d parts, spill %.3f %%\n", static_cast<unsigned long long>(k),
-                  plate.name.c_str(), static_cast<int>(m.crossings),
-                  static_cast<int>(result.value().toolpath.cycles.size()), static_cast<int>(result.value().parts),
-                  m.spill);
-    }
-  }
-  const auto quantile = [](std::vector<double>& values, double share) {
-    if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-  };
-  std::printf("seeds %llu to %llu: %llu plates, %llu without room for a bead\n", static_cast<unsigned long long>(seed),
-              static_cast<unsigned long long>(seed + count - 1), static_cast<unsigned long long>(made),
-              static_cast<unsigned long long>(empty));
-  std::printf(
-      "with crossings %llu, not one path per part %llu, spill above 0.05 %% %llu (besides threads across gaps %llu)\n"
-      "with kinks above 5 %% of U-turns %llu (by more than one kink %llu)\n",
-      static_cast<unsigned long long>(crossing), static_cast<unsigned long long>(parted),
-      static_cast<unsigned long long>(spillingAnyhow), static_cast<unsigned long long>(spilling),
-      static_cast<unsigned long long>(kinked), static_cast<unsigned long long>(kinkedMore));
-  std::printf(
-      "in the G-code: with crossings %llu, spill above 0.05 %% %llu, kinks above 5 %% of U-turns %llu, not written "
-      "%llu\n",
-      static_cast<unsigned long long>(writtenCrossing), static_cast<unsigned long long>(writtenSpilling),
-      static_cast<unsigned long long>(writtenKinked), static_cast<unsigned long long>(refused));
-  std::printf("coverage: median %.2f, worst tenth below %.2f; overlap: median %.2f, worst tenth above %.2f\n",
-              quantile(coverage, 0.5), quantile(coverage, 0.1), quantile(overlap, 0.5), quantile(overlap, 0.9));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -550,12 +480,22 @@ int main(int argc, char** argv) {
     const auto number = [&](std::size_t k, std::uint64_t fallback) {
       return rest.size() > k ? std::strtoull(rest[k].c_str(), nullptr, 10) : fallback;
     };
-    randomPlates(number(0, 2000), number(1, 1));
+    bench::randomPlates(number(0, 2000), number(1, 1), rest.size() > 2 ? std::strtod(rest[2].c_str(), nullptr) : 1);
     return 0;
   }
   if (what == "look") {
     const char* photographs = std::getenv("SILLON_PHOTOS");
     bench::look(photographs == nullptr ? "" : photographs, rest);
+    return 0;
+  }
+  if (what == "photograph" && rest.size() == 1) return bench::photograph(rest[0]) ? 0 : 1;
+  if (what == "photo") {
+    const bool known = !rest.empty() && rest.back() == "elevation";
+    if (known) rest.pop_back();
+    const auto number = [&](std::size_t k) {
+      return rest.size() > k ? std::strtoull(rest[k].c_str(), nullptr, 10) : 0;
+    };
+    bench::photographs(rest.empty() ? 100 : static_cast<int>(std::min(number(0), 100000ull)), number(1), known);
     return 0;
   }
   double mostMillions = 16;
@@ -593,7 +533,8 @@ int main(int argc, char** argv) {
     std::printf(
         "sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...] | time [SCENE.json ...] | live [SCENE.json ...] | "
         "roof "
-        "| look [PICTURE ...] | growth [MILLIONS] | random [N [SEED]]\n");
+        "| look [PICTURE ...] | photo [N [SEED]] [elevation] | photograph FILE | growth [MILLIONS] | random [N "
+        "[SEED]]\n");
     return 2;
   }
   return 0;

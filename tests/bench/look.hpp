@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -26,7 +28,7 @@ inline sillon::Project lookProject(const std::vector<std::string>& files) {
   for (const std::string& file : files) project.pictures.files.push_back({file, std::nullopt});
   project.pictures.files[0].lamp = sillon::Vec2{60, 45};
   project.builtinSize.x = 100;
-  project.toolpath.perimeterMode = sillon::PerimeterMode::Soft;
+  project.toolpath.perimeterMode = sillon::PerimeterMode::None;
   project.print.layerHeight = 0.2;
   project.print.base = 1;
   return project;
@@ -44,7 +46,8 @@ inline sillon::DirectionMap straight(const sillon::ShownPicture& picture) {
 
 struct LookRow {
   std::vector<sillon::PictureMeasures> measures;
-  std::int64_t turns = 0;
+  std::int64_t turns = 0, kinks = 0;
+  double coverage = 0;
 };
 
 /// Makes the plate, writes its G-code, reads that back and judges it; prints why that is not possible.
@@ -59,7 +62,11 @@ inline LookRow judged(const sillon::Project& project, const sillon::PlateInput& 
   const sillon::Toolpath& toolpath = plate.value().toolpath;
   const auto measures =
       sillon::measureToolpath(toolpath, input.shape, input.directions, input.modes, project.toolpath, run);
-  if (measures) row.turns = measures.value().uTurns;
+  if (measures) {
+    row.turns = measures.value().uTurns;
+    row.kinks = measures.value().kinks;
+    row.coverage = measures.value().coverage;
+  }
   std::string text;
   const auto written =
       sillon::writeGcode(toolpath, input.shape, project.printer, project.print, [&](std::string_view piece) {
@@ -79,7 +86,8 @@ inline LookRow judged(const sillon::Project& project, const sillon::PlateInput& 
 inline void printLook(const std::string& name, const LookRow& row) {
   std::printf("%-34s", name.c_str());
   for (const sillon::PictureMeasures& m : row.measures) std::printf("  %.4f %.4f %5.1f", m.r, m.ssim, m.contrast);
-  std::printf("  %6lld", static_cast<long long>(row.turns));
+  std::printf("  %6lld  %6.2f %4lld", static_cast<long long>(row.turns), row.coverage,
+              static_cast<long long>(row.kinks));
 }
 
 /// One plate, solved for and, if it has one picture, straight.
@@ -108,12 +116,13 @@ inline void lookPlate(const std::vector<std::string>& files, const sillon::RunCo
   printLook(name, solved);
   if (files.size() == 1) {
     plate.directions = straight(pictures.value().shown[0]);
+    plate.showsPictures = false;
     const LookRow line = judged(project, plate, make(plate, 0, 1), pictures.value().shown, run);
     std::printf("  %3.0f %%\n", 100.0 * static_cast<double>(solved.turns) / static_cast<double>(line.turns));
     printLook("  straight", line);
   }
   std::printf("\n");
-  for (std::size_t k = 0; k < solved.measures.size() && files.size() > 1; ++k) {
+  for (std::size_t k = 0; k < solved.measures.size() && files.size() == 2; ++k) {
     std::vector<float> own;
     for (const float code : pictures.value().shown[1 - k].tones.value) own.push_back(sillon::lightOfCode(code));
     const double between = sillon::compareTones(own, pictures.value().shown[k].tones).r;
@@ -122,13 +131,48 @@ inline void lookPlate(const std::vector<std::string>& files, const sillon::RunCo
   }
 }
 
+/// Seconds of a solver's call for pictures of 1000 x 1000 pixels, of the wall and of processors, medians.
+inline void lookTime(const char* name, std::size_t pictures, bool chooses, double side, const sillon::RunContext& run) {
+  constexpr int kRuns = 9;
+  std::vector<sillon::LitPicture> lit;
+  for (std::size_t p = 0; p < pictures; ++p) {
+    sillon::Tones tones{1000, 1000, {}};
+    for (int y = 0; y < 1000; ++y) {
+      for (int x = 0; x < 1000; ++x) {
+        const double wave = std::sin(x * (p == 0 ? 0.02 : 0.05)) * std::sin((y + x / 3) * 0.013);
+        tones.value.push_back(static_cast<float>(0.5 + 0.4 * wave + 0.1 * std::sin(x * y * 1e-3)));
+      }
+    }
+    lit.push_back({std::move(tones), {60 + 40 * static_cast<double>(p), 45, 0.1}, chooses});
+  }
+  std::vector<double> wall, processor;
+  for (int k = 0; k < kRuns; ++k) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t from = std::clock();
+    (void)sillon::solveDirections(lit, {2.36, 17.32}, {side, side}, 0.4, {}, run);
+    processor.push_back(static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC);
+    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(processor.begin(), processor.end());
+  std::printf("  %-44s %6.3f s, %6.3f s of processors\n", name, wall[kRuns / 2], processor[kRuns / 2]);
+}
+
 /// \param photographs  folder with pictures such as those of scikit-image; none: those of the project alone.
 inline void look(const std::string& photographs, const std::vector<std::string>& given) {
   namespace fs = std::filesystem;
   const sillon::RunContext run(2);
-  std::printf("%-34s  %6s %6s %5s  %6s  turns by those of the straight line\n", "picture", "r", "SSIM", "contr",
-              "turns");
-  for (const std::string& file : given) lookPlate({file}, run);
+  std::printf("%-34s  %6s %6s %5s  %6s  %6s %4s  turns by those of the straight line\n", "picture", "r", "SSIM",
+              "contr", "turns", "cover%", "kink");
+  for (const std::string& file : given) {
+    std::vector<std::string> files;
+    for (std::size_t at = 0; at <= file.size();) {
+      const std::size_t end = std::min(file.find('+', at), file.size());
+      files.push_back(file.substr(at, end - at));
+      at = end + 1;
+    }
+    lookPlate(files, run);
+  }
   if (!given.empty()) return;
   const auto drawn = [](const char* name) { return std::string(SILLON_SOURCE_DIR "/examples/inputs/") + name; };
   for (const char* name : {"photo.png", "relief.png", "star.png"}) lookPlate({drawn(name)}, run);
@@ -143,6 +187,11 @@ inline void look(const std::string& photographs, const std::vector<std::string>&
   }
   for (const std::string& photo : photos) lookPlate({photo}, run);
   if (photos.size() > 1) lookPlate({photos[0], photos[1]}, run);
+  std::printf("solving for pictures of 1000 x 1000 pixels, 2 threads, median of 9\n");
+  lookTime("one, its lamp given, 500 x 500 cells", 1, false, 100, run);
+  lookTime("one, its lamp given, 1000 x 1000 cells", 1, false, 200, run);
+  lookTime("one, its lamp chosen, 1000 x 1000 cells", 1, true, 200, run);
+  lookTime("two, their lamps chosen, 1000 x 1000 cells", 2, true, 200, run);
 }
 
 }  // namespace bench

@@ -22,12 +22,13 @@ struct Written {
 };
 
 /// Writes one oriented layer for a machine with a nozzle as wide as the spacing, at most 2 mm, and reads it again.
+/// \param nozzle  another share of the spacing.
 /// A move's width is what its filament fills: dE A_f / (flow h L).
-inline Written writtenToolpath(const sillon::Toolpath& toolpath, const sillon::Shape& shape) {
+inline Written writtenToolpath(const sillon::Toolpath& toolpath, const sillon::Shape& shape, double nozzle = 1) {
   Written written;
   sillon::Printer printer;
   printer.bedMax = {400, 400};
-  printer.nozzle = std::min(toolpath.spacing, 2.0);
+  printer.nozzle = std::min(nozzle * toolpath.spacing, 2.0);
   sillon::PrintParams params;
   params.layerHeight = 0.5 * printer.nozzle;
   params.basePattern = sillon::BasePattern::Concentric;

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "calibrate/coupon.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/settings/presets.hpp"
@@ -338,6 +339,22 @@ TEST_CASE("sector k of the star lies at 15 k degrees counter-clockwise from the 
   CHECK(plate.values[6].at.y > plate.values[18].at.y);
 }
 
+TEST_CASE("turns of the coupon's loose spirals lie two nozzles apart") {
+  const CalibrationPlate plate = made(CalibrationKind::Coupon);
+  for (const CouponSpiral& loose : looseSpirals(0.4)) {
+    const auto patch = std::find_if(plate.patches.patches.begin(), plate.patches.patches.end(), [&](const Patch& p) {
+      return p.lines.size() == 1 && length(p.lines[0].points.front() - loose.centre) < 0.5;
+    });
+    REQUIRE(patch != plate.patches.patches.end());
+    const std::vector<Vec2>& points = patch->lines[0].points;
+    for (std::size_t k = 0; k + 72 < points.size(); ++k) {
+      if (k + 73 == points.size()) continue;  // the last one may be cut
+      const double here = length(points[k] - loose.centre);
+      CHECK(length(points[k + 72] - loose.centre) - here == about(0.8, 1e-3));
+    }
+  }
+}
+
 TEST_CASE("the coupon's ruler has a tick every millimetre for 30 mm, and its corner marks frame it") {
   const CalibrationPlate plate = made(CalibrationKind::Coupon);
   std::vector<double> ticks;
@@ -350,9 +367,14 @@ TEST_CASE("the coupon's ruler has a tick every millimetre for 30 mm, and its cor
       ticks.push_back(a.x);
       if (b.y == 4) tall.push_back(a.x);
     }
-    if (line.points.size() >= 16) {
-      for (const Vec2 p : line.points) marks.add(p);
-    }
+  }
+  for (const CouponSpiral& mark : couponMarks(0.4)) {
+    const auto patch = std::find_if(plate.patches.patches.begin(), plate.patches.patches.end(), [&](const Patch& p) {
+      return p.lines.size() == 1 && length(p.lines[0].points.front() - mark.centre) < 0.5;
+    });
+    REQUIRE(patch != plate.patches.patches.end());
+    CHECK(patch->flow == plate.print.flow);
+    for (const Vec2 p : patch->lines[0].points) marks.add(p);
   }
   REQUIRE(ticks.size() == 31);
   for (std::size_t k = 0; k < ticks.size(); ++k) {
@@ -360,9 +382,9 @@ TEST_CASE("the coupon's ruler has a tick every millimetre for 30 mm, and its cor
   }
   REQUIRE(tall.size() == 4);
   CHECK(tall[3] - tall[0] == doctest::Approx(30));
-  // 54 mm less twice 1 mm of edge, less half a bead all round.
-  CHECK(marks.size().x == about(52 - 0.4, 1e-3));
-  CHECK(marks.size().y == about(52 - 0.4, 1e-3));
+  // 54 mm less twice 1 mm of edge, and the last turn of a spiral is on average half a bead within its radius.
+  CHECK(marks.size().x == about(52 - 0.4, 0.01));
+  CHECK(marks.size().y == about(52 - 0.4, 0.01));
 }
 
 TEST_CASE("the swatch shows all directions along its edge and is as large as a card") {

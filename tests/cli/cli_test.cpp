@@ -19,8 +19,11 @@
 #include <vector>
 
 #include "sillon/base/version.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/input/image_io.hpp"
+#include "support/about.hpp"
+#include "support/coupon_photo.hpp"
 #include "support/report_keys.hpp"
 
 namespace fs = std::filesystem;
@@ -531,6 +534,45 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   checkRefused(folder, "calibrate flow --printer bambu-p1s -o a.gcode", "startGcode is empty");
 }
 
+TEST_CASE("a photograph of a coupon is read, for people, for programs and as a spool that is used at once") {
+  const Folder folder;
+  const auto coupon = sillon::makeCalibration({sillon::CalibrationKind::Coupon, {}, {}, {}}, sillon::RunContext(1));
+  REQUIRE(coupon.ok());
+  const photo::Truth truth = photo::good();
+  const std::vector<std::uint8_t> bytes = photo::taken(coupon.value(), truth);
+  folder.write("photo.jpg", std::string(bytes.begin(), bytes.end()));
+
+  const Run told = folder.run("calibrate read photo.jpg --lamp-elevation 45 --name mySilk -o mine.json");
+  CAPTURE(told.err);
+  REQUIRE(told.code == 0);
+  CHECK(has(told.out, "is the lowest that closes the surface"));
+  CHECK(has(told.out, "spool    mySilk; keep it with -o FILE"));
+  CHECK(has(folder.run("spools --spools mine.json").out, "mySilk"));
+  CHECK(folder.run("calibrate directions --spools mine.json --spool mySilk -o star.gcode").code == 0);
+
+  const Run json = folder.run("calibrate read photo.jpg --lamp-elevation 45 --name mySilk --json");
+  REQUIRE(json.code == 0);
+  const Json read = Json::parse(json.out);
+  CHECK(read["spool"] == "mySilk");
+  CHECK(std::abs(read["across"]["value"].get<double>() / truth.slopes.across - 1) < 0.1);
+  CHECK(std::abs(read["flow"]["value"].get<double>() - 1) < 0.015);
+  CHECK(std::abs(read["lamp"]["azimuth"]["value"].get<double>() - truth.lamp.azimuth) < 3);
+  const Json spool = Json::parse(readAll(folder.at("mine.json")))["spools"]["mySilk"];
+  CHECK(std::abs(spool["fine"]["nozzleSide"][0].get<double>() - read["along"]["value"].get<double>()) < 0.011);
+
+  folder.picture("grey.png", 300, 300, [](int, int) { return 128; });
+  checkRefused(folder, "calibrate read grey.png -o out.json", "\"grey.png\": the photograph shows no coupon");
+  CHECK(!fs::exists(folder.at("out.json")));
+  checkRefused(folder, "calibrate read", "no photograph is given");
+  checkRefused(folder, "calibrate read nothing.jpg", "nothing.jpg");
+  checkRefused(folder, "calibrate read photo.jpg --lamp-size moon", "--lamp-size is \"moon\"; it must be bulb,");
+  checkRefused(folder, "calibrate read photo.jpg --lamp-elevation 5", "lamp elevation is 5");
+  checkRefused(folder, "calibrate read photo.jpg --name 'a b'", "\"a b\"");
+  checkRefused(folder, "calibrate read photo.jpg -o photo.jpg", "also an input");
+  checkRefused(folder, "calibrate read photo.jpg --preview p.png", "--preview shows a print");
+  checkRefused(folder, "calibrate flow --lamp-size bulb -o a.gcode", "are of a photograph");
+}
+
 TEST_CASE("a plate that does not fit is centred, turned or scaled if asked") {
   const Folder folder;
   const std::string wide = "generate --shape rect --size 24x12 --spacing 0.8 --skirt 0 --bed ";
@@ -625,6 +667,51 @@ TEST_CASE("a plate that the memory does not hold is refused before work begins, 
   const double scale = 0.9 * percent / 100;
   const std::string smaller = std::to_string(1000 * scale) + "x" + std::to_string(400 * scale);
   CHECK(folder.run(plate + "--spacing 0.4 --size " + smaller, little).code == 0);
+  const Run kept = folder.run(plate + "--size 1000x400 --spacing 0.4 --keep-thin", little);
+  CHECK(kept.code == 2);
+  CHECK(has(kept.err, " GB of memory: use a spacing of at least "));
+  folder.write("fine.json", R"({"sillon": 1, "toolpath": {"spacing": 0.1}})");
+  const Run swatch = folder.run("calibrate swatch fine.json -o swatch.gcode", "ulimit -v 200000;");
+  CHECK(swatch.code == 2);
+  CHECK(has(swatch.err, " GB of memory: use a spacing of at least "));
+}
+
+TEST_CASE("pressure advance follows the options for printer, filament and nozzle") {
+  const Folder folder;
+  const auto advance = [&](const std::string& options) {
+    const Run run = folder.run("generate " + options + " --shape disc --size 12 --spacing 0.8 --gcode a.gcode");
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    const std::string text = readAll(folder.at("a.gcode"));
+    const std::size_t at = text.find("\nM572 S") + 7;
+    return at < 7 ? 0.0 : std::stod(text.substr(at, text.find('\n', at) - at));
+  };
+  CHECK(advance("--printer prusa-mk4s") == 0.036);
+  CHECK(advance("--printer prusa-mk4s --filament petg") == 0.053);
+  CHECK(advance("--filament petg --printer prusa-mk4s --nozzle 0.6") == 0.032);
+  CHECK(advance("--printer prusa-mk4s --nozzle 0.7") == 0);
+  CHECK(advance("--printer prusa-core-one") == 0.036);
+  folder.write("own.json", R"({"sillon": 1, "printer": {"profile": "prusa-mk4s", "pressureAdvance": 0.044}})");
+  CHECK(advance("own.json --filament petg") == 0.044);
+  folder.write("mine.json", R"({"sillon": 1, "printer": {"profile": "prusa-mk4s"}})");
+  CHECK(advance("mine.json --filament petg") == 0.053);
+}
+
+TEST_CASE("another printer keeps the nozzle, the speed and the fan that a scene chose for its oriented layers") {
+  const Folder folder;
+  folder.write("own.json", R"({"sillon": 1, "printer": {"profile": "creality-ender-3", "speed": 70, "nozzle": 0.6,
+                               "showSpeed": 33, "showFan": 40}})");
+  const Run run = folder.run(
+      "generate own.json --printer prusa-mk4s --shape disc --size 30 --spacing 0.8 "
+      "--gcode a.gcode --project a.json");
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  const Json printer = Json::parse(readAll(folder.at("a.json")))["printer"];
+  CHECK(printer["nozzle"] == 0.6);
+  CHECK(printer["showSpeed"] == 33);
+  CHECK(printer["showFan"] == 40);
+  CHECK(printer["speed"] == 50);  // the machine's
+  CHECK(has(readAll(folder.at("a.gcode")), " F1980\n"));
 }
 
 TEST_CASE("a printer is imported from G-code and prints") {
@@ -641,6 +728,17 @@ TEST_CASE("a printer is imported from G-code and prints") {
   CHECK(folder.run("check a.gcode --printer prusa-mini").code == 0);
   folder.write("no.ini", "a = b\n");
   checkRefused(folder, "import no.ini", "no setting of a printer");
+}
+
+TEST_CASE("what a start block leaves behind is told once, by its place in the block") {
+  const Folder folder;
+  folder.write("mine.json",
+               R"({"sillon": 1, "shape": {"builtin": "disc", "size": [12, 12]}, "directions": {"angle": 30},
+    "print": {"layers": 1, "base": 0}, "printer": {"startGcode": "G28\nM190 S60\nM109 S210\nM211 S0"}})");
+  const Run run = folder.run("generate mine.json --gcode out.gcode");
+  REQUIRE(run.code == 0);
+  CHECK(has(run.out, "line 4 of startGcode: M211 outlives the print"));
+  CHECK(run.out.find("outlives") == run.out.rfind("outlives"));
 }
 
 TEST_CASE("a small disc writes every file, and each is what it should be") {
@@ -733,7 +831,7 @@ TEST_CASE("a picture is shown under the lamp that is asked for, and judged from 
   // The project holds all of it, under keys of its own.
   const Json project = Json::parse(readAll(folder.at("a.project.json")));
   CHECK(project["pictures"]["files"] == Json::parse(R"([{"file": "disc.png", "lamp": [75, 50]}])"));
-  CHECK(project["toolpath"]["perimeterMode"] == "soft");
+  CHECK(project["toolpath"]["perimeterMode"] == "none");
   REQUIRE(folder.run("generate a.project.json --threads 1 --gcode b.gcode", date).code == 0);
   CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
   // Options move its lamps, or put other pictures in their place.
@@ -744,6 +842,9 @@ TEST_CASE("a picture is shown under the lamp that is asked for, and judged from 
   CHECK(has(two.out, "45 high (chosen): r"));
   const Json both = Json::parse(readAll(folder.at("c.json")))["pictures"];
   REQUIRE(both.size() == 2);
+  const Run torn = folder.run("generate a.project.json --picture disc.png --picture disc.png --conflict torn.png");
+  CHECK(has(torn.out, "wrote      torn.png ("));
+  CHECK(has(torn.out, "wrote      torn-2.png ("));
   CHECK(both[1]["others"].size() == 1);
   CHECK(both[1]["from"] == "toolpath");
 }
@@ -774,6 +875,7 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, one + "--lamp 361" + kOutputs, "azimuth from -360 to 360");
   checkRefused(folder, one + "--lamp 60,90" + kOutputs, "choose a lower or a smaller lamp");
   checkRefused(folder, one + "--lamp 1 --lamp 2" + kOutputs, "--lamp is given 2 times for 1 picture;");
+  checkRefused(folder, one + "--conflict torn.png" + kOutputs, "it must go with two pictures or more");
   checkRefused(folder, one + "--lamp-size sun" + kOutputs, "it must be bulb, softbox, window or a slope from 0 to 2");
   checkRefused(folder, one + "--spool copper" + kOutputs,
                "it must be one of bluePla, clearPetg, goldPla, greyPla, redPetg");
@@ -864,7 +966,13 @@ TEST_CASE("what a drawing shows is printed; what of it is cut off or not painted
   folder.write("none.svg", head + R"(<rect width="10" height="10" fill="none"/></svg>)");
   folder.write("line.svg",
                head + R"(<rect x="5" y="5" width="10" height="10" fill="none" stroke="red" stroke-width="2"/></svg>)");
+  folder.write("two.svg",
+               head + R"(<rect width="10" height="10"/><rect x="10" width="5" height="10" opacity=".4"/></svg>)");
   const std::string coarse = " --spacing 1 --nozzle 0.8";
+  const std::string tones = "50 mm2 of the drawing are painted at half opacity or less and printed like the rest";
+  CHECK(has(folder.run("generate --shape two.svg --report r.json" + coarse).out, "\nwarning    " + tones));
+  CHECK(has(readAll(folder.at("r.json")), R"("code":"DrawingFaint","values":{"area":50.0})"));
+  CHECK(has(folder.run("shape two.svg").out, "\n  note: " + tones));
   const std::string cut = "20 mm2 of the drawing lie off its page and are cut off";
   CHECK(has(folder.run("generate --shape off.svg --report r.json" + coarse).out, "\nwarning    " + cut));
   CHECK(has(readAll(folder.at("r.json")), R"("code":"DrawingOffPage","values":{"area":20.0})"));
@@ -908,7 +1016,42 @@ TEST_CASE("what is narrower than a bead is said, with the size at which it would
                            std::to_string(static_cast<int>(millimetres)))
                       .out,
                   "narrower"));
+  // A bar of 0.7 beads is kept on demand, the same whatever the number of threads.
+  folder.write("thin.svg",
+               R"(<svg width="20mm" height="20mm" viewBox="0 0 20 20"><rect x="1" y="1" width="10" height="10"/>
+    <rect x="14" y="4" width=".7" height="10"/></svg>)");
+  const std::string thin = "generate --shape thin.svg --spacing 1 --nozzle 0.8 --keep-thin --bridge 0 ";
+  const Run kept = folder.run(thin + "--threads 1 --report k.json --svg one.svg --project p.json");
+  CHECK(has(kept.out, "kept       "));
+  CHECK(has(kept.out, " mm2 in 1 place narrower than a bead, widened to one\n"));
+  CHECK(!has(kept.out, "stay empty"));
+  const Json measures = Json::parse(readAll(folder.at("k.json")));
+  CHECK(measures["toolpaths"] == 2);
+  CHECK(measures["keptPlaces"].size() == 1);
+  CHECK(measures["keptPlaces"][0][0] == about(14.35, 0.01));
+  CHECK(measures["keptAreaMm2"] == about(7, 0.1));
+  CHECK(measures["lostAreaMm2"] == 0);
+  CHECK(folder.run("generate p.json --threads 2 --svg two.svg").code == 0);
+  CHECK(readAll(folder.at("one.svg")) == readAll(folder.at("two.svg")));
   CHECK_FALSE(has(folder.run(kDisc).out, "narrower"));
+}
+
+TEST_CASE("solids that only a hairline joins are printed apart, and the place is told") {
+  const Folder folder;
+  folder.write("apart.svg", R"(<svg width="24mm" height="20mm" viewBox="0 0 24 20">
+    <path d="M1 8h6v6h-6zM17 8h6v6h-6zM10 3h4v17h-4zM3.95 8V.95h16.1V8h-.1V1.05H4.05V8z"/></svg>)");
+  const Run run = folder.run("generate --shape apart.svg --spacing 0.4 --nozzle 0.4 --report r.json");
+  CHECK(has(run.out,
+            "warning    toolpaths that lie apart from the rest of their part: 1, round x 20, y 9 mm; what joins "
+            "them is too thin for a bead"));
+  const Json report = Json::parse(readAll(folder.at("r.json")));
+  CHECK(report["parts"] == 2);
+  CHECK(report["unjoined"] == 1);
+  REQUIRE(report["apart"].size() == 1);
+  CHECK(report["apart"][0][0] == about(20, 0.1));
+  CHECK(report["apart"][0][1] == about(9, 0.1));
+  CHECK(report["warnings"][0]["code"] == "PrintedApart");
+  CHECK_FALSE(has(folder.run(kDisc).out, "lie apart"));
 }
 
 TEST_CASE("a published scene finds its files from the root of its repository, and is read by its outlines") {
@@ -1002,7 +1145,7 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--perimeters 101", "--perimeters is \"101\"");
   refused("--mode diagonal", "parallel, orthogonal, smoothest or constrained");
   refused("--flavor smoothie", "marlin, klipper, reprap, prusa or bambu");
-  refused("--base-pattern solid", "hatched, concentric or same");
+  refused("--base-pattern solid", "hatched, concentric, same or across");
   refused("--show below", "up, bed or both");
   refused("--copies 2", "NxM, two whole numbers");
   refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");

@@ -79,7 +79,7 @@ TEST_CASE("time, filament and the largest picture are those of the file") {
 }
 
 TEST_CASE("the first plate of a packed file is read") {
-  const Result<std::string> gcode = unpackGcode(deflated());
+  const Result<std::string> gcode = unpackGcode(std::string(deflated()));
   REQUIRE_MESSAGE(gcode.ok(), gcode.error().message);
   CHECK(gcode.value() == repeated("G1 X1 Y1\n", 40));
 }
@@ -97,7 +97,7 @@ TEST_CASE("a damaged file is refused, or nothing of the G-code was hit") {
   for (const std::string& whole : {std::string(deflated()), packed(repeated("G1 X1 Y1\n", 40))}) {
     const std::string content = unpackGcode(whole).value();
     for (std::size_t size = 4; size < whole.size(); ++size) {
-      const Result<std::string> cut = unpackGcode(std::string_view(whole).substr(0, size));
+      const Result<std::string> cut = unpackGcode(whole.substr(0, size));
       REQUIRE(!cut.ok());
       CHECK(cut.error().code == ErrorCode::InvalidFile);
     }
@@ -221,7 +221,7 @@ TEST_CASE("a .gz is read and written, with its header; what is damaged is refuse
 }
 
 TEST_CASE("the plate of a deflated archive of several is replaced, the others stay as they are") {
-  const GcodeContainer container = readGcodeContainer(deflated()).value();
+  const GcodeContainer container = readGcodeContainer(std::string(deflated())).value();
   CHECK(container.plates == 2);
   const std::string other = writeGcodeContainer(container, "G28\n").value();
   CHECK(unpackGcode(other).value() == "G28\n");

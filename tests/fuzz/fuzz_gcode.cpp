@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   params.layers = 1 + bytes.byte() % 3;
   params.skirt = bytes.byte() % 4;
   params.brim = bytes.byte() % 4;
-  params.basePattern = static_cast<BasePattern>(bytes.byte() % 3);
+  params.basePattern = static_cast<BasePattern>(bytes.byte() % 4);
   params.showSide = static_cast<ShowSide>(bytes.byte() % 3);
   params.constantFlow = bytes.byte() % 2 == 1;
   params.strict = bytes.byte() % 4 == 1;
@@ -109,10 +109,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   printer.startGcode = bytes.rest(4096);
 
   std::string text;
-  const auto result = writeGcode(toolpath, shape, printer, params, [&](std::string_view piece) {
+  const auto sink = [&](std::string_view piece) {
     text += piece;
     return true;
-  });
+  };
+  const auto result = writeGcode(toolpath, shape, printer, params, sink, &toolpath);
   if (!result) {
     if (!text.empty() || result.error().message.empty()) std::abort();
     return 0;

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto back = unpackGcode(packed.value());
   if (!back || back.value() != bytes) std::abort();
   if (!readGcodeContainer(packBinaryGcode(bytes).value())) std::abort();
-  const auto container = readGcodeContainer(bytes);
+  const auto container = readGcodeContainer(std::string(bytes));
   if (!container && container.error().message.empty()) std::abort();
   if (container && container.value().kind != GcodeContainerKind::Text) {
     const auto written = writeGcodeContainer(container.value(), "G28\n");

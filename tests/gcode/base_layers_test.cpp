@@ -241,3 +241,104 @@ TEST_CASE("parts too thin for the base layers are reported") {
   REQUIRE(written.result.ok());
   CHECK(contains(written.result.value().warnings, "the base layers cover only 8"));
 }
+
+namespace {
+
+// The share of a path's length that runs within a degree of an angle [degrees].
+double shareAlong(const ReadPath& path, double angle) {
+  double along = 0;
+  double all = 0;
+  for (const ReadMove& move : path.moves) {
+    const double heading = std::atan2(double(move.y1 - move.y0), double(move.x1 - move.x0));
+    const double off = std::abs(std::sin(heading - angle * 3.14159265358979 / 180));
+    all += move.length();
+    if (off < 0.0175) along += move.length();
+  }
+  return along / all;
+}
+
+// Beads along y that show, and along x below them.
+Job crossed(int base) {
+  Job job = plate(30, 20);
+  job.params.basePattern = BasePattern::Across;
+  job.params.base = base;
+  Toolpath across = job.toolpath;
+  across.cycles = {comb(20, 30, 0.4, 5)};
+  for (Vec2f& p : across.cycles[0].points) p = {p.y, p.x};
+  job.across = across;
+  return job;
+}
+
+}  // namespace
+
+TEST_CASE("the base layer next to an oriented one runs across it, and only that one") {
+  struct Case {
+    ShowSide side;
+    int base;
+    std::vector<double> angles;  // of each layer from the lowest [degrees]
+  };
+  const std::vector<Case> cases = {
+      {ShowSide::Up, 1, {0, 90}},       {ShowSide::Up, 2, {45, 0, 90}},      {ShowSide::Up, 3, {45, 135, 0, 90}},
+      {ShowSide::Bed, 1, {90, 0}},      {ShowSide::Bed, 2, {90, 0, 135}},    {ShowSide::Bed, 3, {90, 0, 135, 45}},
+      {ShowSide::Both, 1, {90, 0, 90}}, {ShowSide::Both, 2, {90, 0, 0, 90}}, {ShowSide::Both, 3, {90, 0, 135, 0, 90}},
+  };
+  for (const Case& c : cases) {
+    Job job = crossed(c.base);
+    job.params.showSide = c.side;
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    const ReadFile file = readGcode(written.text);
+    for (std::size_t layer = 0; layer < c.angles.size(); ++layer) {
+      CAPTURE(static_cast<int>(c.side));
+      CAPTURE(c.base);
+      CAPTURE(layer);
+      const ReadPath* longest = nullptr;
+      for (const ReadPath& path : file.paths) {
+        if (path.layer != static_cast<int>(layer) + 1 || path.role == "Skirt/Brim" || path.role == "Custom") continue;
+        if (longest == nullptr || path.filament() > longest->filament()) longest = &path;
+      }
+      REQUIRE(longest != nullptr);
+      CHECK(shareAlong(*longest, c.angles[layer]) > 0.9);
+    }
+  }
+}
+
+TEST_CASE("a layer across takes the plastic of its beads, with the base's flow, and turns with the plate") {
+  Job job = crossed(2);
+  job.params.baseFlow = 1.03;
+  const ReadFile file = checkFile(job, job.write());
+  const ReadPath& below = file.paths[file.paths.size() - 2];
+  CHECK(below.role == "Solid infill");
+  CHECK(below.closed());
+  CHECK(below.filament() == about(1.03 * 0.2 * pathVolume(job.across->cycles[0]) / kArea, 1e-4));
+
+  job.params.rotate = 30;
+  const ReadFile turned = readGcode(job.write().text);
+  CHECK(shareAlong(turned.paths.back(), 120) > 0.9);
+  CHECK(shareAlong(turned.paths[turned.paths.size() - 2], 30) > 0.9);
+}
+
+TEST_CASE("what a layer across needs is asked for by name, and not read where it is not needed") {
+  Job job = crossed(2);
+  job.across.reset();
+  const Error missing = job.write().result.error();
+  CHECK(missing.code == ErrorCode::InvalidArgument);
+  CHECK(missing.message.find("basePattern is across") != std::string::npos);
+  job.params.base = 0;
+  CHECK(job.write().result.ok());
+
+  job = crossed(2);
+  job.across->cycles[0].widths.pop_back();
+  CHECK(job.write().result.error().message.find("of the toolpath across: cycle 0") != std::string::npos);
+  job = crossed(2);
+  for (Vec2f& p : job.across->cycles[0].points) p.x += 5;  // of another shape
+  CHECK(contains(job.write().result.value().warnings, "outside the shape"));
+  for (Vec2f& p : job.across->cycles[0].points) p.x += 500;
+  CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
+
+  job = crossed(2);
+  job.params.basePattern = BasePattern::Hatched;
+  const std::string hatched = job.write().text;
+  job.across.reset();
+  CHECK(job.write().text == hatched);
+}

@@ -473,6 +473,26 @@ TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre")
   CHECK(full.filament() - path.filament() == about(extrusion(0.2, 0.4, 0.25, 1.75, 0.95), 0.02));
 }
 
+TEST_CASE("the skirt beside an oriented first layer neither coasts nor has a scarf") {
+  Job job = plate(30, 20, 1.3);
+  job.params.base = 0;
+  const auto written = [&] {
+    const ReadFile file = readGcode(job.write().text);
+    REQUIRE(file.paths.size() == 3);  // the purge comes first
+    REQUIRE(file.paths[1].role == "Skirt/Brim");
+    return file;
+  };
+  const ReadFile plain = written();
+  for (double* const end : {&job.params.coast, &job.params.scarf}) {
+    *end = end == &job.params.coast ? 0.25 : 3;
+    const ReadFile file = written();
+    *end = 0;
+    CHECK(file.paths[1].moves.size() == plain.paths[1].moves.size());
+    CHECK(file.paths[1].filament() == plain.paths[1].filament());
+    CHECK(file.paths[2].moves.back().e != plain.paths[2].moves.back().e);
+  }
+}
+
 TEST_CASE("a scarf's ends lie upon each other and are one bead together") {
   Job job = plate(30, 20, 1.3);
   job.params.base = 0;

@@ -115,3 +115,43 @@ TEST_CASE("patches that cannot be printed as they say are refused before a byte 
           job.printer.bedMax = {25, 25};
         }).find("over the edge of the bed") != std::string::npos);
 }
+
+TEST_CASE("what changes between patches is said once: fan, heat, pressure advance; at the end nothing of it stays") {
+  PatchJob job;
+  const Patch plain = job.plate.patches[0];
+  const auto add = [&](int layer, double y) -> Patch& {
+    Patch patch = plain;
+    patch.layer = layer;
+    for (Vec2& p : patch.lines[0].points) p.y = y;
+    job.plate.patches.push_back(patch);
+    return job.plate.patches.back();
+  };
+  job.params.layers = 2;
+  job.plate.patches[0].fan = 0;
+  job.plate.patches[0].advance = 0;
+  Patch& second = add(1, 7);
+  second.fan = 0.5;
+  second.advance = 0.06;
+  add(1, 9).advance = 0.06;
+  add(2, 5).temperature = 200;
+  add(2, 7).temperature = 200;
+  std::string text;
+  const Result<GcodeSummary> result = job.write(text);
+  REQUIRE_MESSAGE(result.ok(), result.error().message);
+  std::string said;
+  bool begun = false;
+  for (const std::string_view line : split(text, '\n')) {
+    begun = begun || line == ";Z:0.4";
+    if (begun && (line.starts_with("M10") || line.starts_with("M9") || line == ";LAYER_CHANGE")) {
+      said += std::string(line) + "\n";
+    }
+  }
+  std::vector<std::string> beads;  // by their height on the bed: the plate's corner lies at (95, 100)
+  for (const ReadPath& path : readGcode(text).paths) {
+    if (path.layer > 1) beads.push_back(fixed(static_cast<double>(path.moves[0].y1) / 1000, 3));
+  }
+  CHECK(beads == std::vector<std::string>{"105.000", "107.000", "109.000", "105.000", "107.000"});
+  CHECK(said ==
+        "M106 S255\nM104 S215\nM106 S0\nM900 K0\nM106 S1\nM900 K0.0600\nM106 S255\n;LAYER_CHANGE\nM109 R200\n"
+        "M900 K0\nM104 S0\nM107\n");
+}

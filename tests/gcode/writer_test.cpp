@@ -110,6 +110,51 @@ TEST_CASE("tiny steps lose no plastic to rounding") {
 
 // ---- skeleton
 
+TEST_CASE("every place that announces a height tells that of the highest bead, base layers included") {
+  struct Stack {
+    int base;
+    int layers;
+    double first;
+    double start;
+    const char* height;
+  };
+  for (const Stack& stack : {Stack{0, 1, 0, 0, "0.2"},
+                             {2, 1, 0, 0, "0.6"},
+                             {3, 2, 0.3, 0, "1.1"},
+                             {5, 1, 0, 0, "1.2"},
+                             {1, 1, 0, 5, "5.4"}}) {
+    CAPTURE(stack.height);
+    for (const GcodeFlavor flavor : {GcodeFlavor::Marlin, GcodeFlavor::Klipper, GcodeFlavor::Bambu}) {
+      Job job = plate();
+      job.params.base = stack.base;
+      job.params.layers = stack.layers;
+      job.params.firstLayerHeight = stack.first;
+      job.params.startHeight = stack.start;
+      job.printer.flavor = flavor;
+      job.printer.startGcode = "G28\nM109 S{first_layer_temperature}\nM117 top {max_layer_z} of {total_layer_count}\n";
+      const Written written = job.write();
+      REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+      const ReadFile file = readGcode(written.text);
+      std::int64_t highest = 0;
+      for (const ReadPath& path : file.paths) {
+        if (path.role == "Custom") continue;  // the purge
+        for (const ReadMove& move : path.moves) highest = std::max(highest, move.z);
+      }
+      CHECK(decimal(double(highest) / 1000, 3) == stack.height);
+      CHECK(std::stod(valueOf(written.text, "; max_z_height: ")) == about(double(highest) / 1000, 1e-9));
+      const std::string layers = std::to_string(stack.base + stack.layers);
+      CHECK(written.text.find("M117 top " + std::string(stack.height) + " of " + layers + "\n") != std::string::npos);
+      const auto last = [&](const std::string& key) {
+        const std::size_t at = written.text.rfind(key) + key.size();
+        return written.text.substr(at, written.text.find('\n', at) - at);
+      };
+      CHECK(last("\n;Z:") == stack.height);
+      CHECK(last("\n;BEFORE_LAYER_CHANGE\n;") == stack.height);  // the end's, which hosts read in the last MiB
+      if (flavor == GcodeFlavor::Bambu) CHECK(last("\n; Z_HEIGHT: ") == stack.height);
+    }
+  }
+}
+
 TEST_CASE("the file has the skeleton hosts look for") {
   Job job = plate();
   job.params.layers = 2;
@@ -988,4 +1033,141 @@ TEST_CASE("hatched base layers have a perimeter, and fill what is within it") {
   }
   CHECK(loops == 1);
   CHECK(filament == about(600 * 0.2 / kArea, 0.03));
+}
+
+TEST_CASE("with constant flow narrow beads run faster, up to half as fast again and never faster than the machine") {
+  Job job = plate(60, 60);
+  job.params.constantFlow = true;
+  const auto fastest = [&](float width) {
+    job.toolpath.cycles[0].widths.assign(job.toolpath.cycles[0].points.size(), width);
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    const ReadFile file = readGcode(written.text);
+    std::int64_t feedrate = 0;
+    for (const ReadMove& move : lastPath(file).moves) feedrate = std::max(feedrate, move.feedrate);
+    return feedrate;
+  };
+  CHECK(fastest(0.5f) == 40 * 60);
+  CHECK(fastest(0.32f) == 62 * 60);  // whole mm/s
+  CHECK(fastest(0.25f) == 75 * 60);  // not 80
+  job.printer.machineSpeed = 70;
+  CHECK(fastest(0.25f) == 70 * 60);
+  CHECK(fastest(0.4f) == 50 * 60);
+}
+
+TEST_CASE("what slows more than a tenth of the oriented beads is told with its share") {
+  // A loop of 60 mm whose beads are 1.6 nozzles wide on its first part and half as wide on the rest.
+  const auto told = [](WarningCode code, double part, double maxFlow, double segments) {
+    Job job = plate();
+    job.params.base = 0;  // and a skirt, which does not count
+    job.printer.maxFlow = maxFlow;
+    job.printer.maxSegmentsPerSecond = segments;
+    job.printer.pressureAdvance = 0;
+    Cycle& cycle = job.toolpath.cycles[0];
+    cycle = {};
+    const auto add = [&](float x, float y, float width) {
+      cycle.points.push_back({x, y});
+      cycle.widths.push_back(width);
+    };
+    for (int k = 0; k < 400; ++k) {
+      const float s = 0.1f * static_cast<float>(k);
+      add(2 + (s < 20 ? s : 40 - s), s < 20 ? 5.0f : 15.0f, s < part ? 0.64f : 0.32f);
+    }
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    for (const GcodeWarning& warning : written.result.value().warnings) {
+      if (warning.code == code) return warning.value("percent")->number;
+    }
+    return 0.0;
+  };
+  // 0.95 x 0.2 x 0.64 mm at 20 mm/s are 2.43 mm3/s, and half of it elsewhere. On the way back from the one side to the
+  // other, 10 mm long, beads grow evenly: they pass 2 mm3/s after 6.4 mm.
+  CHECK(told(WarningCode::MaxFlowSlows, 15, 2, 1000) == about(100 * (15 + 3.6) / 60, 0.03));
+  CHECK(told(WarningCode::MaxFlowSlows, 3.6, 2, 1000) == about(100 * (3.6 + 3.6) / 60, 0.06));
+  CHECK(told(WarningCode::MaxFlowSlows, 1.8, 2, 1000) == 0);  // 9 %
+  CHECK(told(WarningCode::MaxFlowSlows, 15, 1, 1000) == about(100, 1e-6));
+  CHECK(told(WarningCode::SegmentsSlow, 15, 10, 1000) == 0);
+}
+
+TEST_CASE("the nozzle wipes 3 mm back along however many moves, drawing back where it is asked to on the way") {
+  Job job = plate(60, 60);
+  job.params.base = 0;
+  job.params.skirt = 0;
+  Cycle& cycle = job.toolpath.cycles[0];
+  cycle = {};
+  for (int k = 0; k < 100; ++k) {  // 0.55 mm apart, so that 0.25 mm are left of the sixth
+    const double a = 2 * 3.14159265358979 * k / 100;
+    cycle.points.push_back(
+        {static_cast<float>(30 + 8.755 * std::cos(a)), static_cast<float>(30 + 8.755 * std::sin(a))});
+    cycle.widths.push_back(0.4f);
+  }
+  const auto wiped = [](const std::vector<ReadMove>& moves, std::size_t from) {
+    double sum = 0;
+    for (std::size_t k = from; k < moves.size() && moves[k].z < 1000; ++k) sum += moves[k].length();
+    return sum;
+  };
+  const ReadFile file = readGcode(job.write().text);
+  std::size_t first = 0;  // of the ways after the loop
+  while (first < file.travels.size() && !(file.travels[first].retracted && file.travels[first].z == 200)) ++first;
+  CHECK(wiped(file.travels, first) == about(3, 2e-3));
+
+  for (const double scarf : {5.0, 0.5}) {
+    job.params.scarf = scarf;
+    const ReadFile scarfed = readGcode(job.write().text);
+    CHECK(wiped(scarfed.wipes, 0) == about(3, 2e-3));
+    std::int64_t drawn = 0;
+    double along = 0;
+    for (const ReadMove& move : scarfed.wipes) {  // evenly, at no more than the speed of retraction
+      drawn -= move.e;
+      along += move.length();
+      CHECK(std::abs(double(drawn) - 80000 * along / 3) < 80);
+      CHECK(double(move.feedrate) / 60 <= 3 * job.printer.retractSpeed / 0.8);
+      CHECK(move.feedrate == scarfed.wipes[0].feedrate);
+    }
+    CHECK(drawn == 80000);
+  }
+}
+
+TEST_CASE("comments tell heights in micrometres, as slicers do") {
+  Job job = plate();
+  job.params.layerHeight = 0.1234567;
+  job.params.base = 1;
+  const std::string text = job.write().text;
+  CHECK(text.find("\n;Z:0.123\n;HEIGHT:0.123\n") != std::string::npos);
+  CHECK(text.find("\n;Z:0.247\n;HEIGHT:0.123\n") != std::string::npos);
+}
+
+TEST_CASE("a single plate is not named, and limits are set only where the printer's own are known") {
+  for (const GcodeFlavor flavor : {GcodeFlavor::Klipper, GcodeFlavor::Marlin}) {
+    Job job = plate();
+    job.printer.flavor = flavor;
+    const std::string text = job.write().text;
+    for (const char* none : {"EXCLUDE_OBJECT", "M486", "M204", "VELOCITY_LIMIT", "M205", "M900", "PRESSURE_ADVANCE"}) {
+      CHECK(text.find(none) == std::string::npos);
+    }
+    job.printer.machineCornerSpeed = 0.5;
+    const std::string slow = job.write().text;
+    CHECK((slow.find("SQUARE_CORNER_VELOCITY=5.00\n") != std::string::npos) == (flavor == GcodeFlavor::Klipper));
+    CHECK((slow.find("M205 X10.00 Y10.00\n") != std::string::npos) == (flavor == GcodeFlavor::Marlin));
+    CHECK((slow.find("M205 X1.00 Y1.00\n") != std::string::npos) == (flavor == GcodeFlavor::Marlin));
+    job.params.copies = {2, 1};
+    CHECK(job.write().text.find(flavor == GcodeFlavor::Klipper ? "NAME=PLATE_1" : "M486 S1\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("the length of beads held at a limit is told for all layers, sides and copies") {
+  // 20 mm of a bead wider than 1.6 nozzles, and its two ends of 10 mm.
+  Job job = plate();
+  job.toolpath.cycles = {
+      {{{2, 2}, {12, 2}, {12, 4}, {22, 4}, {22, 14}, {2, 14}}, {0.4f, 0.4f, 0.4f, 0.7f, 0.7f, 0.4f}}};
+  const double once = job.write().result.value().clampedLengthMm;
+  CHECK(once >= 10);
+  job.params.layers = 3;
+  CHECK(job.write().result.value().clampedLengthMm == Approx(3 * once));
+  job.params.copies = {2, 2};
+  CHECK(job.write().result.value().clampedLengthMm == Approx(12 * once));
+  job.params.showSide = ShowSide::Both;
+  CHECK(job.write().result.value().clampedLengthMm == Approx(24 * once));
+  job.params.showSide = ShowSide::Bed;
+  CHECK(job.write().result.value().clampedLengthMm == Approx(12 * once));
 }

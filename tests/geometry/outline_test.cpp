@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,36 @@ double intervalArea(const Shape& shape, double height, int rows) {
 
 }  // namespace
 
+TEST_CASE("pieces of one line do not cross where its crossings lie 12 nm apart") {
+  // A thin triangle over two bars that all but touch, the upper of which is drawn twice.
+  const Vec2 foot{14.571898, 4.743180};
+  const Vec2 tip{1.214758, 13.651802};
+  const double rows[] = {6.750035, 10.568253, 10.568265, 10.568267, 10.840414};
+  const auto bar = [](double low, double high) { return FilledPath{{{{0, low}, {20, low}, {20, high}, {0, high}}}}; };
+  const Shape drawing{{FilledPath{{{foot, tip, {foot.x + 3, foot.y}}}}, bar(rows[0], rows[1]), bar(rows[2], rows[4]),
+                       bar(rows[3], rows[4])},
+                      {20, 20}};
+  const auto above = [&](double y) { return 1.5 * (tip.y - y) * (tip.y - y) / (tip.y - foot.y); };  // of the triangle
+  const double outside = above(foot.y) - above(rows[0]) + above(rows[1]) - above(rows[2]) + above(rows[4]);
+  const auto outline = resolveOutline(drawing);
+  REQUIRE(outline);
+  CHECK(outline.value().area == doctest::Approx(20 * (rows[1] - rows[0] + rows[4] - rows[2]) + outside).epsilon(1e-6));
+}
+
+TEST_CASE("level edges 2 nm above the lowest point are read like others") {
+  // As 2 nm is how near edges count as touching, they were looked for in infinitely many columns (breeze's
+  // application-x-godot-shader at 33.3 mm), or in none.
+  for (int k = 0; k < 64; ++k) {
+    CAPTURE(k);
+    const double low = std::round(1e6 + 1e4 * k) / 1e6;
+    const double above = std::round(1e6 + 1e4 * k + 2) / 1e6;
+    const Ring sheet{{0, above}, {0, 25}, {10, 25}, {10, above}};
+    const Ring wedge{{8, low}, {12, low}, {10, 24}};
+    const Shape shape{{{{sheet}, FillRule::NonZero}, {{wedge}, FillRule::NonZero}}, {20, 30}};
+    CHECK(areaOf(shape) == about(10 * (25 - low) + 24 - low, 1e-6));
+  }
+}
+
 TEST_CASE("a square's outline is its four edges with the inside on the left, whatever the winding") {
   Ring ring = rectangle({1, 2}, {4, 6});
   for (int turn = 0; turn < 2; ++turn) {
@@ -62,6 +93,47 @@ TEST_CASE("the same path drawn twice counts once under nonzero and vanishes unde
   const auto none = resolveOutline(shapeOf({ring, ring}, {10, 10}, FillRule::EvenOdd));
   REQUIRE(!none.ok());
   CHECK(none.error().code == ErrorCode::EmptyShape);
+}
+
+TEST_CASE("what lies on one plain sheet does not count among the pieces of a drawing") {
+  // Bars that cross in 4.4 million places: more pieces than are read where they count.
+  const auto bars = [](int count) {
+    std::vector<FilledPath> paths;
+    for (int k = 0; k < count; ++k) {
+      const double at = 1 + 98.0 * k / count;
+      paths.push_back({{rectangle({1, at}, {99, at + 0.01})}, FillRule::NonZero});
+      paths.push_back({{rectangle({at, 1}, {at + 0.01, 99})}, FillRule::EvenOdd});
+    }
+    return paths;
+  };
+  std::vector<FilledPath> paths = bars(1050);
+  CHECK(resolveOutline({paths, {100, 100}}).error().code == ErrorCode::TooLarge);
+  paths.push_back({{rectangle({0, 0}, {100, 100})}, FillRule::NonZero});
+  const auto outline = resolveOutline({paths, {100, 100}});
+  REQUIRE(outline.ok());
+  CHECK(outline.value().segments.size() == 4);
+  CHECK(outline.value().area == 10000);
+}
+
+TEST_CASE("only a convex path that goes round once hides what lies within its corners") {
+  // The star's edges all turn left, but it goes round twice: between its tips lies nothing of it.
+  Ring star;
+  for (int k = 0; k < 5; ++k)
+    star.push_back(
+        {10 + 10 * std::sin(4 * std::numbers::pi * k / 5), 10 + 10 * std::cos(4 * std::numbers::pi * k / 5)});
+  const Ring between = rectangle({16, 15}, {17, 16});
+  const FilledPath stars{{star}, FillRule::NonZero};
+  const double alone = areaOf({{stars}, {20, 20}});
+  CHECK(areaOf({{stars, {{between}, FillRule::NonZero}}, {20, 20}}) == doctest::Approx(alone + 1));
+  // A frame has a convex ring, but is not filled within it.
+  const FilledPath frame{{rectangle({0, 0}, {9, 9}), rectangle({1, 1}, {8, 8})}, FillRule::EvenOdd};
+  const FilledPath inner{{rectangle({3, 3}, {5, 5})}, FillRule::NonZero};
+  CHECK(areaOf({{frame, inner}, {9, 9}}) == doctest::Approx(81 - 49 + 4));
+  // One of two equal paths stays, and so does what looks out by a corner.
+  const FilledPath disc{{circle({5, 5}, 4, 64)}, FillRule::NonZero};
+  CHECK(areaOf({{disc, disc}, {9, 9}}) == doctest::Approx(areaOf({{disc}, {9, 9}})));
+  const FilledPath corner{{rectangle({2, 2}, {5, 5})}, FillRule::NonZero};
+  CHECK(areaOf({{disc, corner}, {9, 9}}) > areaOf({{disc}, {9, 9}}) + 0.01);
 }
 
 TEST_CASE("rectangles that share an edge, or a part of one, have no border between them") {

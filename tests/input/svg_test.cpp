@@ -850,6 +850,21 @@ TEST_CASE("nothing painted is said, and its outlines are the shape") {
   checkRefused(page("<g fill='none'>" + kSquare + "</g><text>a</text>"), ErrorCode::EmptyShape, {"text"});
 }
 
+TEST_CASE("a second tone by opacity is told by its area; shadows on what is painted firmly are not") {
+  const std::string firm = "<rect width='20' height='20'/>";
+  const auto faint = [&](const std::string& content) { return read(page(content)).drawing.faintMm2; };
+  CHECK(faint(firm) == 0);
+  CHECK(faint(firm + "<rect x='40' y='10' width='10' height='30' opacity='.4'/>") == doctest::Approx(300));
+  CHECK(faint("<g opacity='0.2'><rect x='10' y='10' width='20' height='20'/></g>" + firm) == doctest::Approx(300));
+  CHECK(faint(firm + "<path d='M40 20H60' stroke='red' stroke-width='4' stroke-opacity='.5'/>") == doctest::Approx(80));
+  CHECK(faint(firm + "<rect x='40' y='10' width='10' height='30' opacity='.8'/>") == 0);
+  CHECK(faint(firm + "<rect x='5' y='5' width='5' height='5' fill='#fff' opacity='.3'/>") == 0);
+  CHECK(faint(firm + "<rect x='5' y='20' width='10' height='0.1' opacity='.3'/>") == 0);
+  CHECK(faint("<rect width='20' height='20' opacity='.3'/>") == 0);  // one tone
+  const Shape two = read(page(firm + "<rect x='40' y='10' width='10' height='30' opacity='.4'/>"));
+  CHECK(scaledToWidth(two, 50).value().drawing.faintMm2 == doctest::Approx(75));
+}
+
 TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for") {
   const std::string line = "<path d='M20 20H60' stroke='red' stroke-width='4' ";
   checkShown(line + "/>", 160);

@@ -136,6 +136,23 @@ TEST_CASE("more smoothness forces fewer beads to end") {
         0.92 * divergence(solved({{ball(), lamp}}, little).directions));
 }
 
+TEST_CASE("two lamps that are not given stand where both pictures are seen better than 90 degrees apart") {
+  const Tones first = ball(), second = ramp();
+  const auto worstOf = [&](const SolvedDirections& out) {
+    double worst = 1;
+    for (std::size_t k = 0; k < 2; ++k) {
+      worst = std::min(worst, compareTones(lightOf(out.directions, out.lamps[k]), out.shown[k]).r);
+    }
+    return worst;
+  };
+  const SolvedDirections chosen = solved({{first, {60, 45, 0.1}, true}, {second, {60, 45, 0.1}, true}});
+  CHECK(chosen.lamps[0].azimuth == 60);
+  CHECK(chosen.lamps[1].azimuth >= 85);
+  CHECK(chosen.lamps[1].azimuth <= 110);
+  // Where no direction is bright under both.
+  CHECK(worstOf(chosen) > worstOf(solved({{first, {60, 45, 0.1}}, {second, {150, 45, 0.1}}})) + 0.05);
+}
+
 TEST_CASE("a lamp that is not given is one whose directions force fewer beads to end") {
   const Tones stripes = drawn(100, [](double x, double y) { return 0.5 + 0.5 * std::sin(9 * (x + 0.4 * y)); });
   const SolvedDirections chosen = solved({{stripes, {60, 45, 0.1}, true}});

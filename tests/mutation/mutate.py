@@ -29,19 +29,29 @@ CPU_SECONDS = 120  # of one test program; more is a hang, and that is noticed
 ROOMS = {
     'stitch': (
         ['toolpath/stitch.cpp', 'toolpath/joining.cpp', 'toolpath/facing_points.cpp'],
-        ['toolpath_stitch_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
+        ['toolpath_facing_points_test', 'toolpath_joining_test', 'toolpath_stitch_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
     ),
     'relaxation': (
-        ['toolpath/relaxation.cpp'],
-        ['toolpath_relaxation_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
+        ['toolpath/relaxation.cpp', 'toolpath/damping.cpp'],
+        ['toolpath_damping_test', 'toolpath_relaxation_test', 'toolpath_line_keeping_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
     ),
     'width': (
         ['toolpath/bead_width.cpp'],
-        ['toolpath_relaxation_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
+        ['toolpath_bead_width_test', 'toolpath_relaxation_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
     ),
     'writer': (
-        ['gcode/writer.cpp'],
-        ['gcode_writer_test', 'gcode_dialect_test', 'gcode_layout_test', 'gcode_blocks_test', 'gcode_base_layers_test', 'gcode_reader_check_test'],
+        ['gcode/writer.cpp', 'gcode/layer_writer.cpp', 'gcode/nozzle.cpp', 'gcode/start_and_end.cpp'],
+        [
+            'gcode_whole_file_test',
+            'gcode_told_time_test',
+            'gcode_patches_test',
+            'gcode_writer_test',
+            'gcode_dialect_test',
+            'gcode_layout_test',
+            'gcode_blocks_test',
+            'gcode_base_layers_test',
+            'gcode_reader_check_test',
+        ],
     ),
     'motion': (['gcode/motion.cpp'], ['gcode_motion_test', 'gcode_writer_test', 'gcode_reader_check_test']),
 }

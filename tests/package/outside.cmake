@@ -27,7 +27,7 @@ if(WAY STREQUAL "find_package")
   run(${CMAKE_COMMAND} --build ${folder}/build --config ${CONFIG})
 elseif(WAY STREQUAL "add_subdirectory")
   # Unoptimised, as what is tested is that it builds.
-  run(${project} -DCMAKE_BUILD_TYPE=Debug -DSILLON_SOURCE=${source})
+  run(${project} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DSILLON_SOURCE=${source})
   run(${CMAKE_COMMAND} --build ${folder}/build --config Debug)
   file(STRINGS ${folder}/build/CMakeCache.txt needed REGEX "^sillon_(doctest|cli11)_include")
   if(needed)

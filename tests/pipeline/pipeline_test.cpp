@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
-#include <chrono>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -53,7 +52,7 @@ TEST_CASE("the spacing and the size that a refusal names are the first that memo
     CHECK(!plateTooLarge(size, 0.5, kBytesPerCell * cellsOf(size, 0.5)).has_value());
     const auto error = plateTooLarge(size, 0.5, freeBytes);
     REQUIRE(error.has_value());
-    CHECK(error->code == ErrorCode::TooLarge);
+    CHECK(error->code == ErrorCode::OutOfMemory);
     CHECK(error->message.find("needs 0.1 million cells at spacing 0.5 mm; at most 0 million are possible in 0 GB") !=
           std::string::npos);
     const auto after = [&](const std::string& words) {
@@ -67,6 +66,14 @@ TEST_CASE("the spacing and the size that a refusal names are the first that memo
     CHECK(plateTooLarge(size * (share + 0.01), 0.5, freeBytes).has_value());
   }
   CHECK(plateTooLarge(size, 0.5, 0)->message.find("use a") == std::string::npos);  // nothing would do
+  RunContext little;
+  little.limitMemory(7e6);
+  const PlateInput plate = scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, size)}, size), scenes::waves());
+  ToolpathParams params;
+  params.spacing = 0.5;
+  const auto refused = generateToolpath(plate, params, little);
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().message == plateTooLarge(size, 0.5, 7e6)->message);
 }
 
 TEST_CASE("a half plane of one direction gives straight beads one spacing apart") {
@@ -89,6 +96,60 @@ TEST_CASE("a half plane of one direction gives straight beads one spacing apart"
   std::sort(rows.begin(), rows.end());
   REQUIRE(rows.size() >= 34);
   for (std::size_t k = 1; k < rows.size(); ++k) CHECK(rows[k] - rows[k - 1] == about(0.4, 0.03));
+}
+
+TEST_CASE("the path across runs at right angles to the plate's own, wherever directions come from") {
+  // The direction of the bead nearest to a point, as an angle of no sign.
+  const auto angleAt = [](const Toolpath& path, Vec2f p) {
+    float nearest = 1e9f;
+    double angle = 0;
+    for (const Cycle& cycle : path.cycles) {
+      for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+        const Vec2f a = cycle.points[k];
+        const Vec2f d = cycle.points[(k + 1) % cycle.points.size()] - a;
+        const float along = std::clamp(dot(p - a, d) / std::max(dot(d, d), 1e-12f), 0.0f, 1.0f);
+        const float away = length(p - (a + d * along));
+        if (away >= nearest) continue;
+        nearest = away;
+        angle = std::atan2(double(d.y), double(d.x));
+      }
+    }
+    return angle;
+  };
+  const auto square = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 20})}, {20, 20});
+  const auto disc = scenes::shapeOf({scenes::circle({10, 10}, 10)}, {20, 20});
+  const auto level = scenes::mapOf(1, [](double, double) { return 0.0; });
+  const struct {
+    const char* name;
+    PlateInput input;
+    double half;  // of the places are nearer to a right angle than this [degrees]
+    double most;  // nine in ten
+  } plates[] = {{"stripes", scenes::plate(square, level), 2, 3},
+                {"swirl", scenes::plate(square, scenes::swirl()), 6, 25},
+                {"parallel", scenes::plate(disc, level, DirectionMode::Parallel), 4, 15},
+                {"orthogonal", scenes::plate(disc, level, DirectionMode::Orthogonal), 4, 15},
+                {"smoothest", scenes::plate(square, level, DirectionMode::Smoothest), 4, 15}};
+  for (const auto& plate : plates) {
+    CAPTURE(plate.name);
+    const Toolpath shown = buildResult(plate.input).toolpath;
+    const Result<ToolpathResult> across = generateAcross(plate.input, ToolpathParams{}, RunContext(2));
+    REQUIRE(across.ok());
+    CHECK(across.value().toolpath.cycles.size() == 1);
+    std::vector<double> off;  // by how much the two are not at right angles [degrees]
+    for (double y = 3.1; y < 17; y += 0.7) {
+      for (double x = 3.1; x < 17; x += 0.7) {
+        if (std::hypot(x - 10, y - 10) < 1.5 || std::hypot(x - 10, y - 10) > 7) continue;  // the eye of a swirl
+        const Vec2f p{static_cast<float>(x), static_cast<float>(y)};
+        const double between = angleAt(shown, p) - angleAt(across.value().toolpath, p);
+        off.push_back(std::asin(std::min(1.0, std::abs(std::cos(between)))) * 180 / std::numbers::pi);
+      }
+    }
+    std::sort(off.begin(), off.end());
+    REQUIRE(off.size() > 200);
+    // Two paths that know nothing of each other turn in places of their own; straight ones turn at the border only.
+    CHECK(off[off.size() / 2] < plate.half);
+    CHECK(off[off.size() * 9 / 10] < plate.most);
+  }
 }
 
 TEST_CASE("every scene gives one simple closed toolpath per part that covers the shape and does not spill") {
@@ -216,10 +277,10 @@ TEST_CASE("odd shapes end in an error that says why") {
   CHECK(codeOf({{}, {10, 10}}, 0.4) == ErrorCode::EmptyShape);  // nothing drawn
   CHECK(codeOf(square(9000), 0.05) == ErrorCode::TooLarge);     // 130 thousand million cells
   CHECK(codeOf(square(1999.04), 0.4) == ErrorCode::TooLarge);
-  const std::string most = sizeof(void*) == 4 ? "8 million" : "100 million";  // in a browser's 32 bits
+  const std::string most = sizeof(void*) == 4 ? "20 million" : "100 million";  // in a browser's 32 bits
   CHECK(message.find("100.1 million cells at spacing 0.4 mm; at most " + most) != std::string::npos);
   CHECK(message.find(sizeof(void*) == 4
-                         ? ": use a spacing of at least 1.417 mm, or a size of at most 28 %"
+                         ? ": use a spacing of at least 0.896 mm, or a size of at most 44 %"
                          : ": use a spacing of at least 0.401 mm, or a size of at most 99 %") != std::string::npos);
   Shape noPage = square(5);
   noPage.page = {0, 5};

@@ -61,6 +61,7 @@ TEST_CASE("after any edit a session's toolpath is that of a run from nothing") {
       {"relaxationRounds", [](PlateInput&, ToolpathParams& p) { p.relaxationRounds = 1; }},
       {"relaxationStrength", [](PlateInput&, ToolpathParams& p) { p.relaxationStrength = 0.3; }},
       {"relaxationSmoothing", [](PlateInput&, ToolpathParams& p) { p.relaxationSmoothing = 0.4; }},
+      {"showsPictures", [](PlateInput& i, ToolpathParams&) { i.showsPictures = true; }},
       {"widthBalance", [](PlateInput&, ToolpathParams& p) { p.widthBalance = 0.2; }},
       {"beadOverlap", [](PlateInput&, ToolpathParams& p) { p.beadOverlap = 0.1; }},
       {"minWidth", [](PlateInput&, ToolpathParams& p) { p.minWidth = 0.8; }},

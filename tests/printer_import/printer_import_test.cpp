@@ -125,6 +125,25 @@ TEST_CASE("settings are split at the first equal sign") {
   CHECK(read.notRead[0].message == "the file does not tell the bed; 220 x 220 mm is taken");
 }
 
+TEST_CASE("only Klipper's commands are words, whatever a slicer calls its dialect") {
+  const auto flavor = [](const std::string& start) {
+    return imported("gcode_flavor = marlin\nnozzle_diameter = 0.4\nstart_gcode = " + start + "\n").printer.flavor;
+  };
+  CHECK(flavor("G28\\nprint_start EXTRUDER=215 BED=60") == GcodeFlavor::Klipper);
+  CHECK(flavor("G28 ; home_all\\nM117 go_on\\nT0") == GcodeFlavor::Marlin);
+  const std::string donor =
+      "G28\nM190 S60\nM109 S215\nPRINT_START EXTRUDER=215\n;LAYER_CHANGE\nG1 X10 Y10 E1 F600\n"
+      "; gcode_flavor = marlin\n";
+  CHECK(imported(donor).printer.flavor == GcodeFlavor::Klipper);
+  CHECK(imported(donor).printer.maxSegmentsPerSecond == 1000);
+}
+
+TEST_CASE("printers of UltiGCode take filament of 2.85 mm, which their files do not tell") {
+  const std::string rest = "G28\nM190 S60\nM109 S215\n;LAYER:0\nG1 X10 Y10 E1 F600\n";
+  CHECK(imported(";FLAVOR:UltiGCode\n" + rest).printer.filamentDiameter == 2.85);
+  CHECK(imported(";FLAVOR:Marlin\n" + rest).printer.filamentDiameter == 1.75);
+}
+
 TEST_CASE("a bundle gives its active printer and filament with all they inherit") {
   const ImportedPrinter read = imported(kBundle);
   const Printer& p = read.printer;
@@ -255,7 +274,7 @@ TEST_CASE("a donor file gives the blocks that were printed, re-aimed, and its se
   CHECK(p.nozzleTemperature == 220);
   CHECK(p.bedTemperature == 65);
   CHECK(notes(read, "heights in the end block were left out"));
-  CHECK(notes(read, "the start or end block goes over the bed's edge"));
+  CHECK_FALSE(notes(read, "over the bed's edge"));  // 4 mm, to wipe
   CHECK_FALSE(notes(read, "broken"));
 
   // A printer made of it prints.
@@ -357,6 +376,27 @@ TEST_CASE("a share of speed or flow in the start block is pointed out") {
   text.replace(text.find("M486 S0\n"), 8, "M221 S95\nM220 S100\n");
   CHECK(notes(imported(text), "M221 S95"));
   CHECK_FALSE(notes(imported(text), "M220"));
+}
+
+TEST_CASE("a donor's own pressure advance stays; a machine that is known gets its maker's where a donor sets none") {
+  const auto donor = [](const std::string& filament, const std::string& nozzle, const std::string& line) {
+    return imported("; printer_model = MK4S\n; nozzle_diameter = " + nozzle + "\n; filament_type = " + filament +
+                    "\nG28\n" + line + "M109 S215\n;LAYER_CHANGE\nG1 X5 Y5 E1\n")
+        .printer;
+  };
+  const Printer sets = donor("PLA", "0.4", "M572 S0.041 ; mine\n");
+  CHECK(!sets.setPressureAdvance);
+  CHECK(sets.pressureAdvance == 0.041);
+  const Printer both = donor("PLA", "0.4", "M900 K0.05\nM900 K30\n");  // as for linear advance 1.5 and 1.0
+  CHECK(!both.setPressureAdvance);
+  CHECK(both.pressureAdvance == 0.05);
+  const Printer none = donor("PETG", "0.6", "");
+  CHECK(none.setPressureAdvance);
+  CHECK(none.pressureAdvance == 0.032);
+  const Printer off = donor("PETG", "0.6", "M572 S0\n");  // as in a block that begins anew
+  CHECK(off.setPressureAdvance);
+  const Printer other = donor("TPU", "0.4", "");
+  CHECK(!other.setPressureAdvance);
 }
 
 TEST_CASE("the profile of the same machine tells what files do not") {

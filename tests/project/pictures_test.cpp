@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "sillon/gcode/warning.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/quality/picture_measures.hpp"
 
@@ -26,10 +27,27 @@ Image ball() {
   return image;
 }
 
+/// Soft stripes from the lower left to the upper right.
+Image stripes() {
+  Image image{60, 60, 1, {}};
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      image.samples.push_back(static_cast<std::uint16_t>(65535 * (0.5 + 0.4 * std::sin((x + y) * 0.15))));
+    }
+  }
+  return image;
+}
+
+Image negative(Image image) {
+  for (std::uint16_t& sample : image.samples) sample = static_cast<std::uint16_t>(65535 - sample);
+  return image;
+}
+
 Result<InputFile> readBall(const std::string& name, const std::string& what) {
   CHECK(what == "picture");
   if (name == "none.png") return Error{ErrorCode::InvalidFile, "there is no none.png"};
-  return InputFile(ball());
+  if (name == "negative.png") return InputFile(negative(ball()));
+  return InputFile(name == "stripes.png" ? stripes() : ball());
 }
 
 Project projectOf(std::vector<LampPicture> files) {
@@ -69,11 +87,11 @@ Made made(const Project& project) {
   return out;
 }
 
-double rOf(const Made& plate) {
+double rOf(const Made& plate, std::size_t picture = 0) {
   const auto measures = measurePictures(plate.plate.toolpath, plate.input.shape.page, plate.pictures.shown,
                                         plate.pictures.roughness, RunContext(1));
   REQUIRE(measures.ok());
-  return measures.value()[0].r;
+  return measures.value()[picture].r;
 }
 
 }  // namespace
@@ -101,15 +119,57 @@ TEST_CASE("corrections bring the plate nearer to its picture, and the directions
   CHECK(again.value().toolpath.cycles[0].points == thrice.plate.toolpath.cycles[0].points);
 }
 
-TEST_CASE("several pictures, and pictures with other tones than their own, are made once") {
-  Project project = projectOf({{"ball.png", std::nullopt}, {"ball.png", std::nullopt}});
-  const Made two = made(project);
-  CHECK(two.times == 1);
-  CHECK(two.pictures.chosen == std::vector<bool>{true, true});
-  CHECK(two.pictures.shown[1].lamp.azimuth > two.pictures.shown[0].lamp.azimuth + 30);
-  project = projectOf({{"ball.png", Vec2{60, 45}}});
+TEST_CASE("beads of a plate with pictures keep to their directions, which shows more of the picture") {
+  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
+  project.builtinSize.x = 32;
+  project.pictures.corrections = 0;
+  Made plate = made(project);
+  CHECK(plate.input.showsPictures);
+  const double kept = rOf(plate);
+  plate.input.showsPictures = false;
+  plate.plate = generateToolpath(plate.input, project.toolpath, RunContext(1)).value();
+  CHECK(kept > rOf(plate) + 0.001);
+}
+
+TEST_CASE("corrections bring a plate of two pictures nearer to both") {
+  Project project = projectOf({{"ball.png", std::nullopt}, {"stripes.png", std::nullopt}});
+  project.builtinSize.x = 32;
+  project.pictures.corrections = 0;
+  const Made once = made(project);
+  project.pictures.corrections = 3;
+  const Made thrice = made(project);
+  CHECK(once.times == 1);
+  CHECK(thrice.times == 4);
+  CHECK(rOf(thrice, 0) + rOf(thrice, 1) > rOf(once, 0) + rOf(once, 1) + 0.001);
+  CHECK(thrice.pictures.chosen == std::vector<bool>{true, true});
+  CHECK(thrice.pictures.shown[1].lamp.azimuth > thrice.pictures.shown[0].lamp.azimuth + 20);
+}
+
+TEST_CASE("pictures with other tones than their own are made once") {
+  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
   project.pictures.localContrast = 0.5;
   CHECK(made(project).times == 1);
+}
+
+TEST_CASE("pictures that leave one of them unseen are told, with how much of it is shown") {
+  // Under one lamp a direction has one tone: of a picture and its negative, each is shown by half at most.
+  const Vec2 lamp{60, 45};
+  const Made contrary = made(projectOf({{"ball.png", lamp}, {"negative.png", lamp}}));
+  const std::vector<GcodeWarning> told = crowdedWarnings(contrary.pictures.fieldR);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].code == WarningCode::PicturesCrowded);
+  CHECK(told[0].value("n")->number == 2);
+  const double r = told[0].value("r")->number;
+  CHECK(r < 0.7);
+  const auto picture = static_cast<std::size_t>(told[0].value("picture")->number);
+  REQUIRE((picture == 1 || picture == 2));
+  CHECK(std::abs(contrary.pictures.fieldR[picture - 1] - r) <= 0.005 + 1e-9);
+  CHECK(contrary.pictures.fieldR[2 - picture] >= contrary.pictures.fieldR[picture - 1]);
+
+  const Made alike = made(projectOf({{"ball.png", lamp}, {"ball.png", lamp}}));
+  CHECK(alike.pictures.fieldR[0] > 0.98);
+  CHECK(crowdedWarnings(alike.pictures.fieldR).empty());
+  CHECK(crowdedWarnings(made(projectOf({{"ball.png", lamp}})).pictures.fieldR).empty());
 }
 
 TEST_CASE("without pictures directions stay as they were read") {
@@ -126,6 +186,7 @@ TEST_CASE("without pictures directions stay as they were read") {
   REQUIRE(pictures.ok());
   CHECK(pictures.value().shown.empty());
   CHECK(plate.directions == before);
+  CHECK_FALSE(plate.showsPictures);
 }
 
 TEST_CASE("a spool of one's own counts, and the side that is seen") {

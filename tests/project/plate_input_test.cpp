@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "sillon/geometry/keep_thin.hpp"
+
 using namespace sillon;
 
 namespace {
@@ -54,6 +56,26 @@ TEST_CASE("a shape file is an SVG by how it begins, and by its name") {
   project.shapeFile = "mask.png";
   project.pageWidth = 0;
   CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{kDefaultWidth, kDefaultWidth / 2});
+}
+
+TEST_CASE("thin places are widened where the project says so, if the memory holds it") {
+  Files files;
+  files.byName = {
+      {"bar.svg", std::string("<svg width='20mm' height='9mm' viewBox='0 0 20 9'>"
+                              "<rect width='9' height='9'/><rect x='12' y='3' width='7' height='.3'/></svg>")}};
+  Project project;
+  project.shapeFile = "bar.svg";
+  const Shape drawn = readPlateInput(project, files.reader()).value().shape;
+  project.keepThin = true;
+  RunContext run;
+  const auto widened = readPlateInput(project, files.reader(), run);
+  REQUIRE(widened.ok());
+  CHECK(widened.value().shape == keepThinPlaces(drawn, project.toolpath.spacing, run).value());
+  CHECK(widened.value().shape.kept.size() == 1);
+  run.limitMemory(1000);
+  CHECK(readPlateInput(project, files.reader(), run).error().code == ErrorCode::OutOfMemory);
+  project.keepThin = false;
+  CHECK(readPlateInput(project, files.reader(), run).value().shape == drawn);
 }
 
 TEST_CASE("a direction picture lends its proportions to a plate without shape") {

@@ -41,6 +41,7 @@ Project unusualProject() {
   p.pageWidth = 0.1 + 0.2;
   p.unitlessIsMm = true;
   p.ignorePaint = true;
+  p.keepThin = true;
   p.directionFile = "a.png";
   p.encoding = DirectionEncoding::Tangent;
   p.angle = -33.3;
@@ -195,6 +196,7 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.pageWidth == q.pageWidth);
   CHECK(p.unitlessIsMm);
   CHECK(p.ignorePaint);
+  CHECK(p.keepThin);
   CHECK(p.encoding == q.encoding);
   CHECK(p.mode == q.mode);
   CHECK(p.toolpath.seed == q.toolpath.seed);
@@ -325,6 +327,8 @@ TEST_CASE("the presets are the makers' facts and readable projects") {
                         {"bambu-x1c", {256, 256}, 250, GcodeFlavor::Bambu, 0.8},
                         {"bambu-a1", {256, 256}, 256, GcodeFlavor::Bambu, 0.8},
                         {"bambu-a1-mini", {180, 180}, 180, GcodeFlavor::Bambu, 0.8},
+                        {"creality-k2", {260, 260}, 260, GcodeFlavor::Klipper, 0.8},
+                        {"prusa-xl", {360, 360}, 360, GcodeFlavor::PrusaBuddy, 0.8},
                         {"generic", {220, 220}, 200, GcodeFlavor::Marlin, 0.8},
                         {"generic-centre", {220, 220}, 200, GcodeFlavor::Marlin, 0.8}};
   const std::vector<PrinterProfile> printers = profiles(ProfileKind::Printer);
@@ -355,10 +359,44 @@ TEST_CASE("the presets are the makers' facts and readable projects") {
     for (const auto& item : all[name].items()) {
       CAPTURE(item.key());
       Json values = item.value();
-      for (const char* key : {"maker", "models", "source"}) values.erase(key);  // about the machine, not of it
+      for (const char* key : {"maker", "models", "source", "advance"}) values.erase(key);  // about it, not of it
       CHECK(problem(Json{{"sillon", 1}, {"printer", values}}.dump()) == "");
     }
   }
+}
+
+TEST_CASE("pressure advance is the maker's for printer, filament and nozzle, and off where the maker tells none") {
+  const struct {
+    const char* printer;
+    double advance;  // 0: not set
+  } cases[] = {
+      {R"({"profile": "prusa-mk4s"})", 0.036},
+      {R"({"preset": "prusa-mk4s", "filament": "petg"})", 0.053},
+      {R"({"profile": "prusa-mk4s", "filament": "petg", "nozzle": 0.6})", 0.032},
+      {R"({"profile": "prusa-xl", "filament": "pla-silk", "nozzle": 0.25})", 0.12},
+      {R"({"profile": "prusa-mini"})", 0.27},
+      {R"({"profile": "prusa-mk3s", "filament": "petg"})", 0.08},
+      {R"({"profile": "prusa-mk4s", "nozzle": 0.35})", 0},
+      {R"({"profile": "prusa-mk4s", "filamentType": "TPU"})", 0},
+      {R"({"profile": "creality-ender-3-v2"})", 0},
+      {R"({"filament": "petg"})", 0},
+  };
+  for (const auto& c : cases) {
+    CAPTURE(c.printer);
+    const Result<Project> read = readProject(R"({"sillon": 1, "printer": )" + std::string(c.printer) + "}");
+    REQUIRE(read);
+    CHECK(read.value().printer.setPressureAdvance == (c.advance > 0));
+    CHECK(read.value().printer.pressureAdvance == (c.advance > 0 ? c.advance : 0.04));
+    CHECK(writeProject(readProject(writeProject(read.value())).value()) == writeProject(read.value()));
+  }
+  // What the file says counts.
+  const Result<Project> own = readProject(
+      R"({"sillon": 1, "printer": {"profile": "prusa-mk4s", "filament": "petg", "pressureAdvance": 0.06}})");
+  CHECK(own.value().printer.pressureAdvance == 0.06);
+  CHECK(own.value().printer.setPressureAdvance);
+  const Result<Project> off =
+      readProject(R"({"sillon": 1, "printer": {"profile": "prusa-mk4s", "setPressureAdvance": false}})");
+  CHECK(!off.value().printer.setPressureAdvance);
 }
 
 TEST_CASE("each built-in shape has a name that is read back") {

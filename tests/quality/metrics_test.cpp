@@ -185,6 +185,8 @@ TEST_CASE(
   CHECK(straight.dislocations == 0);
   CHECK(straight.singularities == 0);
   CHECK(straight.dislocationBound < 0.5);
+  // Beads end at all four sides, one and a half spacings inside: the integral of |t . n| over 2 tau.
+  CHECK(straight.turnBound == about(2 * 22.8 * (std::cos(0.7) + std::sin(0.7)) / 0.8, 0.04));
 
   // Beads fan out from (-20, 12): div t = 1/r, and N = the integral of 1/r over 2 tau.
   const auto fromPoint = [](double x, double y) { return std::atan2(y - 12, x + 20); };
@@ -242,4 +244,16 @@ TEST_CASE("measuring tells its progress: from 0 to 1, never falling") {
   CHECK(seen.front() == 0);
   CHECK(seen.back() == 1);
   CHECK(std::is_sorted(seen.begin(), seen.end()));
+}
+
+TEST_CASE("a toolpath that reaches far away is refused, not counted on more tiles than there are numbers") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10});
+  for (const float far : {1e4f, 6e4f, 1e5f}) {  // up to 10^12 tiles
+    const Toolpath path = toolpathOf({{0, 0}, {far, 0}, {far, far}, {0, far}}, 0.4f, 0.05);
+    const auto m = measureToolpath(path, shape, scenes::mapOf(1, [](double, double) { return 0.0; }),
+                                   uniformMode(DirectionMode::Constrained), {}, kRun);
+    REQUIRE(!m.ok());
+    CHECK(m.error().code == ErrorCode::TooLarge);
+    CHECK(m.error().message.find("million cells at spacing 0.05 mm") != std::string::npos);
+  }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -39,6 +40,7 @@ struct Job {
   }
 
   Toolpath toolpath;
+  std::optional<Toolpath> across;
   Shape shape;
   Printer printer;
   PrintParams params;
@@ -46,12 +48,13 @@ struct Job {
   [[nodiscard]] Written write() const {
     std::string text;
     std::size_t chunks = 0;
-    auto result = writeGcode(toolpath, shape, printer, params, [&](std::string_view piece) {
+    const auto sink = [&](std::string_view piece) {
       CHECK(piece.size() <= 64 * 1024);
       text += piece;
       ++chunks;
       return true;
-    });
+    };
+    auto result = writeGcode(toolpath, shape, printer, params, sink, across ? &*across : nullptr);
     return {std::move(result), std::move(text), chunks};
   }
 };

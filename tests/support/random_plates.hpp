@@ -236,13 +236,18 @@ inline RandomPlate randomDrawing(std::uint64_t seed) {
   return plate;
 }
 
+/// What every plate that can be made keeps: joints looked at per cell. The most among 400 random plates is 12, among
+/// 900 drawings 106.
+constexpr double kMostWork = 300;
+
 /// What a plate may spill [%]: a joint across a gap is a thread outside of the shape, two strands a raster pixel or two
-/// wide.
+/// wide. One pixel is the least that can be measured: more than 0.05 % of a shape of fewer than 2000.
 inline double spillAllowed(const RandomPlate& plate, const sillon::ToolpathResult& made) {
   const double area = sillon::resolveOutline(plate.input.shape).value().area;
   const double gap = 2 * plate.params.bridge.value_or(plate.params.spacing) + plate.params.spacing;
   const double threads = made.gapJoints * 2 * gap * 0.1 * plate.params.spacing;
-  return 0.05 + 100 * threads / area;
+  const double pixel = plate.params.spacing / 20;
+  return 0.05 + 100 * (threads + pixel * pixel) / area;
 }
 
 }  // namespace scenes

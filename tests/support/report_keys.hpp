@@ -24,6 +24,8 @@ void checkReportKeys(const Json& report) {
                           "fillRatio",
                           "lostAreaMm2",
                           "lostPlaces",
+                          "keptAreaMm2",
+                          "keptPlaces",
                           "longestJointMm",
                           "gapJoints",
                           "unjoined",

@@ -3,6 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "geometry/closed_curves.hpp"
 #include "sillon/toolpath/bead_width.hpp"
 #include "sillon/toolpath/simplify.hpp"
@@ -124,6 +128,40 @@ TEST_CASE("no row is pressed nearer to the border than a quarter of a spacing, o
 TEST_CASE("even rows stay where they are") {
   const auto relaxed = relaxSpacing(rows({10, 10.4, 10.8, 11.2, 11.6}, 20), farBorder(), {}, RunContext(1));
   CHECK(middleHeight(relaxed.value().curves, 10.8) == about(10.8, 1e-4));
+}
+
+TEST_CASE("lines that are asked for take waves out of beads, but not in the last round") {
+  // One bead far from others, in waves as long as 15 spacings, which smoothing leaves alone.
+  constexpr double kWave = 0.1, kPeriod = 6;
+  ClosedCurves wavy = rows({10, 20}, 30);
+  std::vector<Vec2f> bead;
+  for (int k = 0; k <= 300; ++k) {
+    const double x = 10 + 0.1 * k;
+    bead.push_back(
+        {static_cast<float>(x), static_cast<float>(10 + kWave * std::sin(2 * std::numbers::pi * x / kPeriod))});
+  }
+  wavy.points.erase(wavy.points.begin(), wavy.points.begin() + 2);
+  wavy.points.insert(wavy.points.begin(), bead.begin(), bead.end());
+  wavy.begin.back() = static_cast<int>(wavy.points.size());
+  LineField level;
+  level.grid = makeGrid({{0, 0}, {60, 40}}, 0.4);
+  level.direction.assign(level.grid.size(), {0, 1});
+  level.fixed.assign(level.grid.size(), 1);
+  const auto waveLeft = [&](int rounds, const LineField* asked) {
+    ToolpathParams params;
+    params.relaxationRounds = rounds;
+    params.relaxationStrength = 0.25;  // as plates with pictures have at least
+    params.relaxationSmoothing = 0;
+    const auto relaxed = relaxSpacing(wavy, farBorder(), params, RunContext(1), asked);
+    double highest = 0;
+    for (const Vec2f p : relaxed.value().curves.points) {
+      if (p.x > 15 && p.x < 35 && p.y < 12) highest = std::max(highest, std::abs(static_cast<double>(p.y) - 10));
+    }
+    return highest;
+  };
+  CHECK(waveLeft(3, nullptr) > 0.9 * kWave);
+  CHECK(waveLeft(3, &level) < 0.5 * kWave);
+  CHECK(waveLeft(1, &level) == waveLeft(1, nullptr));
 }
 
 TEST_CASE("a circle's gaps inside are its diameter, so a hairpin's tip keeps its size") {
@@ -396,4 +434,91 @@ TEST_CASE("crossings are found exactly: proper, touching and overlapping, but no
   CHECK(count({{0, 0}, {4, 0}, {4, 2}, {2, 0.002f}, {0, 2}}) == 0);     // 2 µm off
   CHECK(count({{0, 0}, {4, 0}, {4, 1}, {3, 0}, {1, 0}, {0, 1}}) >= 1);  // lies on it
   CHECK(count({{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 4}}) == 0);  // repeated points
+}
+
+TEST_CASE("a row moves towards its wider side by its share of the difference, and what is beyond a drift by more") {
+  struct Row {
+    double below, above, strength, moves;
+  };
+  // Up to a drift of 0.24 spacings by `strength`, what is beyond by 0.7, by no more than 0.15 spacings. Gaps count up
+  // to 1.5 spacings.
+  const double drift = 0.24 * 0.4;
+  const Row moving[] = {
+      {0.4, 0.47, 0.5, 0.5 * 0.07},
+      {0.47, 0.4, 0.5, -0.5 * 0.07},
+      {0.4, 0.47, 0.0, 0},
+      {0.4, 0.54, 0.0, 0.7 * (0.14 - drift)},
+      {0.54, 0.4, 0.1, -0.1 * drift - 0.7 * (0.14 - drift)},
+      {0.4, 0.6, 0.0, 0.06},
+      {0.6, 0.4, 0.5, -0.06},
+      {0.6, 0.9, 0.5, 0},
+      {0.7, 0.62, 0.5, 0},
+  };
+  for (const Row& row : moving) {
+    CAPTURE(row.below);
+    CAPTURE(row.above);
+    ToolpathParams params;
+    params.relaxationRounds = 1;
+    params.relaxationSmoothing = 0;
+    params.relaxationStrength = row.strength;
+    // The outer rows lie 0.7 mm from the next ones.
+    const double middle = 12;
+    const double below = middle - row.below, above = middle + row.above;
+    const auto relaxed =
+        relaxSpacing(rows({below - 0.7, below, middle, above, above + 0.7}, 20), farBorder(), params, RunContext(1));
+    REQUIRE(relaxed.ok());
+    // Gaps are up to 2 % larger, as points lie 0.1 mm apart; those that are held at a limit are exact.
+    const bool exact = row.moves == 0 || std::abs(row.moves) == 0.06;
+    CHECK(std::abs(middleHeight(relaxed.value().curves, middle) - middle - row.moves) < (exact ? 1e-4 : 0.006));
+  }
+}
+
+TEST_CASE("beside the border rows even out at a fifth at least, others as they are asked to") {
+  // The border counts as a neighbour at twice its distance.
+  for (const auto& [strength, moves] : {std::pair{0.0, 0.2 * 0.08}, {0.4, 0.4 * 0.08}}) {
+    ToolpathParams params;
+    params.relaxationRounds = 1;
+    params.relaxationSmoothing = 0;
+    params.relaxationStrength = strength;
+    const auto relaxed = relaxSpacing(rows({0.21, 0.71, 1.71, 2.13, 2.63}, 20), farBorder(), params, RunContext(1));
+    REQUIRE(relaxed.ok());
+    CHECK(std::abs(middleHeight(relaxed.value().curves, 0.21) - 0.21 - moves) < 0.005);
+    CHECK(std::abs(middleHeight(relaxed.value().curves, 2.13) - 2.13 - strength * 0.08) < 0.005);
+  }
+}
+
+TEST_CASE("smoothing draws a circle in by its share of the sagitta, and leaves dots alone") {
+  for (const double radius : {3.0, 1.0, 0.112, 0.12}) {
+    CAPTURE(radius);
+    ClosedCurves curves;
+    for (const Vec2 p : scenes::circle({20, 20}, radius, 360))
+      curves.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+    curves.begin = {0, 360};
+    ToolpathParams params;
+    params.relaxationRounds = 1;
+    params.relaxationSmoothing = 0.5;
+    const ClosedCurves before = resampled(curves, 0.1f, RunContext(1));
+    const auto relaxed = relaxSpacing(curves, farBorder(), params, RunContext(1));
+    REQUIRE(relaxed.ok());
+    const auto radiusOf = [](const ClosedCurves& of) {
+      double least = 1e9;
+      double most = 0;
+      for (const Vec2f p : of.points) {
+        const double r = std::hypot(static_cast<double>(p.x) - 20, static_cast<double>(p.y) - 20);
+        least = std::min(least, r);
+        most = std::max(most, r);
+      }
+      CHECK(most - least < 0.1 * most);
+      return most;
+    };
+    // A cycle of less than 1.8 spacings, 0.72 mm, is a dot. One hardly longer has less room inside than outside, and
+    // widens.
+    if (radius == 0.12) {
+      CHECK(radiusOf(relaxed.value().curves) > 1.1 * radius);
+      continue;
+    }
+    const double turn = 2 * std::numbers::pi / static_cast<double>(before.points.size());
+    const double expected = radius == 0.112 ? radius : radius * (1 - 0.5 * (1 - std::cos(turn)));
+    CHECK(radiusOf(relaxed.value().curves) == about(expected, 0.005));
+  }
 }

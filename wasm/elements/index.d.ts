@@ -16,6 +16,12 @@ export interface StudioAttributes {
   lang: string;
   theme: string;
   units: string;
+  /** Colour of the brand: #rgb or #rrggbb. */
+  accent: string;
+  /** Of corners [px], 0 to 20. */
+  radius: string;
+  /** Up to four names of fonts that visitors have. */
+  font: string;
   threads: string;
   autosave: string;
   base: string;
@@ -44,23 +50,42 @@ export interface StudioFrameError extends Error {
 /** Files, their addresses, or a project as plain data. */
 export type StudioSource = Blob | string | URL | readonly (Blob | string | URL | object)[] | object;
 
+/** What runs in the frame; `why` there is but one thread. */
+export interface StudioInfo {
+  threads: number;
+  why: string;
+  version: string;
+}
+
+/** A plate's report, and what its print takes; left out where no file can be made of it, or none is written yet. */
+export interface StudioReport extends Report {
+  grams?: number;
+  minutes?: number;
+}
+
 export interface StudioMethods {
+  info(): Promise<StudioInfo>;
   load(source: StudioSource): Promise<void>;
   getProject(): Promise<Project>;
-  generate(options?: { signal?: AbortSignal }): Promise<Report>;
-  report(): Promise<Report | null>;
+  generate(options?: { signal?: AbortSignal }): Promise<StudioReport>;
+  report(): Promise<StudioReport | null>;
   exportGcode(options?: { signal?: AbortSignal }): Promise<GcodeFile>;
   exportBody(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportSvg(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportProject(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportView(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   /** @param options  `width` in pixels, `seconds` of a video */
-  capture(options?: { type?: 'image' | 'video'; width?: number; seconds?: number }): Promise<StudioFile>;
+  capture(options?: {
+    type?: 'image' | 'video';
+    width?: number;
+    seconds?: number;
+    signal?: AbortSignal;
+  }): Promise<StudioFile>;
 }
 
 /** By name of the event. */
 export interface StudioEventMap {
-  ready: CustomEvent<{ threads: number; why: string; version: string }>;
+  ready: CustomEvent<StudioInfo>;
   progress: CustomEvent<{ stage: string; fraction: number; etaMs: number | null }>;
   result: CustomEvent<{ report: Report }>;
   /** Width and height in mm. */

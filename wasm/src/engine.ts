@@ -3,7 +3,7 @@ import type * as api from '../sillon.js';
 import { invalid } from './errors.js';
 import * as input from './input.js';
 import type { Platform } from './platform.js';
-import type { FileCall, PlateCall, RebrushCall } from './protocol.js';
+import type { CalibrateCall, FileCall, PhotoCall, PlateCall, RebrushCall } from './protocol.js';
 import { Queue, type Threads } from './queue.js';
 
 const mostAutoThreads = 8;
@@ -19,13 +19,15 @@ function plan(asked: 'auto' | 'off' | number, platform: Platform): Threads {
 const oneThread: Threads = { threads: 1, reason: '', reasonCode: '' };
 
 export async function startEngine(platform: Platform, options: unknown): Promise<api.Engine> {
-  const { threads: asked, assetBase, idleTimeout } = input.engineOptions(options);
+  const { threads: asked, assetBase, idleTimeout, memory } = input.engineOptions(options);
   const assets = platform.files(assetBase);
-  const plates = new Queue(platform, assets, idleTimeout, plan(asked, platform));
+  const plates = new Queue(platform, assets, idleTimeout, memory, plan(asked, platform));
   await plates.start();
   // Workers of their own, started by their first calls.
-  const files = new Queue(platform, { ...assets, st: assets.files }, idleTimeout, oneThread);
-  const prints = new Queue(platform, { ...assets, st: assets.rebrush }, idleTimeout, oneThread);
+  const files = new Queue(platform, { ...assets, st: assets.files }, idleTimeout, memory, oneThread);
+  const prints = new Queue(platform, { ...assets, st: assets.rebrush }, idleTimeout, memory, oneThread);
+  const calibrations = new Queue(platform, { ...assets, st: assets.calibrate }, idleTimeout, memory, oneThread);
+  const photographs = new Queue(platform, { ...assets, st: assets.photo }, idleTimeout, memory, oneThread);
 
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
@@ -37,21 +39,25 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     },
 
     async generateToolpath(plateInput, params, options) {
-      const { measure = true, ...others } = input.callOptions(options, ['measure']);
+      const { measure = true, across = false, ...others } = input.callOptions(options, ['measure', 'across']);
       const { sections, files } = input.plate(plateInput);
       const project = input.projectText({
         ...sections,
         toolpath: input.section(params, 'params'),
       });
-      return (await run({ name: 'generateToolpath', project, files, measure }, others)) as api.Plate;
+      return (await run(
+        { name: 'generateToolpath', project, files, measure: measure && !across, across },
+        others,
+      )) as api.ToolpathResult;
     },
 
     async writeGcode(toolpath, printer, print, options) {
-      const checked = input.callOptions(options, ['onChunk']);
+      const { below, ...checked } = input.callOptions(options, ['onChunk', 'below']);
       const { date, ...others } = input.section(print, 'print');
       const call: FileCall = {
         name: 'writeGcode',
         toolpath: input.toolpath(toolpath),
+        below: below === undefined ? undefined : input.toolpath(below, 'below'),
         project: input.projectText({ print: others, printer: input.section(printer, 'printer') }),
         date: input.date(date),
         inPieces: checked.onChunk !== undefined,
@@ -184,10 +190,36 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await prints.run(call, checked)) as api.Rebrushed;
     },
 
+    async calibrate(kind, request, options) {
+      const checked = input.callOptions(options);
+      const { project, ...others } = input.calibration(request);
+      const call: CalibrateCall = {
+        name: 'calibrate',
+        kind: input.calibrationKind(kind),
+        project: input.projectText(project),
+        ...others,
+      };
+      return (await calibrations.run(call, checked)) as api.Calibration;
+    },
+
+    async readCoupon(photograph, request, options) {
+      const checked = input.callOptions(options);
+      const { project, ...others } = input.couponRequest(request);
+      const call: PhotoCall = {
+        name: 'readCoupon',
+        picture: input.pixels(photograph, 'photograph'),
+        project: input.projectText(project),
+        ...others,
+      };
+      return (await photographs.run(call, checked)) as api.CouponReading;
+    },
+
     dispose() {
       plates.dispose();
       files.dispose();
       prints.dispose();
+      calibrations.dispose();
+      photographs.dispose();
     },
   };
 }

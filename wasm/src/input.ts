@@ -10,6 +10,8 @@ export interface EngineSettings {
   threads: 'auto' | 'off' | number;
   assetBase: string | URL | undefined;
   idleTimeout: number;
+  /** [MiB] */
+  memory: number;
 }
 
 export type CallOptions = api.GenerateOptions & api.GcodeOptions & api.BodyOptions;
@@ -168,8 +170,8 @@ function file(value: unknown, path: string): Files[string] {
 
 export function engineOptions(value: unknown): EngineSettings {
   const options = optionalFields(value, 'options');
-  refuseUnknown(options, 'options', ['threads', 'assetBase', 'idleTimeout']);
-  const { threads = 'auto', assetBase, idleTimeout = 10_000 } = options;
+  refuseUnknown(options, 'options', ['threads', 'assetBase', 'idleTimeout', 'memory']);
+  const { threads = 'auto', assetBase, idleTimeout = 10_000, memory = 3072 } = options;
   const counted = typeof threads === 'number' && Number.isInteger(threads) && threads >= 1 && threads <= 64;
   if (threads !== 'auto' && threads !== 'off' && !counted) {
     throw mustBe('threads', threads, '"auto", "off" or a whole number from 1 to 64');
@@ -180,19 +182,69 @@ export function engineOptions(value: unknown): EngineSettings {
   if (typeof idleTimeout !== 'number' || !(idleTimeout >= 0)) {
     throw mustBe('idleTimeout', idleTimeout, 'a number of milliseconds, 0 or more');
   }
-  return { threads, assetBase: assetBase as string | URL | undefined, idleTimeout };
+  if (typeof memory !== 'number' || !(memory >= 64 && memory <= 4096)) {
+    throw mustBe('memory', memory, 'a number of MiB from 64 to 4096');
+  }
+  return { threads, assetBase: assetBase as string | URL | undefined, idleTimeout, memory };
+}
+
+interface Prepare extends Required<Pick<api.PrepareOptions, 'posterSide'>> {
+  toolpath: api.ToolpathOptions | undefined;
+  plate: api.PlateInput;
+  printer: Partial<api.Printer>;
+  print: Partial<api.PrintParams>;
+  filament: api.ViewParams;
+  signal: AbortSignal | undefined;
+  seconds: number;
+  engine: api.EngineOptions;
+}
+
+/** Sections of a project are checked by the calls that they are for. */
+export function prepareOptions(upload: unknown, value: unknown): Prepare {
+  const options = optionalFields(value, 'options');
+  refuseUnknown(options, 'options', [
+    ...['toolpath', 'printer', 'print', 'filament', 'posterSide', 'signal', 'limits', 'assetBase'],
+  ]);
+  const limits = optionalFields(options.limits, 'limits');
+  refuseUnknown(limits, 'limits', ['seconds', 'memory', 'threads']);
+  const { seconds = 60, memory = 512, threads = 'off' } = limits;
+  if (typeof seconds !== 'number' || !(seconds > 0 && seconds <= 1e6)) {
+    throw mustBe('limits.seconds', seconds, 'a number above 0, at most 1000000');
+  }
+  const { posterSide = 640 } = options;
+  if (!Number.isInteger(posterSide) || (posterSide as number) < 16 || (posterSide as number) > 1024) {
+    throw mustBe('posterSide', posterSide, 'a whole number from 16 to 1024');
+  }
+  const { signal } = callOptions({ signal: options.signal });
+  const { toolpath, printer = {}, print = {}, assetBase } = options as api.PrepareOptions;
+  return {
+    plate: { ...fieldsOf(upload, 'upload'), printer, print },
+    toolpath,
+    printer,
+    print,
+    filament: viewParams(options.filament),
+    posterSide: posterSide as number,
+    signal,
+    seconds,
+    engine: { threads, memory, assetBase } as api.EngineOptions, // checked by createEngine
+  };
 }
 
 /** @param special  what this call takes besides. */
-export function callOptions(value: unknown, special: readonly ('measure' | 'onChunk' | 'format')[] = []): CallOptions {
+export function callOptions(
+  value: unknown,
+  special: readonly ('measure' | 'across' | 'onChunk' | 'below' | 'format')[] = [],
+): CallOptions {
   const options = optionalFields(value, 'options');
   refuseUnknown(options, 'options', ['signal', 'onProgress', ...special]);
-  const { signal, onProgress, onChunk, measure } = options;
+  const { signal, onProgress, onChunk, measure, across } = options;
   if (signal !== undefined && kindOf(signal) !== 'AbortSignal') throw mustBe('signal', signal, 'an AbortSignal');
   for (const [name, callback] of Object.entries({ onProgress, onChunk })) {
     if (callback !== undefined && typeof callback !== 'function') throw mustBe(name, callback, 'a function');
   }
-  if (measure !== undefined && typeof measure !== 'boolean') throw mustBe('measure', measure, 'true or false');
+  for (const [name, flag] of Object.entries({ measure, across })) {
+    if (flag !== undefined && typeof flag !== 'boolean') throw mustBe(name, flag, 'true or false');
+  }
   return options;
 }
 
@@ -218,11 +270,15 @@ export const projectJson = (value: unknown): string => text(value, 'json');
 /** Sections that name the files as their fields are called. */
 export function plate(value: unknown): { sections: Fields; files: Files } {
   const given = fieldsOf(value, 'input');
-  refuseUnknown(given, '', ['shape', 'directions', 'modes', 'pictures']);
+  refuseUnknown(given, '', ['shape', 'directions', 'modes', 'pictures', 'printer', 'print']);
   const sections: Fields = {};
   const files: Files = {};
   for (const [name, part] of Object.entries(given)) {
     if (part === undefined) continue;
+    if (name === 'printer' || name === 'print') {
+      sections[name] = { ...fieldsOf(part, name), ...(name === 'print' && { date: undefined }) };
+      continue;
+    }
     if (name === 'pictures') {
       const { files: list, ...rest } = fieldsOf(part, name);
       const named = listOf(list, 'pictures.files', (one, path) => {
@@ -276,6 +332,72 @@ export function rebrushOptions(value: unknown): {
   return { sides, fit, only, sections: { ...sections, toolpath: params }, files };
 }
 
+const calibrationKinds: readonly api.CalibrationKind[] = [
+  ...(['first-layer', 'flow', 'advance', 'speed', 'temperature'] as const),
+  ...(['fan', 'width', 'directions', 'swatch', 'coupon'] as const),
+];
+
+export function calibrationKind(value: unknown): api.CalibrationKind {
+  const found = calibrationKinds.find((kind) => kind === value);
+  if (found === undefined) throw mustBe('kind', value, `one of ${calibrationKinds.join(', ')}`);
+  return found;
+}
+
+const optionalNumber = (value: unknown, path: string): number | undefined =>
+  value === undefined ? undefined : finite(value, path);
+
+/** What both calls about calibration prints begin with: the project, and the range of values. */
+function calibrated(given: Fields): { project: Fields; from: number | undefined; to: number | undefined } {
+  const print = { ...section(given['print'], 'request.print'), date: undefined };
+  return {
+    project: { print, printer: section(given['printer'], 'request.printer') },
+    from: optionalNumber(given['from'], 'request.from'),
+    to: optionalNumber(given['to'], 'request.to'),
+  };
+}
+
+export function calibration(value: unknown): ReturnType<typeof calibrated> & {
+  filament: api.ViewParams | undefined;
+  date: string;
+  pictureSide: number;
+} {
+  const given = optionalFields(value, 'request');
+  refuseUnknown(given, 'request', ['printer', 'print', 'toolpath', 'from', 'to', 'filament', 'pictureSide']);
+  const { pictureSide = 0, filament } = given;
+  const side = pictureSide as number;
+  if (!Number.isInteger(side) || (side !== 0 && (side < 64 || side > 1024))) {
+    throw mustBe('request.pictureSide', side, '0 or a whole number from 64 to 1024');
+  }
+  const { project, from, to } = calibrated(given);
+  return {
+    project: { ...project, toolpath: section(given['toolpath'], 'request.toolpath') },
+    from,
+    to,
+    filament: filament === undefined ? undefined : viewParams(filament),
+    date: date(section(given['print'], 'request.print')['date']),
+    pictureSide: side,
+  };
+}
+
+export function couponRequest(value: unknown): ReturnType<typeof calibrated> & {
+  lampSize: number | undefined;
+  lampElevation: number | undefined;
+} {
+  const given = optionalFields(value, 'request');
+  refuseUnknown(given, 'request', ['printer', 'print', 'from', 'to', 'lampSize', 'lampElevation']);
+  return {
+    ...calibrated(given),
+    lampSize: optionalNumber(given['lampSize'], 'request.lampSize'),
+    lampElevation: optionalNumber(given['lampElevation'], 'request.lampElevation'),
+  };
+}
+
+/** A picture that somebody has decoded. */
+export function pixels(value: unknown, path: string): api.Picture {
+  if (kindOf(value) !== 'Object') throw mustBe(path, value, 'a Picture', 'decodePicture reads files.');
+  return picture(value as Fields, path);
+}
+
 /** Bytes in any form. */
 export function bytesFile(value: unknown): Uint8Array | Blob {
   const content = bytes(value, 'file');
@@ -297,14 +419,19 @@ export function date(value: unknown = new Date()): string {
 
 export function previewParams(value: unknown): api.PreviewParams {
   const params = optionalFields(value, 'params');
-  refuseUnknown(params, '', ['width', 'lightAzimuth', 'lightElevation']);
-  const { width = 1600, lightAzimuth = 60, lightElevation = 35 } = params;
+  refuseUnknown(params, '', ['width', 'panels', 'colour', 'slopes', 'lightAzimuth', 'lightElevation']);
+  const { panels = 'both', colour = [24, 78, 168], slopes = [2.36, 17.32] } = params;
+  if (panels !== 'both' && panels !== 'look') throw mustBe('panels', panels, '"both" or "look"');
+  const { width = panels === 'look' ? 1024 : 1600, lightAzimuth = 60, lightElevation = 35 } = params;
   // The engine would cut it to 32 bits.
   if (!Number.isInteger(width) || Math.abs(width as number) >= 2 ** 31) {
-    throw mustBe('width', width, 'a whole number from 16 to 16384');
+    throw mustBe('width', width, `a whole number from 16 to ${panels === 'look' ? 1024 : 16384}`);
   }
   return {
     width: width as number,
+    panels,
+    colour: rgb(colour, 'colour'),
+    slopes: pair(slopes, 'slopes'),
     lightAzimuth: finite(lightAzimuth, 'lightAzimuth'),
     lightElevation: finite(lightElevation, 'lightElevation'),
   };
@@ -326,14 +453,14 @@ export function viewParams(value: unknown): api.ViewParams {
 }
 
 /** Types only: values are checked by the engine. */
-export function toolpath(value: unknown): api.Toolpath {
-  const { spacing, cycles, shape: filled, notes, look: seen } = fieldsOf(value, 'toolpath');
+export function toolpath(value: unknown, path = 'toolpath'): api.Toolpath {
+  const { spacing, cycles, shape: filled, notes, look: seen } = fieldsOf(value, path);
   return {
-    ...(seen === undefined ? {} : { look: look(seen, 'toolpath.look') }),
-    shape: shape(filled, 'toolpath.shape'),
-    spacing: finite(spacing, 'toolpath.spacing'),
-    cycles: listOf(cycles, 'toolpath.cycles', cycle),
-    notes: listOf(notes, 'toolpath.notes', text),
+    ...(seen === undefined ? {} : { look: look(seen, `${path}.look`) }),
+    shape: shape(filled, `${path}.shape`),
+    spacing: finite(spacing, `${path}.spacing`),
+    cycles: listOf(cycles, `${path}.cycles`, cycle),
+    notes: listOf(notes, `${path}.notes`, text),
   };
 }
 

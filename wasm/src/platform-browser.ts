@@ -24,12 +24,21 @@ const beside: EngineFiles = {
     script: new URL('./engine/sillon-rebrush.js', import.meta.url).href,
     wasm: new URL('./engine/sillon-rebrush.wasm', import.meta.url).href,
   },
+  calibrate: {
+    script: new URL('./engine/sillon-calibrate.js', import.meta.url).href,
+    wasm: new URL('./engine/sillon-calibrate.wasm', import.meta.url).href,
+  },
+  photo: {
+    script: new URL('./engine/sillon-photo.js', import.meta.url).href,
+    wasm: new URL('./engine/sillon-photo.wasm', import.meta.url).href,
+  },
 };
+
+const page = (): string => (typeof document === 'undefined' ? location.href : document.baseURI);
 
 function filesAt(assetBase: string | URL): EngineFiles {
   const text = String(assetBase);
-  const page = typeof document === 'undefined' ? location.href : document.baseURI;
-  const at = (name: string): string => new URL(`${text.replace(/\/$/, '')}/${name}`, page).href;
+  const at = (name: string): string => new URL(`${text.replace(/\/$/, '')}/${name}`, page()).href;
   try {
     return {
       worker: at('worker.js'),
@@ -37,11 +46,22 @@ function filesAt(assetBase: string | URL): EngineFiles {
       mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
       files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
       rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
+      calibrate: { script: at('sillon-calibrate.js'), wasm: at('sillon-calibrate.wasm') },
+      photo: { script: at('sillon-photo.js'), wasm: at('sillon-photo.wasm') },
     };
   } catch {
     throw invalid(`assetBase is "${text}"; it must be a URL, or a path on this page's server`);
   }
 }
+
+/** Some bundlers write paths for what `new URL(file, import.meta.url)` means. */
+const addressed = <T extends object>(files: T): T =>
+  Object.fromEntries(
+    Object.entries(files).map(([name, value]: [string, unknown]) => [
+      name,
+      typeof value === 'string' ? new URL(value, page()).href : addressed(value as object),
+    ]),
+  ) as T;
 
 async function fetchScript(url: string): Promise<Uint8Array<ArrayBuffer>> {
   if (url.startsWith('data:')) return decodeData(url); // which policies may forbid to fetch
@@ -86,7 +106,7 @@ async function whyNot(url: string, message: string | undefined): Promise<string>
 }
 
 export const browser: Platform = {
-  files: (assetBase) => (assetBase === undefined ? beside : filesAt(assetBase)),
+  files: (assetBase) => (assetBase === undefined ? addressed(beside) : filesAt(assetBase)),
 
   cores: () => navigator.hardwareConcurrency,
 
@@ -95,7 +115,7 @@ export const browser: Platform = {
     return 'this page is not cross-origin isolated (headers COOP and COEP), so threads cannot share memory';
   },
 
-  async startWorker(files, threads, events) {
+  async startWorker(files, threads, _memory, events) {
     const script = await startable(files.worker);
     const threadScript = threads > 1 ? await startable(files.mt.threadScript) : '';
     const forgetBlobs = (): void => {

@@ -1,7 +1,9 @@
 // Threads of Node that look like web workers to the engine's files.
+import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { availableParallelism } from 'node:os';
-import { resolve, sep } from 'node:path';
+import { join, resolve, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 
@@ -9,7 +11,22 @@ import { SillonError, invalid, messageOf } from './errors.js';
 import type { Platform } from './platform.js';
 import type { Files, FromWorker } from './protocol.js';
 
-const beside = new URL('./engine/', import.meta.url);
+/** The engine's files, which a server's bundler leaves in the package. Written so that none takes it for a file that it is
+ * to copy: a folder, which `new URL` beside `import.meta.url` would be to them, ends their work. */
+function ownFolder(): URL {
+  const here = (import.meta as { url?: string }).url ?? ''; // undefined in a bundle of another kind
+  if (here.startsWith('file:')) {
+    const beside = new URL(here.replace(/[^/]*$/, 'engine/'));
+    if (existsSync(new URL('worker.js', beside))) return beside;
+  }
+  const home = process.cwd();
+  try {
+    const find = createRequire(join(home, 'package.json'));
+    return new URL('dist/engine/', pathToFileURL(find.resolve('sillon/package.json')));
+  } catch {
+    throw new SillonError('LoadFailed', `the files of sillon/dist/engine are neither beside ${here} nor below ${home}`);
+  }
+}
 
 function folderOf(assetBase: string | URL): URL {
   const isUrl = typeof assetBase !== 'string' || /^[a-z][a-z0-9+.-]+:/i.test(assetBase); // C:\ is none
@@ -30,7 +47,7 @@ async function withoutBlob<T>(file: T | Blob, name: string): Promise<T | Uint8Ar
 
 export const node: Platform = {
   files(assetBase) {
-    const folder = assetBase === undefined ? beside : folderOf(assetBase);
+    const folder = assetBase === undefined ? ownFolder() : folderOf(assetBase);
     const at = (name: string): string => new URL(name, folder).href;
     return {
       worker: at('worker.js'),
@@ -38,6 +55,8 @@ export const node: Platform = {
       mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
       files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
       rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
+      calibrate: { script: at('sillon-calibrate.js'), wasm: at('sillon-calibrate.wasm') },
+      photo: { script: at('sillon-photo.js'), wasm: at('sillon-photo.wasm') },
     };
   },
 
@@ -64,14 +83,19 @@ export const node: Platform = {
     return { ...sent, files };
   },
 
-  startWorker(files, _threads, events) {
+  startWorker(files, _threads, memory, events) {
     const scope = new URL('node-worker.js', files.worker);
-    const worker = new Worker(scope, { workerData: { script: files.worker, name: 'sillon' }, execArgv: [] });
+    const worker = new Worker(scope, {
+      workerData: { script: files.worker, name: 'sillon' },
+      execArgv: [],
+      resourceLimits: { maxOldGenerationSizeMb: memory },
+    });
     worker.on('message', (message: FromWorker) => {
       events.onMessage(message);
     });
-    worker.on('error', (error) => {
-      events.onFailure(`the worker ${files.worker} failed: ${messageOf(error)}`);
+    worker.on('error', (error: NodeJS.ErrnoException) => {
+      const code = error.code === 'ERR_WORKER_OUT_OF_MEMORY' ? 'OutOfMemory' : undefined;
+      events.onFailure(`the worker ${files.worker} failed: ${messageOf(error)}`, code);
     });
     worker.on('exit', () => {
       events.onFailure('the worker ended by itself');

@@ -11,14 +11,15 @@ export interface Platform {
   compile?(wasm: string): Promise<WebAssembly.Module>;
   /** The call as it can be posted to a worker. @throws SillonError InvalidFile */
   portable?(call: Call): Promise<Call>;
-  /** @throws SillonError LoadFailed */
-  startWorker(files: EngineFiles, threads: number, events: WorkerEvents): Promise<EngineWorker>;
+  /** @param memory  of its JavaScript, where a worker's can be limited [MiB]
+   * @throws SillonError LoadFailed */
+  startWorker(files: EngineFiles, threads: number, memory: number, events: WorkerEvents): Promise<EngineWorker>;
 }
 
 export interface WorkerEvents {
   onMessage(message: FromWorker): void;
-  /** The worker could not be started, or has ended by itself. */
-  onFailure(message: string): void;
+  /** The worker could not be started, or has ended by itself. @param code  where that is known */
+  onFailure(message: string, code?: 'OutOfMemory'): void;
 }
 
 export interface EngineWorker {

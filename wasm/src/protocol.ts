@@ -12,6 +12,10 @@ export interface EngineFiles {
   files: ModuleFiles;
   /** Fetched when a sliced file is to be read. */
   rebrush: ModuleFiles;
+  /** Fetched for calibration prints. */
+  calibrate: ModuleFiles;
+  /** Fetched for photographs of one. */
+  photo: ModuleFiles;
 }
 export interface ModuleFiles {
   script: string;
@@ -22,11 +26,11 @@ export interface ModuleFiles {
 export type Files = Record<string, Uint8Array | Blob | api.Picture>;
 
 /** One call of the engine. `project` is the text of a project file. */
-export type Call = PlateCall | FileCall | RebrushCall;
+export type Call = PlateCall | FileCall | RebrushCall | CalibrateCall | PhotoCall;
 
 /** Of the modules that make plates. */
 export type PlateCall =
-  | { name: 'generateToolpath'; project: string; files: Files; measure: boolean }
+  | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean }
   | { name: 'readShape'; project: string; files: Files }
   | { name: 'decodePicture'; file: Uint8Array | Blob }
   | { name: 'readProject'; project: string }
@@ -37,7 +41,14 @@ export type PlateCall =
 
 /** Of the module that writes and reads the files around a plate. */
 export type FileCall =
-  | { name: 'writeGcode'; toolpath: api.Toolpath; project: string; date: string; inPieces: boolean }
+  | {
+      name: 'writeGcode';
+      toolpath: api.Toolpath;
+      below: api.Toolpath | undefined;
+      project: string;
+      date: string;
+      inPieces: boolean;
+    }
   | { name: 'writeBaseBody'; shape: api.Shape; project: string; format: 'stl' | '3mf' }
   | { name: 'writeSvg'; toolpath: api.Toolpath }
   | { name: 'writeView'; toolpath: api.Toolpath; params: api.ViewParams }
@@ -61,9 +72,35 @@ export type RebrushCall =
       only: number[];
     };
 
+/** Of the module that writes calibration prints. */
+export interface CalibrateCall {
+  name: 'calibrate';
+  kind: string;
+  project: string;
+  from: number | undefined;
+  to: number | undefined;
+  filament: api.ViewParams | undefined;
+  date: string;
+  /** [pixels], 0: none. */
+  pictureSide: number;
+}
+
+/** Of the module that reads photographs of the coupon. */
+export interface PhotoCall {
+  name: 'readCoupon';
+  picture: api.Picture;
+  project: string;
+  from: number | undefined;
+  to: number | undefined;
+  lampSize: number | undefined;
+  lampElevation: number | undefined;
+}
+
 export interface StartMessage {
   type: 'start';
   threads: number;
+  /** Most that the module may take [MiB]. */
+  memory: number;
   script: string;
   wasm: string;
   /** Used with several threads only. */

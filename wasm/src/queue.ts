@@ -41,6 +41,8 @@ export class Queue {
     readonly platform: Platform,
     readonly files: EngineFiles,
     readonly idleTimeout: number,
+    /** Of a session [MiB]. */
+    readonly memory: number,
     private using: Threads,
   ) {}
 
@@ -163,7 +165,7 @@ export class Queue {
   async #openSession(threads: number): Promise<Session> {
     if (this.#session?.ended === false && this.#session.threads === threads) return this.#session;
     this.#closeSession();
-    const session = new Session(threads);
+    const session = new Session(threads, this.memory);
     const variant = variantOf(threads);
     this.#session = session;
     try {

@@ -5,7 +5,7 @@ import type { Call, EngineFiles, FromWorker } from './protocol.js';
 import { type StopSign, flagSign, stopSign } from './stop.js';
 
 const startSilence = 10; // [s] that an engine may take to start once its files are there
-const callSilence = 20; // [s] without a sign of life
+const callSilence = 60; // [s] without a sign of life: threads tell progress only, on large plates rarely
 const answerToCancel = 80; // [ms], so that a cancelled call's work ends within 100
 
 type OnMessage = (message: FromWorker) => void;
@@ -31,7 +31,10 @@ export class Session {
   #watch: ReturnType<typeof setInterval> | undefined;
   #quietSeconds = 0;
 
-  constructor(readonly threads: number) {}
+  constructor(
+    readonly threads: number,
+    readonly memory: number,
+  ) {}
 
   get ended(): boolean {
     return this.#end !== undefined;
@@ -46,12 +49,13 @@ export class Session {
   ): Promise<WebAssembly.Module | undefined> {
     const { script, wasm } = this.threads > 1 ? files.mt : files.st;
     let compiled = known ?? (await platform.compile?.(wasm));
-    this.#worker = await platform.startWorker(files, this.threads, {
+    const { memory, threads } = this;
+    this.#worker = await platform.startWorker(files, threads, memory, {
       onMessage: (message) => {
         this.#receive(message);
       },
-      onFailure: (message) => {
-        this.end(new SillonError(this.version === '' ? 'LoadFailed' : 'Crashed', message));
+      onFailure: (message, code) => {
+        this.end(new SillonError(code ?? (this.version === '' ? 'LoadFailed' : 'Crashed'), message));
       },
     });
     if (this.#end !== undefined) {
@@ -69,7 +73,7 @@ export class Session {
         this.#cancelFlag = message.cancelFlag;
       }
     });
-    this.#worker.post({ type: 'start', threads: this.threads, script, wasm, threadScript, compiled });
+    this.#worker.post({ type: 'start', threads, memory, script, wasm, threadScript, compiled });
     await started;
     return compiled;
   }

@@ -258,6 +258,7 @@ describe('results', () => {
     const plain = await st.generateToolpath({ shape });
     assert.equal(plain.toolpath.look, undefined);
     assert.equal(plain.report.pictures, undefined);
+    assert.equal(plain.conflict, undefined);
 
     // The look decides what the pictures in the file show; the beads stay the same.
     const date = new Date(0);
@@ -270,6 +271,35 @@ describe('results', () => {
       st.writeGcode({ ...given.toolpath, look: { ...given.look, lamps: [] } }),
       /look\.lamps is empty/,
     );
+  });
+
+  test('the nozzle and the side that is seen give pictures their slopes', async () => {
+    const picture = { width: 2, height: 1, channels: 1, samples: Uint8Array.of(230, 40) };
+    const slopes = async (others) => {
+      const shape = { builtin: 'rectangle', size: [24, 12] };
+      const pictures = { files: [{ file: picture, lamp: [60, 45] }], spool: 'redPetg', ...others.pictures };
+      const { toolpath } = await st.generateToolpath({ shape, ...others, pictures }, { spacing: 0.8 });
+      return toolpath.look.slopes;
+    };
+    assert.deepEqual(await slopes({}), [6.2, 12.98]);
+    assert.deepEqual(await slopes({ printer: { nozzle: 0.8 } }), [1.36, 4.6]);
+    assert.deepEqual(
+      await slopes({ printer: { nozzle: 0.8 }, print: { showSide: 'bed', date: new Date(0) } }),
+      [2.23, 21.29],
+    );
+    assert.deepEqual(await slopes({ printer: { nozzle: 0.8 }, pictures: { slopes: [3, 12] } }), [3, 12]);
+  });
+
+  test('pictures that contradict each other under one lamp take half of their tones from each other', async () => {
+    const one = (tone) => ({ width: 2, height: 1, channels: 1, samples: Uint8Array.of(tone, 255 - tone) });
+    const shape = { builtin: 'rectangle', size: [12, 6] };
+    const files = [0, 255].map((tone) => ({ file: one(tone), lamp: [60, 45] }));
+    const { conflict } = await st.generateToolpath({ shape, pictures: { files } });
+    assert.deepEqual([conflict.width, conflict.height], [60, 30]);
+    const middle = 15 * 60 + 10; // black in the first picture, white in the second
+    assert.ok(conflict.missing.every((cells) => cells instanceof Int8Array && cells.length === 60 * 30));
+    const [first, second] = conflict.missing.map((cells) => cells[middle]);
+    assert.ok(Math.abs(first + 50) < 8 && Math.abs(second - 50) < 8, `${first}, ${second}`);
   });
 
   test('projects are completed, written and read back', async () => {

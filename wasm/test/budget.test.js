@@ -20,6 +20,8 @@ const scripts = {
   mt: ['engine/worker.js', 'engine/sillon-mt.js', 'engine/sillon-mt.worker.js'],
   files: ['engine/worker.js', 'engine/sillon-files.js'],
   rebrush: ['engine/worker.js', 'engine/sillon-rebrush.js'],
+  calibrate: ['engine/worker.js', 'engine/sillon-calibrate.js'],
+  photo: ['engine/worker.js', 'engine/sillon-photo.js'],
 };
 for (const [variant, names] of Object.entries(scripts)) {
   test(`the scripts of ${variant} are at most 40 KB, gzip`, () => {

@@ -24,12 +24,12 @@ after(() => {
 });
 
 /** The native program's files, or what it says of a project that it refuses. */
-function native(path) {
+function native(path, ...options) {
   const gcode = join(folder, 'plate.gcode');
   const report = join(folder, 'plate.json');
   const { status, stderr } = spawnSync(
     nativeProgram,
-    ['generate', path, '--gcode', gcode, '--report', report, '--quiet'],
+    ['generate', path, '--gcode', gcode, '--report', report, '--quiet', ...options],
     { env: { ...process.env, SOURCE_DATE_EPOCH: '0' }, encoding: 'utf8' },
   );
   if (status === 2) return { refusal: stderr };
@@ -55,6 +55,26 @@ test('the engines run with the threads they were asked for', () => {
 
 test('the published scenes', { skip: existsSync(publishedScenes) ? false : 'not there (../shared/scenes)' }, () => {
   assert.ok(projectPaths().some((path) => path.startsWith(publishedScenes)));
+});
+
+test('a base layer across the beads is that of the native program, byte for byte, and needs its path', async () => {
+  const path = join(root, 'examples/strokes.json');
+  const { gcode } = native(path, '--base-pattern', 'across');
+  for (const engine of engines) {
+    const { input, project } = await openProject(engine, path);
+    const { toolpath } = await engine.generateToolpath(input, project.toolpath);
+    const { toolpath: below } = await engine.generateToolpath(input, project.toolpath, { across: true });
+    assert.deepEqual(below.shape, toolpath.shape);
+    const print = { ...project.print, basePattern: 'across', date };
+    const { blob } = await engine.writeGcode(toolpath, project.printer, print, { below });
+    assert.ok((await blob.text()) === gcode, `G-code of ${engine.info.variant} differs`);
+    await assert.rejects(engine.writeGcode(toolpath, project.printer, print), {
+      code: 'InvalidArgument',
+      message: /^print\.basePattern is across/,
+    });
+    // What was kept of the plate is still its own.
+    assert.deepEqual((await engine.generateToolpath(input, project.toolpath)).toolpath, toolpath);
+  }
 });
 
 test('packed G-code is that of the native program, and both read it', async () => {
@@ -144,6 +164,7 @@ for (const path of projectPaths()) {
   test(`${basename(path, '.json')} is the native program's plate and G-code, byte for byte`, async () => {
     const expected = native(path);
     let notes;
+    let told;
     for (const engine of engines) {
       const { input, project } = await openProject(engine, path);
       // Measuring costs more than making, and its figures are the same sums: once is enough.
@@ -152,6 +173,7 @@ for (const path of projectPaths()) {
       if (measure) {
         assert.deepEqual(plateOf(report), plateOf(expected.report));
         notes = toolpath.notes;
+        told = report.warnings; // of what is lost where it is measured
       }
       const written = engine.writeGcode({ ...toolpath, notes: notes ?? [] }, project.printer, {
         ...project.print,
@@ -164,9 +186,7 @@ for (const path of projectPaths()) {
       assert.equal(report.digest, expected.report.digest);
       const { blob, summary } = await written;
       assert.equal(summary.bytes, expected.gcode.length);
-      // The others are of the drawing: readShape and the report's measures tell them here.
-      const ofGcode = expected.report.warnings.filter(({ code }) => !/^(Drawing|DetailLost)/.test(code));
-      assert.deepEqual(summary.warnings, ofGcode);
+      assert.deepEqual([...told, ...summary.warnings], expected.report.warnings);
       assert.ok((await blob.text()) === expected.gcode, `G-code of ${engine.info.variant} differs`);
     }
   });

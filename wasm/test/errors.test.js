@@ -77,6 +77,9 @@ const cases = {
       'InvalidArgument',
       /^shape\.size is of type Float64Array/,
     ],
+    [() => engine.generateToolpath(small[0], small[1], { across: 1 }), 'InvalidArgument', /^across is .*true or false/],
+    [gcode({}, {}, { below: 1 }), 'InvalidArgument', /^below is /],
+    [gcode({}, {}, { below: {} }), 'InvalidArgument', /^below\./],
     [gcode({ setPressureAdvance: 1 }), 'InvalidArgument', /printer\.setPressureAdvance.*true or false/],
     [gcode({ name: 7 }), 'InvalidArgument', /printer\.name.*text/],
     [gcode({ name: 'half \ud800' }), 'InvalidArgument', /^printer\.name holds half a character/],
@@ -108,7 +111,11 @@ const cases = {
     [() => engine.renderPreview(plate.toolpath, { width: 99.5 }), 'InvalidArgument', /^width is 99.5/],
   ],
   'unknown keys': [
-    [generate({ shap: disc }), 'InvalidArgument', /^unknown key "shap"; known are shape, directions, modes, pictures$/],
+    [
+      generate({ shap: disc }),
+      'InvalidArgument',
+      /^unknown key "shap"; known are shape, directions, modes, pictures, printer, print$/,
+    ],
     [generate({ shape: disc, toolpath: {} }), 'InvalidArgument', /^unknown key "toolpath"/],
     [generate({ shape: disc, svg_path: 'a.svg' }), 'InvalidArgument', /^unknown key "svg_path"/],
     [generate({ shape: { builtin: 'disc', sise: [1, 1] } }), 'InvalidArgument', /unknown key "shape\.sise".*"size"/],

@@ -1,7 +1,16 @@
 // The package as others get it: packed, installed in an empty folder without network, then used there.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { copyFileSync, cpSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -64,6 +73,10 @@ test('it holds what is to be published and nothing else', () => {
   const engine = [
     'files.js',
     'files.wasm',
+    'calibrate.js',
+    'calibrate.wasm',
+    'photo.js',
+    'photo.wasm',
     'rebrush.js',
     'rebrush.wasm',
     'mt.js',
@@ -159,6 +172,24 @@ test('the example for Node writes a file', async () => {
   assert.match(readFileSync(join(folder, 'disc.gcode'), 'utf8'), /^G1 .*E/m);
 });
 
+test('the example for shops writes a folder, and nothing for what is no upload', async () => {
+  copyFileSync(join(root, 'examples/node/shop.js'), join(folder, 'shop.js'));
+  const said = await run(process.execPath, ['shop.js', join(root, 'examples/inputs/strokes.svg'), 'plate']);
+  assert.match(said, /^60 x 36 mm, \d\.\d g, \d+ minutes, 0 findings\n$/);
+  assert.deepEqual(readdirSync(join(folder, 'plate')).sort(), [
+    'plate.gcode',
+    'plate.json',
+    'plate.view.png',
+    'poster.png',
+  ]);
+  await assert.rejects(run(process.execPath, ['shop.js', 'package.json', 'none']), ({ code, stderr }) => {
+    assert.equal(code, 2);
+    assert.match(stderr, /shape\.file/);
+    return true;
+  });
+  assert.ok(!existsSync(join(folder, 'none')));
+});
+
 test('a script that asks for the impossible fails with a SillonError that says what', async () => {
   write(
     'fails.js',
@@ -175,10 +206,10 @@ test('a script that asks for the impossible fails with a SillonError that says w
 });
 
 const consumer = `
-import { SillonError, createEngine, type Engine, type Plate, type Report } from 'sillon';
+import { SillonError, createEngine, type Engine, type ToolpathResult, type Report } from 'sillon';
 
 const engine: Engine = await createEngine({ threads: 'auto', assetBase: new URL('https://example.org/engine/') });
-const plate: Plate = await engine.generateToolpath(
+const plate: ToolpathResult = await engine.generateToolpath(
   { shape: { file: '<svg/>', pageWidth: 80 }, directions: { file: new Blob([]), encoding: 'tangent' } },
   { spacing: 0.45, perimeterMode: 'soft' },
   { signal: new AbortController().signal, onProgress: ({ stage, fraction }) => stage.repeat(fraction) },

@@ -42,6 +42,12 @@ test('the surfaces of a sliced file are those that the native program lists', as
     assert.ok(read.surfaces[0].region.paths.length > 0);
     // Another kind of file, as a Blob.
     assert.deepEqual(await engine.listSurfaces(new Blob([gzipSync(file)])), read);
+    // A Blob goes in by pieces of 4 MiB: the same as whole, and not what was there before.
+    const long = Buffer.concat([Buffer.from(file), Buffer.from('; a comment\n'.repeat(800_000))]);
+    const whole = await engine.listSurfaces(long);
+    assert.deepEqual(await engine.listSurfaces(new Blob([long])), whole);
+    assert.deepEqual(whole.surfaces, read.surfaces);
+    assert.deepEqual(await engine.listSurfaces(new Blob([file])), read);
   }
 });
 

@@ -87,7 +87,7 @@ describe('a worker that breaks', { timeout: 600_000 }, () => {
       t.mock.timers.enable({ apis: ['setInterval'] });
       const call = engine.generateToolpath(...small);
       await new Promise(setImmediate); // it is in the worker
-      t.mock.timers.tick(20_000);
+      t.mock.timers.tick(60_000);
       t.mock.timers.reset();
       assert.equal(await digestOf(call), digest);
       assert.deepEqual([engine.info.variant, engine.info.threads], ['st', 1]);
@@ -100,7 +100,7 @@ describe('a worker that breaks', { timeout: 600_000 }, () => {
       t.mock.timers.enable({ apis: ['setInterval'] });
       const call = failureOf(engine.generateToolpath(...small));
       await new Promise(setImmediate);
-      t.mock.timers.tick(19_000);
+      t.mock.timers.tick(59_000);
       const project = failureOf(engine.readProject('{'));
       t.mock.timers.tick(1_000);
       t.mock.timers.reset();
@@ -204,6 +204,24 @@ describe('memory', { timeout: 600_000 }, () => {
       assert.equal(await digestOf(engine.generateToolpath(...small)), digest);
     });
   });
+
+  for (const threads of [1, 2]) {
+    test(`is refused before work begins, and what the refusal names can be made, with ${threads} threads`, async () => {
+      const engine = await createEngine({ threads, memory: 96 });
+      const plate = { shape: { builtin: 'rectangle', size: [300, 300] }, directions: { angle: 30 } };
+      const stages = new Set();
+      const onProgress = ({ stage }) => stages.add(stage);
+      const { code, message } = await failureOf(engine.generateToolpath(plate, { spacing: 0.2 }, { onProgress }));
+      assert.equal(code, 'OutOfMemory', message);
+      const [, gigabytes, spacing] =
+        /possible in ([\d.]+) GB of memory: use a spacing of at least ([\d.]+) mm, or/.exec(message);
+      assert.ok(Number(gigabytes) <= (0.75 * 96 * 2 ** 20) / 1e9, message);
+      assert.equal(stages.has('phases'), false);
+      const { report } = await engine.generateToolpath(plate, { spacing: Number(spacing) }, { measure: false });
+      assert.ok(report.peakBytes <= 96 * 2 ** 20, `${report.peakBytes} bytes`);
+      engine.dispose();
+    });
+  }
 
   for (const threads of [1, 2]) {
     test(`is given back: 200 plates with ${threads} threads need no more than a few`, async () => {

@@ -65,7 +65,7 @@ function declared() {
 
 test('both entries export what is declared, and nothing else', () => {
   const values = declared().values.sort();
-  assert.deepEqual(values, ['SillonError', 'createEngine']);
+  assert.deepEqual(values, ['SillonError', 'createEngine', 'preparePlate']);
   assert.deepEqual(Object.keys(node).sort(), values);
   assert.deepEqual(Object.keys(browser).sort(), values);
 });
@@ -98,4 +98,10 @@ test('reports and summaries have the declared fields, and no others', async () =
   assert.deepEqual(Object.keys(toolpath).sort(), membersOf('Toolpath').sort());
   assert.deepEqual(Object.keys(toolpath.look).sort(), membersOf('Look').sort());
   assert.deepEqual(Object.keys(report.pictures[0]).sort(), membersOf('PictureReport').sort());
+  const two = await engine.generateToolpath({
+    shape: { builtin: 'disc', size: [10, 10] },
+    pictures: { files: [{ file }, { file }] },
+  });
+  assert.deepEqual(Object.keys(two).sort(), membersOf('ToolpathResult').sort());
+  assert.deepEqual(Object.keys(two.conflict).sort(), membersOf('Conflict').sort());
 });

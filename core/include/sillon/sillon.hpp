@@ -7,6 +7,7 @@
 #include "sillon/base/types.hpp"
 #include "sillon/base/version.hpp"
 #include "sillon/calibrate/calibrate.hpp"
+#include "sillon/calibrate/read_photo.hpp"
 
 // What a person may choose.
 #include "sillon/settings/input_params.hpp"
@@ -22,6 +23,7 @@
 // Shapes and maps, from bytes (Sec. 4).
 #include "sillon/geometry/connected_parts.hpp"
 #include "sillon/geometry/grid.hpp"
+#include "sillon/geometry/keep_thin.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/geometry/signed_distance.hpp"
@@ -76,6 +78,7 @@
 #include "sillon/export/svg_drawing.hpp"
 #include "sillon/export/zones.hpp"
 #include "sillon/look/appearance.hpp"
+#include "sillon/look/conflict.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"

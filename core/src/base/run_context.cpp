@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/parallel_for.hpp"
@@ -45,13 +48,28 @@ struct ThreadPool::State {
   std::atomic<int> unfinished{0};
   std::atomic<int> sleepers{0};
   std::atomic<bool> stop{false};
+  std::exception_ptr failure;  // of the first chunk that threw; guarded by `mutex`
+
+  // What a chunk throws, out of memory, is thrown again where the loop was asked for, once nobody works on it any more.
+  void work(int chunk) {
+#ifdef __cpp_exceptions
+    try {
+      (*task)(chunk);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+#else
+    (*task)(chunk);
+#endif
+  }
 
   void drain() {
     for (;;) {
       const std::uint64_t drawn = next.fetch_add(1);
       const std::uint64_t bound = limit.load();
       if ((drawn >> 32) != (bound >> 32) || drawn >= bound) return;
-      (*task)(static_cast<int>(drawn & 0xffffffffu));
+      work(static_cast<int>(drawn & 0xffffffffu));
       unfinished.fetch_sub(1);
     }
   }
@@ -76,7 +94,19 @@ struct ThreadPool::State {
 };
 
 ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads_(std::clamp(threads, 1, kMaxThreads)) {
-  for (int k = 1; k < threads_; ++k) state_->workers.emplace_back([this] { state_->loop(); });
+  state_->workers.reserve(static_cast<std::size_t>(threads_));
+  const auto start = [this] {
+    for (int k = 1; k < threads_; ++k) state_->workers.emplace_back([this] { state_->loop(); });
+  };
+#ifdef __cpp_exceptions
+  try {
+    start();
+  } catch (const std::system_error&) {  // the system gives no more: those that there are do
+    threads_ = static_cast<int>(state_->workers.size()) + 1;
+  }
+#else
+  start();
+#endif
 }
 
 ThreadPool::~ThreadPool() {
@@ -101,6 +131,9 @@ void ThreadPool::run(int chunks, const std::function<void(int)>& task) {
   }
   state.drain();
   for (int spin = 0; state.unfinished.load() > 0; ++spin) pause(spin & 0xffff);
+#ifdef __cpp_exceptions
+  if (state.failure) std::rethrow_exception(std::exchange(state.failure, nullptr));
+#endif
 }
 
 void forRanges(const RunContext& run, int count, int grain, const RangeBody& body) {

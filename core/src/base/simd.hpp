@@ -80,6 +80,12 @@ inline I4 load4(const std::int32_t* p) {
   std::memcpy(&v, p, sizeof v);
   return v;
 }
+inline I4 loadInt4(const std::uint32_t* p) {
+  I4 v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+inline void storeInt4(std::uint32_t* p, I4 v) { std::memcpy(p, &v, sizeof v); }
 inline void store4(float* p, F4 v) { std::memcpy(p, &v, sizeof v); }
 
 /// Correctly rounded on every platform. The vector types have no square root, hence the intrinsics.

@@ -22,6 +22,16 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// Letters and digits alone, small.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) out += static_cast<char>(capital ? c + 32 : c);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string inQuotes(std::string_view text) {
@@ -42,11 +52,20 @@ std::string inQuotes(std::string_view text) {
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t kNear = 3;
+  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kTelling = 4;  // letters: a shorter part is in too many names
+  word = word.substr(0, 64);
   std::vector<std::string> near;
+  const auto add = [&](const std::string& name) {
+    if (near.size() < kMost && std::find(near.begin(), near.end(), name) == near.end()) near.push_back(name);
+  };
+  const std::string part = plain(word);
+  for (const std::string& name : known) {
+    if (part.size() >= kTelling && plain(name).find(part) != std::string::npos) add(name);
+  }
   for (std::size_t distance = 0; distance <= kNear; ++distance) {
     for (const std::string& name : known) {
-      if (near.size() == 3 || distance >= name.size()) continue;
-      if (editDistance(word.substr(0, 64), name) == distance) near.push_back(name);
+      if (distance < name.size() && editDistance(word, name) == distance) add(name);
     }
   }
   std::string out = near.empty() ? "known are " : "did you mean ";

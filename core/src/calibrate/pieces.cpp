@@ -79,16 +79,16 @@ std::vector<PatchLine> filled(const Ring& polygon, Vec2 along, double width) {
   return {line};
 }
 
-PatchLine spiral(Vec2 centre, double radius, double width) {
-  constexpr int kSteps = 72;  // of a turn
+PatchLine spiral(Vec2 centre, double radius, double width, double pitch) {
+  constexpr int kSteps = kSpiralSteps;
   PatchLine line;
   // Round after round the bead's cell is a ring; all of them together have the disc's area.
-  const double turns = radius / width;
+  const double turns = radius / pitch;
   const int last = static_cast<int>(std::ceil(turns * kSteps));
   for (int k = kSteps / 4; k <= last; ++k) {
     const double turn = std::min(static_cast<double>(k) / kSteps, turns);
     const double angle = 2 * static_cast<double>(kPi) * (turn - std::floor(turn));
-    line.points.push_back(centre + turn * width * onCircle(angle));
+    line.points.push_back(centre + turn * pitch * onCircle(angle));
   }
   line.widths.assign(line.points.size(), width);
   return line;

@@ -17,9 +17,12 @@ Ring disc(Vec2 centre, double radius);
 /// \param polygon  counter-clockwise. \param along  of the lines, of length 1. \param width  of bead and spacing [mm].
 std::vector<PatchLine> filled(const Ring& polygon, Vec2 along, double width);
 
-/// One bead round and round, from the middle out. Its cells are the disc.
-/// \param radius  [mm], more than `width`.
-PatchLine spiral(Vec2 centre, double radius, double width);
+inline constexpr int kSpiralSteps = 72;  ///< straight pieces of a turn
+
+/// One bead round and round, from the middle out: at angle a, in turns, its radius is `pitch` times a plus whole turns.
+/// If the pitch is the width, its cells are the disc.
+/// \param radius  [mm], more than `pitch`.
+PatchLine spiral(Vec2 centre, double radius, double width, double pitch);
 
 /// `lines` beads side by side along +x, as one zigzag, whose width grows evenly. Their cells are the trapezoid less
 /// the ends of its joints.

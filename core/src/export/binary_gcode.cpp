@@ -19,7 +19,6 @@ namespace sillon {
 namespace {
 
 constexpr std::size_t kFileHeader = 10;
-constexpr std::size_t kMostText = std::size_t{256} << 20;
 constexpr std::size_t kMostPacked = std::size_t{1} << 30;
 constexpr std::size_t kMostBlock = 65536;   // of G-code, as the slicer writes and the firmware buffers it
 constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
@@ -75,7 +74,7 @@ Result<BinaryFile> readBlocks(std::string_view file) {
       }
     }
     total += block.size;
-    if (total > kMostText) {
+    if (total > kMostGcodeBytes) {
       return Error{ErrorCode::TooLarge, "the .bgcode holds more than 256 MiB of text; it must be at most 256"};
     }
     out.blocks.push_back(block);
@@ -137,9 +136,9 @@ void addBlock(std::string& out, std::uint64_t type, std::string_view parameters,
 
 constexpr std::string_view kPlain("\0\0", 2);  // encoding of metadata, and of G-code without MeatPack
 
-// Whole lines in each block.
+// Whole lines in each block, and at least one block: readers refuse a file without.
 void addGcode(std::string& out, std::string_view gcode, bool checksum) {
-  while (!gcode.empty()) {
+  do {
     std::size_t end = std::min(gcode.size(), kMostBlock);
     if (end < gcode.size()) {
       const std::size_t feed = gcode.rfind('\n', end - 1);
@@ -147,7 +146,7 @@ void addGcode(std::string& out, std::string_view gcode, bool checksum) {
     }
     addBlock(out, Gcode, kPlain, gcode.substr(0, end), checksum);
     gcode.remove_prefix(end);
-  }
+  } while (!gcode.empty());
 }
 
 // "; key = value" lines.

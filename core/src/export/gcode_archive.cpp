@@ -24,7 +24,6 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPacked = std::size_t{1} << 30;
-constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
 constexpr std::size_t kMostMetadata = std::size_t{64} << 20;
 constexpr double kMoved = 0.5;      // [mm] by which a box is another
 constexpr int kSmallPicture = 128;  // [pixels], of plate_1_small.png
@@ -214,14 +213,15 @@ Result<std::string> packGcode(std::string_view gcode) {
   return zip.finish();
 }
 
-Result<GcodeContainer> readGcodeContainer(std::string_view bytes) {
+Result<GcodeContainer> readGcodeContainer(std::string file) {
   GcodeContainer container;
+  const std::string_view bytes = file;
   if (isBinaryGcode(bytes)) {
     Result<std::string> text = binaryToText(bytes);
     if (!text) return text.error();
     container.kind = GcodeContainerKind::Binary;
     container.gcode = std::move(text).value();
-    container.file = bytes;
+    container.file = std::move(file);
     return container;
   }
   if (isGzip(bytes)) {
@@ -229,30 +229,30 @@ Result<GcodeContainer> readGcodeContainer(std::string_view bytes) {
     if (!text) return text.error();
     container.kind = GcodeContainerKind::Gzip;
     container.gcode = std::move(text).value();
-    container.file = bytes;
+    container.file = std::move(file);
     return container;
   }
   if (!bytes.starts_with("PK\x03\x04")) {
-    container.gcode = bytes;
+    container.gcode = std::move(file);
     return container;
   }
   const Result<ZipDirectory> directory = readZip(bytes);
   if (!directory) return directory.error();
   const ZipEntry* plate = plateOf(directory.value());
   if (plate == nullptr) return damaged("holds no .gcode; slice the plate before it is exported");
-  Result<std::string> text = unpackEntry(bytes, *plate, kMostUnpacked);
+  Result<std::string> text = unpackEntry(bytes, *plate, kMostGcodeBytes);
   if (!text) return text.error();
   container.kind = GcodeContainerKind::Package3mf;
   const auto& entries = directory.value().entries;
   container.plates = static_cast<int>(std::count_if(
       entries.begin(), entries.end(), [](const ZipEntry& entry) { return entry.name.ends_with(".gcode"); }));
   container.gcode = std::move(text).value();
-  container.file = bytes;
+  container.file = std::move(file);
   return container;
 }
 
-Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string_view gcode) {
-  if (container.kind == GcodeContainerKind::Text) return std::string(gcode);
+Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string gcode) {
+  if (container.kind == GcodeContainerKind::Text) return gcode;
   if (container.kind == GcodeContainerKind::Binary) return binaryWithText(container.file, gcode);
   if (container.kind == GcodeContainerKind::Gzip) return zippedLike(container.file, gcode);
   if (gcode.size() > kMostPacked) {
@@ -288,7 +288,7 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
     const std::string noLight = std::string(folder) + "plate_no_light_" + std::string(index);
     std::optional<std::string> other;
     if (&entry == plate) {
-      other = gcode;
+      contents[k] = &gcode;
     } else if (is(plate->name, ".md5")) {
       other = md5(gcode);
     } else if (newPictures && (is(path, ".png") || is(path, "_small.png") || is(noLight, ".png"))) {
@@ -311,8 +311,8 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
 
 Result<std::string> gzipGcode(std::string_view gcode) { return zipped(gcode); }
 
-Result<std::string> unpackGcode(std::string_view bytes) {
-  Result<GcodeContainer> container = readGcodeContainer(bytes);
+Result<std::string> unpackGcode(std::string file) {
+  Result<GcodeContainer> container = readGcodeContainer(std::move(file));
   if (!container) return container.error();
   return std::move(container.value().gcode);
 }

@@ -8,13 +8,13 @@
 #include "base/crc32.hpp"
 #include "export/bytes.hpp"
 #include "input/inflate.hpp"
+#include "sillon/export/gcode_archive.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr std::size_t kHeader = 10;
 constexpr std::size_t kTrailer = 8;  // checksum and size
-constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
 constexpr std::size_t kMostPacked = std::size_t{1} << 30;
 constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
 
@@ -57,7 +57,7 @@ Result<std::string> unzipped(std::string_view file) {
   if (begin == 0) return damaged("is cut off, or packed in an unknown way");
   const auto size = static_cast<std::size_t>(number(file, file.size() - 4, 4));
   const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
-  if (size > kMostUnpacked) {
+  if (size > kMostGcodeBytes) {
     return Error{ErrorCode::TooLarge,
                  "the .gz holds " + std::to_string(size >> 20) + " MiB of text; it must be at most 256"};
   }

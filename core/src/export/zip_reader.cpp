@@ -94,7 +94,13 @@ std::string withContents(std::string_view zip, const ZipDirectory& directory,
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return directory.entries[a].begin < directory.entries[b].begin;
   });
+  constexpr std::size_t kMostRecord = kLocalSize + kListedSize;
+  std::size_t most = zip.size();
+  for (std::size_t k = 0; k < contents.size(); ++k) {
+    if (contents[k] != nullptr) most += kMostRecord + directory.entries[k].name.size() + contents[k]->size();
+  }
   std::string out;
+  out.reserve(most);  // grown step by step, it would be held twice
   std::vector<std::size_t> begins(order.size());
   for (const std::size_t k : order) {
     const ZipEntry& entry = directory.entries[k];
@@ -142,7 +148,8 @@ std::string withContents(std::string_view zip, const ZipDirectory& directory,
   append(size, out.size() - begin, 4);
   append(size, begin, 4);
   tail.replace(12, 8, size);
-  return out + tail;
+  out += tail;
+  return out;
 }
 
 }  // namespace sillon

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "field/double_angle.hpp"
 
@@ -23,15 +24,19 @@ struct Wave {
 // The same wave seen along a direction that agrees with `k`: (k, phi) = (-k, pi - phi).
 Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, kTurn / 2 - w.phi} : w; }
 
-// Of the cells of one row: the arc tangent of each is taken once, not for each of its four blocks.
+// Of the cells of one row: the arc tangent of each is taken once, not for each of its four blocks. Its error of 1e-5
+// falls out of the sum round a block, where each is added and taken off again.
 void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
   row.resize(static_cast<std::size_t>(waves.grid.nx));
   for (int x = 0; x < waves.grid.nx; ++x) {
     const std::size_t i = waves.grid.index(x, y);
     const Vec2f q = waves.phase[i];
-    row[static_cast<std::size_t>(x)] = {waves.wave[i], std::atan2(static_cast<double>(q.y), static_cast<double>(q.x))};
+    row[static_cast<std::size_t>(x)] = {waves.wave[i], static_cast<double>(atan2Approx(q.y, q.x))};
   }
 }
+
+// As std::round, which costs a call.
+int nearestWhole(double v) { return static_cast<int>(v < 0 ? v - 0.5 : v + 0.5); }
 
 struct PhaseTurn {
   int index = 0;
@@ -49,10 +54,10 @@ PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& up
     const Wave there = alike(here.k, corners[(k + 1) % 4]);
     const double step = kHalfStep * static_cast<double>(dot(kMoves[k], here.k + there.k));
     const double gain = there.phi - here.phi - step;
-    sum += step + gain - kTurn * std::round(gain / kTurn);
+    sum += step + gain - kTurn * nearestWhole(gain / kTurn);
     here = there;
   }
-  return {static_cast<int>(std::lround(sum / kTurn)), dot(here.k, corners[0].k) < 0};
+  return {nearestWhole(sum / kTurn), dot(here.k, corners[0].k) < 0};
 }
 
 // Sums of z along rows, then columns, weighted by the Gaussian; masked cells count nothing.
@@ -89,17 +94,22 @@ std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const
   return out;
 }
 
-double boundOf(const LineField& lines, const CellConstraints& cells, const RunContext& run) {
-  const Grid& grid = lines.grid;
-  std::vector<Vec2f> z(grid.size());
+// Directions of the waves, smoothed over the infill; null where there are none.
+std::vector<Vec2f> smoothDirections(const LineField& lines, const CellConstraints& cells, const RunContext& run) {
+  std::vector<Vec2f> z(lines.grid.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (cells.zone[i] == Zone::Infill || cells.zone[i] == Zone::Shell) z[i] = lineOf(lines.direction[i]);
   }
-  z = smoothed(grid, z, run);
-  for (Vec2f& v : z) {  // now the direction, null where there is none
+  z = smoothed(lines.grid, z, run);
+  for (Vec2f& v : z) {
     const float size = length(v);
     v = size > 0 ? directionOf(v * (1 / size)) : Vec2f{};
   }
+  return z;
+}
+
+double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const RunContext& run) {
+  const Grid& grid = cells.grid;
   const double most = 0.25 / grid.cell;  // 1/(2 tau), as the cell is tau/2
   std::vector<double> sums(static_cast<std::size_t>(grid.ny), 0.0);
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
@@ -131,10 +141,23 @@ double boundOf(const LineField& lines, const CellConstraints& cells, const RunCo
   return total * grid.cell * grid.cell / (4 * grid.cell);
 }
 
+// The integral along the border as one over the outermost tau of the infill, divided by tau.
+double borderTurnsOf(const std::vector<Vec2f>& z, const SignedDistanceField& sdf, const CellConstraints& cells,
+                     double depth) {
+  const Grid& grid = cells.grid;
+  const double spacing = 2 * grid.cell;
+  double sum = 0;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (cells.zone[i] != Zone::Infill || static_cast<double>(sdf.distance[i]) < -(depth + spacing)) continue;
+    sum += static_cast<double>(std::abs(cross(z[i], sdf.normal[i])));
+  }
+  return sum * grid.cell * grid.cell / spacing / (2 * spacing);
+}
+
 }  // namespace
 
 Dislocations findDislocations(const LineField& lines, const SineField& waves, const CellConstraints& cells,
-                              const RunContext& run) {
+                              const SignedDistanceField& sdf, const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = waves.grid;
   std::vector<std::int64_t> counts(static_cast<std::size_t>(grid.ny), 0);
   std::vector<std::int64_t> singular(static_cast<std::size_t>(grid.ny), 0);
@@ -162,7 +185,10 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
     found.count += counts[y];
     found.singularities += singular[y];
   }
-  found.bound = boundOf(lines, cells, run);
+  const std::vector<Vec2f> z = smoothDirections(lines, cells, run);
+  found.bound = boundOf(z, cells, run);
+  const int perimeters = params.perimeterMode == PerimeterMode::Count ? params.perimeters : 0;
+  found.borderTurns = borderTurnsOf(z, sdf, cells, std::max(1, perimeters) * params.spacing);
   return found;
 }
 

@@ -21,10 +21,17 @@ struct WaveRecord {
   std::vector<float> frequency;  ///< as spacingField gave it
 };
 
+/// Which lines the waves follow.
+enum class Lines {
+  Asked,   ///< those that the maps ask for
+  Across,  ///< at right angles to those, except along the border
+};
+
 /// \param beforePhases  called when the lines are done, for clocks. \param record  filled where it is not null. \return
 /// the errors of the steps.
 Result<WaveFields> waveFields(const SignedDistanceField& sdf, const DirectionMap& directions, const ModeMap& modes,
                               Vec2 page, const ToolpathParams& params, const RunContext& run,
-                              const std::function<void()>& beforePhases = {}, WaveRecord* record = nullptr);
+                              const std::function<void()>& beforePhases = {}, WaveRecord* record = nullptr,
+                              Lines which = Lines::Asked);
 
 }  // namespace sillon

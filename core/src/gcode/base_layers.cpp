@@ -1,6 +1,7 @@
 #include "gcode/base_layers.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/decimal_text.hpp"
 #include "gcode/hatch.hpp"
@@ -54,12 +55,18 @@ BasePaths basePaths(const Shape& shape, PointUm offset, const Printer& printer, 
 // A base layer that is missing somewhere leaves the layers above it hanging in the air there.
 std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double area, PointUm offset,
                                    const Printer& printer, const PrintParams& params) {
-  if (params.base == 0 || params.basePattern == BasePattern::Same) return std::nullopt;
+  if (params.basePattern == BasePattern::Same) return std::nullopt;
+  std::array<bool, 2> used{};
+  for (int turn = 0; turn < params.base; ++turn) {
+    const bool own = params.basePattern == BasePattern::Across && nextTo(params, turn) != NextTo::Base;
+    used[static_cast<std::size_t>(turn % 2)] |= !own;
+  }
+  if (!used[0] && !used[1]) return std::nullopt;
   double least = 1;
   const Result<std::vector<Polyline>> loops = borderLoops(shape, printer, params, 0);
   if (!loops) return loops.error();
-  const auto turns = std::min<std::size_t>(job.bases.size(), static_cast<std::size_t>(params.base));
-  for (std::size_t k = 0; k < turns; ++k) {
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    if (!used[k]) continue;
     if (k == 1 && params.basePattern == BasePattern::Concentric) {
       job.bases[1] = job.bases[0];
       break;
@@ -74,7 +81,8 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
                                                  decimal(printer.nozzle, 3) + " mm; it must be 0 here"};
   }
   if (least < kMinHatch) job.warn(WarningCode::BaseTooThin, {{"percent", percent(least)}});
-  if (params.elephantFoot > 0 && params.showSide == ShowSide::Up && beginsOnBed(params)) {
+  const bool firstIsPlain = used[0] && !(needsAcross(params) && params.base == 1);
+  if (params.elephantFoot > 0 && firstIsPlain && params.showSide == ShowSide::Up && beginsOnBed(params)) {
     const Result<std::vector<Polyline>> within = borderLoops(shape, printer, params, params.elephantFoot);
     if (!within) return within.error();
     job.firstBase = basePaths(shape, offset, printer, params, within.value(), 0, params.elephantFoot).paths;

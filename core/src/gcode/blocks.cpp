@@ -39,6 +39,18 @@ GcodeWarning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding
   return {code, {{"line", static_cast<double>(line)}, {"what", finding.message}, {"rule", finding.rule}}};
 }
 
+// As copied out of a slicer's settings file: a printer reads one long line, and does the first command of it.
+std::optional<Error> checkBreaks(const std::string& block, const char* name) {
+  for (std::size_t at = block.find("\\n"); at != std::string::npos; at = block.find("\\n", at + 2)) {
+    const std::string_view next = std::string_view(block).substr(at + 2, 2);
+    if (next.size() == 2 && std::string_view("GMT").find(next[0]) != std::string_view::npos && next[1] >= '0' &&
+        next[1] <= '9') {
+      return invalid(std::string(name) + " has line breaks written as \\n; each command must be on a line of its own");
+    }
+  }
+  return std::nullopt;
+}
+
 // A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
 std::optional<Error> checkStart(const std::string& block, const Printer& printer, const PrintParams& params,
                                 GcodeJob& job) {
@@ -148,6 +160,8 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
         "which can be imported");
   }
   for (const BeadPath& path : job.skirt) addBeads(beads, path);
+  if (auto error = checkBreaks(printer.startGcode, "startGcode")) return error;
+  if (auto error = checkBreaks(printer.endGcode, "endGcode")) return error;
   const std::vector<TemplateValue> values = templateValues(printer, params, beads);
   Result<std::string> start = expandTemplate(printer.startGcode, values, "startGcode");
   if (!start) return start.error();

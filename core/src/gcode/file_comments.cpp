@@ -108,6 +108,10 @@ void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer
   out << (block ? "; HEADER_BLOCK_END\n\n" : "\n");
 }
 
+void writeRole(ChunkedOutput& out, const Role& role) {
+  out << ";TYPE:" << role.type << "\n; FEATURE: " << role.feature << "\n";
+}
+
 void writeFooter(ChunkedOutput& out, const FileTotals& totals, const GcodeJob& job, const Printer& printer,
                  const PrintParams& params) {
   const double mm = totals.filamentMm;

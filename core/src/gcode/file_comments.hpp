@@ -11,6 +11,18 @@ namespace sillon {
 void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer, const PrintParams& params,
                  double seconds);
 
+/// What the moves that follow print, in the words that viewers know.
+struct Role {
+  const char* type;     ///< PrusaSlicer's word
+  const char* feature;  ///< Orca's and Bambu Studio's
+};
+inline constexpr Role kSkirtRole{"Skirt/Brim", "Skirt"};
+inline constexpr Role kBrimRole{"Skirt/Brim", "Brim"};
+inline constexpr Role kBaseRole{"Solid infill", "Internal solid infill"};
+inline constexpr Role kOrientedRole{"Top solid infill", "Top surface"};
+inline constexpr Role kCustomRole{"Custom", "Custom"};
+void writeRole(ChunkedOutput& out, const Role& role);
+
 struct FileTotals {
   double filamentMm = 0;
   double seconds = 0;

@@ -41,6 +41,8 @@ struct GcodeJob {
   std::vector<BeadPath> brim;                  ///< first layer of each copy
   std::vector<BeadPath> firstBase;             ///< the first layer, where it is a base layer
   std::array<std::vector<BeadPath>, 2> bases;  ///< of the other base layers, taking turns
+  std::vector<BeadPath> across;                ///< of the base layer next to the cycles; empty where it is as others
+  std::vector<BeadPath> bedAcross;             ///< next to the bed's cycles, likewise; ShowSide::Both
   std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
   std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
   std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
@@ -97,6 +99,17 @@ inline bool isOriented(const PrintParams& params, int layer) {
   const bool onBed = params.showSide != ShowSide::Up && layer < params.layers;
   const int below = params.showSide == ShowSide::Up ? params.base : params.layers + params.base;
   return onBed || layer >= below;
+}
+
+/// What a base layer lies next to.
+enum class NextTo { Base, Oriented, OrientedOnBed };
+
+/// \param turn  of the base layer among its kind, from the lowest. One between two oriented layers is next to the
+/// upper.
+inline NextTo nextTo(const PrintParams& params, int turn) {
+  if (turn == params.base - 1 && params.showSide != ShowSide::Bed) return NextTo::Oriented;
+  if (turn == 0 && params.showSide == ShowSide::Bed) return NextTo::Oriented;
+  return turn == 0 && params.showSide == ShowSide::Both ? NextTo::OrientedOnBed : NextTo::Base;
 }
 
 /// Top of a layer, counted from 0 [mm].

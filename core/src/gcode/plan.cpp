@@ -32,6 +32,9 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
   }
   const double height = std::max(params.layerHeight, firstLayerHeight(params));
   double area = params.flow * height * widest;
+  for (const BeadPath& path : job.across) {
+    for (const double width : path.widths) area = std::max(area, params.baseFlow * height * width);
+  }
   for (const PlacedPatch& patch : job.patches) {
     for (const BeadPath& path : patch.paths) {
       for (const double width : path.widths) area = std::max(area, patch.how.flow * height * width);
@@ -57,9 +60,8 @@ PointUm corner(const Printer& printer) {
 }
 
 // Seen from below, a plate is its mirror image; only shapes that are their own can show the same on both sides.
-std::optional<Error> addBedCycles(GcodeJob& job, const Toolpath& given, const Shape& givenShape,
-                                  const PlateTransform& turn, const ShapeScan& inside, PointUm offset,
-                                  const Printer& printer) {
+Result<std::vector<BeadPath>> bedCycles(const Toolpath& given, const Shape& givenShape, const PlateTransform& turn,
+                                        const ShapeScan& inside, PointUm offset, const Printer& printer) {
   const Bounds box = bounds(givenShape);
   const double sum = box.min.x + box.max.x;
   Toolpath flipped = given;
@@ -68,13 +70,12 @@ std::optional<Error> addBedCycles(GcodeJob& job, const Toolpath& given, const Sh
   }
   const Toolpath toolpath = turn.none() ? flipped : turn.apply(flipped);
   if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
-    return invalid("showSide is both, but the shape is not its own mirror image: " + std::to_string(outside) +
-                   " points of the path would lie outside; it must be up or bed here");
+    return *invalid("showSide is both, but the shape is not its own mirror image: " + std::to_string(outside) +
+                    " points of the path would lie outside; it must be up or bed here");
   }
   PlacedCycles placedCycles;
-  if (auto error = placeCycles(toolpath, offset, printer.nozzle, placedCycles)) return error;
-  job.bedCycles = std::move(placedCycles.paths);
-  return std::nullopt;
+  if (auto error = placeCycles(toolpath, offset, printer.nozzle, placedCycles)) return *error;
+  return std::move(placedCycles.paths);
 }
 
 // Without pressure advance the extruder lags behind every change of speed: beads are thick where the nozzle slows down
@@ -132,7 +133,7 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
 Result<Bounds> fittedBox(GcodeJob& job, const Shape& shape, const Bounds& shapeBox, PointUm offset,
                          const Printer& printer) {
   Bounds box{shapeBox.min + mm(offset), shapeBox.max + mm(offset)};
-  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.brim}) {
+  for (const auto* paths : {&job.cycles, &job.bedCycles, &job.across, &job.bedAcross, &job.brim}) {
     for (const BeadPath& path : *paths) addBeads(box, path);
   }
   for (const PlacedPatch& patch : job.patches) {
@@ -163,9 +164,9 @@ std::optional<Error> addSurroundings(GcodeJob& job, const Bounds& box, const Pri
 
 }  // namespace
 
-Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape, const Printer& printer,
-                                 const PrintParams& params) {
-  if (auto error = checkGcodeInput(given, givenShape, printer, params)) return *error;
+Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, const Shape& givenShape,
+                                 const Printer& printer, const PrintParams& params) {
+  if (auto error = checkGcodeInput(given, across, givenShape, printer, params)) return *error;
   PrintParams turning = params;
   if (params.showSide == ShowSide::Bed) turning.mirror = !params.mirror;
   const PlateTransform turn(turning, givenShape.page);
@@ -188,12 +189,27 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
                                       {"low", kLeastBead * printer.nozzle},
                                       {"high", kWidestBead * printer.nozzle}});
   }
-  if (auto error = checkFlow(job, printer, params)) return *error;
+  std::int64_t outside = 0;
   const ShapeScan inside = scanShape(shape, shapeBox);
+  if (across != nullptr) {
+    const Toolpath& turned = turn.none() ? *across : turn.apply(*across);
+    PlacedCycles below;
+    if (auto error = placeCycles(turned, offset, printer.nozzle, below)) return *error;
+    job.across = std::move(below.paths);
+    outside = countOutside(turned, inside);
+  }
+  if (auto error = checkFlow(job, printer, params)) return *error;
   if (!(inside.area > kMinArea))
     return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
   if (params.showSide == ShowSide::Both) {
-    if (auto error = addBedCycles(job, given, givenShape, turn, inside, offset, printer)) return *error;
+    Result<std::vector<BeadPath>> onBed = bedCycles(given, givenShape, turn, inside, offset, printer);
+    if (!onBed) return onBed.error();
+    job.bedCycles = std::move(onBed).value();
+    if (across != nullptr) {
+      onBed = bedCycles(*across, givenShape, turn, inside, offset, printer);
+      if (!onBed) return onBed.error();
+      job.bedAcross = std::move(onBed).value();
+    }
   }
   if (auto error = addBrim(job, shape, offset, printer, params)) return *error;
 
@@ -201,7 +217,8 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Shape& givenShape,
   if (!box) return Error{box.error().code, box.error().message + wayOut(givenShape, printer, params)};
 
   job.fillRatio = cycles.beadArea / inside.area;
-  if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
+  outside += countOutside(toolpath, inside);
+  if (outside > 0) {
     const GcodeWarning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
     if (params.strict) return *invalid(warningSentence(warning) + "; strict refuses that");
     job.warnings.push_back(warning);

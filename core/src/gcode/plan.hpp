@@ -8,9 +8,10 @@
 
 namespace sillon {
 
-/// \return InvalidArgument, DoesNotFit or EmptyShape, as writeGcode.
-Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
-                                 const PrintParams& params);
+/// \param across  null where needsAcross does not ask for it. \return InvalidArgument, DoesNotFit or EmptyShape, as
+/// writeGcode.
+Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
+                                 const Printer& printer, const PrintParams& params);
 
 /// \return InvalidArgument, DoesNotFit or EmptyShape, as writePatches.
 Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer, const PrintParams& params);

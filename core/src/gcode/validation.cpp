@@ -164,7 +164,8 @@ std::optional<Error> checkToolpath(const Toolpath& toolpath, const Printer& prin
 // What patches do without: they are laid as they are, once.
 std::optional<Error> checkPatchPrint(const PrintParams& params) {
   const bool plain = params.showSide == ShowSide::Up && params.rotate == 0 && !params.mirror &&
-                     params.copies == Vec2{1, 1} && beginsOnBed(params) && params.basePattern != BasePattern::Same;
+                     params.copies == Vec2{1, 1} && beginsOnBed(params) && params.basePattern != BasePattern::Same &&
+                     params.basePattern != BasePattern::Across;
   if (plain) return std::nullopt;
   return invalid(
       "patches are printed as they are; showSide must be up, rotate 0, mirror off, copies 1x1, startHeight 0 and "
@@ -263,12 +264,20 @@ std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer,
   return checkShape(shape);
 }
 
-std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
-                                     const PrintParams& params) {
+std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
+                                     const Printer& printer, const PrintParams& params) {
   if (auto error = checkText(printer, params)) return error;
   if (auto error = checkPlateInput(shape, printer, params)) return error;
   if (auto error = checkThumbnails(params)) return error;
-  return checkToolpath(toolpath, printer, params);
+  if (auto error = checkToolpath(toolpath, printer, params)) return error;
+  if (!needsAcross(params)) return std::nullopt;
+  if (across == nullptr) {
+    return invalid("print.basePattern is across, which needs a second toolpath, made across the first; none was given");
+  }
+  if (auto error = checkToolpath(*across, printer, params)) {
+    return Error{error->code, "of the toolpath across: " + error->message};
+  }
+  return std::nullopt;
 }
 
 std::optional<Error> checkPatchInput(const PatchPlate& plate, const Printer& printer, const PrintParams& params) {

@@ -14,8 +14,9 @@ namespace sillon {
 
 /// What can be judged number by number, before anything is placed: text, ranges, finite coordinates and widths.
 /// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles).
-std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
-                                     const PrintParams& params);
+/// \param across  read where needsAcross, and missing there if null.
+std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
+                                     const Printer& printer, const PrintParams& params);
 
 /// The same for patches. \return InvalidArgument, DoesNotFit or EmptyShape (no lines).
 std::optional<Error> checkPatchInput(const PatchPlate& plate, const Printer& printer, const PrintParams& params);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "base/decimal_text.hpp"
+#include "base/json.hpp"
 
 namespace sillon {
 namespace {
@@ -26,6 +28,10 @@ constexpr Row kRows[] = {
      "{area} mm2 are narrower than a bead and stay empty, in places: {n}; {share} % of that would print at a page "
      "width "
      "of {size} mm"},
+    {WarningCode::DrawingFaint, "DrawingFaint",
+     "{area} mm2 of the drawing are painted at half opacity or less and printed like the rest; take a variant of one "
+     "tone to "
+     "see its lines"},
     {WarningCode::DrawingOffPage, "DrawingOffPage",
      "{area} mm2 of the drawing lie off its page and are cut off, as viewers do"},
     {WarningCode::DrawingUnpainted, "DrawingUnpainted",
@@ -47,11 +53,17 @@ constexpr Row kRows[] = {
     {WarningCode::NotPrimedAbovePrint, "NotPrimedAbovePrint",
      "nothing is printed beside a print that stands on the bed; the nozzle is not primed"},
     {WarningCode::OutsideShape, "OutsideShape", "{n} points of the path lie more than 0.1 mm outside the shape"},
+    {WarningCode::PicturesCrowded, "PicturesCrowded",
+     "{n} pictures are too many for one plate: of picture {picture} its directions show r {r}, where 0.7 can be "
+     "recognised; ask for fewer pictures, or for ones that differ less"},
     {WarningCode::PressureAdvanceReset, "PressureAdvanceReset",
      "pressure advance is {value} after the print, until the printer restarts or another file sets it"},
     {WarningCode::PrintOnBed, "PrintOnBed",
      "a print of {height} mm stands on the bed while the start block homes; G28 and G29 must not come down on it on "
      "this printer"},
+    {WarningCode::PrintedApart, "PrintedApart",
+     "toolpaths that lie apart from the rest of their part: {n}, round x {x}, y {y} mm; what joins them is too thin "
+     "for a bead, which a larger size, a smaller spacing or keepThin may mend"},
     {WarningCode::SegmentsSlow, "SegmentsSlow", "maxSegmentsPerSecond slows {percent} % of the path"},
     {WarningCode::SkirtLeftOut, "SkirtLeftOut", "the skirt does not fit the bed and was left out"},
     {WarningCode::SpeedHeld, "SpeedHeld", "{field} is {asked} mm/s; it is held at machineSpeed, {held}"},
@@ -78,6 +90,36 @@ static_assert(rowsStandInOrder(), "one row per code, in the order of WarningCode
 
 const Row& row(WarningCode code) { return kRows[static_cast<std::size_t>(code)]; }
 
+/// What is narrower than a bead.
+std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
+  if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
+  // The thinnest tenth may be hairlines that no size would save.
+  std::vector<ThinPlace> byWidth = measures.lostPlaces;
+  std::stable_sort(byWidth.begin(), byWidth.end(),
+                   [](const ThinPlace& a, const ThinPlace& b) { return a.width > b.width; });
+  double printed = 0;
+  double width = byWidth.front().width;
+  for (const ThinPlace& place : byWidth) {
+    if (printed >= 0.9 * measures.lostAreaMm2) break;
+    printed += place.areaMm2;
+    width = place.width;
+  }
+  const double size = std::ceil(page.x * spacing / std::max(width, 0.01 * spacing));
+  return {{WarningCode::DetailLost,
+           {{"area", measures.lostAreaMm2},
+            {"n", static_cast<double>(measures.lostPlaces.size())},
+            {"share", std::round(100 * printed / measures.lostAreaMm2)},
+            {"size", size}}}};
+}
+
+std::vector<GcodeWarning> apartWarnings(const std::vector<Vec2>& apart) {
+  if (apart.empty()) return {};
+  return {{WarningCode::PrintedApart,
+           {{"n", static_cast<double>(apart.size())},
+            {"x", std::round(10 * apart.front().x) / 10},
+            {"y", std::round(10 * apart.front().y) / 10}}}};
+}
+
 }  // namespace
 
 const WarningValue* GcodeWarning::value(const std::string& name) const {
@@ -90,6 +132,7 @@ const char* warningName(WarningCode code) { return row(code).name; }
 
 std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
   std::vector<GcodeWarning> warnings;
+  if (drawing.faintMm2 > 0) warnings.push_back({WarningCode::DrawingFaint, {{"area", drawing.faintMm2}}});
   // Edges that only graze the page's are no loss.
   if (drawing.offPage >= 0.01) {
     warnings.push_back({WarningCode::DrawingOffPage, {{"area", drawing.offPage}}});
@@ -98,25 +141,44 @@ std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
   return warnings;
 }
 
-std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
-  if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
-  // The thinnest tenth may be hairlines that no size would save.
-  std::vector<LostPlace> byWidth = measures.lostPlaces;
-  std::stable_sort(byWidth.begin(), byWidth.end(),
-                   [](const LostPlace& a, const LostPlace& b) { return a.width > b.width; });
-  double printed = 0;
-  double width = byWidth.front().width;
-  for (const LostPlace& place : byWidth) {
-    if (printed >= 0.9 * measures.lostAreaMm2) break;
-    printed += place.areaMm2;
-    width = place.width;
+std::vector<GcodeWarning> crowdedWarnings(const std::vector<double>& r) {
+  constexpr double kRecognised = 0.7;
+  if (r.size() < 2) return {};
+  const auto least = std::min_element(r.begin(), r.end());
+  if (*least >= kRecognised) return {};
+  return {{WarningCode::PicturesCrowded,
+           {{"n", static_cast<double>(r.size())},
+            {"picture", static_cast<double>(least - r.begin() + 1)},
+            {"r", std::round(100 * *least) / 100}}}};
+}
+
+std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
+                                        const std::vector<double>& pictureR, const std::optional<Measures>& measures,
+                                        Vec2 page, double spacing) {
+  std::vector<GcodeWarning> all = drawingWarnings(drawing);
+  const auto add = [&all](std::vector<GcodeWarning> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  };
+  add(apartWarnings(apart));
+  add(crowdedWarnings(pictureR));
+  if (measures) add(lossWarnings(*measures, page, spacing));
+  return all;
+}
+
+std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings) {
+  const auto text = [](const Json& leaf) { return leaf.dump(-1, ' ', false, Json::error_handler_t::replace); };
+  std::string list;
+  for (const GcodeWarning& warning : warnings) {
+    std::string values;
+    for (const WarningValue& value : warning.values) {
+      values += (values.empty() ? "" : ",") + text(value.name) + ":" +
+                text(value.text.empty() ? Json(value.number) : Json(value.text));
+    }
+    list += (list.empty() ? "" : ",") + ("{\"code\":" + text(warningName(warning.code))) + ",\"values\":{" + values +
+            "},\"message\":" + text(warningSentence(warning)) + "}";
   }
-  const double size = std::ceil(page.x * spacing / std::max(width, 0.01 * spacing));
-  return {{WarningCode::DetailLost,
-           {{"area", measures.lostAreaMm2},
-            {"n", static_cast<double>(measures.lostPlaces.size())},
-            {"share", std::round(100 * printed / measures.lostAreaMm2)},
-            {"size", size}}}};
+  report.resize(report.rfind("\n}"));
+  return report + ",\n  \"warnings\": [" + list + "]\n}\n";
 }
 
 std::string warningSentence(const GcodeWarning& warning) {

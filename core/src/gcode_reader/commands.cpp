@@ -43,7 +43,7 @@ constexpr Row kRows[] = {
     {Safe, Bambu, false,
      "G29.1-G29.9 G39-G39.9 G150-G152 G150.1-G150.9 G380 G383 G392 G1009 G2814 M9833 M620-M630 M960 M970-M985 M991 "
      "M1000 "
-     "M1002-M1007 M1012 M1022 M1026 M1028 M142 M211 M412 M500 SYNC"},
+     "M1002-M1007 M1012 M1022 M1026 M1028 M142 M211 M290 M412 M500 SYNC"},
     {Safe, Klipper, false,
      "BED_MESH_CALIBRATE BED_MESH_CLEAR QUAD_GANTRY_LEVEL Z_TILT_ADJUST SCREWS_TILT_CALCULATE SAVE_GCODE_STATE "
      "RESTORE_GCODE_STATE SET_VELOCITY_LIMIT TEMPERATURE_WAIT STATUS GET_POSITION M204 M220-M221"},
@@ -197,6 +197,9 @@ const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   if (command.sub != 0) {
     if (const Row* row = rowOf(name + "." + std::to_string(command.sub), flavor)) return row;
   }
+  // Prusa's boards read the area of the print after it (Prusa-Firmware-Buddy, M555: X Y W H), and their files do not
+  // tell them from others; RepRapFirmware a mode after P.
+  if (name == "M555" && !wordsOf(command.rest).has('P')) return rowOf(name, GcodeFlavor::PrusaBuddy);
   return rowOf(name, flavor);
 }
 

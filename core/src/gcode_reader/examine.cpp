@@ -52,8 +52,7 @@ std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavo
     const std::optional<MachineMove> move = runCommand(machine, command, words);
     if (command.is('M', 200) && words.at('D') > 0) add(makeFinding("volumetric", true));
     if (!move || move->z >= move->zFrom) return;
-    const Depth depth = depthOf(*move, {});
-    if (depth != Depth::Fine) add(makeFinding("below-bed", depth == Depth::InBed, {{"mm", decimal(move->z, 3)}}));
+    if (tooDeep(*move, {})) add(makeFinding("below-bed", true, {{"mm", decimal(move->z, 3)}}));
   });
   return findings;
 }

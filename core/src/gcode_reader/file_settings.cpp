@@ -2,6 +2,7 @@
 
 #include "base/lines.hpp"
 #include "gcode_reader/parser.hpp"
+#include "sillon/settings/presets.hpp"
 
 namespace sillon {
 namespace {
@@ -64,6 +65,7 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     settings.diameterTold = true;
     settings.flavor = printer->flavor;
   }
+  std::string_view model;
   // Settings stand behind the moves in most files.
   while (!text.empty()) {
     const std::string_view line = nextLine(text);
@@ -72,6 +74,14 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     if (comment.starts_with("FLAVOR:UltiGCode")) settings.ultimaker = settings.volumetric = true;
     if (comment.starts_with("FLAVOR:Griffin")) settings.ultimaker = true;
     if (!printer) readSetting(settings, comment);
+    constexpr std::string_view kModel = "printer_model = ";
+    if (comment.starts_with(kModel)) model = comment.substr(kModel.size());
+  }
+  // Slicers call these dialects Marlin's, too.
+  if (!printer && settings.flavor == GcodeFlavor::Marlin) {
+    const std::optional<PrinterProfile> known = profileOf(model);
+    const GcodeFlavor own = known ? known->printer.flavor : GcodeFlavor::Marlin;
+    if (own == GcodeFlavor::PrusaBuddy || own == GcodeFlavor::Bambu) settings.flavor = own;
   }
   return settings;
 }

@@ -50,7 +50,6 @@ constexpr Sentence kSentences[] = {
     {"volumetric", "modes", "volumetric extrusion (M200) changes what every E means"},
 
     {"excluded", "bounds", "a bead in the excluded part of the bed"},
-    {"block-off-bed", "bounds", "the start or end block goes over the bed's edge at {place}, {mm} mm"},
     {"off-bed", "bounds", "{what} over the bed's edge at {place}, {mm} mm"},
 
     {"too-high", "height", "above the printer's height: {mm} mm"},

@@ -2,6 +2,7 @@
 
 #include <fast_float/fast_float.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gcode_reader/grammar.hpp"
@@ -133,6 +134,48 @@ GcodeWords wordsOf(std::string_view text) {
     words.given |= bit;
   }
   return words;
+}
+
+bool readPlainMove(std::string_view line, GcodeWords& words) {
+  // A quotient of two numbers that doubles hold exactly is rounded as the decimal number itself would be.
+  static constexpr std::array<double, 16> kTens = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                   1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  constexpr std::size_t kMostWhole = 9;
+  constexpr std::size_t kMostDigits = 15;
+  if (line.size() > 95 || line.size() < 4 || line[0] != 'G' || (line[1] != '0' && line[1] != '1')) return false;
+  for (std::size_t at = 2; at < line.size();) {
+    if (line[at] != ' ' || at + 2 >= line.size()) return false;
+    const char letter = line[at + 1];
+    if (letter < 'A' || letter > 'Z' || letter == 'G' || letter == 'M') return false;
+    const auto index = static_cast<std::size_t>(letter - 'A');
+    const std::uint32_t bit = std::uint32_t{1} << index;
+    if ((words.named & bit) != 0) return false;
+    at += 2;
+    const bool negative = line[at] == '-';
+    if (negative) ++at;
+    std::uint64_t number = 0;
+    const auto readDigits = [&] {
+      const std::size_t first = at;
+      for (; at < line.size() && isDigit(line[at]) && at - first <= kMostDigits; ++at)
+        number = 10 * number + static_cast<std::uint64_t>(line[at] - '0');
+      return at - first;
+    };
+    const std::size_t begin = at;
+    const std::size_t whole = readDigits();
+    if (whole == 0 || whole > kMostWhole || (whole > 1 && line[begin] == '0')) return false;
+    std::size_t decimals = 0;
+    if (at < line.size() && line[at] == '.') {
+      ++at;
+      decimals = readDigits();
+      if (decimals == 0 || whole + decimals > kMostDigits) return false;
+    }
+    if (negative && number == 0) return false;
+    const double value = static_cast<double>(number) / kTens[decimals];
+    words.values[index] = negative ? -value : value;
+    words.named |= bit;
+  }
+  words.given = words.named;
+  return true;
 }
 
 }  // namespace sillon

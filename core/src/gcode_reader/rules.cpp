@@ -53,16 +53,18 @@ std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {
   return std::max({bed.min.x - p.x, p.x - bed.max.x, bed.min.y - p.y, p.y - bed.max.y});
 }
 
+// Where nothing stands and no sheet lies.
+bool beside(const FileSettings& settings, Vec2 p) {
+  const auto beyond = beyondBed(settings, p);
+  return beyond ? *beyond > 0.5 : p.y > kFarSheet;
+}
+
 std::string shownPlace(Vec2 p) { return "(" + decimal(p.x, 3) + ", " + decimal(p.y, 3) + ")"; }
 
 }  // namespace
 
-Depth depthOf(const MachineMove& move, const FileSettings& settings) {
-  if (move.z >= -kBelowBed - 1e-9) return Depth::Fine;
-  if (move.z < -kBelowBesideBed) return Depth::InBed;
-  const auto beyond = beyondBed(settings, move.to);
-  const bool beside = beyond ? *beyond > 0.5 : move.to.y > kFarSheet;
-  return beside ? Depth::BesideBed : Depth::InBed;
+bool tooDeep(const MachineMove& move, const FileSettings& settings) {
+  return move.z < (beside(settings, move.to) ? -kBelowBesideBed : -kBelowBed - 1e-9);
 }
 
 Rules::Rules(FileSettings settings, bool ours)
@@ -98,6 +100,12 @@ void Rules::found(GcodeFinding finding) {
 
 void Rules::line(const GcodeLine& line) {
   check_.lines = line.number;
+  if (GcodeWords words; line.end == "\n" && readPlainMove(line.text, words)) {
+    GcodeCommand move;
+    move.letter = 'G';
+    move.code = line.text[1] - '0';
+    return run(move, words);
+  }
   if (line.end == "\r\n") found("cr-lf", ours_);
   if (line.end == "\r") found("cr", ours_);
   if (ours_ && !block()) {
@@ -187,7 +195,10 @@ void Rules::command(std::string_view text) {
     return found("no-command", false, {{"text", shownText(text)}});
   }
   if (command.letter == 0) return;
-  const GcodeWords words = readsWords(command) ? this->words(command) : GcodeWords{};
+  run(command, readsWords(command) ? this->words(command) : GcodeWords{});
+}
+
+void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
   modes(command, words);
   heat(command, words);
   const double retracted = machine_.retracted;
@@ -196,14 +207,17 @@ void Rules::command(std::string_view text) {
     move(*made);
     if (made->length == 0 && made->e != 0) filament(made->e, retracted);
   }
-  if (firmware != machine_.firmwareRetracted) endPath();
+  if (firmware != machine_.firmwareRetracted) {
+    endPath();
+    retractsBetween_ = retractsBetween_ || !block();
+  }
   check_.homes = check_.homes || machine_.homed;
 }
 
 // What is no plain number is read as far as a firmware would.
 GcodeWords Rules::words(const GcodeCommand& command) {
   const GcodeWords words = wordsOf(command.rest);
-  const std::string shown = shownText(words.faultText);
+  const std::string shown = words.fault == GcodeWords::None ? "" : shownText(words.faultText);
   switch (words.fault) {
     case GcodeWords::None:
       break;
@@ -249,11 +263,8 @@ void Rules::checkPlace(Vec2 p, const char* what) {
   if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
   const double over = beyondBed(settings_, p).value_or(-1);
   if (over <= kRounding) return;
-  if (block() && over <= kBeyondBed) {
-    found("block-off-bed", false, {{"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
-  } else {
-    found("off-bed", true, {{"what", what}, {"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
-  }
+  if (block() && over <= kBeyondBed) return;
+  found("off-bed", true, {{"what", what}, {"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
 }
 
 void Rules::checkRate(double seconds) {
@@ -278,10 +289,9 @@ void Rules::move(const MachineMove& move) {
     if (settings_.maxZ > 0 && move.z > settings_.maxZ + kRounding)
       found("too-high", true, {{"mm", decimal(move.z, 3)}});
     if (move.z < move.zFrom) {
-      const Depth depth = depthOf(move, settings_);
       // Deltas home at the top, so that nothing is known before the first Z.
       const bool top = !machine_.zKnown && settings_.printer && settings_.printer->roundBed;
-      if (depth != Depth::Fine && !top) found("below-bed", depth == Depth::InBed, {{"mm", decimal(move.z, 3)}});
+      if (!top && tooDeep(move, settings_)) found("below-bed", true, {{"mm", decimal(move.z, 3)}});
     }
   }
   if (move.arc && move.readable) {
@@ -294,7 +304,8 @@ void Rules::move(const MachineMove& move) {
           "an arc");
     }
   }
-  if (machine_.zKnown && move.xy) {  // from where is not told in a block by itself
+  const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
+  if (machine_.zKnown && move.xy && !wipes) {  // from where is not told in a block by itself
     const double low = lastZKnown_ ? std::min(move.zFrom, move.z) : move.z;
     check_.lowest = std::min(check_.lowest, low);
     if (low < startHeight_) found("below-print", !block(), {{"mm", decimal(low, 3)}});
@@ -339,7 +350,7 @@ void Rules::bead(const MachineMove& move, double e) {
     trail_.clear();
     if (oriented_) follow(from);
   } else if (coasted_ > 0) {
-    if (!block()) found("gap", ours_ && pathOriented_);
+    if (ours_ && !block()) found("gap", pathOriented_);  // other slicers go short ways without retraction
   }
   if (block()) machine_.retracted = 0;  // what it purges fills the nozzle
   coasted_ = 0;
@@ -463,6 +474,7 @@ void Rules::filament(double e, double retractedBefore) {
   if (e < 0) {
     endPath();
     ++check_.retractions;
+    retractsBetween_ = retractsBetween_ || !block();
     const bool unloads = custom_ && layers_ > 0;  // the end block of a printer with several filaments
     if (machine_.retracted > 25 && !unloads) found("far-retracted", true);
     return;
@@ -528,6 +540,8 @@ GcodeCheck Rules::finish() {
   for (const bool error : {true, false}) {
     for (const bool ofFile : {true, false}) {
       for (const GcodeFinding& finding : check_.findings) {
+        // Other slicers leave out retractions inside a part on purpose.
+        if (!ours_ && retractsBetween_ && finding.code == "travel-unretracted") continue;
         if (finding.error == error && (finding.line == 0) == ofFile) sorted.push_back(finding);
       }
     }

@@ -18,10 +18,9 @@ namespace sillon {
 inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
 inline constexpr double kHottestBed = 120;
 
-/// What kind of move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'
+/// Whether a move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'
 /// blocks wipe there.
-enum class Depth { Fine, BesideBed, InBed };
-Depth depthOf(const MachineMove& move, const FileSettings& settings);
+bool tooDeep(const MachineMove& move, const FileSettings& settings);
 
 class Rules {
  public:
@@ -42,6 +41,7 @@ class Rules {
   void comment(std::string_view text);
   void command(std::string_view text);
   void startMacro(std::string_view text);
+  void run(const GcodeCommand& command, const GcodeWords& words);  ///< a command with a letter
   GcodeWords words(const GcodeCommand& command);
   void modes(const GcodeCommand& command, const GcodeWords& words);
   void heat(const GcodeCommand& command, const GcodeWords& words);
@@ -71,8 +71,9 @@ class Rules {
   double area_ = 0;         // of the filament [mm²]
   double startHeight_ = 0;  // of a print on the bed, in files of ours
   bool endMacro_ = false;
-  bool moved_ = false;       // a bead was laid
-  bool lastZKnown_ = false;  // before the last move
+  bool retractsBetween_ = false;  // somewhere in the layers
+  bool moved_ = false;            // a bead was laid
+  bool lastZKnown_ = false;       // before the last move
 
   int layers_ = 0;
   LayerMark layerMark_ = LayerMark::None;

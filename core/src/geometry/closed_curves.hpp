@@ -10,6 +10,9 @@
 
 namespace sillon {
 
+/// The index k of n points in a ring, for k from -n to 2 n - 1.
+inline int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
+
 /// The same curves with points at equal arc lengths of about `step`, at least `kMinPoints` each; the first point stays.
 ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run);
 inline constexpr int kMinPoints = 6;

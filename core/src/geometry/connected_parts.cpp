@@ -42,7 +42,8 @@ float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::si
 
 }  // namespace
 
-Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge) {
+Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge,
+                 const std::vector<Vec2>& middles) {
   const Grid& grid = sdf.grid;
   const float limit = static_cast<float>(0.5 * bridge);
   const float safe = limit - static_cast<float>(grid.cell);  // a neighbour of such a cell is reached in any case
@@ -85,6 +86,10 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
   const float depth = static_cast<float>(-0.5 * spacing);
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (parts.label[i] >= 0 && sdf.distance[i] <= depth) deep[static_cast<std::size_t>(sets.find(parts.label[i]))] = 1;
+  }
+  for (const Vec2 p : middles) {
+    const std::int32_t label = parts.label[grid.cellAt(p)];
+    if (label >= 0) deep[static_cast<std::size_t>(sets.find(label))] = 1;
   }
   std::vector<std::int32_t> number(runs.size(), -1);
   std::int32_t next = 0;

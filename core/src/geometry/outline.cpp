@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/covered_paths.hpp"
+
 namespace sillon {
 namespace {
 
@@ -30,9 +32,11 @@ struct Edge {
   int path;
 };
 
-std::vector<Edge> edgesOf(const std::vector<FilledPath>& paths) {
+/// \param without  where not empty, 1 for paths that are left out.
+std::vector<Edge> edgesOf(const std::vector<FilledPath>& paths, const std::vector<char>& without = {}) {
   std::vector<Edge> edges;
   for (std::size_t path = 0; path < paths.size(); ++path) {
+    if (!without.empty() && without[path] != 0) continue;
     for (const Ring& ring : paths[path].rings) {
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Vec2 a = ring[k];
@@ -196,9 +200,19 @@ void splitPair(const std::vector<Edge>& edges, int i, int j, Points points, std:
   if ((fa > 0) == (fb > 0) || (ea > 0) == (eb > 0)) return;
   const double t = ea / (ea - eb);
   if (t <= 0 || t >= 1) return;
+  const double s = fa / (fa - fb);
   const Vec2 at = e.a + u * t;
+  // Pieces of one line: their last digits seem to cross, anywhere and each somewhere else.
+  if (length(f.a + v * s - at) > kNear) return;
   splits.push_back({i, t, at});
-  splits.push_back({j, fa / (fa - fb), at});
+  splits.push_back({j, s, at});
+}
+
+Bounds boxOf(const Edge& edge) {
+  Bounds box;
+  box.add(edge.a);
+  box.add(edge.b);
+  return box;
 }
 
 // All places where edges meet away from their own ends. False: too much work, with what was done before.
@@ -224,7 +238,8 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, Points points
     for (std::int64_t row = firstRow; row <= lastRow; ++row) {
       double low = std::min(edge.a.x, edge.b.x);
       double high = std::max(edge.a.x, edge.b.x);
-      if (firstRow != lastRow) {  // only the columns the edge passes within this row
+      // Only the columns that the edge passes within this row; a level one passes all of its own.
+      if (firstRow != lastRow && edge.a.y != edge.b.y) {
         const double y0 = box.min.y + static_cast<double>(row) * cell - reach;
         const double y1 = y0 + cell + 2 * reach;
         const double slope = (edge.b.x - edge.a.x) / (edge.b.y - edge.a.y);
@@ -243,13 +258,22 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, Points points
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.edge < b.edge; });
+  std::vector<Bounds> boxes;  // of the edges in a cell: few of them come near each other
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     while (end < entries.size() && entries[end].key == entries[begin].key) ++end;
     const std::uint64_t count = end - begin;
     work += count * count / 2;
     if (work > kMaxWork) return false;
+    boxes.clear();
+    for (std::size_t k = begin; k < end; ++k) boxes.push_back(boxOf(edges[static_cast<std::size_t>(entries[k].edge)]));
     for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t j = i + 1; j < end; ++j) splitPair(edges, entries[i].edge, entries[j].edge, points, splits);
+      const Vec2 low = boxes[i - begin].min - Vec2{reach, reach};
+      const Vec2 high = boxes[i - begin].max + Vec2{reach, reach};
+      for (std::size_t j = i + 1; j < end; ++j) {
+        const Bounds& other = boxes[j - begin];
+        if (other.min.x > high.x || other.max.x < low.x || other.min.y > high.y || other.max.y < low.y) continue;
+        splitPair(edges, entries[i].edge, entries[j].edge, points, splits);
+      }
     }
     if (splits.size() > 2 * kMaxPieces) return false;
   }
@@ -353,9 +377,11 @@ Bounds mirroredBox(const Bounds& box) {
 Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule* rule, Points points) {
   const Error tooLarge{
       ErrorCode::TooLarge,
-      "the outline has too many edges or meets itself too often; at most 4 million pieces can be read"};
+      "the outline has too many edges or meets itself too often; at most 4 million pieces can be read; "
+      "merge its paths in a drawing program, or draw it as a PNG"};
   const bool grid = points == Points::OnGrid;
-  const std::vector<Edge> edges = grid ? gridEdges(edgesOf(paths)) : edgesOf(paths);
+  std::vector<Edge> edges = edgesOf(paths, rule ? std::vector<char>{} : coveredPaths(paths));
+  if (grid) edges = gridEdges(edges);
   Outline outline;
   for (const Edge& edge : edges) outline.bounds.add(edge.a);
   if (edges.empty()) return outline;

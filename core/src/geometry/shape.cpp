@@ -301,6 +301,7 @@ Result<Shape> scaledToWidth(const Shape& shape, double width) {
   scaled.page = {width, height};
   scaled.drawing = shape.drawing;
   scaled.drawing.offPage *= scale * scale;
+  scaled.drawing.faintMm2 *= scale * scale;
   for (const FilledPath& path : shape.paths) {
     FilledPath copy;
     copy.fillRule = path.fillRule;

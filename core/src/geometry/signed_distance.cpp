@@ -1,7 +1,9 @@
 #include "sillon/geometry/signed_distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "base/parallel_for.hpp"
 
@@ -12,22 +14,28 @@ constexpr int kBlockCells = 4;  ///< side of a leaf block in cells
 constexpr std::int64_t kMaxRowCrossings = 100'000'000;
 constexpr std::size_t kMaxCandidates = 400'000'000;
 
-struct Foot {
-  double distanceSquared;
-  double across;  ///< |component of the offset across the segment|, breaks ties at shared ends
-};
+constexpr int kTile = 4;  ///< samples of a side that bandDistance takes together
 
-Foot footOn(const BorderSegment& s, Vec2 p) {
+// From the nearest point of the segment to p. Ends are taken as they are, so that two segments sharing one give
+// bit-equal distances.
+Vec2 offsetFrom(const BorderSegment& s, Vec2 p) {
   const Vec2 along = s.b - s.a;
   const double size2 = dot(along, along);
   const double t = dot(p - s.a, along);
-  // Ends are taken as they are, so that two segments sharing one give bit-equal distances.
-  const Vec2 offset = t <= 0 ? p - s.a : (t >= size2 ? p - s.b : p - (s.a + along * (t / size2)));
-  const double across = cross(along, offset);
-  return {dot(offset, offset), across * across / size2};
+  return t <= 0 ? p - s.a : (t >= size2 ? p - s.b : p - (s.a + along * (t / size2)));
 }
 
-double distanceTo(const BorderSegment& s, Vec2 p) { return std::sqrt(footOn(s, p).distanceSquared); }
+double squaredDistance(const BorderSegment& s, Vec2 p) {
+  const Vec2 offset = offsetFrom(s, p);
+  return dot(offset, offset);
+}
+
+// Of the offset the component across the segment, squared: breaks ties at shared ends.
+double squaredAcross(const BorderSegment& s, Vec2 p) {
+  const Vec2 along = s.b - s.a;
+  const double across = cross(along, offsetFrom(s, p));
+  return across * across / dot(along, along);
+}
 
 struct Block {
   int x;  ///< in leaf blocks
@@ -39,16 +47,17 @@ struct Block {
 // The segments of `list` that can be nearest to some point of the square with this centre and half diagonal.
 std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, const std::vector<int>& list,
                                    Vec2 centre, double halfDiagonal, double& lowest) {
-  std::vector<double> distance(list.size());
-  double best = 1e300;
+  std::vector<double> squared(list.size());
+  double least = 1e300;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    distance[k] = distanceTo(segments[static_cast<std::size_t>(list[k])], centre);
-    best = std::min(best, distance[k]);
+    squared[k] = squaredDistance(segments[static_cast<std::size_t>(list[k])], centre);
+    least = std::min(least, squared[k]);
   }
+  const double best = std::sqrt(least);
   std::vector<int> kept;
   const double limit = best + 2 * halfDiagonal * (1 + 1e-9);
   for (std::size_t k = 0; k < list.size(); ++k) {
-    if (distance[k] <= limit) kept.push_back(list[k]);
+    if (squared[k] <= limit * limit) kept.push_back(list[k]);
   }
   lowest = std::max(0.0, best - halfDiagonal);
   return kept;
@@ -60,27 +69,95 @@ class Subdivision {
 
   // Calls visit(block, lowest distance) for every block of side `leaf` under `block`.
   template <class Visit>
-  void descend(Block block, int leaf, const Visit& visit) const {
-    if (block.x >= blocks_.nx || block.y >= blocks_.ny) return;
-    const double side = block.side * blocks_.cell;
-    const Vec2 centre{blocks_.origin.x + block.x * blocks_.cell + 0.5 * side,
-                      blocks_.origin.y + block.y * blocks_.cell + 0.5 * side};
+  void descend(const Block& block, int leaf, const Visit& visit) const {
+    descend(block.x, block.y, block.side, block.candidates, leaf, visit);
+  }
+
+ private:
+  template <class Visit>
+  void descend(int x, int y, int size, const std::vector<int>& list, int leaf, const Visit& visit) const {
+    if (x >= blocks_.nx || y >= blocks_.ny) return;
+    const double side = size * blocks_.cell;
+    const Vec2 centre{blocks_.origin.x + x * blocks_.cell + 0.5 * side,
+                      blocks_.origin.y + y * blocks_.cell + 0.5 * side};
     double lowest = 0;
-    block.candidates = nearestCandidates(segments_, block.candidates, centre, side * 0.70710678118654757, lowest);
-    if (block.side <= leaf) {
-      visit(std::move(block), lowest);
+    std::vector<int> candidates = nearestCandidates(segments_, list, centre, side * 0.70710678118654757, lowest);
+    if (size <= leaf) {
+      visit(Block{x, y, size, std::move(candidates)}, lowest);
       return;
     }
-    const int half = block.side / 2;
-    for (int k = 0; k < 4; ++k) {
-      descend({block.x + (k & 1) * half, block.y + (k >> 1) * half, half, block.candidates}, leaf, visit);
+    const int half = size / 2;
+    for (int k = 0; k < 4; ++k) descend(x + (k & 1) * half, y + (k >> 1) * half, half, candidates, leaf, visit);
+  }
+
+  const std::vector<BorderSegment>& segments_;
+  const Grid& blocks_;
+};
+
+// Distances of the samples of one tile. Of a block's candidates only those are looked at that can be nearest to one of
+// them: with a detailed border this takes half the instructions of a look at all of them for each sample.
+class TileDistances {
+ public:
+  static constexpr std::size_t kSamples = kTile * kTile;
+
+  std::array<double, kSamples> x{};  ///< of the samples, row by row, kTile to a row
+  std::array<double, kSamples> y{};
+  std::array<double, kSamples> squared{};
+
+  explicit TileDistances(const std::vector<BorderSegment>& segments) : segments_(segments) {}
+
+  /// \param candidates  at least one. Sets `squared`, exact.
+  void measure(std::span<const int> candidates) {
+    const Vec2 centre{0.5 * (x.front() + x.back()), 0.5 * (y.front() + y.back())};
+    const double halfDiagonal = 0.5 * length(Vec2{x.back() - x.front(), y.back() - y.front()});
+    toCentre_.resize(candidates.size());
+    double least = 1e300;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      toCentre_[k] = squaredDistance(segments_[static_cast<std::size_t>(candidates[k])], centre);
+      least = std::min(least, toCentre_[k]);
+    }
+    const double limit = (std::sqrt(least) + 2 * halfDiagonal) * (1 + 1e-9) + 1e-9;
+    squared.fill(1e300);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (toCentre_[k] <= limit * limit) add(segments_[static_cast<std::size_t>(candidates[k])]);
     }
   }
 
  private:
+  // As squaredDistance, without branches, so that compilers make vectors of it.
+  void add(const BorderSegment& s) {
+    const Vec2 along = s.b - s.a;
+    const double size2 = dot(along, along);
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      const double fromAx = x[k] - s.a.x;
+      const double fromAy = y[k] - s.a.y;
+      const double t = fromAx * along.x + fromAy * along.y;
+      const double share = t / size2;
+      const double insideX = x[k] - (s.a.x + along.x * share);
+      const double insideY = y[k] - (s.a.y + along.y * share);
+      const double beyondX = t >= size2 ? x[k] - s.b.x : insideX;
+      const double beyondY = t >= size2 ? y[k] - s.b.y : insideY;
+      const double offsetX = t <= 0 ? fromAx : beyondX;
+      const double offsetY = t <= 0 ? fromAy : beyondY;
+      const double distance = offsetX * offsetX + offsetY * offsetY;
+      squared[k] = distance < squared[k] ? distance : squared[k];
+    }
+  }
+
   const std::vector<BorderSegment>& segments_;
-  const Grid& blocks_;
+  std::vector<double> toCentre_;  ///< of each candidate, squared
 };
+
+// Runs of at most `most` columns or rows of samples in the same column or row of blocks.
+std::vector<int> runsOf(const std::vector<std::size_t>& blocks, int most) {
+  std::vector<int> bounds;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const bool same = k > 0 && blocks[k] == blocks[k - 1] && static_cast<int>(k) - bounds.back() < most;
+    if (!same) bounds.push_back(static_cast<int>(k));
+  }
+  bounds.push_back(static_cast<int>(blocks.size()));
+  return bounds;
+}
 
 // Work of insideIntervals, known before it is done.
 Result<int> checkRows(const Shape& shape, const Grid& lattice) {
@@ -99,15 +176,18 @@ Result<int> checkRows(const Shape& shape, const Grid& lattice) {
   return 0;
 }
 
-// Marks the samples of one row that lie inside.
-void markInside(const std::vector<Interval>& intervals, const Grid& lattice, std::vector<char>& inside) {
-  std::fill(inside.begin(), inside.end(), char{0});
+// Calls visit(first, end) with the samples of one row that lie inside, in runs, each sample once.
+template <class Visit>
+void forInside(const std::vector<Interval>& intervals, const Grid& lattice, const Visit& visit) {
+  int done = 0;
   for (const Interval& interval : intervals) {
     const double low = std::ceil((interval.begin - lattice.origin.x) / lattice.cell - 0.5);
     const double high = std::floor((interval.end - lattice.origin.x) / lattice.cell - 0.5);
-    const int first = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(lattice.nx)));
-    const int last = static_cast<int>(std::clamp(high, -1.0, static_cast<double>(lattice.nx - 1)));
-    for (int x = first; x <= last; ++x) inside[static_cast<std::size_t>(x)] = 1;
+    const int first = std::max(done, static_cast<int>(std::clamp(low, 0.0, static_cast<double>(lattice.nx))));
+    const int end = static_cast<int>(std::clamp(high, -1.0, static_cast<double>(lattice.nx - 1))) + 1;
+    if (first >= end) continue;
+    visit(first, end);
+    done = end;
   }
 }
 
@@ -209,14 +289,13 @@ bool BorderIndex::outside(Vec2 p) const {
 NearestBorder BorderIndex::nearest(Vec2 p) const {
   const std::size_t block = blockOf(p);
   const BorderSegment* best = nullptr;
-  Foot bestFoot{1e300, 0};
+  double least = 1e300;
   for (int k = begin_[block]; k < begin_[block + 1]; ++k) {
     const BorderSegment& s = segments_[static_cast<std::size_t>(candidates_[static_cast<std::size_t>(k)])];
-    const Foot foot = footOn(s, p);
+    const double squared = squaredDistance(s, p);
     // Two segments that share the nearest corner are equally far; the one the point lies more across tells the side.
-    if (foot.distanceSquared < bestFoot.distanceSquared ||
-        (foot.distanceSquared == bestFoot.distanceSquared && foot.across > bestFoot.across)) {
-      bestFoot = foot;
+    if (squared < least || (squared == least && squaredAcross(s, p) > squaredAcross(*best, p))) {
+      least = squared;
       best = &s;
     }
   }
@@ -224,7 +303,7 @@ NearestBorder BorderIndex::nearest(Vec2 p) const {
   const double size2 = dot(along, along);
   const double t = std::clamp(dot(p - best->a, along) / size2, 0.0, 1.0);
   const Vec2 offset = t <= 0 ? p - best->a : (t >= 1 ? p - best->b : p - (best->a + along * t));
-  const double distance = std::sqrt(bestFoot.distanceSquared);
+  const double distance = std::sqrt(least);
   const bool inside = cross(along, p - best->a) >= 0;
   Vec2 normal = Vec2{along.y, -along.x} * (1 / std::sqrt(size2));  // the inside is on the left
   if (distance > 1e-6) normal = offset * ((inside ? -1 : 1) / distance);
@@ -240,7 +319,9 @@ Result<SignedDistanceField> signedDistanceField(const Shape& shape, const Border
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 30.0 * grid.nx), [&](int begin, int end) {
     std::vector<char> inside(static_cast<std::size_t>(grid.nx));
     for (int y = begin; y < end; ++y) {
-      markInside(intervals[static_cast<std::size_t>(y)], grid, inside);
+      std::fill(inside.begin(), inside.end(), char{0});
+      forInside(intervals[static_cast<std::size_t>(y)], grid,
+                [&](int first, int last) { std::fill(inside.begin() + first, inside.begin() + last, char{1}); });
       for (int x = 0; x < grid.nx; ++x) {
         const NearestBorder nearest = index.nearest(grid.centre(x, y));
         const bool in = inside[static_cast<std::size_t>(x)] != 0;
@@ -262,17 +343,48 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
   std::vector<float> distance(lattice.size());
   const auto intervals = insideIntervals(shape, lattice.centre(0, 0).y, lattice.cell, lattice.ny);
   std::vector<std::size_t> column;  // of the block that holds a sample
+  std::vector<std::size_t> row;
   for (int x = 0; x < lattice.nx; ++x)
     column.push_back(index.blockOf({lattice.centre(x, 0).x, index.blocks_.origin.y}));
-  parallelFor(run, lattice.ny, rowGrain(run, lattice.ny, 5.0 * lattice.nx), [&](int begin, int end) {
-    std::vector<char> inside(static_cast<std::size_t>(lattice.nx));
-    for (int y = begin; y < end; ++y) {
-      markInside(intervals[static_cast<std::size_t>(y)], lattice, inside);
-      const float* lowest = &index.lowest_[index.blockOf({index.blocks_.origin.x, lattice.centre(0, y).y})];
-      for (int x = 0; x < lattice.nx; ++x) {
-        const float block = lowest[column[static_cast<std::size_t>(x)]];
-        const float size = block > band ? block : std::abs(index.nearest(lattice.centre(x, y)).distance);
-        distance[lattice.index(x, y)] = inside[static_cast<std::size_t>(x)] ? -size : size;
+  for (int y = 0; y < lattice.ny; ++y) row.push_back(index.blockOf({index.blocks_.origin.x, lattice.centre(0, y).y}));
+  const std::vector<int> columns = runsOf(column, lattice.nx);
+  const std::vector<int> rows = runsOf(row, kTile);
+  const int tileRows = static_cast<int>(rows.size()) - 1;
+  parallelFor(run, tileRows, rowGrain(run, tileRows, 5.0 * kTile * lattice.nx), [&](int begin, int end) {
+    TileDistances tile(index.segments_);
+    for (int r = begin; r < end; ++r) {
+      const int top = rows[static_cast<std::size_t>(r)];
+      const int bottom = rows[static_cast<std::size_t>(r) + 1];
+      for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
+        const int first = columns[c];
+        const int last = columns[c + 1];
+        const std::size_t block = row[static_cast<std::size_t>(top)] + column[static_cast<std::size_t>(first)];
+        const float lowest = index.lowest_[block];
+        if (lowest > band) {
+          for (int y = top; y < bottom; ++y) std::fill_n(&distance[lattice.index(first, y)], last - first, lowest);
+          continue;
+        }
+        const int* const candidates = index.candidates_.data();
+        for (int left = first; left < last; left += kTile) {
+          for (std::size_t k = 0; k < TileDistances::kSamples; ++k) {
+            const Vec2 p = lattice.centre(left + static_cast<int>(k % kTile), top + static_cast<int>(k / kTile));
+            tile.x[k] = p.x;
+            tile.y[k] = p.y;
+          }
+          tile.measure({candidates + index.begin_[block], candidates + index.begin_[block + 1]});
+          for (int y = top; y < bottom; ++y) {
+            for (int x = left; x < std::min(left + kTile, last); ++x) {
+              distance[lattice.index(x, y)] =
+                  static_cast<float>(std::sqrt(tile.squared[static_cast<std::size_t>((y - top) * kTile + x - left)]));
+            }
+          }
+        }
+      }
+      for (int y = top; y < bottom; ++y) {
+        float* const line = &distance[lattice.index(0, y)];
+        forInside(intervals[static_cast<std::size_t>(y)], lattice, [&](int first, int last) {
+          for (int x = first; x < last; ++x) line[x] = -line[x];
+        });
       }
     }
   });

@@ -318,25 +318,34 @@ Side sideOf(const std::vector<Lamp>& lamps, const std::vector<Tones>& shown, con
   return best;
 }
 
-/// Squared errors of all pictures, each against what is asked at the level that is tried, relative to its variance.
+/// Of the worst picture: the mean |error| after the best affine fit, by the picture's standard deviation. Unlike
+/// squares it counts pale traces of the other pictures on large areas for as much as errors at edges.
 double errorOf(const Grid& grid, const Tables& tables, const std::vector<Tones>& shown) {
   double worst = 0;
   for (std::size_t p = 0; p < shown.size(); ++p) {
+    std::vector<double> seen;
     double sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
     const auto count = static_cast<double>(grid.z.size());
     for (std::size_t k = 0; k < grid.z.size(); ++k) {
       const float turn = atan2Approx(grid.z[k].y, grid.z[k].x) / (2 * kPi) + 1;
       const auto label = static_cast<std::size_t>(turn * kLabels + 0.5f) % kLabels;
-      const auto seen = static_cast<double>(tables.code[p][label]), asked = static_cast<double>(shown[p].value[k]);
-      sx += seen;
+      seen.push_back(static_cast<double>(tables.code[p][label]));
+      const double asked = static_cast<double>(shown[p].value[k]);
+      sx += seen.back();
       sy += asked;
-      sxx += seen * seen;
+      sxx += seen.back() * seen.back();
       syy += asked * asked;
-      sxy += seen * asked;
+      sxy += seen.back() * asked;
     }
     const double vx = sxx / count - sx / count * (sx / count), vy = syy / count - sy / count * (sy / count);
-    const double r = vx * vy > 1e-12 ? (sxy / count - sx / count * (sy / count)) / std::sqrt(vx * vy) : 1;
-    worst = std::max(worst, 1 - r);
+    if (!(vy > 1e-9)) continue;
+    const double slope = vx > 1e-9 ? (sxy / count - sx / count * (sy / count)) / vx : 0;
+    const double offset = (sy - slope * sx) / count;
+    double error = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      error += std::abs(offset + slope * seen[k] - static_cast<double>(shown[p].value[k]));
+    }
+    worst = std::max(worst, error / count / std::sqrt(vy));
   }
   return worst;
 }
@@ -367,11 +376,12 @@ double choose(std::vector<Lamp>& lamps, const std::vector<bool>& open, const std
   }
   const bool anyOpen = std::find(open.begin(), open.end(), true) != open.end();
   const double first = lamps[0].azimuth;
-  // Four corners (each alone, both, none) exist for two lamps about 50 degrees apart; lobes of more must not overlap.
+  // The nearer two lamps stand, the more tones of both a direction can show, and the more each shows of the other
+  // picture; lobes of more lamps must not overlap.
   std::vector<double> apart{180.0 / static_cast<double>(lamps.size())};
-  if (lamps.size() == 2) apart = {50, 45, 55, 60, 40};
+  if (lamps.size() == 2) apart = {40, 35, 30, 25, 50};
   if (!anyOpen) apart = {0};
-  std::vector<double> whites{0.35, 0.5, 0.25, 0.7};
+  std::vector<double> whites{0.5, 0.7, 1, 0.85, 0.35};
   if (params.level > 0) whites = {params.level};
   double least = 1e300, level = whites[0];
   std::vector<Lamp> best = lamps;

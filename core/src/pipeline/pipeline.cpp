@@ -37,7 +37,7 @@ Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathP
   if (!waves) return waves.error();
   std::optional<Dislocations> dislocations;
   if (countDislocations) {
-    const Result<Dislocations> found = dislocationStep(waves.value(), clock, run);
+    const Result<Dislocations> found = dislocationStep(waves.value(), shape.value(), params, clock, run);
     if (!found) return found.error();
     dislocations = found.value();
   }
@@ -46,6 +46,18 @@ Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathP
   Result<ToolpathResult> plate = widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run);
   if (plate) plate.value().dislocations = dislocations;
   return plate;
+}
+
+Result<ToolpathResult> generateAcross(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
+  if (auto wrong = wrongInput(input, params)) return *wrong;
+  StageClock clock(run);
+  Result<ShapeFields> shape = shapeStep(input.shape, params, clock, run);
+  if (!shape) return shape.error();
+  Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run, nullptr, Lines::Across);
+  if (!waves) return waves.error();
+  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run);
+  if (!path) return path.error();
+  return widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run);
 }
 
 Result<Stages> generateStages(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {

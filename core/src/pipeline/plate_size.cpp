@@ -10,8 +10,8 @@
 namespace sillon {
 namespace {
 
-// Where pointers have 32 bits no more than 2 GB can be had, and 1 GB with threads.
-constexpr double kMaxCells = sizeof(void*) == 4 ? 8e6 : 100e6;
+// Where pointers have 32 bits no more than 4 GB can be had, and a plate is to leave room for its answers.
+constexpr double kMaxCells = sizeof(void*) == 4 ? 20e6 : 100e6;
 constexpr double kFrame = 3;           // [tau] in each direction, around the outline
 constexpr double kWidestSpacing = 20;  // [mm] that may be chosen
 
@@ -43,7 +43,7 @@ std::optional<Error> plateTooLarge(Vec2 size, double spacing, double freeBytes) 
   const double percent = std::floor(100 * spacing / wider);
   if (wider <= kWidestSpacing) text += ": use a spacing of at least " + decimal(wider, 3) + " mm";
   if (percent >= 1) text += ", or a size of at most " + decimal(percent, 0) + " % of this";
-  return Error{ErrorCode::TooLarge, std::move(text)};
+  return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge, std::move(text)};
 }
 
 }  // namespace sillon

@@ -52,6 +52,7 @@ struct KeptWaves {
 // A path, and what it was made of besides shape and waves.
 struct KeptPath {
   ToolpathParams params;  ///< those of ofPath
+  bool showsPictures;     ///< PlateInput::showsPictures
   RelaxedPath path;
 };
 
@@ -105,16 +106,16 @@ Result<ToolpathResult> Session::generateToolpath(const PlateInput& input, const 
   const bool keeps = static_cast<double>(shape.sdf.grid.size()) <= kMaxKeptCells;
   const Fields fields = keeps ? Fields::Kept : Fields::Freed;
   if (countDislocations && !waves.dislocations) {
-    const Result<Dislocations> found = dislocationStep(waves.fields, clock, run);
+    const Result<Dislocations> found = dislocationStep(waves.fields, shape, params, clock, run);
     if (!found) return found.error();
     waves.dislocations = found.value();
   }
   std::optional<KeptPath>& path = state_->path;
   const ToolpathParams wanted = ofPath(params);
-  if (!path || path->params != wanted) {
+  if (!path || path->params != wanted || path->showsPictures != input.showsPictures) {
     path.reset();
     Result<RelaxedPath> made = pathStep(input, shape, waves.fields, fields, params, clock, run);
-    if (made) path = KeptPath{wanted, std::move(made).value()};
+    if (made) path = KeptPath{wanted, input.showsPictures, std::move(made).value()};
     if (!made) {
       if (!keeps) *state_ = {};
       return made.error();

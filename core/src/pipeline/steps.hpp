@@ -33,10 +33,12 @@ Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, 
                               const RunContext& run, Stages* record = nullptr);
 
 Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
-                            StageClock& clock, const RunContext& run, Stages* record = nullptr);
+                            StageClock& clock, const RunContext& run, Stages* record = nullptr,
+                            Lines which = Lines::Asked);
 
 /// Not a stage: the clock stands still.
-Result<Dislocations> dislocationStep(const WaveFields& waves, StageClock& clock, const RunContext& run);
+Result<Dislocations> dislocationStep(const WaveFields& waves, const ShapeFields& shape, const ToolpathParams& params,
+                                     StageClock& clock, const RunContext& run);
 
 Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
                              const ToolpathParams& params, StageClock& clock, const RunContext& run,

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "gcode/blocks.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_settings.hpp"
@@ -12,8 +13,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kBeyondBed = 10;  // [mm], how far blocks may leave the bed
-constexpr double kColdest = 170;   // [degrees Celsius], of a nozzle that extrudes
+constexpr double kBeyondBed = 10;   // [mm], how far blocks may leave the bed
+constexpr double kColdest = 170;    // [degrees Celsius], of a nozzle that extrudes
+constexpr double kMostAdvance = 2;  // [s]; linear advance 1.0 counted in units of its own, from 10 on
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
@@ -104,7 +106,8 @@ class Donor {
   std::string cura_;  // its settings, escaped, over many comments
   bool relativeEnd_ = false;
   bool tellsBlocks_ = false;
-  double lowest_ = 0;  // [mm], coordinate of a bead
+  double lowest_ = 0;   // [mm], coordinate of a bead
+  double advance_ = 0;  // [s], of the start block
 };
 
 void Donor::comment(std::string_view line) {
@@ -140,6 +143,14 @@ void Donor::startLine(std::string_view code) {
   } else if ((isCommand(code, "G29") && hasWord(code, 'X') && !hasWord(code, 'C') && !code.starts_with("G29 P9")) ||
              code.find("MESH_MIN") != std::string_view::npos || code.find("mesh_min") != std::string_view::npos) {
     note("FixedArea", {{"line", std::string(code.substr(0, 60))}});
+  }
+  for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
+                                     {"M572", " S"},
+                                     {"SET_PRESSURE_ADVANCE", " ADVANCE="}}) {
+    const std::size_t at = code.find(key);
+    if (!isCommand(code, command) || at == std::string_view::npos) continue;
+    const auto value = firstNumber(firstWord(code.substr(at + key.size())));
+    if (value && *value >= 0 && *value <= kMostAdvance) advance_ = *value;
   }
   for (const std::string_view factor : {"M220", "M221"}) {
     const std::size_t value = valueOf(code, 'S');
@@ -288,6 +299,11 @@ std::optional<Error> Donor::read(std::string_view text) {
     if (!code.empty()) startLine(code);
     if (out_.printer.startGcode.size() > kMaxBlockBytes)
       return invalidFile("the start block is longer than 65536 bytes");
+  }
+  recogniseKlipper(out_);
+  if (setsPressureAdvance(out_.printer.startGcode)) {  // for the donor's filament, and nothing need set it again
+    out_.printer.setPressureAdvance = false;
+    if (advance_ > 0) out_.printer.pressureAdvance = advance_;
   }
   dropRetraction(out_.printer.startGcode);
   rest = text.substr(lastBead);

@@ -30,7 +30,7 @@ bool looksLikeGcode(std::string_view text) {
 
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("GCDE")) {  // .gcode.3mf or .bgcode
-    const Result<std::string> gcode = unpackGcode(bytes);
+    const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();
     if (!looksLikeGcode(gcode.value())) return invalidFile("what the file holds is no G-code");
     return importDonor(gcode.value());

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "base/decimal_text.hpp"
+#include "base/lines.hpp"
 #include "gcode/template.hpp"
+#include "gcode_reader/parser.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_text.hpp"
@@ -22,30 +24,8 @@ namespace {
 using Keys = std::initializer_list<std::string_view>;  // of one setting, the first that is there counts
 
 constexpr double kFastBoard = 1000;     // [moves/s]
+constexpr double kWideFilament = 2.85;  // [mm], Cura's ultimaker2.def.json and its extruders
 constexpr double kAcceleration = 1500;  // [mm/s²], of beads; U-turns show what lies above
-
-// Small letters and digits, less the nozzle: "Bambu Lab A1 0.4 nozzle" is "bambulaba1".
-std::string plainName(std::string_view text) {
-  if (text.ends_with("nozzle")) text = text.substr(0, text.rfind(" 0."));
-  std::string out;
-  for (const char c : text.substr(0, 100)) {
-    if (c >= 'A' && c <= 'Z') out += static_cast<char>(c - 'A' + 'a');
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+') out += c;
-  }
-  return out;
-}
-
-std::optional<PrinterProfile> profileOf(std::string_view model) {
-  const std::string wanted = plainName(model);
-  if (wanted.empty()) return std::nullopt;
-  for (PrinterProfile& profile : profiles(ProfileKind::Printer)) {
-    std::vector<std::string> names = profile.models;
-    names.insert(names.end(), {profile.printer.name, profile.maker + profile.printer.name});
-    const auto same = [&](const std::string& name) { return plainName(name) == wanted; };
-    if (!profile.maker.empty() && std::any_of(names.begin(), names.end(), same)) return std::move(profile);
-  }
-  return std::nullopt;
-}
 
 class SettingsReader {
  public:
@@ -61,6 +41,8 @@ class SettingsReader {
     cornerSpeed();
     block({"start_gcode", "machine_start_gcode"}, p_.startGcode);
     block({"end_gcode", "machine_end_gcode"}, p_.endGcode);
+    recogniseKlipper(out_);
+    applyAdvance(out_.profile, p_);  // after the filament and the nozzle
   }
 
  private:
@@ -245,6 +227,8 @@ void SettingsReader::flavor() {
     } else if (word.starts_with("reprap")) {
       p_.flavor = GcodeFlavor::RepRap;
     } else {
+      // The Ultimaker 2 and its kin, whose files tell no filament: 2.85 mm. Under no such header they count E in mm.
+      if (word == "ultigcode" && p_.filamentDiameter == Printer().filamentDiameter) p_.filamentDiameter = kWideFilament;
       return failed("Flavor", *text);
     }
     took();
@@ -308,6 +292,18 @@ Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, Import
   judgeBlocks(out);
   std::sort(out.read.begin(), out.read.end());
   return out;
+}
+
+void recogniseKlipper(ImportedPrinter& out) {
+  Printer& printer = out.printer;
+  if (printer.flavor != GcodeFlavor::Marlin) return;
+  for (std::string_view rest = printer.startGcode; !rest.empty();) {
+    const GcodeCommand command = commandOf(partsOf(nextLine(rest)).code);
+    if (command.letter != 0 || command.name.find('_') == std::string_view::npos) continue;
+    printer.flavor = GcodeFlavor::Klipper;
+    printer.maxSegmentsPerSecond = kFastBoard;
+    return;
+  }
 }
 
 }  // namespace sillon

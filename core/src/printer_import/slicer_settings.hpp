@@ -21,4 +21,8 @@ void judgeBlocks(ImportedPrinter& out);
 /// takeSettings and judgeBlocks on a file of settings alone. \return InvalidFile where nothing in it is known.
 Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out);
 
+/// Klipper, where the start block has commands that are words with an underline, which no other firmware knows: slicers
+/// say "marlin" of it, too.
+void recogniseKlipper(ImportedPrinter& out);
+
 }  // namespace sillon

@@ -1,15 +1,51 @@
 #include "sillon/project/pictures.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
 
 #include "project/input_file.hpp"
 #include "project/missing_tones.hpp"
+#include "sillon/look/conflict.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/quality/picture_measures.hpp"
 
 namespace sillon {
+
+namespace {
+
+/// What the directions alone show of each picture, on another raster. What pictures take from each other is missing
+/// from it: no correction brings that back.
+std::vector<Tones> shownTones(const PlatePictures& pictures, const DirectionMap& directions, int width, int height) {
+  const PictureConflict conflict = conflictOf(directions, pictures.shown, pictures.roughness, pictures.level);
+  std::vector<Tones> out;
+  for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
+    Tones shown = pictures.shown[k].tones;
+    for (std::size_t c = 0; c < shown.value.size(); ++c) shown.value[c] -= conflict.missing[k][c];
+    out.push_back(resampled(shown, width, height));
+  }
+  return out;
+}
+
+/// As PlatePictures::fieldR.
+std::vector<double> fieldR(const PlatePictures& pictures, const DirectionMap& directions) {
+  std::vector<double> r;
+  if (pictures.shown.size() < 2) return r;
+  // Cells of 2 tau, as plates are judged.
+  const int width = std::max(1, directions.width / 4), height = std::max(1, directions.height / 4);
+  const std::vector<Tones> seen = shownTones(pictures, directions, width, height);
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    std::vector<float> light;
+    light.reserve(seen[k].value.size());
+    for (const float code : seen[k].value) light.push_back(lightOfCode(std::max(0.0f, code)));
+    r.push_back(compareTones(light, resampled(pictures.shown[k].tones, width, height)).r);
+  }
+  return r;
+}
+
+}  // namespace
 
 Roughness roughnessOf(const Project& project) {
   const PictureParams& params = project.pictures;
@@ -61,38 +97,50 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   pictures.level = solved.value().level;
   pictures.contrast = contrastOf(lobeOf(pictures.shown[0].lamp, pictures.roughness));
   input.directions = std::move(solved.value().directions);
+  input.showsPictures = true;
+  pictures.fieldR = fieldR(pictures, input.directions);
   return pictures;
 }
 
 Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePictures& pictures, PlateInput& input,
                                       const MakeToolpath& make, const RunContext& run) {
   const PictureParams& params = project.pictures;
-  const bool corrected = pictures.shown.size() == 1 && params.localContrast == 0;
+  const bool corrected = !pictures.shown.empty() && params.localContrast == 0;
   const int rounds = corrected ? 1 + params.corrections : 1;
   Result<ToolpathResult> best = make(input, 0, rounds);
   if (!best || rounds == 1) return best;
 
-  const ShownPicture& picture = pictures.shown[0];
-  std::vector<LitPicture> lit{{picture.tones, picture.lamp, false}};
+  std::vector<LitPicture> lit;
+  std::vector<Lamp> lamps;
+  for (const ShownPicture& picture : pictures.shown) {
+    lit.push_back({picture.tones, picture.lamp, false});
+    lamps.push_back(picture.lamp);
+  }
   InversionParams inversion = inversionOf(params);
   inversion.level = pictures.level;
-  double highest = -2;
+  double highest = -1e9;  // sum of the pictures' r
   PlateInput tried = input;
   Result<ToolpathResult> plate = best;
   for (int round = 1;; ++round) {
-    const auto seen =
-        seePlate(plate.value().toolpath, input.shape.page, std::span(&picture.lamp, 1), pictures.roughness, run);
+    const auto seen = seePlate(plate.value().toolpath, input.shape.page, lamps, pictures.roughness, run);
     if (!seen) return seen.error();
     const auto& [width, height, light] = seen.value();
-    const Tones asked = resampled(picture.tones, width, height);
-    const double r = compareTones(light[0], asked).r;
+    std::vector<Tones> asked;
+    double r = 0;
+    for (std::size_t k = 0; k < lit.size(); ++k) {
+      asked.push_back(resampled(pictures.shown[k].tones, width, height));
+      r += compareTones(light[k], asked[k]).r;
+    }
     if (r > highest) {
       highest = r;
       input.directions = tried.directions;
       best = std::move(plate);
     }
     if (round == rounds) return best;
-    addMissingTones(light[0], asked, lobeOf(picture.lamp, pictures.roughness), pictures.level, lit[0].tones);
+    if (lit.size() > 1) asked = shownTones(pictures, tried.directions, width, height);
+    for (std::size_t k = 0; k < lit.size(); ++k) {
+      addMissingTones(light[k], asked[k], lobeOf(lamps[k], pictures.roughness), pictures.level, lit[k].tones);
+    }
     auto solved = solveDirections(lit, pictures.roughness, input.shape.page, project.toolpath.spacing, inversion, run);
     if (!solved) return solved.error();
     tried.directions = std::move(solved.value().directions);

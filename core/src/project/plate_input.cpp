@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "project/input_file.hpp"
+#include "sillon/geometry/keep_thin.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/input/svg.hpp"
+#include "sillon/pipeline/plate_size.hpp"
 
 namespace sillon {
 namespace {
@@ -98,6 +100,12 @@ Result<PlateField> fieldOf(const Project& project, const ReadInput& read, std::o
   return PlateField{std::move(directions).value(), std::move(modes)};
 }
 
+/// Takes as much memory as the plate.
+Result<Shape> withThinPlaces(Shape shape, double spacing, const RunContext& run) {
+  if (auto error = plateTooLarge(bounds(shape).size(), spacing, run.memory())) return *error;
+  return keepThinPlaces(std::move(shape), spacing, run);
+}
+
 }  // namespace
 
 Result<PlateField> readPlateField(const Project& project, const ReadInput& read) {
@@ -105,7 +113,7 @@ Result<PlateField> readPlateField(const Project& project, const ReadInput& read)
   return fieldOf(project, read, lines);
 }
 
-Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read) {
+Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read, const RunContext& run) {
   std::optional<Image> lines;
   Result<PlateField> field = fieldOf(project, read, lines);
   if (!field) return field.error();
@@ -117,6 +125,7 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read)
     lines = std::move(decoded).value();
   }
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, lines) : shapeFromFile(project, read);
+  if (shape && project.keepThin) shape = withThinPlaces(std::move(shape).value(), project.toolpath.spacing, run);
   if (!shape) return named("shape", project.shapeFile, shape.error());
   return PlateInput{std::move(shape).value(), std::move(field.value().directions), std::move(field.value().modes)};
 }

@@ -5,12 +5,13 @@
 
 #include "base/decimal_text.hpp"
 #include "base/fast_math.hpp"
-#include "base/parallel_for.hpp"
 #include "field/wave_fields.hpp"
 #include "geometry/closed_curves.hpp"
+#include "geometry/lost_cells.hpp"
 #include "quality/bead_area.hpp"
 #include "sillon/field/constraints.hpp"
 #include "sillon/geometry/signed_distance.hpp"
+#include "sillon/pipeline/plate_size.hpp"
 #include "toolpath/toolpath_check.hpp"
 
 namespace sillon {
@@ -18,68 +19,23 @@ namespace {
 
 Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
-// Shape minus its opening by a disc of radius tau/2, pieces above tau²/4: samples tau/8 apart.
-Result<std::vector<LostPlace>> lostPlaces(const Shape& shape, const BorderIndex& border, const Bounds& box,
+Result<std::vector<ThinPlace>> lostPlaces(const Shape& shape, const BorderIndex& border, const Bounds& box,
                                           double spacing, const RunContext& run) {
-  constexpr int kSamples = 8;
-  const double cell = spacing / kSamples;
-  const Grid grid{{box.min.x - spacing, box.min.y - spacing},
-                  cell,
-                  static_cast<int>((box.size().x + 2 * spacing) / cell) + 1,
-                  static_cast<int>((box.size().y + 2 * spacing) / cell) + 1};
-  const float deep = static_cast<float>(-0.5 * spacing);
-  const Result<std::vector<float>> distance = bandDistance(shape, border, grid, -deep, run);  // exact down to `deep`
-  if (!distance) return distance.error();
-  const std::vector<float>& sd = distance.value();
-  std::vector<char> lost(grid.size(), 0);
-  constexpr int kReach = kSamples / 2 + 1;
-  constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
-  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        if (sd[i] > 0 || sd[i] <= deep) continue;
-        bool reached = false;
-        for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
-          for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
-            if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
-              continue;
-            reached = sd[grid.index(x + dx, y + dy)] <= deep;
-          }
-        }
-        lost[i] = reached ? 0 : 1;
-      }
-    }
-  });
-  std::vector<LostPlace> places;
-  std::vector<std::size_t> stack;
-  for (std::size_t start = 0; start < lost.size(); ++start) {
-    if (!lost[start]) continue;
-    std::size_t size = 0;
-    std::size_t deepest = start;
-    stack.assign(1, start);
-    lost[start] = 0;
-    while (!stack.empty()) {
-      const std::size_t i = stack.back();
-      stack.pop_back();
-      ++size;
-      if (sd[i] < sd[deepest]) deepest = i;
-      const std::size_t nx = static_cast<std::size_t>(grid.nx);
-      for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {  // the frame is never lost, so no index runs out
-        if (!lost[j]) continue;
-        lost[j] = 0;
-        stack.push_back(j);
-      }
-    }
-    const double piece = static_cast<double>(size) * cell * cell;
-    if (piece <= 0.25 * spacing * spacing) continue;
-    const auto nx = static_cast<std::size_t>(grid.nx);
-    const Vec2 at = grid.origin + cell * Vec2{static_cast<double>(deepest % nx), static_cast<double>(deepest / nx)};
+  const Result<LostCells> found = lostCells(shape, border, box, spacing, run);
+  if (!found) return found.error();
+  const LostCells& cells = found.value();
+  const double cell = cells.grid.cell;
+  std::vector<ThinPlace> places;
+  for (const std::vector<std::size_t>& samples : cells.places) {
+    const std::size_t deepest = *std::min_element(samples.begin(), samples.end(), [&](std::size_t i, std::size_t j) {
+      return cells.distance[i] != cells.distance[j] ? cells.distance[i] < cells.distance[j] : i < j;
+    });
     // Samples lie half a cell beside the thickest point, on average a quarter.
-    places.push_back({at, piece, 0.5 * cell - 2.0 * static_cast<double>(sd[deepest])});
+    const double width = 0.5 * cell - 2.0 * static_cast<double>(cells.distance[deepest]);
+    places.push_back({cells.at(deepest), static_cast<double>(samples.size()) * cell * cell, width});
   }
   std::stable_sort(places.begin(), places.end(),
-                   [](const LostPlace& a, const LostPlace& b) { return a.areaMm2 > b.areaMm2; });
+                   [](const ThinPlace& a, const ThinPlace& b) { return a.areaMm2 > b.areaMm2; });
   return places;
 }
 
@@ -113,6 +69,11 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
     if (size <= 0) continue;
     const Vec2 t = (b - a) * (1 / size);
     const int pieces = static_cast<int>(std::ceil(size / (spacing / 8)));
+    const double share = size / pieces;
+    const auto cos2Of = [&] {  // of the angle between the lines, from their doubled angles
+      return 0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
+    };
+    double cos2 = cos2Of();
     for (int piece = 0; piece < pieces; ++piece) {
       const Vec2 p = a + (b - a) * ((piece + 0.5) / pieces);
       const TexelIndex at = texelAt(p, page, directions.width, directions.height);
@@ -120,11 +81,8 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
         last = at;
         z = beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
                                       static_cast<std::size_t>(at.x)]);
+        cos2 = cos2Of();
       }
-      // cos² of the angle between the lines, from their doubled angles.
-      const double cos2 =
-          0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
-      const double share = size / pieces;
       sums.all.add(share, cos2);
       const double depth = static_cast<double>(border.blockDistance(p)) > (shell + 0.05) * spacing
                                ? 1e9
@@ -172,6 +130,26 @@ std::int64_t countTurns(const std::vector<Vec2f>& headings, std::size_t apart, f
   return runs == 0 && all ? 1 : runs;
 }
 
+// The value at which the shares of all lesser ones have come to `below`. By halves, as sorting them all takes
+// longer. \param weighted  values and shares; their order changes.
+float weightedQuantile(std::vector<std::pair<float, float>>& weighted, double below) {
+  auto begin = weighted.begin();
+  auto end = weighted.end();
+  while (end - begin > 1) {
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end);
+    double lesser = 0;
+    for (auto at = begin; at != middle; ++at) lesser += static_cast<double>(at->second);
+    if (lesser > below) {
+      end = middle;
+    } else {
+      below -= lesser;
+      begin = middle;
+    }
+  }
+  return begin->first;
+}
+
 WidthMeasures widthsOf(const Toolpath& toolpath, const ToolpathParams& params, double totalLength) {
   std::vector<std::pair<float, float>> weighted;  // width, length
   WidthMeasures out;
@@ -188,15 +166,8 @@ WidthMeasures widthsOf(const Toolpath& toolpath, const ToolpathParams& params, d
     }
   }
   if (totalLength <= 0) return out;
-  std::sort(weighted.begin(), weighted.end());
-  double sum = 0;
-  const auto quantiles = {std::pair{0.01, &out.p01}, std::pair{0.5, &out.median}, std::pair{0.99, &out.p99}};
-  for (const auto& [width, share] : weighted) {
-    const double before = sum;
-    sum += static_cast<double>(share);
-    for (const auto& [q, value] : quantiles) {
-      if (before <= q * totalLength && sum > q * totalLength) *value = static_cast<double>(width) / spacing;
-    }
+  for (const auto& [q, value] : {std::pair{0.01, &out.p01}, std::pair{0.5, &out.median}, std::pair{0.99, &out.p99}}) {
+    *value = static_cast<double>(weightedQuantile(weighted, q * totalLength)) / spacing;
   }
   out.belowHalf /= totalLength;
   out.clamped /= totalLength;
@@ -223,7 +194,7 @@ Result<Dislocations> dislocationsOf(const Outline& outline, const Shape& shape, 
   if (!sdf) return sdf.error();
   const Result<WaveFields> fields = waveFields(sdf.value(), directions, modes, shape.page, params, run);
   if (!fields) return fields.error();
-  return findDislocations(fields.value().lines, fields.value().waves, fields.value().cells, run);
+  return findDislocations(fields.value().lines, fields.value().waves, fields.value().cells, sdf.value(), params, run);
 }
 
 }  // namespace
@@ -263,14 +234,15 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   run.beginStage("measure", 0, making);
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
-  const Result<Dislocations> dislocations =
-      known ? *known : dislocationsOf(outline.value(), shape, directions, modes, params, run);
-  if (!dislocations) return dislocations.error();
-  run.beginStage("measure", making, 1);
   Bounds box = outline.value().bounds;
   for (const Cycle& cycle : toolpath.cycles) {
     for (const Vec2f p : cycle.points) box.add(wide(p));
   }
+  if (auto error = plateTooLarge(box.size(), std::min(toolpath.spacing, params.spacing))) return *error;
+  const Result<Dislocations> dislocations =
+      known ? *known : dislocationsOf(outline.value(), shape, directions, modes, params, run);
+  if (!dislocations) return dislocations.error();
+  run.beginStage("measure", making, 1);
   const Result<BorderIndex> border = buildBorderIndex(outline.value(), makeGrid(box, params.spacing), run);
   if (!border) return border.error();
 
@@ -279,6 +251,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.dislocations = dislocations.value().count;
   out.singularities = dislocations.value().singularities;
   out.dislocationBound = dislocations.value().bound;
+  out.turnBound = dislocations.value().bound + dislocations.value().borderTurns;
   Alignment alignment;
   double laidArea = 0;
   for (const Cycle& cycle : toolpath.cycles) {
@@ -307,10 +280,13 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.overlap = 100 * static_cast<double>(area.overlapped) / pixels;
   out.fillRatio = laidArea / outline.value().area;
   out.shapeAreaMm2 = outline.value().area;
-  Result<std::vector<LostPlace>> lost = lostPlaces(shape, border.value(), outline.value().bounds, params.spacing, run);
+  Result<std::vector<ThinPlace>> lost = lostPlaces(shape, border.value(), outline.value().bounds, params.spacing, run);
   if (!lost) return lost.error();
   out.lostPlaces = std::move(lost).value();
-  for (const LostPlace& place : out.lostPlaces) out.lostAreaMm2 += place.areaMm2;
+  for (const ThinPlace& place : out.lostPlaces) out.lostAreaMm2 += place.areaMm2;
+
+  out.keptPlaces = shape.kept;
+  for (const ThinPlace& place : out.keptPlaces) out.keptAreaMm2 += place.areaMm2;
 
   const ClosedCurves curves = curvesOf(toolpath);
   const ClosedCurves fine = resampled(curves, static_cast<float>(params.spacing / 8), run);

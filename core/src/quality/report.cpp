@@ -1,4 +1,5 @@
-// The report as JSON text. Numbers have fixed decimals and come from integers: the same bytes on every platform.
+// The report as JSON text. Numbers have fixed decimals and come from integers: the same bytes on every platform. Not by
+// the JSON library: it writes as many digits as a double needs, and each number of a list on a line of its own.
 #include "sillon/quality/report.hpp"
 
 #include <algorithm>
@@ -16,19 +17,9 @@ namespace {
 /// Fixed decimals, or null: JSON has no NaN.
 std::string number(double value, int decimals) { return std::abs(value) < 1e12 ? fixed(value, decimals) : "null"; }
 
-std::string inQuotes(std::string_view text) {
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20) {
-      out += std::string("\\u00") + kHex[byte >> 4] + kHex[byte & 15];
-    } else {
-      if (c == '"' || c == '\\') out += '\\';
-      out += c;
-    }
-  }
-  return out + "\"";
+/// A JSON string; bytes that are no UTF-8 become U+FFFD.
+std::string inQuotes(const std::string& text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// An object with one member per line; members are JSON texts.
@@ -37,7 +28,7 @@ class Object {
   explicit Object(std::string indent) : indent_(std::move(indent)) {}
 
   void add(std::string_view key, const std::string& value) {
-    body_ += (body_.empty() ? "\n" : ",\n") + indent_ + "  " + inQuotes(key) + ": " + value;
+    body_ += (body_.empty() ? "\n" : ",\n") + indent_ + "  " + inQuotes(std::string(key)) + ": " + value;
   }
   void add(std::string_view key, std::int64_t value) { add(key, std::to_string(value)); }
   void add(std::string_view key, double value, int decimals) { add(key, number(value, decimals)); }
@@ -76,14 +67,20 @@ std::int64_t pointCount(const Toolpath& toolpath) {
 }
 
 // The largest; more are no list to read.
-std::string lostJson(const std::vector<LostPlace>& places) {
+std::string placesJson(const std::vector<ThinPlace>& places) {
   constexpr std::size_t kMost = 100;
   std::string list;
   for (std::size_t k = 0; k < std::min(places.size(), kMost); ++k) {
-    const LostPlace& place = places[k];
+    const ThinPlace& place = places[k];
     list += (k == 0 ? "[" : ", [") + number(place.at.x, 2) + ", " + number(place.at.y, 2) + ", " +
             number(place.areaMm2, 3) + ", " + number(place.width, 3) + "]";
   }
+  return "[" + list + "]";
+}
+
+std::string pointsJson(const std::vector<Vec2>& points) {
+  std::string list;
+  for (const Vec2 p : points) list += (list.empty() ? "[" : ", [") + number(p.x, 2) + ", " + number(p.y, 2) + "]";
   return "[" + list + "]";
 }
 
@@ -101,10 +98,13 @@ void addMeasures(const Measures& measures, Object& report) {
   report.add("dislocations", measures.dislocations);
   report.add("singularities", measures.singularities);
   report.add("dislocationBound", measures.dislocationBound, 0);
+  report.add("turnBound", measures.turnBound, 0);
   report.add("width", widthJson(measures.width));
   report.add("fillRatio", measures.fillRatio, 4);
   report.add("lostAreaMm2", measures.lostAreaMm2, 4);
-  report.add("lostPlaces", lostJson(measures.lostPlaces));
+  report.add("lostPlaces", placesJson(measures.lostPlaces));
+  report.add("keptAreaMm2", measures.keptAreaMm2, 4);
+  report.add("keptPlaces", placesJson(measures.keptPlaces));
 }
 
 std::string perimeterText(const ToolpathParams& params) {
@@ -137,6 +137,7 @@ std::string reportJson(const ToolpathResult& plate, const std::optional<Measures
   report.add("longestJointMm", plate.longestJointMm, 4);
   report.add("gapJoints", static_cast<std::int64_t>(plate.gapJoints));
   report.add("unjoined", static_cast<std::int64_t>(plate.unjoined));
+  report.add("apart", pointsJson(plate.apart));
   report.add("time", timeJson(plate.time));
   report.add("peakBytes", peakBytes);
   report.add("threads", static_cast<std::int64_t>(threads));
@@ -157,8 +158,8 @@ std::string withPictures(std::string report, std::span<const ShownPicture> pictu
     }
     Object object("    ");
     // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
-    object.add("file", Json(pictures[k].file).dump(-1, ' ', false, Json::error_handler_t::replace));
-    object.add("lamp", "[" + number(lamp.azimuth, 2) + ", " + number(lamp.elevation, 2) + "]");
+    object.add("file", inQuotes(pictures[k].file));
+    object.add("lamp", std::string("[") + number(lamp.azimuth, 2) + ", " + number(lamp.elevation, 2) + "]");
     object.add("r", m.r, 4);
     object.add("ssim", m.ssim, 4);
     object.add("contrast", m.contrast, 2);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -28,6 +29,10 @@ constexpr double kExpanded = 2;                // [mm] by which skins reach unde
 constexpr double kInside = 0.8;                // of a skin that is no top at all
 constexpr double kMostExpanded = 0.35;         // of a skin that may lie there
 constexpr double kCovered = 0.02;              // of a skin: less below the next layer is none
+constexpr double kFullFlow = 0.01;             // by which flow may differ from 1 before it counts as set so
+constexpr double kMostFlow = 0.25;             // by which a slicer's flow may differ from 1
+constexpr double kJoined = 0.01;               // [mm] between the end of a bead and the beginning of the next
+constexpr double kFlatEnds = 0.01;             // of a region that plastic does not fill, if its beads end at its edge
 constexpr int kLookAhead = 500;                // lines after a block
 constexpr std::size_t kMostItems = 5'000'000;  // lines of one stretch
 
@@ -48,7 +53,7 @@ struct Item {
 // A skin of Cura waits for the next layer.
 struct Skin {
   SurfaceBlock block;
-  RegionField field;  // of its stretch
+  std::shared_ptr<const RegionField> field;  // of its stretch
   int part = 0;
   std::vector<bool> covered;
 };
@@ -83,6 +88,40 @@ double neighbourDistance(const std::vector<Item>& items) {
   return distances.size() < kEnough ? 0 : median(std::move(distances));
 }
 
+bool joined(Vec2 a, Vec2 b) { return length(a - b) < kJoined; }
+
+// Whether most beads are followed by a way without plastic.
+bool areSeparate(const std::vector<RegionBead>& beads) {
+  std::size_t gaps = 1;
+  for (std::size_t k = 1; k < beads.size(); ++k) gaps += joined(beads[k - 1].to, beads[k].from) ? 0 : 1;
+  return 2 * gaps > beads.size();
+}
+
+// Cuts beads back by half their width where no other bead goes on: OrcaSlicer and Bambu Studio end separate lines at
+// the edge of the surface, others half a bead before it.
+std::vector<RegionBead> withFlatEnds(std::vector<RegionBead> beads) {
+  for (std::size_t first = 0; first < beads.size();) {
+    std::size_t last = first;
+    while (last + 1 < beads.size() && joined(beads[last].to, beads[last + 1].from)) ++last;
+    const auto cut = [](Vec2& end, Vec2 other, double width) {
+      const double size = length(end - other);
+      if (size > 0) end = end + std::min(width / 2, 0.49 * size) / size * (other - end);
+    };
+    if (!joined(beads[first].from, beads[last].to)) {
+      const RegionBead head = beads[first];
+      cut(beads[first].from, head.to, head.width);
+      cut(beads[last].to, beads[last].from, beads[last].width);
+    }
+    first = last + 1;
+  }
+  return beads;
+}
+
+double areaOf(const RegionField& field) {
+  const auto inside = std::count_if(field.part.begin(), field.part.end(), [](std::int32_t part) { return part >= 0; });
+  return static_cast<double>(inside) * field.cell * field.cell;
+}
+
 class Reader {
  public:
   Reader(std::string_view text, const FileSettings& settings) : text_(text), machine_(settings.flavor) {
@@ -99,8 +138,8 @@ class Reader {
   void beginLayer();
   void endStretch();
   void learnDiameter(const std::vector<Item>& items, double height);
-  void addPart(const std::vector<Item>& items, const RegionField& field, int part, double breadth, double width,
-               const std::vector<int>& partOf);
+  void addPart(const std::vector<Item>& items, const std::shared_ptr<const RegionField>& shared, int part,
+               double breadth, double width, double flow, const std::vector<int>& partOf);
   void keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places);
   void lookAhead(SurfaceBlock& block) const;
   void coverSkins(const MachineMove& move);
@@ -250,7 +289,12 @@ void Reader::endStretch() {
   // Beads are rectangles with round sides: their section is h (w - h) + pi h²/4. Cura reckons with plain rectangles.
   const bool rectangles = program_ && program_->slicer == Slicer::Cura;
   const double rounding = rectangles ? 0 : (1 - std::numbers::pi / 4) * height;
-  const double spacing = median(std::move(sections)) / height;
+  const double told = median(std::move(sections)) / height;
+  // A flow ratio other than 1 makes beads thinner than their distance: the filament is known to need that.
+  const double distance = neighbourDistance(items);
+  double flow = distance > 0.05 ? told / distance : 1;
+  if (std::abs(flow - 1) <= kFullFlow || std::abs(flow - 1) > kMostFlow) flow = 1;
+  const double spacing = told / flow;
   // Cura irons under the same mark.
   if (role_ == RoleKind::Skin && spacing <= 0.05) {
     for (Skin& skin : skins_) leave(skin.block, LeftBecause::Ironed);
@@ -259,10 +303,14 @@ void Reader::endStretch() {
   if (!(spacing > 0.05 && spacing < 5)) return;
   const double width = spacing + rounding;
   std::vector<RegionBead> beads;
-  for (const Item& item : items) {
-    if (!item.bead()) continue;
-    const MachineMove& move = *item.move;
-    const double own = std::clamp(beadSection(move) / height + rounding, 0.5 * width, 1.5 * width);
+  std::vector<Vec2> middles(items.size());  // of beads
+  double filled = 0;                        // [mm²]
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (!items[k].bead()) continue;
+    const MachineMove& move = *items[k].move;
+    const double own = std::clamp(beadSection(move) / height / flow + rounding, 0.5 * width, 1.5 * width);
+    middles[k] = 0.5 * (move.from + move.to);
+    filled += beadSection(move) * move.length / height / flow;
     if (!move.arc || !move.readable) {
       beads.push_back({move.from, move.to, own});
       continue;
@@ -270,18 +318,24 @@ void Reader::endStretch() {
     const Vec2 a = move.from - move.centre;
     const int pieces = std::clamp(static_cast<int>(std::abs(move.turn) * 8) + 1, 1, 64);
     Vec2 last = move.from;
-    for (int k = 1; k <= pieces; ++k) {
-      const double turn = move.turn * k / pieces;
-      const Vec2 p = k == pieces ? move.to
-                                 : move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn),
-                                                      a.x * std::sin(turn) + a.y * std::cos(turn)};
+    for (int piece = 1; piece <= pieces; ++piece) {
+      const double turn = move.turn * piece / pieces;
+      const Vec2 p = piece == pieces ? move.to
+                                     : move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn),
+                                                          a.x * std::sin(turn) + a.y * std::cos(turn)};
       beads.push_back({last, p, own});
       last = p;
+      if (piece == (pieces + 1) / 2) middles[k] = p;
     }
   }
   Result<RegionField> made = fieldOfBeads(beads, kNotch * spacing);
   if (!made) return;
-  const RegionField field = std::move(made).value();
+  if (const double area = areaOf(made.value()); filled < (1 - kFlatEnds) * area && areSeparate(beads)) {
+    Result<RegionField> flat = fieldOfBeads(withFlatEnds(std::move(beads)), kNotch * spacing);
+    if (flat && std::abs(areaOf(flat.value()) - filled) < area - filled) made = std::move(flat);
+  }
+  const auto shared = std::make_shared<const RegionField>(std::move(made).value());
+  const RegionField& field = *shared;
   const std::vector<float> depth = depths(field);
   const std::vector<double> breadth = breadths(field, depth);
 
@@ -289,19 +343,20 @@ void Reader::endStretch() {
   std::vector<int> order;
   for (std::size_t k = 0; k < items.size(); ++k) {
     if (!items[k].bead()) continue;
-    const int cell = field.at(items[k].move->to);
+    const int cell = field.at(middles[k]);
     if (cell < 0) continue;
     const int part = field.part[static_cast<std::size_t>(cell)];
     partOf[k] = part;
     if (std::find(order.begin(), order.end(), part) == order.end()) order.push_back(part);
   }
   for (const int part : order) {
-    if (part >= 0) addPart(items, field, part, breadth[static_cast<std::size_t>(part)], width, partOf);
+    if (part >= 0) addPart(items, shared, part, breadth[static_cast<std::size_t>(part)], width, flow, partOf);
   }
 }
 
-void Reader::addPart(const std::vector<Item>& items, const RegionField& field, int part, double breadth, double width,
-                     const std::vector<int>& partOf) {
+void Reader::addPart(const std::vector<Item>& items, const std::shared_ptr<const RegionField>& shared, int part,
+                     double breadth, double width, double flow, const std::vector<int>& partOf) {
+  const RegionField& field = *shared;
   std::size_t first = items.size();
   std::size_t last = 0;
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -319,6 +374,7 @@ void Reader::addPart(const std::vector<Item>& items, const RegionField& field, i
   surface.object = items[first].object;
   surface.tool = items[first].before.tool;
   surface.width = width;
+  surface.flow = flow;
   surface.entry = items[first].move->from;
   surface.exit = items[last].move->to;
   surface.firstLine = items[first].number;
@@ -377,7 +433,7 @@ void Reader::addPart(const std::vector<Item>& items, const RegionField& field, i
   if (!(fill > 0.8 && fill < 1.2)) leave(block, LeftBecause::Flow);
   lookAhead(block);
   if (role_ == RoleKind::Skin && surface.side == SurfaceSide::Top) {
-    skins_.push_back({std::move(block), field, part, std::vector<bool>(field.distance.size(), false)});
+    skins_.push_back({std::move(block), shared, part, std::vector<bool>(field.distance.size(), false)});
   } else {
     out_.blocks.push_back(std::move(block));
   }
@@ -482,7 +538,7 @@ void Reader::lookAhead(SurfaceBlock& block) const {
 
 void Reader::coverSkins(const MachineMove& move) {
   for (Skin& skin : waiting_) {
-    const RegionField& field = skin.field;
+    const RegionField& field = *skin.field;
     const int steps = std::clamp(static_cast<int>(move.length / field.cell) + 1, 1, 100000);
     for (int k = 0; k <= steps; ++k) {
       const Vec2 p = move.from + (static_cast<double>(k) / steps) * (move.to - move.from);
@@ -505,14 +561,14 @@ void Reader::coverSkins(const MachineMove& move) {
 void Reader::judgeSkins() {
   for (Skin& skin : waiting_) {
     // Skins reach a little under the walls of the next layer. Infill above would cover them all over.
-    const std::vector<float> depth = depths(skin.field);
+    const std::vector<float> depth = depths(*skin.field);
     std::int64_t all = 0;
     std::int64_t covered = 0;
     std::int64_t deep = 0;
     std::int64_t deepCovered = 0;
     for (std::size_t k = 0; k < skin.covered.size(); ++k) {
-      if (skin.field.part[k] != skin.part) continue;
-      const bool inner = static_cast<double>(depth[k]) * skin.field.cell > kExpanded;
+      if (skin.field->part[k] != skin.part) continue;
+      const bool inner = static_cast<double>(depth[k]) * skin.field->cell > kExpanded;
       ++all;
       deep += inner ? 1 : 0;
       covered += skin.covered[k] ? 1 : 0;

@@ -18,9 +18,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kLeastCoverage = 97;  // [%], less shows the layer below
-constexpr double kMostSpill = 2;       // [%] of beads beyond the region
-constexpr double kMostBeyond = 0.05;   // [mm] of a bead beyond the region
+constexpr double kLeastCoverage = 97;       // [%], less shows the layer below; wide faces reach 98.5
+constexpr double kLeastUnderPictures = 97;  // [%], as beads turn within a width at a picture's edges
+constexpr double kMostSpill = 2;            // [%] of beads beyond the region
+constexpr double kMostBeyond = 0.05;        // [mm] of a bead beyond the region
 
 // How far the beads reach over the region at most [mm].
 Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing, const RunContext& run) {
@@ -45,13 +46,50 @@ Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing
   return most;
 }
 
-std::string problemOf(const Measures& measures) {
+std::string problemOf(const Measures& measures, double leastCoverage) {
   if (measures.crossings > 0) return "the new path would cross itself";
-  if (measures.coverage < kLeastCoverage)
-    return "the new beads would cover " + fixed(measures.coverage, 1) + " % of it; 97 is the least";
+  if (measures.coverage < leastCoverage)
+    return "the new beads would cover " + fixed(measures.coverage, 2) + " % of it; " + decimal(leastCoverage, 1) +
+           " is the least";
   if (measures.spill > kMostSpill)
     return "the new beads would spill over " + fixed(measures.spill, 1) + " % of it; 2 is the most";
   return {};
+}
+
+// What a face becomes.
+struct LaidBeads {
+  Toolpath toolpath;  // as wide as its plastic makes it, where the slicer's beads just touch
+  Replacement replacement;
+  Measures measures;
+  std::string left;  // why it cannot be; empty: it can
+};
+
+Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, const PlateInput& input,
+                           const ToolpathParams& params, double filamentArea, const RunContext& run) {
+  const SlicedSurface& surface = block.surface;
+  LaidBeads laid;
+  Result<ToolpathResult> path = generateToolpath(input, params, run);
+  if (!path) {
+    if (path.error().code == ErrorCode::Cancelled) return path.error();
+    laid.left = path.error().message;
+    return laid;
+  }
+  laid.toolpath = std::move(path.value().toolpath);
+  std::vector<Cycle>& cycles = laid.toolpath.cycles;
+  if (cycles.size() != 1) {
+    laid.left = "it falls into " + std::to_string(cycles.size()) + " cycles; one is needed";
+    return laid;
+  }
+  laid.replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, filamentArea);
+  if (laid.replacement.left != LeftBecause::None) {
+    laid.left = surfaceReason(laid.replacement.left);
+    return laid;
+  }
+  for (float& width : cycles.front().widths) width *= static_cast<float>(laid.replacement.flow / surface.flow);
+  Result<Measures> measures = measureToolpath(laid.toolpath, input.shape, input.directions, input.modes, params, run);
+  if (!measures) return measures.error();
+  laid.measures = std::move(measures).value();
+  return laid;
 }
 
 }  // namespace
@@ -100,32 +138,20 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
     PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
     ToolpathParams params = options.toolpath;
     params.spacing = surface.spacing;
-    const Result<ToolpathResult> path = generateToolpath(input, params, run);
-    if (!path) {
-      if (path.error().code == ErrorCode::Cancelled) return path.error();
-      leave(path.error().message);
+    Result<LaidBeads> laid = layBeads(gcode, block, input, params, area, run);
+    if (!laid) return laid.error();
+    if (!laid.value().left.empty()) {
+      leave(std::move(laid.value().left));
       continue;
     }
-    const std::vector<Cycle>& cycles = path.value().toolpath.cycles;
-    if (cycles.size() != 1) {
-      leave("it falls into " + std::to_string(cycles.size()) + " cycles; one is needed");
-      continue;
-    }
-    Replacement replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, area);
-    if (replacement.left != LeftBecause::None) {
-      leave(surfaceReason(replacement.left));
-      continue;
-    }
-    // As wide as their plastic makes them.
-    Toolpath toolpath = path.value().toolpath;
-    for (float& width : toolpath.cycles.front().widths) width *= static_cast<float>(replacement.flow);
-    const Result<Measures> measures =
-        measureToolpath(toolpath, input.shape, input.directions, input.modes, params, run);
-    if (!measures) return measures.error();
-    made.alignment = measures.value().alignment;
-    made.coverage = measures.value().coverage;
-    made.spill = measures.value().spill;
-    if (std::string problem = problemOf(measures.value()); !problem.empty()) {
+    Toolpath& toolpath = laid.value().toolpath;
+    Replacement& replacement = laid.value().replacement;
+    const Measures& measures = laid.value().measures;
+    made.alignment = measures.alignment;
+    made.coverage = measures.coverage;
+    made.spill = measures.spill;
+    if (std::string problem = problemOf(measures, wanted.value().shown.empty() ? kLeastCoverage : kLeastUnderPictures);
+        !problem.empty()) {
       leave(std::move(problem));
       continue;
     }
@@ -160,10 +186,10 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
         if (surface.side == SurfaceSide::Bottom) made.lamps.back().azimuth = 180 - picture.lamp.azimuth;
       }
     }
-    const std::string_view laid = old.substr(0, last);
+    const std::string_view oldMoves = old.substr(0, last);
     const std::string_view relaid = std::string_view(fresh).substr(0, fresh.size() - (old.size() - last));
     made.seconds = secondsOfMoves(relaid, block.before, block.acceleration) -
-                   secondsOfMoves(laid, block.before, block.acceleration);
+                   secondsOfMoves(oldMoves, block.before, block.acceleration);
     changes.push_back({replacement.edits.front().begin, made.seconds, surface.layer == 1});
     made.toolpath = std::move(toolpath);
     made.replaced = true;

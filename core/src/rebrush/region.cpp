@@ -8,7 +8,7 @@ namespace sillon {
 namespace {
 
 constexpr double kFinest = 0.05;  // [mm]
-constexpr double kMostCells = 16e6;
+constexpr double kMostCells = 4e6;
 constexpr double kLargestBed = 5000;  // [mm]
 constexpr int kMargin = 3;            // [cells] around the beads, so that outlines close
 

@@ -32,8 +32,8 @@ struct RegionField {
 };
 
 /// Dilates each bead by half its width, and fills what no disc of radius `notch` [mm] gets into: the notches between
-/// the round ends of beads, narrower than any wall. Cells are 0.05 mm, larger where the field would have more than 16
-/// million. \return TooLarge for coordinates that no bed has.
+/// the round ends of beads, narrower than any wall. Cells are 0.05 mm, larger where the field would have more than 4
+/// million: on faces of more than 100 x 100 mm. \return TooLarge for coordinates that no bed has.
 Result<RegionField> fieldOfBeads(const std::vector<RegionBead>& beads, double notch = 0);
 
 /// The outline of one part, between cells; holes smaller than `hole` [mm²] are filled.

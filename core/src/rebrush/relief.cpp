@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/machine.hpp"
@@ -27,11 +30,12 @@ struct Bead {
   float height = 0;
 };
 
-// All beads of a file, in its order.
+// Tells all beads of a file, in its order. They are as large as its text: nobody keeps them.
 class Beads {
  public:
-  explicit Beads(const FileSettings& settings)
-      : machine_(settings.flavor),
+  Beads(const FileSettings& settings, std::function<void(const Bead&)> take)
+      : take_(std::move(take)),
+        machine_(settings.flavor),
         area_(settings.volumetric ? 1 : kPi * settings.filamentDiameter * settings.filamentDiameter / 4) {}
 
   void line(const GcodeLine& line) {
@@ -62,16 +66,17 @@ class Beads {
     add(*move, static_cast<float>(width), static_cast<float>(height));
   }
 
-  std::vector<Bead> all;
   bool begun = false;   // a layer was marked
   bool beyond = false;  // a bead lies where no bed reaches
 
  private:
+  std::function<void(const Bead&)> take_;
+
   void add(const MachineMove& move, float width, float height) {
     const auto single = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
     const auto top = static_cast<float>(move.z);
     if (!move.arc || !move.readable) {
-      all.push_back({single(move.from), single(move.to), width, top, height});
+      take_({single(move.from), single(move.to), width, top, height});
       return;
     }
     const Vec2 a = move.from - move.centre;
@@ -81,7 +86,7 @@ class Beads {
       const double turn = move.turn * k / pieces;
       const Vec2 p =
           move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)};
-      all.push_back({single(last), single(p), width, top, height});
+      take_({single(last), single(p), width, top, height});
       last = p;
     }
   }
@@ -93,24 +98,34 @@ class Beads {
   double told_ = 0;
 };
 
-Bounds boxOf(const std::vector<Bead>& beads) {
-  const float first =
-      std::min_element(beads.begin(), beads.end(), [](const Bead& a, const Bead& b) { return a.top < b.top; })->top;
-  Bounds whole;
-  Bounds higher;
-  for (const Bead& bead : beads) {
-    for (Bounds* box : {&whole, bead.top > first ? &higher : nullptr}) {
+// The box around all beads, less what lies far beside those that are higher than the lowest ones.
+class Box {
+ public:
+  void add(const Bead& bead) {
+    if (bead.top < first_) {
+      higher_ = whole_;
+      first_ = bead.top;
+    }
+    for (Bounds* box : {&whole_, bead.top > first_ ? &higher_ : nullptr}) {
       if (box == nullptr) continue;
       box->add({bead.from.x, bead.from.y});
       box->add({bead.to.x, bead.to.y});
     }
   }
-  if (higher.empty()) return whole;
-  Bounds box;
-  box.add({std::max(whole.min.x, higher.min.x - kMargin), std::max(whole.min.y, higher.min.y - kMargin)});
-  box.add({std::min(whole.max.x, higher.max.x + kMargin), std::min(whole.max.y, higher.max.y + kMargin)});
-  return box;
-}
+  [[nodiscard]] bool empty() const { return whole_.empty(); }
+  [[nodiscard]] Bounds trimmed() const {
+    if (higher_.empty()) return whole_;
+    Bounds box;
+    box.add({std::max(whole_.min.x, higher_.min.x - kMargin), std::max(whole_.min.y, higher_.min.y - kMargin)});
+    box.add({std::min(whole_.max.x, higher_.max.x + kMargin), std::min(whole_.max.y, higher_.max.y + kMargin)});
+    return box;
+  }
+
+ private:
+  Bounds whole_;
+  Bounds higher_;
+  float first_ = std::numeric_limits<float>::infinity();  // height of the lowest so far
+};
 
 // Along its longer way, one line of cells across it at each step: a few cells per bead, whatever its direction.
 void draw(const Bead& bead, PrintRelief& relief) {
@@ -157,15 +172,17 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side) {
   if (side < 16 || side > 4096) {
     return Error{ErrorCode::InvalidArgument, "side is " + std::to_string(side) + "; it must be 16 to 4096"};
   }
-  Beads beads(readFileSettings(gcode, {}));
+  const FileSettings settings = readFileSettings(gcode, {});
+  Box around;
+  Beads beads(settings, [&](const Bead& bead) { around.add(bead); });
   forEachLine(gcode, [&](const GcodeLine& line) { beads.line(line); });
   if (beads.beyond) {
     return Error{ErrorCode::InvalidFile, "a bead lies more than 10 m away from the bed's origin"};
   }
-  if (beads.all.empty()) {
+  if (around.empty()) {
     return Error{ErrorCode::InvalidFile, beads.begun ? "no bead lies in any of its layers" : "it does not mark layers"};
   }
-  const Bounds box = boxOf(beads.all);
+  const Bounds box = around.trimmed();
   const Vec2 room{static_cast<double>(kWidest) / 2, static_cast<double>(kWidest) / 2};
   const Vec2 size = box.size() + 2 * room;
   PrintRelief relief;
@@ -174,7 +191,8 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side) {
   relief.columns = std::clamp(static_cast<int>(std::ceil(size.x / relief.cell)), 1, side);
   relief.rows = std::clamp(static_cast<int>(std::ceil(size.y / relief.cell)), 1, side);
   relief.heights.assign(static_cast<std::size_t>(relief.columns) * static_cast<std::size_t>(relief.rows), 0);
-  for (const Bead& bead : beads.all) draw(bead, relief);
+  Beads again(settings, [&](const Bead& bead) { draw(bead, relief); });
+  forEachLine(gcode, [&](const GcodeLine& line) { again.line(line); });
   return relief;
 }
 

@@ -31,8 +31,11 @@ struct Replacement {
 Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, const Cycle& cycle, Vec2 offset,
                          double filamentArea);
 
-/// The file with its edits.
+/// The file with its edits, which are in its order and disjoint.
 std::string applyEdits(std::string_view gcode, const std::vector<Edit>& edits);
+
+/// The same, in the memory of the file, where its capacity suffices.
+std::string withEdits(std::string gcode, const std::vector<Edit>& edits);
 
 /// Runs both texts from the block's first bead to behind its first travel. Empty: place, E, retraction, modes, speed
 /// and tool are the same; else what differs.

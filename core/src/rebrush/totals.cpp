@@ -8,6 +8,7 @@
 
 #include "base/decimal_text.hpp"
 #include "gcode_reader/parser.hpp"
+#include "rebrush/replace.hpp"
 
 namespace sillon {
 namespace {
@@ -159,9 +160,9 @@ double secondsOfMoves(std::string_view text, const MachineState& before, double 
   return seconds;
 }
 
-std::string withTotals(std::string_view gcode, const std::vector<TimeChange>& changes, std::int64_t& told) {
+std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes, std::int64_t& told) {
   told = 0;
-  if (changes.empty()) return std::string(gcode);
+  if (changes.empty()) return gcode;
   double all = 0;
   double first = 0;
   for (const TimeChange& change : changes) {
@@ -169,8 +170,7 @@ std::string withTotals(std::string_view gcode, const std::vector<TimeChange>& ch
     if (change.firstLayer) first += change.seconds;
   }
   const Whole whole = wholeOf(gcode);
-  std::string out;
-  out.reserve(gcode.size() + 4096);
+  std::vector<Edit> edits;
   double before = 0;  // of the changes that are behind us
   std::size_t next = 0;
   std::array<double, 2> least{0, 0};  // progress never goes back
@@ -224,11 +224,7 @@ std::string withTotals(std::string_view gcode, const std::vector<TimeChange>& ch
   forEachLine(gcode, [&](const GcodeLine& line) {
     for (; next < changes.size() && changes[next].at <= line.offset; ++next) before += changes[next].seconds;
     const bool comment = line.text.starts_with(';');
-    if (!comment && !line.text.starts_with("M73 ")) {
-      out += line.text;
-      out += line.end;
-      return;
-    }
+    if (!comment && !line.text.starts_with("M73 ")) return;
     std::string text(line.text);
     if (!comment) {
       text = progress(line.text);
@@ -243,11 +239,10 @@ std::string withTotals(std::string_view gcode, const std::vector<TimeChange>& ch
       seconds(text, ";PRINT.TIME:", all);
       seconds(text, ";TIME_ELAPSED:", before);
     }
-    told += text == line.text ? 0 : 1;
-    out += text;
-    out += line.end;
+    if (text != line.text) edits.push_back({line.offset, line.offset + line.text.size(), std::move(text)});
   });
-  return out;
+  told = static_cast<std::int64_t>(edits.size());
+  return withEdits(std::move(gcode), edits);
 }
 
 }  // namespace sillon

@@ -27,6 +27,6 @@ double accelerationOf(std::string_view code);
 /// The file with its times changed: "estimated printing time", "model printing time", "total estimated time", TIME,
 /// TIME_ELAPSED, and P, R, Q, S of M73. Everything else keeps its bytes. \param changes  in the order of the file.
 /// \param told  receives the number of lines that have changed.
-std::string withTotals(std::string_view gcode, const std::vector<TimeChange>& changes, std::int64_t& told);
+std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes, std::int64_t& told);
 
 }  // namespace sillon

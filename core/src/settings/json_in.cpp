@@ -182,6 +182,7 @@ std::string readSection(const Json& value, Section section, const SettingsView& 
   if (!value.is_object()) return wrongType(sectionText, "an object", value);
   std::vector<std::string> known;
   std::vector<std::string> old;
+  std::string profile;
   for (const Setting& setting : settings()) {
     if (setting.section != section) continue;
     known.emplace_back(setting.key);
@@ -196,7 +197,13 @@ std::string readSection(const Json& value, Section section, const SettingsView& 
       if (!used.empty()) return name + " is an old name of " + used + "; one of them may be given";
       used = fullName(setting);
       if (std::string wrong = readSetting(setting, *found, name, view); !wrong.empty()) return wrong;
+      if (section == Section::Printer && setting.key == std::string_view("profile"))
+        profile = found->get<std::string>();
     }
+  }
+  // It depends on filament and nozzle, which are known only now.
+  if (!profile.empty() && !value.contains("pressureAdvance") && !value.contains("setPressureAdvance")) {
+    applyAdvance(profile, *view.printer);
   }
   return unknownKey(value, sectionText + ".", known, old);
 }

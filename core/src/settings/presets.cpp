@@ -1,8 +1,10 @@
 #include "sillon/settings/presets.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
+#include "base/decimal_text.hpp"
 #include "base/json.hpp"
 #include "base/words.hpp"
 #include "settings/json_in.hpp"
@@ -23,6 +25,14 @@ constexpr BuiltIn kPrinters{"printers", "printer profile", kPrintersJson};
 constexpr BuiltIn kFilaments{"filaments", "filament profile", kFilamentsJson};
 constexpr BuiltIn kPresets{"presets", "preset", kPresetsJson};
 
+/// Read once: files of many printers, and tests, ask for them again and again.
+const Json& rowsOf(const BuiltIn& builtIn) {
+  static const Json printers = Json::parse(kPrinters.json)[kPrinters.key];
+  static const Json filaments = Json::parse(kFilaments.json)[kFilaments.key];
+  static const Json presets = Json::parse(kPresets.json)[kPresets.key];
+  return &builtIn == &kPrinters ? printers : &builtIn == &kFilaments ? filaments : presets;
+}
+
 const BuiltIn& builtIn(ProfileKind kind) { return kind == ProfileKind::Printer ? kPrinters : kFilaments; }
 
 SettingsView viewOf(Printer& printer) {
@@ -39,21 +49,32 @@ std::vector<std::string> ids(const Json& rows) {
 
 /// A row without what is told of the machine itself.
 Json settingsOf(Json row) {
-  for (const char* fact : {"maker", "models", "source"}) row.erase(fact);
+  for (const char* fact : {"maker", "models", "source", "advance"}) row.erase(fact);
   return row;
 }
 
 std::string apply(const BuiltIn& builtIn, const std::string& id, Section section, const SettingsView& view) {
-  const Json rows = Json::parse(builtIn.json)[builtIn.key];
+  const Json& rows = rowsOf(builtIn);
   const auto found = rows.find(id);
   if (found != rows.end()) return readSection(settingsOf(*found), section, view);
   return inQuotes(id) + " is not a " + builtIn.noun + "; " + suggestion(id, ids(rows));
 }
 
+// Small letters and digits, less the nozzle: "Bambu Lab A1 0.4 nozzle" is "bambulaba1".
+std::string plainName(std::string_view text) {
+  if (text.ends_with("nozzle")) text = text.substr(0, text.rfind(" 0."));
+  std::string out;
+  for (const char c : text.substr(0, 100)) {
+    if (c >= 'A' && c <= 'Z') out += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+') out += c;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<PrinterProfile> profiles(ProfileKind kind) {
-  const Json rows = Json::parse(builtIn(kind).json)[builtIn(kind).key];
+  const Json& rows = rowsOf(builtIn(kind));
   std::vector<PrinterProfile> result;
   for (const auto& item : rows.items()) {
     PrinterProfile profile;
@@ -61,16 +82,51 @@ std::vector<PrinterProfile> profiles(ProfileKind kind) {
     profile.maker = item.value().value("maker", "");
     if (item.value().contains("models")) profile.models = item.value()["models"].get<std::vector<std::string>>();
     readSection(settingsOf(item.value()), Section::Printer, viewOf(profile.printer));
+    if (kind == ProfileKind::Printer) applyAdvance(profile.id, profile.printer);
     result.push_back(std::move(profile));
   }
   return result;
 }
 
-std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer) {
-  return apply(builtIn(kind), id, Section::Printer, viewOf(printer));
+std::optional<PrinterProfile> profileOf(std::string_view model) {
+  const std::string wanted = plainName(model);
+  if (wanted.empty()) return std::nullopt;
+  static const std::vector<PrinterProfile> all = profiles(ProfileKind::Printer);
+  for (const PrinterProfile& profile : all) {
+    std::vector<std::string> names = profile.models;
+    names.insert(names.end(), {profile.printer.name, profile.maker + profile.printer.name});
+    const auto same = [&](const std::string& name) { return plainName(name) == wanted; };
+    if (!profile.maker.empty() && std::any_of(names.begin(), names.end(), same)) return profile;
+  }
+  return std::nullopt;
 }
 
-std::vector<std::string> presets() { return ids(Json::parse(kPresets.json)[kPresets.key]); }
+std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer) {
+  std::string wrong = apply(builtIn(kind), id, Section::Printer, viewOf(printer));
+  if (wrong.empty() && kind == ProfileKind::Printer) applyAdvance(id, printer);
+  return wrong;
+}
+
+void applyAdvance(const std::string& profile, Printer& printer) {
+  const Json& rows = rowsOf(kPrinters);
+  const auto row = rows.find(profile);
+  if (row == rows.end()) return;
+  const Json byFilament = row->value("advance", Json::object());
+  const Json byNozzle = byFilament.value(printer.filamentType, Json::object());
+  const auto found = byNozzle.find(decimal(printer.nozzle, 3));
+  printer.setPressureAdvance = found != byNozzle.end();
+  printer.pressureAdvance = printer.setPressureAdvance ? found->get<double>() : Printer().pressureAdvance;
+}
+
+void followAdvance(const Project& before, Project& changed) {
+  Printer makers = before.printer;
+  applyAdvance(before.printerProfile, makers);
+  const bool own = makers.pressureAdvance != before.printer.pressureAdvance ||
+                   makers.setPressureAdvance != before.printer.setPressureAdvance;
+  if (!own || before.printerProfile != changed.printerProfile) applyAdvance(changed.printerProfile, changed.printer);
+}
+
+std::vector<std::string> presets() { return ids(rowsOf(kPresets)); }
 
 std::string applyPreset(const std::string& id, ToolpathParams& params) {
   SettingsView view;

@@ -1,6 +1,7 @@
 #include "sillon/toolpath/contour.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -29,8 +30,6 @@ struct Lattice {
   float inner;  ///< distances below this carry waves
 
   [[nodiscard]] bool positive(int x, int y) const { return values[grid.index(x, y)] >= 0; }
-  [[nodiscard]] bool crossesRight(int x, int y) const { return positive(x, y) != positive(x + 1, y); }
-  [[nodiscard]] bool crossesUp(int x, int y) const { return positive(x, y) != positive(x, y + 1); }
 
   [[nodiscard]] Vec2f vertex(int x0, int y0, int x1, int y1) const {
     const std::size_t i = grid.index(x0, y0);
@@ -42,21 +41,54 @@ struct Lattice {
   }
 };
 
-// Vertices are numbered row by row: first the edges along the row, then those up to the next.
-struct RowNumbers {
-  std::vector<int> along;  ///< vertex on (x, y)-(x + 1, y)
-  std::vector<int> up;     ///< vertex on (x, y)-(x, y + 1)
-  int next = 0;
+// Signs of all nodes, one bit each, so that 64 edges without a vertex are passed at once: a look at each takes 1.7
+// times the instructions where curves are dense, and seven times where they are few.
+class Signs {
+ public:
+  using Word = std::uint64_t;
 
-  explicit RowNumbers(int nx) : along(static_cast<std::size_t>(nx), -1), up(static_cast<std::size_t>(nx), -1) {}
+  explicit Signs(const Lattice& lattice)
+      : lattice_(lattice),
+        words_((static_cast<std::size_t>(lattice.grid.nx) + 63) / 64),
+        bits_(words_ * static_cast<std::size_t>(lattice.grid.ny)) {}
 
-  void number(const Lattice& lattice, int y, int first) {
-    next = first;
-    const int nx = lattice.grid.nx;
-    for (int x = 0; x + 1 < nx; ++x) along[static_cast<std::size_t>(x)] = lattice.crossesRight(x, y) ? next++ : -1;
-    if (y + 1 >= lattice.grid.ny) return;
-    for (int x = 0; x < nx; ++x) up[static_cast<std::size_t>(x)] = lattice.crossesUp(x, y) ? next++ : -1;
+  [[nodiscard]] std::size_t words() const { return words_; }  ///< in a row
+
+  void read(int y) {
+    const std::size_t nx = static_cast<std::size_t>(lattice_.grid.nx);
+    const float* values = &lattice_.values[lattice_.grid.index(0, y)];
+    for (std::size_t w = 0; w < words_; ++w) {
+      const std::size_t count = std::min<std::size_t>(64, nx - 64 * w);
+      Word bits = 0;
+      for (std::size_t k = 0; k < count; ++k) bits |= static_cast<Word>(values[64 * w + k] >= 0 ? 1 : 0) << k;
+      bits_[words_ * static_cast<std::size_t>(y) + w] = bits;
+    }
   }
+
+  /// Bit x: a vertex lies on (x, y)-(x + 1, y).
+  [[nodiscard]] Word along(int y, std::size_t w) const {
+    const Word* row = &bits_[words_ * static_cast<std::size_t>(y)];
+    const Word next = w + 1 < words_ ? row[w + 1] << 63 : 0;
+    return (row[w] ^ (row[w] >> 1 | next)) & within(w, lattice_.grid.nx - 1);
+  }
+
+  /// Bit x: a vertex lies on (x, y)-(x, y + 1).
+  [[nodiscard]] Word up(int y, std::size_t w) const {
+    if (y + 1 >= lattice_.grid.ny) return 0;
+    const std::size_t at = words_ * static_cast<std::size_t>(y) + w;
+    return bits_[at] ^ bits_[at + words_];
+  }
+
+ private:
+  // The bits of a word that stand for less than `end`.
+  static Word within(std::size_t w, int end) {
+    const int count = end - 64 * static_cast<int>(w);
+    return count >= 64 ? ~Word{0} : count <= 0 ? 0 : (Word{1} << count) - 1;
+  }
+
+  const Lattice& lattice_;
+  std::size_t words_;
+  std::vector<Word> bits_;
 };
 
 // Links the vertices of one square so that positive corners lie on the left. Going round counter-clockwise, a curve
@@ -96,16 +128,24 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
                                    const std::vector<float>& distance, double spacing, const RunContext& run) {
   const Lattice lattice{grid, values.data(), distance.data(), static_cast<float>(-0.5 * spacing)};
 
+  Signs signs(lattice);
+  const int grain = rowGrain(run, grid.ny, 2.0 * grid.nx);
+  parallelFor(run, grid.ny, grain, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) signs.read(y);
+  });
+  // Vertices are numbered row by row: first the edges along the row, then those up to the next.
   std::vector<std::int64_t> first(static_cast<std::size_t>(grid.ny) + 1, 0);
-  const int grain = rowGrain(run, grid.ny, 6.0 * grid.nx);
+  std::vector<int> firstUp(static_cast<std::size_t>(grid.ny), 0);  // in its row
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      std::int64_t count = 0;
-      for (int x = 0; x + 1 < grid.nx; ++x) count += lattice.crossesRight(x, y) ? 1 : 0;
-      if (y + 1 < grid.ny) {
-        for (int x = 0; x < grid.nx; ++x) count += lattice.crossesUp(x, y) ? 1 : 0;
+      int along = 0;
+      int up = 0;
+      for (std::size_t w = 0; w < signs.words(); ++w) {
+        along += std::popcount(signs.along(y, w));
+        up += std::popcount(signs.up(y, w));
       }
-      first[static_cast<std::size_t>(y) + 1] = count;
+      first[static_cast<std::size_t>(y) + 1] = along + up;
+      firstUp[static_cast<std::size_t>(y)] = along;
     }
   });
   for (std::size_t y = 1; y < first.size(); ++y) first[y] += first[y - 1];
@@ -117,21 +157,30 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   std::vector<Vec2f> vertices(static_cast<std::size_t>(total));
   std::vector<int> next(static_cast<std::size_t>(total), -1);
   parallelFor(run, grid.ny - 1, grain, [&](int begin, int end) {
-    RowNumbers row(grid.nx);
-    RowNumbers above(grid.nx);
-    row.number(lattice, begin, static_cast<int>(first[static_cast<std::size_t>(begin)]));
     for (int y = begin; y < end; ++y) {
-      above.number(lattice, y + 1, static_cast<int>(first[static_cast<std::size_t>(y) + 1]));
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = static_cast<std::size_t>(x);
-        if (row.up[i] >= 0) vertices[static_cast<std::size_t>(row.up[i])] = lattice.vertex(x, y, x, y + 1);
-        if (x + 1 == grid.nx) continue;
-        if (row.along[i] >= 0) vertices[static_cast<std::size_t>(row.along[i])] = lattice.vertex(x, y, x + 1, y);
-        if (row.along[i] >= 0 || row.up[i] >= 0 || above.along[i] >= 0) {
-          linkSquare(lattice, x, y, row.along[i], row.up[i + 1], above.along[i], row.up[i], next);
+      const std::size_t row = static_cast<std::size_t>(y);
+      int along = static_cast<int>(first[row]);  // the next vertex of each kind
+      int above = static_cast<int>(first[row + 1]);
+      int up = along + firstUp[row];
+      for (std::size_t w = 0; w < signs.words(); ++w) {
+        const Signs::Word alongs = signs.along(y, w);
+        const Signs::Word ups = signs.up(y, w);
+        const Signs::Word aboves = signs.along(y + 1, w);
+        const Signs::Word nextUps = ups >> 1 | (w + 1 < signs.words() ? signs.up(y, w + 1) << 63 : 0);
+        for (Signs::Word rest = alongs | ups | aboves; rest != 0; rest &= rest - 1) {
+          const int bit = std::countr_zero(rest);
+          const int x = 64 * static_cast<int>(w) + bit;
+          const auto number = [&](Signs::Word word, int& free) { return (word >> bit & 1) != 0 ? free++ : -1; };
+          const int left = number(ups, up);
+          if (left >= 0) vertices[static_cast<std::size_t>(left)] = lattice.vertex(x, y, x, y + 1);
+          if (x + 1 == grid.nx) continue;
+          const int bottom = number(alongs, along);
+          const int top = number(aboves, above);
+          const int right = (nextUps >> bit & 1) != 0 ? up : -1;
+          if (bottom >= 0) vertices[static_cast<std::size_t>(bottom)] = lattice.vertex(x, y, x + 1, y);
+          linkSquare(lattice, x, y, bottom, right, top, left, next);
         }
       }
-      std::swap(row, above);
     }
   });
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};

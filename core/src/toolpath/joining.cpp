@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "geometry/closed_curves.hpp"
@@ -60,7 +61,7 @@ float Joining::cost(int i, int j, int span) const {
 float Joining::outsideLength(int i, int j, int span) const {
   const Piece a = pieceAround(i, span);
   const Piece b = pieceAround(j, span);
-  constexpr float kAll = 1e30f;
+  constexpr float kAll = std::numeric_limits<float>::infinity();
   return outsideLength(Edge{a.begin, b.end}, kAll) + outsideLength(Edge{b.begin, a.end}, kAll);
 }
 
@@ -145,12 +146,8 @@ float Joining::misalignment(Vec2f a, Vec2f b) const {
   const Vec2f e = b - a;
   const float size = length(e);
   if (size <= 0) return 0;
-  const Grid& grid = lines_.grid;
-  const double x = (0.5 * static_cast<double>(a.x + b.x) - grid.origin.x) / grid.cell;
-  const double y = (0.5 * static_cast<double>(a.y + b.y) - grid.origin.y) / grid.cell;
-  const int cx = std::clamp(static_cast<int>(x), 0, grid.nx - 1);
-  const int cy = std::clamp(static_cast<int>(y), 0, grid.ny - 1);
-  const float across = dot(e, lines_.direction[grid.index(cx, cy)]);
+  const Vec2 middle{0.5 * static_cast<double>(a.x + b.x), 0.5 * static_cast<double>(a.y + b.y)};
+  const float across = dot(e, lines_.direction[lines_.grid.cellAt(middle)]);
   return across * across / size;
 }
 

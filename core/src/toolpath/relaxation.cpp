@@ -6,6 +6,8 @@
 #include "base/parallel_for.hpp"
 #include "geometry/closed_curves.hpp"
 #include "toolpath/corner_rounding.hpp"
+#include "toolpath/damping.hpp"
+#include "toolpath/line_keeping.hpp"
 
 namespace sillon {
 namespace {
@@ -18,10 +20,14 @@ constexpr float kMaxMove = 0.15f;  ///< per round [tau]
 constexpr float kDrift = 0.24f;          ///< [tau]
 constexpr float kVoidStrength = 0.7f;    ///< of the difference beyond kDrift
 constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where hairpins lie
+// Where lines are kept to, which leaves gaps uneven:
+constexpr float kAskedStrength = 0.25f;  ///< at least
+constexpr float kAskedSmoothing = 0.3f;  ///< at most: what runs along the lines needs less
+constexpr int kAskedRounds = 2;          ///< more, for lines and gaps in turns; none if one round is all there is
+constexpr float kAskedPull = 0.003f;     ///< of line keeping: is felt over 18 points, or 4.5 tau
+constexpr float kLastPull = 0.03f;       ///< the last time, so that gaps even again in the round left: 1.4 tau
 constexpr int kAttempts = 8;
 constexpr float kDot = 1.8f;  ///< length of a cycle [tau]
-
-int wrapped(int k, int n) { return k < 0 ? k + n : (k >= n ? k - n : k); }
 
 // Instead of Eq. 15, which moves a point half-way to where its neighbours push it: towards the wider side, smoothed
 // along the path with (1, 2, 4, 2, 1) / 10.
@@ -104,37 +110,20 @@ ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, 
   return out;
 }
 
-// Scales `share` by `factor` around the points of `before` that lie where `after` crosses itself.
-void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vector<std::pair<int, int>>& crossings,
-          int reach, float factor, std::vector<float>& share) {
-  const std::vector<std::int32_t> curveOf = curveOfPoints(after);
-  std::vector<char> marked(share.size(), 0);
-  for (const auto& [a, b] : crossings) {
-    for (const int point : {a, b}) {
-      const int c = curveOf[static_cast<std::size_t>(point)];
-      const int n = before.size(c);
-      const int first = before.begin[static_cast<std::size_t>(c)];
-      // Equal arc steps: the same share of the way round is the same place, as the lengths hardly differ.
-      const double part = static_cast<double>(point - after.begin[static_cast<std::size_t>(c)]) / after.size(c);
-      const int middle = static_cast<int>(part * n);
-      for (int k = -std::min(reach, n / 2); k <= std::min(reach, n / 2); ++k) {
-        marked[static_cast<std::size_t>(first + wrapped(middle + k, n))] = 1;
-      }
-    }
-  }
-  for (std::size_t k = 0; k < share.size(); ++k) {
-    if (marked[k]) share[k] *= factor;
-  }
-}
-
 }  // namespace
 
 Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, const ToolpathParams& params,
-                             const RunContext& run) {
+                             const RunContext& run, const LineField* asked) {
   const float spacing = static_cast<float>(params.spacing);
   const float step = 0.25f * spacing;
-  const float smoothing = static_cast<float>(params.relaxationSmoothing);
-  const float strength = static_cast<float>(params.relaxationStrength);
+  float smoothing = static_cast<float>(params.relaxationSmoothing);
+  float strength = static_cast<float>(params.relaxationStrength);
+  int rounds = params.relaxationRounds;
+  if (asked != nullptr) {
+    smoothing = std::min(smoothing, kAskedSmoothing);
+    strength = std::max(strength, kAskedStrength);
+    rounds += rounds > 1 ? kAskedRounds : 0;
+  }
   ClosedCurves path = resampled(curves, step, run);
   BeadGaps gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
   if (!findCrossings(path, run, gaps.tight).empty()) {
@@ -142,15 +131,20 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
     gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
   }
   release(curves);
-  for (int round = 0; round < params.relaxationRounds && !run.cancelled(); ++round) {
+  for (int round = 0; round < rounds && !run.cancelled(); ++round) {
     const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);
     std::vector<float> share = sharesOf(path, spacing);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
-      const ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
+      ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
+      // Not in the last round: gaps must be even in the end.
+      if (asked != nullptr && round + 1 < rounds) {
+        const float pull = round + 2 < rounds ? kAskedPull : kLastPull;
+        to = moved(to, movesToLines(to, *asked, params.spacing, pull, run), share, border, spacing, 0, run);
+      }
       // Equal steps may cut corners where strands lie near to each other, however little was moved.
       ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);
       // Not before the last round: smoothing points hairpins anew.
-      if (round + 1 == params.relaxationRounds) roundKinks(next, border, params.spacing, run);
+      if (round + 1 == rounds) roundKinks(next, border, params.spacing, run);
       BeadGaps nextGaps = beadGaps(next, border, params.spacing, kCap * spacing, run);
       // Equal steps meet where points lie near to each other; other segments may be longer.
       const auto crossings = attempt == 0 ? findCrossings(next, run, nextGaps.tight) : findCrossings(next, run);
@@ -161,7 +155,7 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
       }
       damp(path, next, crossings, 8 << attempt, attempt < 3 ? 0.5f : 0.0f, share);
     }
-    run.report((round + 1.0) / params.relaxationRounds);
+    run.report((round + 1.0) / rounds);
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
   return Relaxed{std::move(path), std::move(gaps)};

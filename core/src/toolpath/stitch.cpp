@@ -15,10 +15,11 @@
 namespace sillon {
 namespace {
 
-constexpr int kSpan = 4;           ///< segments taken out of each curve: one spacing, so two beads fit side by side
-constexpr int kFirstStride = 4;    ///< in the first round every fourth point looks for partners: enough for most curves
-constexpr float kOutsideCost = 4;  ///< of a mm outside the shape, against 0.65 of a mm of added length
-constexpr int kMaxRounds = 60;     ///< far more than any plate needs
+constexpr int kSpan = 4;         ///< segments taken out of each curve: one spacing, so two beads fit side by side
+constexpr int kFirstStride = 4;  ///< in the first round every fourth point looks for partners: enough for most curves
+constexpr float kFarthestOutside = 8;  ///< of an edge between points that face each other [spacings]
+constexpr float kOutsideCost = 4;      ///< of a mm outside the shape, against 0.65 of a mm of added length
+constexpr int kMaxRounds = 60;         ///< far more than any plate needs
 constexpr int kMaxGoes = 8;
 
 /// Where partners are looked for. Each search begins only when the one before leads to no joint any more.
@@ -27,13 +28,13 @@ enum class Search {
   Near,            ///< all near points, and shorter pieces
   AcrossGaps,      ///< the same, and joints may leave the shape by the width of a bridged gap
   AcrossWideGaps,  ///< from twice as far: facing tips are nearer to each other than the beads in them
-  Facing,          ///< points that face each other, however far, and joints may leave the shape
+  Facing,          ///< points that face each other, however far, and joints may leave the shape for some spacings
   AroundFacing,    ///< the same, and their neighbours: a tip may be too sharp for a joint right at it
 };
 
 Search wider(Search search) { return static_cast<Search>(static_cast<int>(search) + 1); }
 
-/// What a search allows; those from Facing on have no bounds.
+/// What a search allows; those from Facing on reach as far as anything faces them.
 struct Limits {
   float reach;           ///< how far apart joined pieces may lie [mm]
   std::size_t partners;  ///< tried per point
@@ -59,8 +60,7 @@ Limits limitsOf(Search search, const ToolpathParams& params) {
     case Search::AroundFacing:
       break;
   }
-  constexpr float kNone = std::numeric_limits<float>::max();
-  return {kNone, 1, 1, kNone};
+  return {std::numeric_limits<float>::max(), 1, 1, std::max(2 * gap, kFarthestOutside * spacing)};
 }
 
 // What is to be joined at the beginning of a round.
@@ -288,6 +288,31 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   return stitched;
 }
 
+// As Stitched::apart says.
+std::vector<Vec2> middlesOfApart(const ClosedCurves& curves, const Parts& parts) {
+  std::vector<int> longest(static_cast<std::size_t>(parts.count), -1);  // by part
+  std::vector<int> part;
+  for (int c = 0; c < curves.count(); ++c) {
+    const Vec2f first = curves.points[static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)])];
+    part.push_back(parts.label[cellInPart(parts, first)]);
+    if (part.back() < 0) continue;
+    const std::size_t label = static_cast<std::size_t>(part.back());
+    if (label >= longest.size()) longest.resize(label + 1, -1);
+    if (longest[label] < 0 || curves.size(c) > curves.size(longest[label])) longest[label] = c;
+  }
+  std::vector<Vec2> apart;
+  for (int c = 0; c < curves.count(); ++c) {
+    const int label = part[static_cast<std::size_t>(c)];
+    if (label >= 0 && longest[static_cast<std::size_t>(label)] == c) continue;
+    const auto begin = curves.points.begin() + curves.begin[static_cast<std::size_t>(c)];
+    const auto end = begin + curves.size(c);
+    const auto [left, right] = std::minmax_element(begin, end, [](Vec2f a, Vec2f b) { return a.x < b.x; });
+    const auto [low, high] = std::minmax_element(begin, end, [](Vec2f a, Vec2f b) { return a.y < b.y; });
+    apart.push_back({0.5 * static_cast<double>(left->x + right->x), 0.5 * static_cast<double>(low->y + high->y)});
+  }
+  return apart;
+}
+
 }  // namespace
 
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
@@ -307,6 +332,9 @@ Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines
     more.value().longestJoint = std::max(more.value().longestJoint, last.longestJoint);
     more.value().gapJoints += last.gapJoints;
     stitched = std::move(more);
+  }
+  if (stitched && stitched.value().unjoined() > 0) {
+    stitched.value().apart = middlesOfApart(stitched.value().curves, parts);
   }
   return stitched;
 }

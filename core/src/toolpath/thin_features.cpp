@@ -56,6 +56,16 @@ void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, dou
   }
 }
 
+void fillMiddles(const Grid& nodes, const std::vector<Vec2>& middles, std::vector<float>& values) {
+  std::vector<std::size_t> empty;
+  for (const Vec2 p : middles) {
+    const int x = std::clamp(static_cast<int>((p.x - nodes.origin.x) / nodes.cell), 0, nodes.nx - 1);
+    const int y = std::clamp(static_cast<int>((p.y - nodes.origin.y) / nodes.cell), 0, nodes.ny - 1);
+    if (values[nodes.index(x, y)] >= 0 && !contourNear(nodes, values, x, y)) empty.push_back(nodes.index(x, y));
+  }
+  for (const std::size_t i : empty) values[i] = -0.5f;
+}
+
 void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double spacing, std::vector<float>& values) {
   const Grid& grid = parts.grid;
   const Grid nodes = nodeLattice(grid);

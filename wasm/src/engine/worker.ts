@@ -7,17 +7,19 @@ type OnProgress = (stage: string, fraction: number) => void;
 type Inputs = Record<string, Uint8Array | api.Picture>;
 type CopiedBytes = Uint8Array<ArrayBuffer>;
 
-/** wasm/plates.cpp, wasm/files.cpp and wasm/rebrush.cpp: of each module its part, and wasm/call.cpp. */
+/** wasm/plates.cpp, files.cpp, rebrush.cpp, calibrate.cpp and photo.cpp: of each module its part, and wasm/call.cpp. */
 interface SillonModule {
-  start(threads: number, poll: (() => boolean) | null): Outcome<{ version: string; cancelFlag: number }>;
+  start(threads: number, most: number, poll: (() => boolean) | null): Outcome<{ version: string; cancelFlag: number }>;
   generateToolpath(
     project: string,
     files: Inputs,
     measure: boolean,
+    across: boolean,
     onProgress: OnProgress,
-  ): Outcome<{ toolpath: api.Toolpath; report: string }>;
+  ): Outcome<Omit<api.ToolpathResult, 'report'> & { report: string }>;
   writeGcode(
     toolpath: api.Toolpath,
+    below: api.Toolpath | undefined,
     project: string,
     date: string,
     onChunk: (bytes: CopiedBytes) => boolean,
@@ -28,29 +30,52 @@ interface SillonModule {
   renderPreview(
     toolpath: api.Toolpath,
     width: number,
-    lightAzimuth: number,
-    lightElevation: number,
+    light: [number, number],
+    colour: [number, number, number],
+    slopes: [number, number],
+    lookOnly: boolean,
     onProgress: OnProgress,
   ): Outcome<CopiedBytes>;
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
+  /** For a file of so many bytes: valid until the next call, which takes the file from there. */
+  room(size: number): Outcome<Uint8Array>;
   readProject(project: string): Outcome<string>;
   profiles(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
-  importPrinter(file: Uint8Array, name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
-  checkGcode(file: Uint8Array, project: string): Outcome<api.GcodeCheck>;
+  importPrinter(name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
+  checkGcode(project: string): Outcome<api.GcodeCheck>;
   examineBlock(block: string, project: string): Outcome<api.GcodeFinding[]>;
-  packGcode(file: Uint8Array): Outcome<CopiedBytes>;
-  printRelief(file: Uint8Array, side: number): Outcome<api.PrintRelief>;
-  listSurfaces(file: Uint8Array): Outcome<api.SlicedFile>;
+  packGcode(): Outcome<CopiedBytes>;
+  printRelief(side: number): Outcome<api.PrintRelief>;
+  listSurfaces(): Outcome<api.SlicedFile>;
   rebrush(
-    file: Uint8Array,
     project: string,
     files: Inputs,
     sides: string,
     fit: string,
     only: Float64Array,
     onProgress: OnProgress,
-  ): Outcome<Omit<api.Rebrushed, 'blob'> & { bytes: CopiedBytes }>;
+    onPiece: (bytes: CopiedBytes) => void,
+  ): Outcome<Omit<api.Rebrushed, 'blob'>>;
+  calibrate(
+    kind: string,
+    from: number | undefined,
+    to: number | undefined,
+    project: string,
+    filament: api.ViewParams | undefined,
+    date: string,
+    pictureSide: number,
+  ): Outcome<
+    Omit<api.Calibration, 'blob' | 'picture' | 'setting'> & { bytes: CopiedBytes; png?: CopiedBytes; setting: string }
+  >;
+  readCoupon(
+    picture: api.Picture,
+    project: string,
+    from: number | undefined,
+    to: number | undefined,
+    lampSize: number | undefined,
+    lampElevation: number | undefined,
+  ): Outcome<Omit<api.CouponReading, 'spool'> & { spools: string }>;
 }
 
 /** A printer as the text of a project file. */
@@ -87,9 +112,11 @@ const scope = globalThis as unknown as Scope;
 const initialPages = 256; // as the modules are linked
 const progressEvery = 30; // [ms]
 const aliveEvery = 1000; // [ms]
+const pieceBytes = 4 * 2 ** 20;
 const fetchEvery = 50; // [ms]; a fetch takes 1 to 3
 
 let engine: SillonModule | undefined;
+let mostKept = Infinity; // [bytes] of a file that nobody takes in pieces
 let lastPost = 0;
 
 function post(message: FromWorker): void {
@@ -128,6 +155,7 @@ function want(by: Wanted): void {
 }
 
 function stopAsked(): boolean {
+  if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' }); // stages of large plates tell no progress for long
   if (wanted === undefined) return false;
   if (typeof wanted !== 'string') return Atomics.load(wanted, 0) !== 0;
   const now = performance.now();
@@ -186,11 +214,11 @@ async function importGlue(url: string): Promise<Glue> {
   }
 }
 
-/** As much as the system lets threads share: phones refuse large maxima. */
-function sharedMemory(): WebAssembly.Memory {
-  for (const mib of [1024, 512, 256, 64]) {
+/** As much as the system lets threads share: phones refuse large maxima. @param wanted  [MiB] */
+function sharedMemory(wanted: number): { memory: WebAssembly.Memory; mib: number } {
+  for (const mib of [4096, 2048, 1024, 512, 256, 64].map((mib) => Math.min(mib, Math.floor(wanted)))) {
     try {
-      return new WebAssembly.Memory({ initial: initialPages, maximum: 16 * mib, shared: true });
+      return { memory: new WebAssembly.Memory({ initial: initialPages, maximum: 16 * mib, shared: true }), mib };
     } catch {
       continue;
     }
@@ -198,16 +226,31 @@ function sharedMemory(): WebAssembly.Memory {
   throw new Failed('OutOfMemory', 'the system gives no 64 MiB of memory that threads can share');
 }
 
-async function start({ threads, script, wasm, threadScript, compiled }: StartMessage): Promise<void> {
+/** The module's own memory has its maximum from its link; its glue code takes a growth that fails for a lack of memory. */
+function limitGrowth(exports: WebAssembly.Exports, most: number): void {
+  for (const memory of Object.values(exports)) {
+    if (!(memory instanceof WebAssembly.Memory)) continue;
+    const grow = memory.grow.bind(memory);
+    memory.grow = (pages) => {
+      if (memory.buffer.byteLength + pages * 65536 > most * 2 ** 20) throw new RangeError('beyond the limit of memory');
+      return grow(pages);
+    };
+  }
+}
+
+async function start({ threads, memory: most, script, wasm, threadScript, compiled }: StartMessage): Promise<void> {
+  mostKept = most * 2 ** 20;
   const wasmModule = compiled ?? (await compile(wasm));
   const glue = await importGlue(script);
   post({ type: 'loaded', compiled: wasmModule });
 
-  const memory = threads > 1 ? sharedMemory() : undefined;
+  const shared = threads > 1 ? sharedMemory(most) : undefined;
+  const memory = shared?.memory;
   const instance = new Promise<SillonModule>((resolve, reject) => {
     const args: ModuleArguments = {
       instantiateWasm(imports, done) {
         WebAssembly.instantiate(wasmModule, imports).then((made) => {
+          limitGrowth(made.exports, most);
           done(made, wasmModule);
         }, reject);
         return {}; // what it exports comes later
@@ -230,7 +273,8 @@ async function start({ threads, script, wasm, threadScript, compiled }: StartMes
     throw failed(problem, 'LoadFailed', `${script} and ${wasm} could not be started`);
   });
   scope.onerror = null;
-  const { version, cancelFlag } = valueOf(module.start(threads, memory === undefined ? stopAsked : null));
+  const bytes = (shared?.mib ?? most) * 2 ** 20;
+  const { version, cancelFlag } = valueOf(module.start(threads, bytes, memory === undefined ? stopAsked : null));
   engine = module;
   post({
     type: 'started',
@@ -246,6 +290,18 @@ async function bytesOf(blob: Blob, name: string): Promise<Uint8Array> {
     return new Uint8Array(await blob.arrayBuffer());
   } catch (problem) {
     throw new Failed('InvalidFile', `${name} could not be read: ${String(problem)}`);
+  }
+}
+
+/** A print may have 200 MB: it goes into the engine piece by piece, and is never whole in JavaScript. */
+async function bringIn(file: Blob | Uint8Array, module: SillonModule): Promise<void> {
+  if (!(file instanceof Blob)) {
+    valueOf(module.room(file.length)).set(file);
+    return;
+  }
+  const room = valueOf(module.room(file.size));
+  for (let at = 0; at < file.size; at += pieceBytes) {
+    room.set(await bytesOf(file.slice(at, at + pieceBytes), 'file'), at);
   }
 }
 
@@ -285,17 +341,20 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     case 'generateToolpath': {
       completed(call.project, module);
       const files = await inputsOf(call.files);
-      const made = valueOf(module.generateToolpath(call.project, files, call.measure, onProgress));
-      return { toolpath: made.toolpath, report: JSON.parse(made.report) as api.Report } satisfies api.Plate;
+      const made = valueOf(module.generateToolpath(call.project, files, call.measure, call.across, onProgress));
+      return { ...made, report: JSON.parse(made.report) as api.Report } satisfies api.ToolpathResult;
     }
     case 'writeGcode': {
       completed(call.project, module);
       const kept: CopiedBytes[] = [];
+      let size = 0;
       const summary = valueOf(
-        module.writeGcode(call.toolpath, call.project, call.date, (bytes) => {
+        module.writeGcode(call.toolpath, call.below, call.project, call.date, (bytes) => {
           if (call.inPieces) {
             post({ type: 'piece', bytes });
           } else {
+            size += bytes.length;
+            if (size > mostKept) throw new Failed('OutOfMemory', `the file has more than ${mostKept / 2 ** 20} MiB`);
             kept.push(bytes);
             if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' });
           }
@@ -312,8 +371,11 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return new Blob([png], { type: 'image/png' });
     }
     case 'renderPreview': {
-      const { width, lightAzimuth, lightElevation } = call.params;
-      const png = valueOf(module.renderPreview(call.toolpath, width, lightAzimuth, lightElevation, onProgress));
+      const { width, panels, colour, slopes, lightAzimuth, lightElevation } = call.params;
+      const light: [number, number] = [lightAzimuth, lightElevation];
+      const png = valueOf(
+        module.renderPreview(call.toolpath, width, light, colour, slopes, panels === 'look', onProgress),
+      );
       return new Blob([png], { type: 'image/png' });
     }
     case 'readShape':
@@ -333,14 +395,14 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return { printers: printers.map(read), filaments: filaments.map(read) } satisfies api.Profiles;
     }
     case 'importPrinter': {
-      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
-      const { project, ...others } = valueOf(module.importPrinter(file, call.printer));
+      await bringIn(call.file, module);
+      const { project, ...others } = valueOf(module.importPrinter(call.printer));
       return { printer: printerOf(project), ...others } satisfies api.ImportedPrinter;
     }
     case 'checkGcode': {
       if (call.project !== '') completed(call.project, module);
-      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
-      return valueOf(module.checkGcode(file, call.project));
+      await bringIn(call.file, module);
+      return valueOf(module.checkGcode(call.project));
     }
     case 'examineBlock':
       completed(call.project, module);
@@ -349,26 +411,47 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const body = valueOf(module.writeBaseBody(call.shape, call.project, call.format === 'stl'));
       return new Blob([body], { type: `model/${call.format}` });
     }
-    case 'packGcode': {
-      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
-      return new Blob([valueOf(module.packGcode(file))], { type: 'model/3mf' });
-    }
-    case 'printRelief': {
-      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
-      return valueOf(module.printRelief(file, call.side));
-    }
-    case 'listSurfaces': {
-      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
-      return valueOf(module.listSurfaces(file));
-    }
+    case 'packGcode':
+      await bringIn(call.file, module);
+      return new Blob([valueOf(module.packGcode())], { type: 'model/3mf' });
+    case 'printRelief':
+      await bringIn(call.file, module);
+      return valueOf(module.printRelief(call.side));
+    case 'listSurfaces':
+      await bringIn(call.file, module);
+      return valueOf(module.listSurfaces());
     case 'rebrush': {
       completed(call.project, module);
-      const file = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       const files = await inputsOf(call.files);
+      await bringIn(call.file, module);
       const only = Float64Array.from(call.only);
-      const made = valueOf(module.rebrush(file, call.project, files, call.sides, call.fit, only, onProgress));
-      const { bytes, ...others } = made;
-      return { blob: new Blob([bytes], { type: 'application/octet-stream' }), ...others } satisfies api.Rebrushed;
+      const pieces: Blob[] = []; // each out of this worker's memory as soon as it is there
+      const made = valueOf(
+        module.rebrush(call.project, files, call.sides, call.fit, only, onProgress, (bytes) => {
+          pieces.push(new Blob([bytes]));
+        }),
+      );
+      return { blob: new Blob(pieces, { type: 'application/octet-stream' }), ...made } satisfies api.Rebrushed;
+    }
+    case 'calibrate': {
+      completed(call.project, module);
+      const { kind, from, to, project, filament, date, pictureSide } = call;
+      const made = valueOf(module.calibrate(kind, from, to, project, filament, date, pictureSide));
+      const { bytes, png, setting, ...others } = made;
+      return {
+        blob: new Blob([bytes], { type: 'text/x-gcode' }),
+        setting: setting.split(', '),
+        ...others,
+        ...(png !== undefined && { picture: new Blob([png], { type: 'image/png' }) }),
+      } satisfies api.Calibration;
+    }
+    case 'readCoupon': {
+      completed(call.project, module);
+      const { picture, project, from, to, lampSize, lampElevation } = call;
+      const read = valueOf(module.readCoupon(picture, project, from, to, lampSize, lampElevation));
+      const { spools, ...others } = read;
+      const file = JSON.parse(spools) as { spools: Record<'measured', api.Spool> };
+      return { ...others, spool: file.spools.measured } satisfies api.CouponReading;
     }
   }
 }

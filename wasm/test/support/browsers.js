@@ -56,10 +56,11 @@ export const withoutGraphics = ['--disable-3d-apis'];
 export const launch = (name, options = {}) =>
   ({ Chromium: launchChromium, Firefox: launchFirefox, WebKit: launchWebKit })[name](options);
 
-/** Playwright's Chromium, for tests that look at pages of other kinds. @param more  arguments of the program */
+/** Playwright's Chromium, for tests that look at pages of other kinds. With SLOW=4 its pages run four times slower, as on a
+ * weak machine: a test that reads too early fails there. @param more  arguments of the program */
 export async function startChromium(more = []) {
   const { chromium } = await import('playwright-core');
-  return chromium.launch({
+  const browser = await chromium.launch({
     executablePath: programs.Chromium,
     chromiumSandbox: false, // containers and root have none
     args: [
@@ -72,6 +73,20 @@ export async function startChromium(more = []) {
       ...more,
     ],
   });
+  if (process.env.SLOW !== undefined) slowDown(browser, Number(process.env.SLOW));
+  return browser;
+}
+
+function slowDown(browser, rate) {
+  const newContext = browser.newContext.bind(browser);
+  browser.newContext = async (options) => {
+    const context = await newContext(options);
+    context.on('page', async (page) => {
+      const session = await context.newCDPSession(page);
+      await session.send('Emulation.setCPUThrottlingRate', { rate });
+    });
+    return context;
+  };
 }
 
 /** Has `cpuSeconds` and `playwright`, its browser, besides. */

@@ -17,8 +17,8 @@ function chunk(name, body) {
   return Buffer.concat([length, named, check]);
 }
 
-/** @param samples  row 0 on top, channels interleaved */
-export function png(width, height, channels, samples) {
+/** @param samples  row 0 on top, channels interleaved  @param comment  as a chunk of text behind the header */
+export function png(width, height, channels, samples, comment) {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);
   header.writeUInt32BE(height, 4);
@@ -31,6 +31,7 @@ export function png(width, height, channels, samples) {
   return Buffer.concat([
     Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
     chunk('IHDR', header),
+    ...(comment === undefined ? [] : [chunk('tEXt', Buffer.from(`Comment\0${comment}`, 'latin1'))]),
     chunk('IDAT', deflateSync(Buffer.concat(rows))),
     chunk('IEND', Buffer.alloc(0)),
   ]);

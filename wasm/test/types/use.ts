@@ -1,13 +1,14 @@
 // Uses of the package that the compiler must accept, and, where marked, must refuse.
 import {
   createEngine,
+  preparePlate,
   SillonError,
   type DeepPartial,
   type Engine,
   type ErrorCode,
   type Gcode,
   type InputFile,
-  type Plate,
+  type ToolpathResult,
   type Project,
   type Toolpath,
 } from 'sillon';
@@ -32,7 +33,7 @@ engine.info = engine.info;
 declare const file: File;
 declare const image: ImageData;
 const controller = new AbortController();
-const plate: Plate = await engine.generateToolpath(
+const plate: ToolpathResult = await engine.generateToolpath(
   { shape: { file, pageWidth: 60, unitless: 'mm' }, directions: { file, encoding: 'tangent' }, modes: { file } },
   { spacing: 0.45, perimeterMode: 'soft', bridge: null },
   {
@@ -51,7 +52,7 @@ await engine.generateToolpath({ shape: { builtin: 'star', size: [1, 1] } });
 // @ts-expect-error a pair
 await engine.generateToolpath({ shape: { builtin: 'disc', size: [1, 2, 3] } });
 // @ts-expect-error no such section
-await engine.generateToolpath({ shape: { builtin: 'disc' }, printer: {} });
+await engine.generateToolpath({ shape: { builtin: 'disc' }, toolpath: {} });
 // @ts-expect-error misspelt
 await engine.generateToolpath({}, { spacin: 1 });
 // @ts-expect-error a number
@@ -109,6 +110,7 @@ const blobs: Blob[] = [
   await engine.writeBaseBody(toolpath.shape, { profile: 'prusa-mk4s' }, { base: 3 }, { format: 'stl' }),
   await engine.writeView(toolpath, { colour: [1, 2, 3] }),
   await engine.renderPreview(toolpath, { width: 800 }),
+  await engine.renderPreview(toolpath, { panels: 'look', colour: [1, 2, 3] }),
 ];
 const { page, paths } = await engine.readShape({ file }, { angle: 0 });
 const { samples } = await engine.decodePicture(file);
@@ -117,6 +119,11 @@ const changes: DeepPartial<Project> = { toolpath: { spacing: 0.5 }, print: { pla
 const json: string = await engine.writeProject({ ...project, ...changes });
 // @ts-expect-error the whole pair
 await engine.writeProject({ print: { place: [1] } });
+
+const made = await preparePlate({ shape: { file } }, { printer: { profile: 'prusa-mk4s' }, limits: { memory: 256 } });
+const figures: [number, number, Blob, Blob, Blob] = [made.grams, made.minutes, made.poster, made.view, made.gcode];
+// @ts-expect-error no such limit
+await preparePlate({}, { limits: { minutes: 1 } });
 
 // Errors
 try {
@@ -132,4 +139,4 @@ try {
     error.code = 'Internal';
   }
 }
-console.log(told, given, xs, measured, coverage, text, warnings, blobs, page, paths, samples, json);
+console.log(told, given, xs, measured, coverage, text, warnings, blobs, page, paths, samples, json, figures);

@@ -12,6 +12,7 @@ enum class ErrorCode {
   InvalidArgument,  ///< a parameter is outside its range
   InvalidFile,      ///< bytes that cannot be read as what they claim to be
   TooLarge,         ///< the job would need more than the limits allow
+  OutOfMemory,      ///< the job would need more memory than there is
   EmptyShape,       ///< nothing to fill
   DoesNotFit,       ///< larger than the printer's bed
   Cancelled,        ///< RunContext::requestCancel was called

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -39,6 +40,11 @@ class RunContext {
   /// The request itself, for hosts that reach this memory but not this code, and to take it back before the next job.
   [[nodiscard]] std::atomic<bool>& cancelFlag() { return cancelled_; }
 
+  /// Plates that would take more are refused before work on them begins (plateTooLarge). \param bytes  > 0.
+  void limitMemory(double bytes) { memory_ = bytes; }
+  /// That a job may take [bytes]; infinite unless limited.
+  [[nodiscard]] double memory() const { return memory_; }
+
   /// Starts a job: progress back to 0. Does not clear a cancel request.
   void beginJob() const;
   /// Names the stage that runs now and the share [begin, end] of the whole job that it takes.
@@ -50,6 +56,7 @@ class RunContext {
   std::unique_ptr<ThreadPool> pool_;
   Progress progress_;
   std::function<bool()> poll_;
+  double memory_ = std::numeric_limits<double>::infinity();
   mutable std::atomic<bool> cancelled_{false};
   mutable std::string_view stage_;
   mutable double stageBegin_ = 0;

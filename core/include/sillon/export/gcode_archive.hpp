@@ -2,12 +2,16 @@
 // Prusa's binary G-code (.bgcode).
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "sillon/base/result.hpp"
 
 namespace sillon {
+
+/// Most text that is read of any container.
+inline constexpr std::size_t kMostGcodeBytes = std::size_t{256} << 20;
 
 enum class GcodeContainerKind { Text, Package3mf, Binary, Gzip };
 
@@ -22,14 +26,14 @@ struct GcodeContainer {
 /// What a file holds, told by its first bytes: of a .gcode.3mf the first plate, of a .bgcode all its blocks, of
 /// anything else the bytes as they are. \return InvalidFile for a container that is damaged, encrypted or holds no
 /// G-code; TooLarge above 256 MiB of text.
-Result<GcodeContainer> readGcodeContainer(std::string_view bytes);
+Result<GcodeContainer> readGcodeContainer(std::string file);
 
 /// The file of `container` with other G-code in it. Of a .gcode.3mf all other entries keep their bytes and their order,
 /// but for what the new text tells otherwise than the old one: the plate's MD5, its pictures, time, weight, and its box
 /// where that is another by more than 0.5 mm. A .bgcode keeps its other blocks, but for figures of the same names; its
 /// G-code is written plain, without MeatPack or compression. A .gz keeps its header. \return as readGcodeContainer, of
 /// the container's own file; TooLarge above 1 GiB.
-Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string_view gcode);
+Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string gcode);
 
 /// A new .gcode.3mf, uncompressed, with Metadata/plate_1.gcode, its MD5 that the firmware checks, its box, the file's
 /// PNG thumbnails and what its own comments say of time and filament. The same bytes for the same file. Not tried on a
@@ -43,7 +47,7 @@ Result<std::string> packBinaryGcode(std::string_view gcode);
 /// A new .gz. The same bytes for the same file. \return TooLarge above 1 GiB.
 Result<std::string> gzipGcode(std::string_view gcode);
 
-/// The text of readGcodeContainer alone.
-Result<std::string> unpackGcode(std::string_view bytes);
+/// The text of readGcodeContainer alone; what it was packed in is freed.
+Result<std::string> unpackGcode(std::string file);
 
 }  // namespace sillon

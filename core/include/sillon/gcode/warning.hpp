@@ -1,6 +1,7 @@
 // What the user should know of a file that was written: a code with its values, and the English sentence made of them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@ enum class WarningCode {
   BaseTooThin,
   BlockMovesLow,
   DetailLost,
+  DrawingFaint,
   DrawingOffPage,
   DrawingUnpainted,
   EndHot,
@@ -30,8 +32,10 @@ enum class WarningCode {
   NotPrimed,
   NotPrimedAbovePrint,
   OutsideShape,
+  PicturesCrowded,
   PressureAdvanceReset,
   PrintOnBed,
+  PrintedApart,
   SegmentsSlow,
   SkirtLeftOut,
   SpeedHeld,
@@ -68,9 +72,22 @@ const char* warningName(WarningCode code);
 /// What a reader of a drawing should say, whatever becomes of it.
 std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing);
 
-/// What is narrower than a bead, where that is more than 0.5 % of the shape.
-/// \param page  of the plate [mm]. \param spacing  tau [mm].
-std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, double spacing);
+/// Where several pictures leave the least of them below r 0.7, at which few recognise it: one direction per place has
+/// to show all of them.
+/// \param r  of each picture, -1..1: PlatePictures::fieldR.
+std::vector<GcodeWarning> crowdedWarnings(const std::vector<double>& r);
+
+/// All that should be said of a plate before there is G-code: of its drawing, of toolpaths that could not be joined to
+/// the rest of their part, of its pictures, and of what is narrower than a bead, where that is more than 0.5 % of the
+/// shape.
+/// \param apart  ToolpathResult::apart. \param pictureR  see crowdedWarnings. \param measures  none: nothing lost is
+/// told. \param page  of the plate [mm]. \param spacing  tau [mm].
+std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
+                                        const std::vector<double>& pictureR, const std::optional<Measures>& measures,
+                                        Vec2 page, double spacing);
+
+/// The JSON of a report with the warnings as its last entry: docs/reference/report.md.
+std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings);
 
 /// One English sentence without a full stop.
 std::string warningSentence(const GcodeWarning& warning);

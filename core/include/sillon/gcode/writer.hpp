@@ -33,9 +33,10 @@ struct GcodeSummary {
 using GcodeSink = std::function<bool(std::string_view)>;
 
 /// Checks the whole job, then writes it. Nothing reaches the sink if anything is wrong.
-/// \return InvalidArgument, DoesNotFit (overhang per side), EmptyShape.
+/// \param across  of generateAcross, for the same shape; needed where needsAcross, not read elsewhere. \return
+/// InvalidArgument, DoesNotFit (overhang per side), EmptyShape.
 Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
-                                const PrintParams& params, const GcodeSink& sink);
+                                const PrintParams& params, const GcodeSink& sink, const Toolpath* across = nullptr);
 
 /// Filament for a bead: height * width * length / filament area [mm], the bead as the cell it fills.
 double extrusion(double layerHeight, double width, double length, double filamentDiameter, double flow);

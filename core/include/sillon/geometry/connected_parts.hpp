@@ -20,6 +20,8 @@ struct Parts {
 
 /// \param bridge  [mm], >= 0. Gaps are measured to tau/64; necks narrower than a cell are seen only
 ///                when bridge >= tau/2.
-Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge);
+/// \param middles  Shape::middles: what holds one of these can hold a bead.
+Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge,
+                 const std::vector<Vec2>& middles = {});
 
 }  // namespace sillon

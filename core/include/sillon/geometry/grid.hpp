@@ -1,6 +1,7 @@
 // The regular cells that sample the plate (Sec. 5): side tau/2, with a margin so that contours close.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct Grid {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
+  }
+  /// Index of the cell that a point lies in; of a point outside, of the nearest one.
+  [[nodiscard]] std::size_t cellAt(Vec2 p) const {
+    const auto place = [this](double at, int count) {
+      return static_cast<int>(std::clamp(at / cell, 0.0, static_cast<double>(count - 1)));
+    };
+    return index(place(p.x - origin.x, nx), place(p.y - origin.y, ny));
   }
   [[nodiscard]] Vec2 centre(int x, int y) const { return {origin.x + (x + 0.5) * cell, origin.y + (y + 0.5) * cell}; }
 };

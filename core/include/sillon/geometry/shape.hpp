@@ -29,8 +29,18 @@ struct DrawingFacts {
   bool unpainted = false;  ///< nothing is painted: outlines were taken whatever their paint
   bool linesOnly = false;  ///< nothing is filled: strokes alone are the shape
   double offPage = 0;      ///< painted, but cut off at the page's edges [mm²]
+  double faintMm2 = 0;     ///< painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
 
   friend bool operator==(const DrawingFacts&, const DrawingFacts&) = default;
+};
+
+/// A place of a shape that is narrower than a bead.
+struct ThinPlace {
+  Vec2 at;             ///< its thickest point [mm]
+  double areaMm2 = 0;  ///< above tau²/4
+  double width = 0;    ///< of its thickest point [mm]
+
+  friend bool operator==(const ThinPlace&, const ThinPlace&) = default;
 };
 
 /// The union of its paths on a page of `page` mm; maps are stretched over the page.
@@ -38,6 +48,8 @@ struct Shape {
   std::vector<FilledPath> paths;
   Vec2 page;
   DrawingFacts drawing = {};
+  std::vector<ThinPlace> kept = {};  ///< widened to one bead by keepThinPlaces, the largest first
+  std::vector<Vec2> middles = {};    ///< of the kept places: points along them, tau/8 apart
 
   friend bool operator==(const Shape&, const Shape&) = default;
 };

@@ -20,6 +20,7 @@ struct PlateInput {
   Shape shape;
   DirectionMap directions;
   ModeMap modes;
+  bool showsPictures = false;  ///< tones depend on the directions: beads keep to them more closely than to even gaps
 };
 
 struct StageTime {
@@ -37,6 +38,7 @@ struct ToolpathResult {
   double longestJointMm = 0;
   int gapJoints = 0;                         ///< joints that cross a gap between solids
   int unjoined = 0;                          ///< toolpaths more than parts: no joint to the rest of a part was possible
+  std::vector<Vec2> apart;                   ///< where those toolpaths lie: middles of their boxes [mm]
   std::int64_t stitchWork = 0;               ///< joints looked at while stitching, see Stitched
   std::vector<StageTime> time;               ///< in order; the sum is the total
   std::optional<Dislocations> dislocations;  ///< of the waves, where they were asked for; not in `time`
@@ -46,5 +48,9 @@ struct ToolpathResult {
 /// \return InvalidArgument (which field, its value, its range), EmptyShape, TooLarge or Cancelled.
 Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
                                         bool countDislocations = false);
+
+/// The path of the layer below: its beads run across those of generateToolpath, except along the border, so that
+/// nothing of it shows through them. Takes about as long. \return as generateToolpath.
+Result<ToolpathResult> generateAcross(const PlateInput& input, const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

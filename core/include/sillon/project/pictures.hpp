@@ -18,10 +18,11 @@ namespace sillon {
 /// A project's pictures as solved for. All lists have one entry per picture.
 struct PlatePictures {
   std::vector<ShownPicture> shown;
-  std::vector<bool> chosen;  ///< whether its lamp was
-  Roughness roughness;       ///< of the spool, on the side that is seen
-  double level = 1;          ///< SolvedDirections::level
-  double contrast = 1;       ///< of the first lamp's brightest and darkest direction
+  std::vector<bool> chosen;    ///< whether its lamp was
+  Roughness roughness;         ///< of the spool, on the side that is seen
+  double level = 1;            ///< SolvedDirections::level
+  double contrast = 1;         ///< of the first lamp's brightest and darkest direction
+  std::vector<double> fieldR;  ///< of what the directions alone show and what is asked for; beads only lower it
 };
 
 /// Slopes of the project's spool as its nozzle prints it, on the side that is seen.
@@ -42,10 +43,10 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
 /// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
 using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
 
-/// Makes the plate that solvePictures has prepared. A single picture is then looked at: what its beads, above all their
-/// ends, take from its tones is asked for on top of them, and the plate is made again, `corrections` times; the plate
-/// with the highest r is returned, and `input` has its directions. Several pictures, and one with local contrast, are
-/// made once. \return what make, seePlate and solveDirections return.
+/// Makes the plate that solvePictures has prepared. It is then looked at: what its beads, above all their ends, take
+/// from the pictures' tones is asked for on top of them, and the plate is made again, `corrections` times; the plate
+/// with the highest sum of r is returned, and `input` has its directions. Pictures with local contrast are made once.
+/// \return what make, seePlate and solveDirections return.
 Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePictures& pictures, PlateInput& input,
                                       const MakeToolpath& make, const RunContext& run);
 

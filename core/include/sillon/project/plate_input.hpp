@@ -29,7 +29,9 @@ Result<PlateField> readPlateField(const Project& project, const ReadInput& read)
 
 /// Reads and decodes shape, directions and modes. A shape file is SVG if it begins like one or is called .svg, else a
 /// mask picture.
-/// \return what `read` returned, or the errors of readSvg, decodeImage and the maps, with the file's name.
-Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read);
+/// With `keepThin` the shape's thin places are widened to one bead.
+/// \return what `read` returned, or the errors of readSvg, decodeImage, the maps and keepThinPlaces, with the file's
+/// name.
+Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read, const RunContext& run = RunContext());
 
 }  // namespace sillon

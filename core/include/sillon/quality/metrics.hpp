@@ -26,15 +26,6 @@ struct WidthMeasures {
   double clamped = 0;    ///< share of the length at the allowed minimum or maximum, or narrower at a border
 };
 
-/// A place of the shape that no bead of one spacing can reach.
-struct LostPlace {
-  Vec2 at;             ///< its thickest point [mm]
-  double areaMm2 = 0;  ///< above tau²/4
-  double width = 0;    ///< of its thickest point [mm], within tau/8
-
-  friend bool operator==(const LostPlace&, const LostPlace&) = default;
-};
-
 /// Areas are shares of the shape's area in percent. NaN never occurs; an empty toolpath measures 0.
 struct Measures {
   double lengthMm = 0;
@@ -46,19 +37,23 @@ struct Measures {
   double spill = 0;                 ///< [%]
   double fillRatio = 0;             ///< bead area / shape area, a ratio
   double shapeAreaMm2 = 0;
-  double lostAreaMm2 = 0;             ///< of all lost places
-  std::vector<LostPlace> lostPlaces;  ///< the largest first
+  double lostAreaMm2 = 0;  ///< of all lost places
+  std::vector<ThinPlace>
+      lostPlaces;          ///< which no bead of one spacing can reach, widths within tau/8; the largest first
+  double keptAreaMm2 = 0;  ///< of all kept places
+  std::vector<ThinPlace> keptPlaces;  ///< which were widened to one bead (keepThinPlaces)
   std::int64_t uTurns = 0;
   std::int64_t kinks = 0;
   std::int64_t crossings = 0;      ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
   std::int64_t dislocations = 0;   ///< of the waves that these directions make: beads that begin or end
   std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
   double dislocationBound = 0;     ///< about as many are forced by the directions at one constant spacing
+  double turnBound = 0;            ///< the same with the U-turns where beads meet the border: about as many as uTurns
   WidthMeasures width;
   std::string digest;  ///< 16 hex digits of the toolpath on a grid of 1 µm
 };
 
-/// Judges a toolpath as delivered. Takes up to half as long as making it.
+/// Judges a toolpath as delivered. Takes up to two fifths as long as making it.
 /// An error names what of the toolpath or the parameters is out of range.
 /// \param dislocations  of the waves that these arguments make, where they are known (ToolpathResult::dislocations).
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,

@@ -54,7 +54,8 @@ struct SlicedSurface {
   Vec2 corner;   ///< of that page on the bed
   double areaMm2 = 0;
   double width = 0;    ///< of its beads
-  double spacing = 0;  ///< of neighbouring beads: area of a bead's section / height
+  double spacing = 0;  ///< of neighbouring beads
+  double flow = 1;     ///< plastic of a bead over spacing x height: the slicer's flow ratio, for most filaments near 1
   double volumeMm3 = 0;
   double speed = 0;            ///< of most of its length [mm/s]
   Vec2 entry;                  ///< where the slicer begins

@@ -2,10 +2,13 @@
 // filaments.json, presets.json).
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 #include "sillon/settings/toolpath_params.hpp"
 
 namespace sillon {
@@ -22,8 +25,20 @@ struct PrinterProfile {
 /// By id, ascending. Sizes and limits are the makers' facts; start and end blocks are ours, tried on no machine.
 std::vector<PrinterProfile> profiles(ProfileKind kind);
 
+/// The profile of the machine that slicers call so (`printer_model`), whatever its nozzle; nothing for others.
+std::optional<PrinterProfile> profileOf(std::string_view model);
+
 /// Lays a profile's values over a printer. \return what is wrong: an unknown id, with those near it. Empty: nothing.
 std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer);
+
+/// Sets pressure advance to what the maker's own slicer sets for this machine, the printer's filamentType and its
+/// nozzle; off where it tells none. applyProfile does it for the filament and nozzle that it finds; after a change of
+/// either, followAdvance does. An unknown profile changes nothing.
+void applyAdvance(const std::string& profile, Printer& printer);
+
+/// Pressure advance follows a change of printer, filament or nozzle, unless it was a person's own: another printer gets
+/// its maker's, the same one keeps what is not its maker's for the filament and nozzle of `before`.
+void followAdvance(const Project& before, Project& changed);
 
 /// Named sets of values for the toolpath, from "strict" to "fewest-turns": docs/reference/project.md.
 std::vector<std::string> presets();

@@ -24,6 +24,7 @@ enum class BasePattern {
   Hatched,     ///< zigzags at 45 and 135 degrees in turn
   Concentric,  ///< loops along the border
   Same,        ///< the oriented cycles themselves
+  Across,      ///< hatched, and across the oriented beads where one of their layers is next to it
 };
 
 enum class ShowSide {
@@ -62,5 +63,10 @@ struct PrintParams {
   std::vector<std::string> notes;                   ///< extra header lines, without the semicolon
   std::vector<Thumbnail> thumbnails;                ///< in the header, in this order
 };
+
+/// Whether a base layer takes a path of its own, which runs across the oriented beads.
+inline bool needsAcross(const PrintParams& params) {
+  return params.basePattern == BasePattern::Across && params.base > 0;
+}
 
 }  // namespace sillon

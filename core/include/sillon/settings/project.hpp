@@ -21,6 +21,7 @@ struct Project {
   double pageWidth = 0;       ///< scales the shape to this page width [mm]; 0: as drawn
   bool unitlessIsMm = false;  ///< scene files: SVG lengths without unit mean mm
   bool ignorePaint = false;   ///< scene files: outlines count whatever their paint, see SvgOptions
+  bool keepThin = false;      ///< places of half a bead to one are widened to one, see keepThinPlaces
   std::string directionFile;  ///< empty: `angle`
   DirectionEncoding encoding = DirectionEncoding::Angle;
   double angle = 0;      ///< [degrees]

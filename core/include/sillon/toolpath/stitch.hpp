@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
@@ -18,7 +19,9 @@ struct Stitched {
   int parts = 0;            ///< connected parts that hold a curve
   double longestJoint = 0;  ///< [mm]
   int gapJoints = 0;        ///< joints that lie outside the shape for a part of their length
-  std::int64_t work = 0;    ///< joints looked at, each counted as its length in spacings, at least 1
+  std::vector<Vec2>
+      apart;              ///< middles of the boxes of curves that could not be joined to the longest of their part [mm]
+  std::int64_t work = 0;  ///< joints looked at, each counted as its length in spacings, at least 1
 
   /// Curves that could not be joined to the others of their part.
   [[nodiscard]] int unjoined() const { return curves.count() - parts; }
@@ -31,9 +34,10 @@ struct Stitched {
 /// length added.
 /// Only where a part is not one curve then do joints cross gaps: first between neighbours, as far as `bridge` says;
 /// then wherever points of two curves face each other with nothing between them, those that leave the shape least
-/// first. Where points are used up, the paths made so far are curves again, and are joined once more, a few times. What
-/// is not joined then stays a curve of its own. The work is bounded: a constant number of rounds, each of n log n in
-/// the points and cells. \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
+/// first, each edge for at most eight spacings. Where points are used up, the paths made so far are curves again, and
+/// are joined once more, a few times. What is not joined then stays a curve of its own. The work is bounded: a constant
+/// number of rounds, each of n log n in the points and cells. \param curves  equally spaced points, tau/4 apart,
+/// neighbours in opposite senses.
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                               const Parts& parts, const ToolpathParams& params, const RunContext& run);
 

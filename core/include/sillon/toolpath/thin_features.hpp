@@ -18,6 +18,11 @@ namespace sillon {
 void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, double spacing,
                       std::vector<float>& values);
 
+/// Gives the places that were widened to one bead a contour along their middles, where none comes near: the lattice has
+/// no node deep enough in most of them.
+/// \param middles  Shape::middles [mm].
+void fillMiddles(const Grid& nodes, const std::vector<Vec2>& middles, std::vector<float>& values);
+
 /// Gives every part that can hold a bead a contour: where the lattice of the contour missed a place hardly wider than
 /// one bead, the values at its deep cells become negative.
 /// \param values  on the node lattice of the parts' grid.

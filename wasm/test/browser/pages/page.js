@@ -3,6 +3,11 @@ import { inputOf, makePlate } from '/support/plate.js';
 
 /** More than a second of work. */
 const large = [{ shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } }, { spacing: 0.2 }];
+/** Minutes of work on any machine of today: longer than a test waits. */
+const endless = [
+  { shape: { builtin: 'rounded', size: [200, 200] }, directions: { angle: 30 } },
+  { spacing: 0.2, sweepsPerLevel: 1000, relaxationRounds: 100 },
+];
 const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { measure: false }];
 
 const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, work };
@@ -61,14 +66,15 @@ async function coldPlate({ options, project }) {
   return { started, finished };
 }
 
-/** Aborts two large jobs; tells whether the first was rejected within the task that aborted it. */
+/** Aborts two endless jobs; tells whether the first was rejected within the task that aborted it. Between them the engine
+ * makes a small plate: had the first job gone on, that would have to wait for it. */
 async function abort({ options }) {
   const engine = await start({ options });
   const controller = new AbortController();
   let running;
   const atWork = new Promise((resolve) => {
-    const onProgress = ({ fraction }) => fraction > 0.1 && resolve();
-    running = engine.generateToolpath(...large, { measure: false, signal: controller.signal, onProgress });
+    const onProgress = ({ fraction }) => fraction > 0 && resolve();
+    running = engine.generateToolpath(...endless, { measure: false, signal: controller.signal, onProgress });
   });
   await Promise.race([atWork, running]);
 
@@ -82,9 +88,9 @@ async function abort({ options }) {
   const atOnce = !later;
   const { report } = await engine.generateToolpath(...small);
 
-  // A job that nothing follows: whether its work has ended, the browser's CPU time tells.
+  // A job that nothing follows.
   const last = new AbortController();
-  const unfinished = engine.generateToolpath(...large, {
+  const unfinished = engine.generateToolpath(...endless, {
     measure: false,
     signal: last.signal,
     onProgress: () => last.abort(),

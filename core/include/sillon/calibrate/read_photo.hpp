@@ -1,0 +1,59 @@
+// A photograph of the coupon, read back: how rough the filament's surface is, which flow closes it, how wide its beads
+// are. docs/internals/photographs.md says what of that a photograph can show.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace sillon {
+
+/// A figure and one standard deviation of it.
+struct Measured {
+  double value = 0;
+  double error = 0;
+};
+
+struct PhotoRequest {
+  Project project;                      ///< that the coupon was made with; nozzle and flow count
+  std::optional<double> from;           ///< its first flow; unset: the coupon's own
+  std::optional<double> to;             ///< its last flow
+  std::optional<double> lampSlope;      ///< Lamp::slope, 0..2; unset: any lamp up to kUnknownLampSlope
+  std::optional<double> lampElevation;  ///< measured, within 2 degrees, 10..80; unset: 47 within 9
+};
+
+/// Of a bulb that somebody sees as small. Rough surfaces and large lamps blur alike: no photograph tells them apart.
+inline constexpr double kUnknownLampSlope = 0.03;
+
+struct CouponReading {
+  Measured along;                        ///< RMS slope of the side that the nozzle passed over [degrees]
+  Measured across;                       ///< [degrees]
+  std::optional<Measured> flow;          ///< the lowest that closes the surface; none: all discs are closed, or none is
+  bool flowIsLower = false;              ///< without `flow`: all discs are closed
+  Measured width;                        ///< of a bead of one nozzle at the project's flow [mm]
+  Measured azimuth;                      ///< of the lamp, in the coupon's own directions [degrees], 0..360
+  Measured elevation;                    ///< [degrees]
+  double tilt = 0;                       ///< of the camera off the coupon's normal [degrees]
+  double pixelsPerMm = 0;                ///< in the middle of the coupon
+  double blur = 0;                       ///< standard deviation [mm]
+  std::array<std::uint8_t, 3> colour{};  ///< sRGB, of the beads that do not shine, as bright as it gets
+};
+
+/// Finds the coupon, and fits the appearance model to its spirals.
+/// \param photograph  1 to 4 channels, at most 64 million pixels.
+/// \return InvalidFile with one sentence if there is no coupon, or it is cut off, too small, blurred, burnt or lit so
+/// that nothing can be measured; InvalidArgument, TooLarge, Cancelled.
+Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request, const RunContext& run);
+
+/// A file of one spool, as readSpools takes it. Both nozzles and both sides get the slopes of the side that was seen.
+/// \param key  1 to 40 letters, digits, - and _. \param source  who measured it.
+std::string spoolFile(const CouponReading& reading, std::string_view key, std::string_view source);
+
+}  // namespace sillon

@@ -1,0 +1,97 @@
+#include "calibrate/find_coupon.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "base/decimal_text.hpp"
+#include "calibrate/find_outline.hpp"
+#include "calibrate/find_spirals.hpp"
+#include "calibrate/plane_map.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kReach = 0.9;          // [mm], how far off the outline's corners may put a spiral
+constexpr double kClear = 0.16;         // mean clarity of a coupon's spirals
+constexpr double kMostResidual = 0.25;  // [mm] of the spirals' places
+
+Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
+
+}  // namespace
+
+Vec2 FoundCoupon::pixelOf(Vec2 plate) const {
+  const Eigen::Vector3d p = map * Eigen::Vector3d(plate.x, plate.y, 1);
+  return {p[0] / p[2], p[1] / p[2]};
+}
+
+Vec2 FoundCoupon::plateAt(Vec2 pixel) const {
+  const Eigen::Vector3d p = map.inverse() * Eigen::Vector3d(pixel.x, pixel.y, 1);
+  return {p[0] / p[2], p[1] / p[2]};
+}
+
+Eigen::Matrix2d FoundCoupon::jacobianAt(Vec2 plate) const {
+  const Eigen::Vector3d p = map * Eigen::Vector3d(plate.x, plate.y, 1);
+  Eigen::Matrix2d out;
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 2; ++column) {
+      out(row, column) = (map(row, column) - p[row] / p[2] * map(2, column)) / p[2];
+    }
+  }
+  return out;
+}
+
+Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, const std::vector<CouponSpiral>& spirals,
+                               const RunContext& run) {
+  const Result<std::vector<Vec2>> outline = findOutline(photograph);
+  if (!outline) return outline.error();
+  // The picture's y goes down: what is counter-clockwise there is clockwise on the plate.
+  const Vec2 plate[] = {{0, 0}, {0, kCouponSide}, {kCouponSide, kCouponSide}, {kCouponSide, 0}};
+  FoundCoupon best;
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    std::vector<PointPair> pairs;
+    for (std::size_t k = 0; k < 4; ++k) pairs.push_back({plate[k], outline.value()[(k + turn) % 4]});
+    FoundCoupon tried;
+    tried.map = mapThrough(pairs, kCouponSide);
+    tried.clarity = meanClarity(findSpirals(spirals, tried, tones, kReach, 2));
+    if (tried.clarity > best.clarity) best = tried;
+  }
+  const double scale = std::sqrt(std::abs(best.jacobianAt({kCouponSide / 2, kCouponSide / 2}).determinant()));
+  const double pixels = scale * spirals.front().pitch;
+  if (pixels < 4.5) {
+    return unreadable("a bead is " + fixed(pixels, 1) +
+                      " pixels wide in the photograph; it must be at least 4.5: go nearer, or take a camera with more "
+                      "pixels");
+  }
+  double residual = 0;
+  for (const double reach : {kReach, 0.3, 0.3}) {
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    const std::vector<SeenSpiral> seen = findSpirals(spirals, best, tones, reach, 1);
+    best.clarity = meanClarity(seen);
+    if (best.clarity < kClear) break;
+    std::vector<PointPair> pairs;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      // Loose turns shine off their middles by more.
+      if (spirals[k].pitch > spirals.front().pitch || seen[k].clarity < 0.6 * best.clarity) continue;
+      pairs.push_back({spirals[k].centre, best.pixelOf(spirals[k].centre + seen[k].off), seen[k].clarity});
+    }
+    if (pairs.size() < 6) {
+      best.clarity = 0;
+      break;
+    }
+    best.map = mapThrough(pairs, kCouponSide);
+    residual = 0;
+    for (const PointPair& p : pairs) residual += std::pow(length(best.pixelOf(p.plate) - p.pixel) / scale, 2);
+    residual = std::sqrt(residual / static_cast<double>(pairs.size()));
+  }
+  if (best.clarity < kClear || residual > kMostResidual) {
+    return unreadable(
+        "a square lies there, but no beads of a coupon are seen on it; the photograph is blurred, or it shows "
+        "something else");
+  }
+  return best;
+}
+
+}  // namespace sillon

@@ -1,0 +1,129 @@
+#include "calibrate/find_spirals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace sillon {
+namespace {
+
+constexpr double kStepsPerPitch = 6;  // of the patches in which spirals are looked for
+
+float sampled(const Tones& tones, Vec2 pixel) {
+  const double x = std::clamp(pixel.x - 0.5, 0.0, tones.width - 1.001);
+  const double y = std::clamp(pixel.y - 0.5, 0.0, tones.height - 1.001);
+  const int i = static_cast<int>(x), j = static_cast<int>(y);
+  const auto u = static_cast<float>(x - i), v = static_cast<float>(y - j);
+  return (tones.at(i, j) * (1 - u) + tones.at(i + 1, j) * u) * (1 - v) +
+         (tones.at(i, j + 1) * (1 - u) + tones.at(i + 1, j + 1) * u) * v;
+}
+
+/// Takes means over squares off, and divides by what is left in them: only the turns' pattern remains.
+void flatten(std::vector<float>& patch, int side, int reach) {
+  const auto means = [&](const std::vector<float>& values) {
+    std::vector<double> sums(static_cast<std::size_t>(side + 1) * static_cast<std::size_t>(side + 1), 0);
+    const auto at = [&](int x, int y) -> double& {
+      return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(side + 1) + static_cast<std::size_t>(x)];
+    };
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        at(x + 1, y + 1) = static_cast<double>(values[static_cast<std::size_t>(y * side + x)]) + at(x, y + 1) +
+                           at(x + 1, y) - at(x, y);
+      }
+    }
+    std::vector<float> out(values.size());
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        const int x0 = std::max(0, x - reach), x1 = std::min(side, x + reach + 1);
+        const int y0 = std::max(0, y - reach), y1 = std::min(side, y + reach + 1);
+        out[static_cast<std::size_t>(y * side + x)] =
+            static_cast<float>((at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0)) / ((x1 - x0) * (y1 - y0)));
+      }
+    }
+    return out;
+  };
+  const std::vector<float> mean = means(patch);
+  std::vector<float> squares;
+  for (std::size_t k = 0; k < patch.size(); ++k) {
+    patch[k] -= mean[k];
+    squares.push_back(patch[k] * patch[k]);
+  }
+  const std::vector<float> power = means(squares);
+  for (std::size_t k = 0; k < patch.size(); ++k) patch[k] /= std::sqrt(power[k] + 1e-4f);
+}
+
+/// Where a spiral's turns answer most to those that it should have.
+SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const Tones& tones, double reach, int stride) {
+  const double step = spiral.pitch / kStepsPerPitch;
+  const int shifts = static_cast<int>(std::ceil(reach / step));
+  const int radius = static_cast<int>(spiral.radius / step);
+  const int half = radius + shifts;
+  const int side = 2 * half + 1;
+  std::vector<float> patch;
+  patch.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  for (int j = -half; j <= half; ++j) {
+    for (int i = -half; i <= half; ++i) {
+      patch.push_back(sampled(tones, found.pixelOf(spiral.centre + Vec2{i * step, j * step})));
+    }
+  }
+  flatten(patch, side, static_cast<int>(kStepsPerPitch));
+  struct Sample {
+    int i, j;
+    float re, im;
+  };
+  std::vector<Sample> wave;
+  for (int j = -radius; j <= radius; ++j) {
+    for (int i = -radius; i <= radius; ++i) {
+      const double r = std::sqrt(static_cast<double>(i * i + j * j));
+      if (r > radius || r < kStepsPerPitch) continue;
+      const double phase = 2 * std::numbers::pi * r / kStepsPerPitch - std::atan2(j, i);
+      wave.push_back({i, j, static_cast<float>(std::cos(phase)), static_cast<float>(std::sin(phase))});
+    }
+  }
+  const auto answer = [&](int dx, int dy) {
+    float re = 0, im = 0;
+    for (const Sample& s : wave) {
+      const float v = patch[static_cast<std::size_t>((s.j + dy + half) * side + s.i + dx + half)];
+      re += v * s.re;
+      im += v * s.im;
+    }
+    return std::sqrt(2.0) * std::sqrt(static_cast<double>(re * re + im * im)) / static_cast<double>(wave.size());
+  };
+  SeenSpiral best;
+  int bx = 0, by = 0;
+  for (int dy = -shifts; dy <= shifts; dy += stride) {
+    for (int dx = -shifts; dx <= shifts; dx += stride) {
+      const double v = answer(dx, dy);
+      if (v > best.clarity) best.clarity = v, bx = dx, by = dy;
+    }
+  }
+  Vec2 at{static_cast<double>(bx), static_cast<double>(by)};
+  if (stride == 1) {  // the parabola through the neighbours
+    const auto top = [&](double before, double here, double after) {
+      const double bend = before - 2 * here + after;
+      return bend < -1e-12 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
+    };
+    if (std::abs(bx) < shifts) at.x += top(answer(bx - 1, by), best.clarity, answer(bx + 1, by));
+    if (std::abs(by) < shifts) at.y += top(answer(bx, by - 1), best.clarity, answer(bx, by + 1));
+  }
+  best.off = step * at;
+  return best;
+}
+
+}  // namespace
+
+double meanClarity(const std::vector<SeenSpiral>& seen) {
+  double sum = 0;
+  for (const SeenSpiral& s : seen) sum += s.clarity;
+  return sum / static_cast<double>(seen.size());
+}
+
+std::vector<SeenSpiral> findSpirals(const std::vector<CouponSpiral>& spirals, const FoundCoupon& found,
+                                    const Tones& tones, double reach, int stride) {
+  std::vector<SeenSpiral> seen;
+  for (const CouponSpiral& spiral : spirals) seen.push_back(lookFor(spiral, found, tones, reach, stride));
+  return seen;
+}
+
+}  // namespace sillon

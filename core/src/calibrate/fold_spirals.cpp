@@ -1,0 +1,62 @@
+#include "calibrate/fold_spirals.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+namespace sillon {
+
+FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, const Image& photograph,
+                        const Tones& tones) {
+  constexpr std::uint16_t kFull = 65535 / 255 * 253;
+  const double inner = std::max(0.8, 1.25 * spiral.pitch), outer = spiral.radius - 0.6 * spiral.pitch;
+  FoldedSpiral out;
+  Bounds box;
+  for (int k = 0; k < 16; ++k) {
+    const double a = 2 * std::numbers::pi * k / 16;
+    box.add(found.pixelOf(spiral.centre + 1.05 * spiral.radius * Vec2{std::cos(a), std::sin(a)}));
+  }
+  const int x0 = std::max(0, static_cast<int>(box.min.x)), x1 = std::min(tones.width - 1, static_cast<int>(box.max.x));
+  const int y0 = std::max(0, static_cast<int>(box.min.y)), y1 = std::min(tones.height - 1, static_cast<int>(box.max.y));
+  const Eigen::Matrix3d back = found.map.inverse();
+  const int colours = photograph.channels >= 3 ? 3 : 1;
+  double inverse = 0;
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      const Eigen::Vector3d at = back * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
+      const Vec2 p = Vec2{at[0] / at[2], at[1] / at[2]} - spiral.centre;
+      const double r = length(p);
+      if (r < inner || r > outer) continue;
+      double turn = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
+      turn -= std::floor(turn);
+      double phase = r / spiral.pitch - turn;
+      phase -= std::floor(phase);
+      FoldedSpiral::Bin& bin =
+          out.bins[static_cast<std::size_t>(std::min(kAngles - 1, static_cast<int>(turn * kAngles)))]
+                  [static_cast<std::size_t>(std::min(kPhases - 1, static_cast<int>(phase * kPhases)))];
+      const double light = static_cast<double>(lightOfCode(tones.at(x, y)));
+      bin.light += light;
+      bin.spread += light * light;
+      ++bin.count;
+      ++out.pixels;
+      inverse += 1 / r;
+      bool burnt = false;
+      for (int c = 0; c < colours; ++c) burnt = burnt || photograph.at(x, y, c) >= kFull;
+      out.burnt += burnt ? 1 : 0;
+    }
+  }
+  for (auto& row : out.bins) {
+    for (FoldedSpiral::Bin& bin : row) {
+      if (bin.count == 0) continue;
+      bin.light /= bin.count;
+      bin.spread = std::max(0.0, bin.spread / bin.count - bin.light * bin.light) / bin.count;
+    }
+  }
+  out.meanInverseRadius = out.pixels > 0 ? inverse / out.pixels : 1;
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,197 @@
+#include "calibrate/lay_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "calibrate/coupon.hpp"
+#include "calibrate/kinds.hpp"
+#include "calibrate/pieces.hpp"
+#include "calibrate/star.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kBand = 4.6;      // [mm], high enough for a line of writing
+constexpr double kOutline = 0.35;  // [mm], what is laid keeps off the edge of its base
+
+/// Lower left corners of cells, four in a row, from the upper left.
+Vec2 cell(int k, Vec2 step) { return {(k % 4) * step.x, -(k / 4) * step.y}; }
+
+// The whole square is one layer, lifted by its value; the writing lies on it.
+void firstLayer(PlateBuilder& plate) {
+  constexpr double kSide = 15;
+  plate.print().base = 0;
+  plate.print().layers = 2;
+  const double width = plate.width();
+  for (std::size_t k = 0; k < plate.values().size(); ++k) {
+    const double value = plate.values()[k];
+    const Vec2 corner = cell(static_cast<int>(k), {kSide + 2, kSide + kBand + 2});
+    const Ring square = box(corner, corner + Vec2{kSide, kSide + kBand});
+    plate.base(square);
+    const std::string label = std::string(value > 0 ? "+" : "") + written(value, plate.digits());
+    plate.label(label, corner + Vec2{kMargin, kMargin});
+    plate.value(value, label, corner + 0.5 * Vec2{kSide, kSide + kBand});
+    Patch& patch = plate.patch(filled(square, {1, 0}, width), 0);
+    patch.flow = plate.print().baseFlow;
+    patch.lift = value;
+  }
+}
+
+void discs(PlateBuilder& plate) {
+  constexpr double kRadius = 6.5;
+  constexpr double kAround = kRadius + 0.5;
+  constexpr double kNumbers = 5;  // [mm] of the band below a disc
+  constexpr double kTouch = 0.7;  // [mm], by which a band reaches into what is above and below it
+  plate.print().layers = 2;
+  for (std::size_t k = 0; k < plate.values().size(); ++k) {
+    const double value = plate.values()[k];
+    const Vec2 corner = cell(static_cast<int>(k), {2 * kAround, 2 * kAround + kNumbers - kTouch});
+    const Vec2 centre = corner + Vec2{kAround, kNumbers + kAround};
+    plate.base(disc(centre, kAround));
+    plate.base(box(corner, corner + Vec2{2 * kAround, kNumbers + kTouch}));
+    plate.labelAt(written(value, 2), corner + Vec2{kAround, (kTouch + kNumbers) / 2});
+    plate.value(value, written(value, 2), centre);
+    for (const int layer : {1, 2})
+      plate.patch({spiral(centre, kRadius, plate.width(), plate.width())}, layer).flow = value;
+  }
+}
+
+// One below the other, with the value on the left of each.
+// \param lay  (place of the row's lower left corner, value). \return how wide the writing is [mm].
+template <class Lay>
+void rows(PlateBuilder& plate, double length, double high, const Lay& lay) {
+  const int digits = plate.digits();
+  double writing = 0;
+  for (const double value : plate.values()) writing = std::max(writing, kUnit * textWidth(written(value, digits)));
+  const double left = writing + 2 * kMargin + plate.width();
+  const auto count = static_cast<double>(plate.values().size());
+  plate.base(box({-left, -count * high}, {length + kOutline, kOutline}));
+  for (std::size_t k = 0; k < plate.values().size(); ++k) {
+    const double value = plate.values()[k];
+    const Vec2 corner{0, -high * static_cast<double>(k + 1) + kOutline};
+    const std::string label = written(value, digits);
+    plate.label(label, corner + Vec2{-left + kMargin + plate.width() / 2, (high - kOutline - kHigh) / 2});
+    plate.value(value, label, corner + 0.5 * Vec2{length, high - kOutline});
+    lay(corner, value);
+  }
+}
+
+void combs(PlateBuilder& plate) {
+  constexpr double kLength = 36;
+  constexpr double kRow = 6;
+  const Printer& printer = plate.printer();
+  // As fast as plates run: slower hairpins show nothing.
+  double speed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
+  speed = std::min(speed, fastest(printer, plate.print(), 1));
+  rows(plate, kLength, kRow, [&](Vec2 corner, double value) {
+    Patch& patch = plate.patch({comb(corner, kLength, kRow - 1, plate.width())});
+    patch.advance = value;
+    patch.speed = speed;
+  });
+}
+
+void speeds(PlateBuilder& plate) {
+  plate.labels().speed = plate.values().front();
+  const double width = plate.width();
+  const double half = 18 + width;  // two waves
+  const int lines = 2 * std::max(1, static_cast<int>(2 / width));
+  rows(plate, 2 * half + 2, std::max(lines * width + 0.6, kHigh + 1.2), [&](Vec2 corner, double value) {
+    for (const bool constant : {false, true}) {
+      const Vec2 from = corner + Vec2{constant ? half + 2 : 0, 0};
+      Patch& patch = plate.patch({wavyRow(from, half, lines, width)});
+      patch.speed = value;
+      patch.constantFlow = constant;
+      patch.spacing = width;
+    }
+  });
+}
+
+void strips(PlateBuilder& plate, double Patch::*field) {
+  constexpr double kLength = 36;
+  const double high = std::max(1.0, std::floor(4.6 / plate.width())) * plate.width();
+  rows(plate, kLength, high + 0.6, [&](Vec2 corner, double value) {
+    plate.patch(filled(box(corner, corner + Vec2{kLength, high}), {1, 0}, plate.width())).*field = value;
+  });
+}
+
+// A wedge with its narrow end on the left, ticks and numbers below.
+void wedgeWithTicks(PlateBuilder& plate, Vec2 leftMiddle, double length, int lines) {
+  const double nozzle = plate.width();
+  const double least = plate.values().front();
+  const double most = plate.values().back();
+  plate.patch({wedge(leftMiddle, length, lines, least, most)});
+  const double bottom = leftMiddle.y - lines * most / 2;
+  for (const double value : plate.values()) {
+    const double x = std::clamp(leftMiddle.x + length * (value - least) / (most - least), leftMiddle.x + nozzle / 2,
+                                leftMiddle.x + length - nozzle / 2);
+    plate.draw({stroke({x, bottom - 1 - 1.2}, {x, bottom - 1}, nozzle)});
+    plate.labelAt(written(value, 2), {x, bottom - 2.8 - kHigh / 2});
+  }
+}
+
+void widths(PlateBuilder& plate) {
+  constexpr double kLength = 55;
+  constexpr int kLines = 12;
+  const double most = plate.values().back();
+  const double side = kUnit * textWidth(".00") / 2 + kMargin + plate.width();
+  const double top = kLines * most / 2 + kOutline;
+  plate.base(box({-side, -top - 3 - kHigh - kMargin}, {kLength + side, top}));
+  const double least = plate.values().front();
+  for (const double value : plate.values()) {
+    plate.value(value, written(value, 2), {kLength * (value - least) / (most - least), 0});
+  }
+  wedgeWithTicks(plate, {0, 0}, kLength, kLines);
+}
+void directions(PlateBuilder& plate) {
+  constexpr double kInner = 5;
+  constexpr double kOuter = 19;
+  constexpr double kTick = 1.4;
+  constexpr double kNumbers = 25.2;
+  constexpr double kSmall = 0.45;  // [mm] of writing
+  plate.base(disc({0, 0}, 29.2));
+  for (int k = 0; k < 24; ++k) {
+    const double length = k % 3 == 0 ? kTick : kTick / 2;
+    plate.draw({stroke((kOuter + 0.8) * spoke(k), (kOuter + 0.8 + length) * spoke(k), plate.width())});
+    if (k % 3 == 0) plate.labelAt(std::to_string(15 * k), kNumbers * spoke(k), kSmall);
+  }
+  layStar(plate, {0, 0}, kInner, kOuter, true);
+}
+
+}  // namespace
+
+void layOut(CalibrationKind kind, PlateBuilder& plate) {
+  switch (kind) {
+    case CalibrationKind::FirstLayer:
+      firstLayer(plate);
+      break;
+    case CalibrationKind::Flow:
+      discs(plate);
+      break;
+    case CalibrationKind::Advance:
+      combs(plate);
+      break;
+    case CalibrationKind::Speed:
+      speeds(plate);
+      break;
+    case CalibrationKind::Temperature:
+      strips(plate, &Patch::temperature);
+      break;
+    case CalibrationKind::Fan:
+      strips(plate, &Patch::fan);
+      break;
+    case CalibrationKind::Width:
+      widths(plate);
+      break;
+    case CalibrationKind::Directions:
+      directions(plate);
+      break;
+    case CalibrationKind::Coupon:
+      layCoupon(plate);
+      break;
+    case CalibrationKind::Swatch:
+      break;
+  }
+}
+
+}  // namespace sillon

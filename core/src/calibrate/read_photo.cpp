@@ -1,0 +1,283 @@
+#include "sillon/calibrate/read_photo.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/decimal_text.hpp"
+#include "base/json.hpp"
+#include "calibrate/find_coupon.hpp"
+#include "calibrate/fit_spirals.hpp"
+#include "sillon/calibrate/calibrate.hpp"
+#include "sillon/look/appearance.hpp"
+#include "sillon/look/tones.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr std::int64_t kMostPixels = 64'000'000;
+constexpr int kLeastSide = 200;      // [pixels]
+constexpr double kUsualFocal = 1.2;  // [longer side], of a phone between no zoom and three times
+constexpr double kMostBlur = 0.3;    // [nozzle]
+constexpr double kMostBurnt = 0.02;  // of the spirals' pixels
+constexpr double kLeastContrast = 1.5;
+constexpr double kMostMisfit = 0.07;
+constexpr double kMostOff = 0.1;    // of beads, by their width
+constexpr double kMostError = 0.4;  // of a slope
+constexpr Vec2 kMiddle{kCouponSide / 2, kCouponSide / 2};
+
+Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
+
+std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
+  const double nozzle = plate.printer.nozzle;
+  std::vector<LitSpiral> all;
+  const auto add = [&](const CouponSpiral& spiral, SpiralKind kind, double flow) {
+    LitSpiral lit;
+    lit.spiral = spiral;
+    lit.kind = kind;
+    lit.flow = flow;
+    lit.width = nozzle;
+    lit.height = plate.print.layerHeight;
+    all.push_back(std::move(lit));
+  };
+  int gaps = 0;
+  for (const CouponSpiral& mark : couponMarks(nozzle)) add(mark, SpiralKind::Mark, plate.print.flow);
+  for (const CouponSpiral& loose : looseSpirals(nozzle)) {
+    add(loose, SpiralKind::Loose, plate.print.flow);
+    all.back().gap = gaps++;
+  }
+  for (std::size_t k = 0; k < plate.values.size(); ++k) {
+    add(flowDisc(static_cast<int>(k), nozzle), SpiralKind::Flow, plate.values[k].value);
+  }
+  return all;
+}
+
+/// Where the camera is, from the coupon's middle [mm], out of the map alone; where the coupon is seen from straight
+/// above, the focal length is a phone's.
+SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
+  Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();
+  shift(0, 2) = kMiddle.x, shift(1, 2) = kMiddle.y;
+  Eigen::Matrix3d centred = Eigen::Matrix3d::Identity();
+  centred(0, 2) = -width / 2.0, centred(1, 2) = -height / 2.0;
+  Eigen::Matrix3d flip = Eigen::Matrix3d::Identity();
+  flip(1, 1) = -1;  // the picture's y goes down
+  const Eigen::Matrix3d h = flip * centred * found.map * shift;
+  const double side = std::max(width, height);
+  // Axes of the plate are at right angles and equally long: least squares in 1/f².
+  const double p = h(0, 0) * h(0, 1) + h(1, 0) * h(1, 1), q = h(2, 0) * h(2, 1);
+  const double u = h(0, 0) * h(0, 0) + h(1, 0) * h(1, 0) - h(0, 1) * h(0, 1) - h(1, 1) * h(1, 1);
+  const double v = h(2, 0) * h(2, 0) - h(2, 1) * h(2, 1);
+  double focal = kUsualFocal * side;
+  bool known = false;
+  const double perspective = std::hypot(h(2, 0), h(2, 1)) * kCouponSide;
+  const double inverse = -(4 * p * q + u * v) / std::max(1e-300, 4 * p * p + u * u);  // 1/f²
+  if (perspective > 0.05 && inverse > 0) {
+    const double exact = 1 / std::sqrt(inverse);
+    known = exact > 0.45 * side && exact < 4 * side;
+    if (known) focal = exact;
+  }
+  Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
+  k(0, 0) = k(1, 1) = 1 / focal;
+  const Eigen::Matrix3d m = k * h;
+  const double scale = 2 / (m.col(0).norm() + m.col(1).norm());
+  Eigen::Vector3d a = scale * m.col(0), b = scale * m.col(1), t = scale * m.col(2);
+  // x right, y up and depth are a left-handed frame.
+  Eigen::Matrix3d rotation;
+  rotation.col(0) = a.normalized();
+  rotation.col(1) = (b - b.dot(rotation.col(0)) * rotation.col(0)).normalized();
+  rotation.col(2) = rotation.col(1).cross(rotation.col(0));
+  Eigen::Vector3d place = -rotation.transpose() * t;
+  if (place[2] < 0) place[2] = -place[2];
+  return {place, known};
+}
+
+double errorOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
+
+/// Degrees of a surface whose slopes and the lamp's together have this variance.
+Measured slopeOf(double variance, double relativeError, double lampVariance, double lampError) {
+  const double own = std::max(1e-6, variance - lampVariance);
+  const double slope = std::sqrt(own);
+  // d(own) of both, then d(atan(sqrt(own))).
+  const double error = std::hypot(variance * relativeError, lampError) / (2 * slope) / (1 + own);
+  return {std::atan(slope) * kDegrees, error * kDegrees};
+}
+
+}  // namespace
+
+Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request, const RunContext& run) {
+  if (request.lampSlope && !(*request.lampSlope >= 0 && *request.lampSlope <= 2)) {
+    return Error{ErrorCode::InvalidArgument, outOfRange("lamp size", *request.lampSlope, "", "0 to 2")};
+  }
+  if (request.lampElevation && !(*request.lampElevation >= 10 && *request.lampElevation <= 80)) {
+    return Error{ErrorCode::InvalidArgument,
+                 outOfRange("lamp elevation", *request.lampElevation, " degrees", "10 to 80")};
+  }
+  const std::int64_t pixels = std::int64_t{photograph.width} * photograph.height;
+  if (photograph.channels < 1 || photograph.channels > 4 ||
+      photograph.samples.size() != static_cast<std::size_t>(pixels) * static_cast<std::size_t>(photograph.channels)) {
+    return Error{ErrorCode::InvalidArgument, "the photograph's size and its samples differ"};
+  }
+  if (std::min(photograph.width, photograph.height) < kLeastSide) {
+    return unreadable("the photograph has " + std::to_string(photograph.width) + " x " +
+                      std::to_string(photograph.height) + " pixels; either side must have at least " +
+                      std::to_string(kLeastSide));
+  }
+  if (pixels > kMostPixels) {
+    return Error{ErrorCode::TooLarge, "the photograph has " + std::to_string(photograph.width) + " x " +
+                                          std::to_string(photograph.height) +
+                                          " pixels; it may have 64 million: take it with fewer"};
+  }
+  const Result<CalibrationPlate> plate =
+      makeCalibration({CalibrationKind::Coupon, request.from, request.to, request.project}, run);
+  if (!plate) return plate.error();
+  std::vector<LitSpiral> spirals = spiralsOf(plate.value());
+  const double nozzle = plate.value().printer.nozzle;
+  std::vector<CouponSpiral> places;
+  for (const LitSpiral& s : spirals) places.push_back(s.spiral);
+
+  const Tones tones = tonesOf(photograph);
+  const Result<FoundCoupon> found = findCoupon(photograph, tones, places, run);
+  if (!found) return found.error();
+  const FoundCoupon& coupon = found.value();
+  const SeenFrom camera = cameraOf(coupon, photograph.width, photograph.height);
+  int all = 0, burnt = 0;
+  for (LitSpiral& s : spirals) {
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    s.seen = foldSpiral(s.spiral, coupon, photograph, tones);
+    const Vec2 pixel = coupon.pixelOf(s.spiral.centre);
+    const Vec2 axis{(2 * pixel.x - photograph.width) / photograph.width,
+                    (2 * pixel.y - photograph.height) / photograph.width};
+    s.fromAxis = dot(axis, axis);
+    const Eigen::Matrix2d back = coupon.jacobianAt(s.spiral.centre).inverse();
+    s.blurShape = back * back.transpose();
+    all += s.seen.pixels;
+    burnt += s.seen.burnt;
+  }
+  if (burnt > kMostBurnt * all) {
+    return unreadable("the photograph is burnt: " + fixed(100.0 * burnt / all, 0) +
+                      " % of the spirals' pixels are at full scale, and 2 % may be; expose it less");
+  }
+  const Elevation elevation = request.lampElevation ? Elevation{*request.lampElevation, 2} : Elevation{};
+  SpiralFit fit = fitSpirals(spirals, camera, elevation, nullptr, run);
+  // The map is good to a fraction of a bead. Directions about the true middles are better.
+  std::vector<CouponSpiral> about = places;
+  for (int round = 0; round < 2 && !run.cancelled(); ++round) {
+    for (std::size_t k = 0; k < spirals.size(); ++k) {
+      about[k].centre = about[k].centre + Vec2{fit.offsets[k][0], fit.offsets[k][1]};
+      spirals[k].seen = foldSpiral(about[k], coupon, photograph, tones);
+    }
+    fit = fitSpirals(spirals, camera, elevation, &fit, run);
+  }
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+
+  CouponReading out;
+  out.pixelsPerMm = std::sqrt(std::abs(coupon.jacobianAt(kMiddle).determinant()));
+  out.blur = fit.blur / out.pixelsPerMm;
+  out.tilt = std::acos(std::clamp(camera.place.normalized()[2], -1.0, 1.0)) * kDegrees;
+  if (out.blur > kMostBlur * nozzle) {
+    return unreadable("the photograph is blurred by " + fixed(out.blur, 2) + " mm; it may be by " +
+                      fixed(kMostBlur * nozzle, 2) + ": hold the camera still and let it focus on the coupon");
+  }
+  if (fit.contrast < kLeastContrast) {
+    return unreadable("the brightest beads are " + fixed(fit.contrast, 2) +
+                      " times as bright as the darkest, and must be 1.5 times; use one small lamp, low over the "
+                      "coupon, in a dark room");
+  }
+  if (fit.misfit > kMostMisfit) {
+    return unreadable(
+        "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
+        "curtains");
+  }
+
+  if (std::abs(fit.lone - 1) > kMostOff || std::abs(fit.closing - 1) > kMostOff) {
+    return unreadable(
+        "beads would be " + fixed(100 * fit.lone, 0) +
+        " % as wide as they were asked for, and must be 90 to 110 %; the coupon is of other settings, or the "
+        "light shows the beads too poorly: move the lamp around the coupon");
+  }
+
+  // Rough surfaces and large lamps add up; of an unknown lamp only the range is known.
+  const double lamp = request.lampSlope.value_or(0);
+  const double most = kUnknownLampSlope * kUnknownLampSlope;
+  const double lampVariance = request.lampSlope ? lamp * lamp : most / 3;  // mean of s² for s even in its range
+  const double lampError = request.lampSlope ? 0.1 * lamp * lamp : most * std::sqrt(4.0 / 45);
+  out.along = slopeOf(fit.alongVariance, errorOf(fit.covariance(2, 2)), lampVariance, lampError);
+  out.across = slopeOf(fit.acrossVariance, errorOf(fit.covariance(3, 3)), lampVariance, lampError);
+  for (const Measured* slope : {&out.along, &out.across}) {
+    const bool lost = slope->error > kMostError * slope->value;
+    if (!lost) continue;
+    return unreadable("slopes " + std::string(slope == &out.along ? "along" : "across") +
+                      " the beads cannot be told in this light: " + fixed(slope->value, 1) + " degrees within " +
+                      fixed(slope->error, 1) + "; use a smaller lamp, or one that is farther away");
+  }
+  const Eigen::Vector3d eye = camera.place.normalized();
+  const Eigen::Vector3d h = Eigen::Vector3d(fit.tilt[0], fit.tilt[1], 1).normalized();
+  const Eigen::Vector3d to = (2 * h.dot(eye) * h - eye).normalized();
+  const double flat = std::max(0.02, std::hypot(to[0], to[1]));
+  double azimuth = std::atan2(to[1], to[0]) * kDegrees;
+  if (azimuth < 0) azimuth += 360;
+  const double tiltError = std::sqrt(0.5 * (fit.covariance(0, 0) + fit.covariance(1, 1)));
+  out.azimuth = {azimuth, std::min(180.0, tiltError * (1 + to[2]) / flat * kDegrees)};
+  out.elevation = {std::asin(std::clamp(to[2], -1.0, 1.0)) * kDegrees, tiltError * (1 + to[2]) * kDegrees};
+
+  out.width = {nozzle * plate.value().print.flow * fit.lone,
+               nozzle * plate.value().print.flow * errorOf(fit.covariance(6, 6))};
+  double lowest = 1e9, highest = 0;
+  for (const CalibrationValue& value : plate.value().values) {
+    lowest = std::min(lowest, value.value);
+    highest = std::max(highest, value.value);
+  }
+  const double closing = 1 / fit.closing;
+  if (closing < lowest) {
+    out.flowIsLower = true;
+  } else if (closing <= highest + (highest - lowest) / 3) {
+    out.flow = Measured{closing, closing * closing * errorOf(fit.covariance(5, 5))};
+  }
+  // Colour of the darkest tenth, as bright as a colour gets.
+  double rgb[3] = {0, 0, 0};
+  int count = 0;
+  const int colours = photograph.channels >= 3 ? 3 : 1;
+  for (int j = 0; j < 64; ++j) {
+    for (int i = 0; i < 64; ++i) {
+      const Vec2 p = coupon.pixelOf({(i + 0.5) * kCouponSide / 64, (j + 0.5) * kCouponSide / 64});
+      const int x = std::clamp(static_cast<int>(p.x), 0, photograph.width - 1);
+      const int y = std::clamp(static_cast<int>(p.y), 0, photograph.height - 1);
+      if (tones.at(x, y) > codeOfLight(static_cast<float>(2 * fit.diffuse))) continue;
+      for (int c = 0; c < 3; ++c) {
+        rgb[c] +=
+            static_cast<double>(lightOfCode(static_cast<float>(photograph.at(x, y, std::min(c, colours - 1))) / 65535));
+      }
+      ++count;
+    }
+  }
+  const double brightest = std::max({rgb[0], rgb[1], rgb[2], 1e-9});
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double share = count > 0 ? rgb[c] / brightest : 1;
+    out.colour[c] =
+        static_cast<std::uint8_t>(std::lround(200 * static_cast<double>(codeOfLight(static_cast<float>(share)))));
+  }
+  return out;
+}
+
+std::string spoolFile(const CouponReading& reading, std::string_view key, std::string_view source) {
+  const auto rounded = [](double v) { return std::round(std::clamp(v, 0.1, 45.0) * 100) / 100; };
+  const auto pair = [&] {
+    return nlohmann::ordered_json::array({rounded(reading.along.value), rounded(reading.across.value)});
+  };
+  nlohmann::ordered_json spool;
+  spool["colour"] = reading.colour;
+  spool["fine"] = {{"nozzleSide", pair()}, {"bedSide", pair()}};
+  spool["source"] = std::string(source);
+  nlohmann::ordered_json root;
+  root["version"] = 1;
+  root["spools"][std::string(key)] = std::move(spool);
+  return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sillon

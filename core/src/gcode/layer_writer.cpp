@@ -1,0 +1,186 @@
+#include "gcode/layer_writer.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/decimal_text.hpp"
+#include "gcode/objects.hpp"
+#include "printer/dialect.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kFastest = 1.5;     // [speed], of narrow beads with constantFlow
+constexpr double kSlowestPace = 5;   // [mm/s], slower nozzles drop more than they lay
+constexpr double kSeamStep = 0.382;  // golden section: seams of neighbouring layers lie far apart
+
+}  // namespace
+
+void LayerWriter::write(const FileLayer& layer) {
+  announce(layer);
+  nozzle_.restartAxis();
+  if (layer.index == 0) {
+    if (layer.copy > 0) endObject(nozzle_.out(), job_, printer_.flavor, layer.copy - 1);
+    beginObject(nozzle_.out(), job_, printer_.flavor, layer.copy);
+    nozzle_.standAt(job_.copies[static_cast<std::size_t>(layer.copy)]);
+    if (layer.copy > 0) nozzle_.passOver(layerTop(params_, layerCount(params_) - 1));
+  }
+  setMachine(layer);
+  if (layer.index == 0) {
+    if (layer.copy == 0) paths(job_.skirt, kSkirtRole, params_.baseFlow, layer);
+    paths(job_.brim, kBrimRole, params_.baseFlow, layer);
+  }
+  if (layer.oriented && !job_.patches.empty()) {
+    patches(layer);
+  } else if (layer.oriented) {
+    paths(layer.onBed ? job_.bedCycles : job_.cycles, kOrientedRole,
+          layer.first && params_.showSide != ShowSide::Up ? params_.bedFlow : params_.flow, layer);
+  } else if (params_.basePattern == BasePattern::Same) {
+    paths(job_.cycles, kBaseRole, params_.baseFlow, layer);
+  } else if (layer.across != NextTo::Base) {
+    paths(layer.across == NextTo::Oriented ? job_.across : job_.bedAcross, kBaseRole, params_.baseFlow, layer);
+  } else if (layer.index == 0 && !job_.firstBase.empty()) {
+    paths(job_.firstBase, kBaseRole, params_.baseFlow, layer);
+  } else {
+    paths(job_.bases[static_cast<std::size_t>(layer.turn % 2)], kBaseRole, params_.baseFlow, layer);
+  }
+}
+
+void LayerWriter::announce(const FileLayer& layer) {
+  const std::string top = decimal(layer.top, 3);
+  nozzle_.out() << ";BEFORE_LAYER_CHANGE\n;" << top << "\n;LAYER_CHANGE\n;Z:" << top
+                << "\n;HEIGHT:" << decimal(layer.height, 3) << "\n";
+  if (printer_.flavor == GcodeFlavor::Klipper) {
+    nozzle_.out() << "SET_PRINT_STATS_INFO CURRENT_LAYER="
+                  << std::to_string(layer.copy * layerCount(params_) + layer.index + 1) << "\n";
+  }
+  if (printer_.flavor == GcodeFlavor::Bambu) {
+    nozzle_.out() << "; CHANGE_LAYER\n; Z_HEIGHT: " << top << "\n; LAYER_HEIGHT: " << decimal(layer.height, 3) << "\n";
+    const int count = layer.copy * layerCount(params_) + layer.index;  // the printer's screen shows it
+    nozzle_.out() << "M73 L" << std::to_string(count + 1) << "\nM991 S0 P" << std::to_string(count) << "\n";
+  }
+}
+
+void LayerWriter::setMachine(const FileLayer& layer) {
+  if (layer.first) {
+    nozzle_.fan(printer_.firstLayerFan);
+    if (printer_.machineAcceleration > 0 && firstAcceleration() != printer_.acceleration) {
+      nozzle_.out() << accelerationCommand(printer_.flavor, firstAcceleration());
+    }
+    if (layer.copy > 0) nozzle_.out() << "M104 S" << fixed(printer_.firstLayerNozzleTemperature, 0) << "\n";
+  }
+  if (!layer.first) {
+    // PLA wants all the air it can get, PETG and its kin lose their bond between layers then.
+    const double usual = printer_.filamentType == "PLA" ? 100 : 50;
+    const double asked = layer.oriented ? printer_.showFan : printer_.baseFan;
+    nozzle_.fan(asked < 0 ? usual : asked);
+  }
+  if (layer.index == (beginsOnBed(params_) ? 1 : 0)) {
+    if (beginsOnBed(params_) && printer_.machineAcceleration > 0 && firstAcceleration() != printer_.acceleration) {
+      nozzle_.out() << accelerationCommand(printer_.flavor, printer_.acceleration);
+    }
+    nozzle_.out() << "M104 S" << fixed(printer_.nozzleTemperature, 0) << "\n";
+    patchHeat_ = 0;
+  }
+}
+
+void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const FileLayer& layer) {
+  if (paths.empty()) return;
+  MotionLimits limits = layerLimits(layer, flow);
+  limits.speed = std::max(limits.speed * pace_[kindOf(layer)], std::min(limits.speed, kSlowestPace));
+  if (params_.constantFlow && layer.oriented && !layer.first) evenFlow(limits, job_.spacing);
+  const bool oriented = &role == &kOrientedRole;  // the skirt of an oriented first layer is not
+  limits.coast = oriented ? params_.coast : 0;
+  limits.scarf = oriented ? params_.scarf : 0;
+
+  writeRole(nozzle_.out(), role);
+  for (const BeadPath& path : paths) {
+    std::size_t start = 0;
+    if (path.closed) {
+      const std::size_t count = path.seams.empty() ? path.points.size() : path.seams.size();
+      const auto step = static_cast<std::size_t>(kSeamStep * static_cast<double>(count));
+      const std::size_t chosen = static_cast<std::size_t>(layer.turn) * step % count;
+      start = path.seams.empty() ? chosen : path.seams[chosen];
+    }
+    lay(path, start, limits, layer.height, layer.top, oriented);
+    if (nozzle_.out().failed()) return;
+  }
+}
+
+void LayerWriter::patches(const FileLayer& layer) {
+  writeRole(nozzle_.out(), kBaseRole);
+  const double layerFan = nozzle_.fanPercent();
+  for (const PlacedPatch& patch : job_.patches) {
+    if (patch.how.layer != layer.index) continue;
+    if (patch.how.temperature != patchHeat_) {
+      patchHeat_ = patch.how.temperature;
+      const double usual = layer.first ? printer_.firstLayerNozzleTemperature : printer_.nozzleTemperature;
+      heat(patchHeat_ > 0 ? patchHeat_ : usual);
+    }
+    nozzle_.fan(patch.how.fan < 0 ? layerFan : patch.how.fan);
+    if (patch.how.advance >= 0 && patch.how.advance != advance_) {
+      advance_ = patch.how.advance;
+      nozzle_.out() << pressureAdvanceCommand(printer_.flavor, advance_);
+    }
+    MotionLimits limits = layerLimits(layer, patch.how.flow);
+    if (patch.how.speed > 0) limits.speed = patch.how.speed;
+    if (patch.how.constantFlow) evenFlow(limits, patch.how.spacing);
+    for (const BeadPath& path : patch.paths) {
+      lay(path, 0, limits, layer.height, layer.top + patch.how.lift, true);
+      if (nozzle_.out().failed()) return;
+    }
+  }
+}
+
+// Goes there, lays the bead, leaves it. \param top  where the nozzle runs [mm]. \param oriented  neither base nor
+// skirt.
+void LayerWriter::lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, double height, double top,
+                      bool oriented) {
+  const Motion& motion = plans_.of(path, start, limits);
+  nozzle_.approach(motion.points.front(), top);
+  nozzle_.bead(motion, limits.flow, height);
+  if (nozzle_.out().failed()) return;
+  nozzle_.leave(motion, limits.speed, top, limits.scarf > 0 && path.closed);
+  if (!oriented) return;
+  for (const double piece : motion.lengths) oriented_.all += piece;
+  oriented_.flowSlowed += motion.flowSlowedMm;
+  oriented_.segmentSlowed += motion.segmentSlowedMm;
+  oriented_.curveSlowed += motion.curveSlowedMm;
+}
+
+// Away from the plate, where what drips harms nothing.
+void LayerWriter::heat(double degrees) {
+  nozzle_.passOver(safeHeight(printer_, params_) - printer_.lift);
+  nozzle_.moveZ(safeHeight(printer_, params_));
+  nozzle_.travel(job_.aside, printer_.travelSpeed);
+  nozzle_.out() << waitForNozzle(printer_.flavor, degrees);
+}
+
+MotionLimits LayerWriter::layerLimits(const FileLayer& layer, double flow) const {
+  MotionLimits limits = nozzle_.machineLimits();
+  limits.layerHeight = layer.height;
+  limits.flow = flow;
+  limits.filamentArea = filamentArea(printer_.filamentDiameter);
+  limits.speed = layer.oriented ? job_.showSpeed : printer_.baseSpeed > 0 ? printer_.baseSpeed : printer_.speed;
+  if (layer.first) limits.speed = std::min(printer_.firstLayerSpeed, limits.speed);
+  if (layer.first) limits.acceleration = firstAcceleration();
+  limits.maxFlow = printer_.maxFlow;
+  limits.maxSegmentsPerSecond = printer_.maxSegmentsPerSecond;
+  limits.pressureAdvance = printer_.pressureAdvance;
+  limits.curveAcceleration = job_.knowsAdvance ? printer_.curveAcceleration : 0;
+  limits.leastBead = kLeastBead * printer_.nozzle;
+  return limits;
+}
+
+void LayerWriter::evenFlow(MotionLimits& limits, double spacing) const {
+  limits.evenFlow = limits.speed * spacing;
+  limits.speed *= kFastest;
+  if (printer_.machineSpeed > 0) limits.speed = std::min(limits.speed, printer_.machineSpeed);
+}
+
+double LayerWriter::firstAcceleration() const {
+  const bool own = printer_.firstLayerAcceleration > 0 && printer_.firstLayerAcceleration < printer_.acceleration;
+  return own ? printer_.firstLayerAcceleration : printer_.acceleration;
+}
+
+}  // namespace sillon

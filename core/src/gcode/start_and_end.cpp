@@ -1,0 +1,102 @@
+#include "gcode/start_and_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/decimal_text.hpp"
+#include "gcode/file_comments.hpp"
+#include "gcode/objects.hpp"
+#include "printer/bed.hpp"
+#include "printer/dialect.hpp"
+
+namespace sillon {
+namespace {
+
+// From whatever a start block leaves to a hot nozzle that stands aside, above all that may be on the bed. It draws back
+// what is given back before the first bead, so that no thread is drawn and no bead lacks filament, whether or not the
+// block drew back itself. Waiting again costs nothing where the block has waited for the same.
+void takeOver(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  nozzle.out() << "G21\nG90\n" << (printer.absoluteE ? "M82" : "M83") << "\nG92 E0\nM220 S100\nM221 S100\n";
+  nozzle.isRetracted(job.startRetracted);
+  if (job.hotStart) nozzle.retract();
+  nozzle.passOver(safeHeight(printer, params) - printer.lift);
+  nozzle.moveZ(safeHeight(printer, params));
+  if (job.ownStart || !job.purge.points.empty()) nozzle.travel(job.aside, printer.travelSpeed);
+  const std::string bed = fixed(printer.bedTemperature, 0);
+  nozzle.out() << (printer.bedTemperature > 0 ? "M190 S" : "M140 S") << bed << "\nM109 S"
+               << fixed(printer.firstLayerNozzleTemperature, 0) << "\n";
+  if (job.purge.points.empty()) nozzle.retract();
+}
+
+void purge(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  if (job.purge.points.empty()) return;
+  MotionLimits limits = nozzle.machineLimits();
+  limits.layerHeight = job.purgeHeight;
+  limits.filamentArea = filamentArea(printer.filamentDiameter);
+  limits.speed = std::min(printer.firstLayerSpeed, printer.speed);
+  limits.maxFlow = printer.maxFlow;
+  limits.maxSegmentsPerSecond = printer.maxSegmentsPerSecond;
+  const Motion motion = planMotion(job.purge, 0, limits);
+  nozzle.moveZ(job.purgeHeight);
+  nozzle.unretract();
+  nozzle.bead(motion, 1, job.purgeHeight);
+  nozzle.dropResidue();
+  nozzle.leave(motion, limits.speed, job.purgeHeight);
+  nozzle.passOver(safeHeight(printer, params) - printer.lift);
+}
+
+void restoreMachine(ChunkedOutput& out, const GcodeJob& job, const Printer& printer) {
+  // Klipper knows no cap and keeps what it is told: nothing is raised there above what was set at the start.
+  const bool capped = printer.flavor != GcodeFlavor::Klipper;
+  if (printer.setPressureAdvance && capped) {
+    out << pressureAdvanceCommand(printer.flavor, 0);
+  } else if (setsAdvance(job)) {  // the last patch's value is nobody's
+    out << pressureAdvanceCommand(printer.flavor, capped ? 0 : printer.pressureAdvance);
+  }
+  if (printer.machineAcceleration > 0 && capped) {
+    out << accelerationCommand(printer.flavor, printer.machineAcceleration);
+  }
+  if (printer.machineCornerSpeed > 0 && capped) {
+    out << cornerSpeedCommand(printer.flavor, printer.machineCornerSpeed);
+  }
+}
+
+}  // namespace
+
+void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  writeRole(nozzle.out(), kCustomRole);
+  nozzle.out() << job.startBlock;
+  takeOver(nozzle, job, printer, params);
+  if (printer.flavor == GcodeFlavor::Klipper) {
+    nozzle.out() << "SET_PRINT_STATS_INFO TOTAL_LAYER=" << std::to_string(fileLayers(job, params)) << "\n";
+  }
+  defineObjects(nozzle.out(), job, printer.flavor);
+  if (printer.machineAcceleration > 0) nozzle.out() << accelerationCommand(printer.flavor, printer.acceleration);
+  if (printer.machineCornerSpeed > 0) nozzle.out() << cornerSpeedCommand(printer.flavor, printer.cornerSpeed);
+  if (printer.setPressureAdvance) nozzle.out() << pressureAdvanceCommand(printer.flavor, printer.pressureAdvance);
+  purge(nozzle, job, printer, params);
+}
+
+void writeEnd(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
+  endObject(nozzle.out(), job, printer.flavor, static_cast<int>(job.copies.size()) - 1);
+  // Some hosts read only the last MiB, and would take the lift for the height of the plate.
+  nozzle.out() << ";BEFORE_LAYER_CHANGE\n;" << decimal(layerTop(params, layerCount(params) - 1), 3) << "\n";
+  writeRole(nozzle.out(), kCustomRole);
+  nozzle.moveZ(std::min(printer.maxZ, nozzle.z() + kParkLift));
+  restoreMachine(nozzle.out(), job, printer);
+  if (!job.endBlock.empty()) {
+    if (printer.absoluteE) nozzle.out() << "G92 E0\n";  // a block's "G1 E-2" draws back 2 mm, wherever the axis stood
+    nozzle.out() << job.endBlock << "M73 P100 R0\n";
+    return;
+  }
+  Vec2 park{std::ceil(printer.bedMin.x * 1000), std::floor(printer.bedMax.y * 1000)};
+  if (printer.roundBed) {
+    const Bed bed(printer);
+    park = 1000.0 * (bed.centre() + Vec2{0, 0.95 * bed.radius()});
+  }
+  nozzle.travel({std::llround(park.x), std::llround(park.y)}, printer.travelSpeed);
+  nozzle.out() << "M104 S0\nM140 S0\nM107\nM84\nM73 P100 R0\n";
+}
+
+}  // namespace sillon

@@ -1,0 +1,137 @@
+#include "sillon/geometry/keep_thin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "geometry/lost_cells.hpp"
+#include "sillon/geometry/outline.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kThinnest = 0.5;   // width from which a place is kept [tau]
+constexpr double kOpposite = -0.5;  // cosine between the walls' normals: walls are parallel within 60 degrees
+// A tenth more than half a spacing, so that there and back the bead need not be narrower than it may be; where discs a
+// sample apart meet they are as wide [tau].
+constexpr double kRadius = 0.5535;
+constexpr double kInside = 32767.5;  // level of a mask's outline, of 65535
+
+struct Middle {
+  Vec2 at;
+  double radius = 0;  ///< of the largest disc there [mm]
+};
+
+/// The middle of the walls at the border point nearest to a sample: the largest disc that touches the border there
+/// (its atom of the medial axis). Nothing where that is too thin, wide enough for a bead, or a corner.
+std::optional<Middle> middleAt(const BorderIndex& border, Vec2 sample, double spacing) {
+  const NearestBorder first = border.nearest(sample);
+  const double depth = std::abs(static_cast<double>(first.distance));
+  const Vec2 inward{-static_cast<double>(first.normal.x), -static_cast<double>(first.normal.y)};
+  const Vec2 foot = sample - inward * depth;
+  const double slack = 1e-4 * spacing;
+  const auto touchesOnlyHere = [&](double radius) {
+    return std::abs(static_cast<double>(border.nearest(foot + inward * radius).distance)) >= radius - slack;
+  };
+  double low = depth;
+  double high = 0.5 * spacing;
+  if (low >= high || touchesOnlyHere(high)) return std::nullopt;
+  for (int k = 0; k < 20; ++k) {
+    const double middle = 0.5 * (low + high);
+    (touchesOnlyHere(middle) ? low : high) = middle;
+  }
+  if (low < 0.5 * kThinnest * spacing - slack) return std::nullopt;
+  const Vec2f other = border.nearest(foot + inward * (low + 10 * slack)).normal;
+  if (static_cast<double>(dot(first.normal, other)) > kOpposite) return std::nullopt;
+  return Middle{foot + inward * low, low};
+}
+
+/// A mask whose outline encloses the discs: grey falls from inside to outside over four samples with the distance from
+/// the nearest centre.
+class DiscMask {
+ public:
+  DiscMask(const Grid& grid, double radius) : grid_(grid), radius_(radius) {
+    mask_.width = grid.nx;
+    mask_.height = grid.ny;
+    mask_.channels = 1;
+    mask_.samples.assign(grid.size(), 0);
+  }
+
+  void add(Vec2 centre) {
+    const double reach = radius_ + 2 * grid_.cell;
+    const auto first = [&](double at, double low) { return static_cast<int>((at - reach - low) / grid_.cell); };
+    const auto last = [&](double at, double low) { return static_cast<int>((at + reach - low) / grid_.cell); };
+    for (int y = std::max(0, first(centre.y, grid_.origin.y));
+         y <= std::min(grid_.ny - 1, last(centre.y, grid_.origin.y)); ++y) {
+      for (int x = std::max(0, first(centre.x, grid_.origin.x));
+           x <= std::min(grid_.nx - 1, last(centre.x, grid_.origin.x)); ++x) {
+        const double depth = (radius_ - length(grid_.centre(x, y) - centre)) / (2 * grid_.cell);  // -1..1 counts
+        const double level = std::round(kInside * (1 + std::clamp(depth, -1.0, 1.0)));
+        std::uint16_t& sample = mask_.samples[index(x, y)];
+        sample = std::max(sample, static_cast<std::uint16_t>(level));
+      }
+    }
+  }
+  [[nodiscard]] bool covers(std::size_t sample) const {
+    const std::size_t nx = static_cast<std::size_t>(grid_.nx);
+    return mask_.samples[index(static_cast<int>(sample % nx), static_cast<int>(sample / nx))] > kInside;
+  }
+  [[nodiscard]] Result<Shape> outline() const { return shapeFromMask(mask_, grid_.nx * grid_.cell); }
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const { return grid_.index(x, grid_.ny - 1 - y); }  // row 0 on top
+
+  const Grid& grid_;
+  double radius_;
+  Image mask_;
+};
+
+}  // namespace
+
+Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run) {
+  const Result<Outline> outline = resolveOutline(shape);
+  if (!outline) return outline.error();
+  const Result<BorderIndex> border = buildBorderIndex(outline.value(), makeGrid(outline.value().bounds, spacing), run);
+  if (!border) return border.error();
+  const Result<LostCells> found = lostCells(shape, border.value(), outline.value().bounds, spacing, run);
+  if (!found) return found.error();
+  const LostCells& cells = found.value();
+  if (cells.places.empty()) return shape;
+
+  DiscMask discs(cells.grid, kRadius * spacing);
+  std::vector<ThinPlace> kept;
+  for (const std::vector<std::size_t>& place : cells.places) {
+    ThinPlace widest;
+    for (const std::size_t sample : place) {
+      // Any middle has a sample nearer than the diagonal of half a cell.
+      const double depth = -static_cast<double>(cells.distance[sample]);
+      if (depth < 0.5 * kThinnest * spacing - 0.75 * cells.grid.cell) continue;
+      const std::optional<Middle> middle = middleAt(border.value(), cells.at(sample), spacing);
+      if (!middle) continue;
+      discs.add(middle->at);
+      shape.middles.push_back(middle->at);
+      if (2 * middle->radius > widest.width) widest = {middle->at, 0, 2 * middle->radius};
+    }
+    if (widest.width == 0) continue;
+    const auto covered = std::count_if(place.begin(), place.end(), [&](std::size_t k) { return discs.covers(k); });
+    widest.areaMm2 = static_cast<double>(covered) * cells.grid.cell * cells.grid.cell;
+    kept.push_back(widest);
+  }
+  if (kept.empty()) return shape;
+  const Result<Shape> added = discs.outline();
+  if (!added) return added.error();
+  for (FilledPath path : added.value().paths) {
+    for (Ring& ring : path.rings) {
+      for (Vec2& p : ring) p = p + cells.grid.origin;
+    }
+    shape.paths.push_back(std::move(path));
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const ThinPlace& a, const ThinPlace& b) { return a.areaMm2 > b.areaMm2; });
+  shape.kept = std::move(kept);
+  return shape;
+}
+
+}  // namespace sillon

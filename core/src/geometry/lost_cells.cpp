@@ -1,0 +1,78 @@
+#include "geometry/lost_cells.hpp"
+
+#include <cstring>
+
+#include "base/parallel_for.hpp"
+
+namespace sillon {
+namespace {
+
+// The first sample from `from` on that is marked, or `end`.
+std::size_t nextMarked(const std::vector<char>& marks, std::size_t from, std::size_t end) {
+  const void* found = from < end ? std::memchr(&marks[from], 1, end - from) : nullptr;
+  return found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - marks.data()) : end;
+}
+
+}  // namespace
+
+Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const Bounds& box, double spacing,
+                            const RunContext& run) {
+  constexpr int kSamples = 8;
+  const double cell = spacing / kSamples;
+  LostCells out;
+  out.grid = {{box.min.x - spacing, box.min.y - spacing},
+              cell,
+              static_cast<int>((box.size().x + 2 * spacing) / cell) + 1,
+              static_cast<int>((box.size().y + 2 * spacing) / cell) + 1};
+  const Grid& grid = out.grid;
+  const float deep = static_cast<float>(-0.5 * spacing);
+  Result<std::vector<float>> distance = bandDistance(shape, border, grid, -deep, run);  // exact down to `deep`
+  if (!distance) return distance.error();
+  out.distance = std::move(distance).value();
+  const std::vector<float>& sd = out.distance;
+  std::vector<char> lost(grid.size(), 0);
+  constexpr int kReach = kSamples / 2 + 1;
+  constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
+  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      // Most samples lie deep or outside: those between are marked in vectors and then looked for.
+      const std::size_t row = grid.index(0, y);
+      const std::size_t rowEnd = row + static_cast<std::size_t>(grid.nx);
+      const float* const line = &sd[row];
+      char* const marks = &lost[row];
+      for (int x = 0; x < grid.nx; ++x) marks[x] = static_cast<char>((line[x] <= 0) & (line[x] > deep));
+      for (std::size_t i = nextMarked(lost, row, rowEnd); i < rowEnd; i = nextMarked(lost, i + 1, rowEnd)) {
+        const int x = static_cast<int>(i - row);
+        bool reached = false;
+        for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
+          for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
+            if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
+              continue;
+            reached = sd[grid.index(x + dx, y + dy)] <= deep;
+          }
+        }
+        lost[i] = reached ? 0 : 1;
+      }
+    }
+  });
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  std::vector<std::size_t> place;
+  for (std::size_t start = nextMarked(lost, 0, lost.size()); start < lost.size();
+       start = nextMarked(lost, start + 1, lost.size())) {
+    place.assign(1, start);
+    lost[start] = 0;
+    for (std::size_t k = 0; k < place.size(); ++k) {
+      const std::size_t i = place[k];
+      const std::size_t nx = static_cast<std::size_t>(grid.nx);
+      for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {  // the frame is never lost, so no index runs out
+        if (!lost[j]) continue;
+        lost[j] = 0;
+        place.push_back(j);
+      }
+    }
+    if (static_cast<double>(place.size()) * cell * cell > 0.25 * spacing * spacing) out.places.push_back(place);
+  }
+  return out;
+}
+
+}  // namespace sillon

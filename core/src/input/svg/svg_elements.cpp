@@ -1,0 +1,482 @@
+#include "input/svg/svg_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "input/svg/svg_clip.hpp"
+#include "input/svg/svg_length.hpp"
+#include "input/svg/svg_nesting.hpp"
+#include "input/svg/svg_paint.hpp"
+#include "input/svg/svg_path.hpp"
+#include "input/svg/svg_shape.hpp"
+#include "input/svg/svg_stroke.hpp"
+#include "input/svg/svg_style.hpp"
+#include "input/svg/svg_viewport.hpp"
+#include "sillon/geometry/outline.hpp"
+
+namespace sillon::svg {
+namespace {
+
+constexpr double kMaxPage = 1e5;       // [mm]
+constexpr double kFaint = 0.5;         // opacity: the second tones of icons have 0.2 to 0.4
+constexpr double kLeastFaint = 0.005;  // of the shape: less is no tone that would be missed
+
+struct State {
+  Matrix toWorld = Matrix::Identity();
+  Vec2 viewport;  // what percentages refer to, in user units
+  PaintState paint;
+  std::vector<std::shared_ptr<const Limit>> limits;
+  int depth = 0;
+};
+
+// What of an element counts.
+enum class Reading {
+  Painted,
+  Mask,      // painted; black hides
+  Clip,      // its outline, by clip-rule
+  Outlines,  // its outline, whatever its paint and limits
+};
+
+class Drawing {
+ public:
+  Drawing(const SvgOptions& options, const Node*& current)
+      : options_(options),
+        current_(current),
+        units_{options.unitlessIsMm ? 1 : kMmPerPx},
+        reading_(options.ignorePaint ? Reading::Outlines : Reading::Painted) {}
+
+  Shape read(const Node& root) {
+    current_ = &root;
+    collect(root);
+    const std::optional<ViewBox> box = viewBoxOf(root);
+    const Vec2 page = pageSize(root, box);
+    shape_.page = {std::round(page.x * 1e6) / 1e6, std::round(page.y * 1e6) / 1e6};
+
+    State state;
+    const Matrix toPage = matrix(units_.mm, 0, 0, -units_.mm, 0, shape_.page.y);
+    const Vec2 size = page * (1 / units_.mm);
+    state.viewport = size;
+    state.toWorld = toPage;
+    page_ = *limitOf({{Ring{{0, 0}, {shape_.page.x, 0}, shape_.page, {0, shape_.page.y}}}, FillRule::NonZero});
+    drawRoot(root, state, box);
+    const bool unread = shape_.drawing.texts + shape_.drawing.images > 0;
+    if (layers_.empty() && !painted_ && !unread && reading_ == Reading::Painted) {
+      shape_.drawing.unpainted = true;
+      reading_ = Reading::Outlines;
+      drawRoot(root, state, box);
+    }
+    current_ = nullptr;
+    if (layers_.empty()) {
+      throw Refused{ErrorCode::EmptyShape,
+                    painted_ ? "all that is painted lies off the page or is clipped away; \"paint\": \"ignore\" takes "
+                               "outlines whatever their paint and place"
+                             : "the drawing has no area to fill; it needs paths, basic shapes or lines with a stroke "
+                               "(text and images do not count)"};
+    }
+    shape_.drawing.faintMm2 = reading_ == Reading::Painted ? faintArea() : 0;
+    for (Layer& layer : layers_) shape_.paths.push_back(std::move(layer.path));
+    shape_.drawing.linesOnly = reading_ == Reading::Painted && !filled_;
+    if (!offPage_.paths.empty()) {
+      const Result<Outline> lost = resolveOutline(offPage_);
+      if (lost) shape_.drawing.offPage = lost.value().area;
+    }
+    return std::move(shape_);
+  }
+
+ private:
+  // Indexes ids and style sheets.
+  void collect(const Node& node) {
+    if (const auto id = attribute(node, "id")) byId_.emplace(*id, &node);
+    if (elementName(node) == "style") {
+      for (const Node* text = node.first_node(); text; text = text->next_sibling()) {
+        styleSheet_.add({text->value(), text->value_size()});
+      }
+    }
+    for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
+      if (child->type() == rapidxml::node_element) collect(*child);
+    }
+  }
+
+  // [mm]; a missing side follows from the viewBox.
+  Vec2 pageSize(const Node& root, const std::optional<ViewBox>& box) {
+    shape_.drawing.svg = true;
+    shape_.drawing.pixels = !options_.unitlessIsMm;
+    const auto side = [&](const char* name) -> std::optional<double> {
+      const std::optional<Length> length = lengthOf(root, name);
+      if (!length || length->percent) return std::nullopt;
+      if (length->mmPerUnit > 0) shape_.drawing.pixels = length->mmPerUnit == kMmPerPx;
+      const double mm = length->value * (length->mmPerUnit > 0 ? length->mmPerUnit : units_.mm);
+      checkPageSide(name, mm, attribute(root, name).value_or(""));
+      return mm;
+    };
+    const std::optional<double> width = side("width"), height = side("height");
+    if (width && height) return {*width, *height};
+    if (!box) refuse("the size of the drawing is unknown; <svg> needs width and height, or a viewBox");
+    Vec2 page = box->size * units_.mm;
+    if (width) page = {*width, *width * box->size.y / box->size.x};
+    if (height) page = {*height * box->size.x / box->size.y, *height};
+    checkPageSide("the width by the viewBox", page.x, attribute(root, "viewBox").value_or(""));
+    checkPageSide("the height by the viewBox", page.y, attribute(root, "viewBox").value_or(""));
+    return page;
+  }
+
+  static void checkPageSide(const std::string& what, double mm, std::string_view text) {
+    if (std::round(mm * 1e6) > 0 && mm <= kMaxPage) return;
+    const std::string problem = what + " is " + quoted(text) + "; it must be more than 0 and at most 100000 mm";
+    if (mm > kMaxPage) refuseTooLarge(problem);
+    refuse(problem);
+  }
+
+  // Reads what all elements share into `state`. False if the element is not displayed.
+  bool enter(const Node& node, State& state) {
+    current_ = &node;
+    if (++state.depth > kMaxDepth) {
+      refuseTooLarge("<use> nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
+    }
+    work_.spend(node);
+    const Style style = styleSheet_.styleOf(node);
+    if (style.word(Property::Display) == "none") return false;
+    apply(style, contextOf(state), state.paint);
+    if (const auto transform = attribute(node, "transform")) {
+      state.toWorld = state.toWorld * parseTransform(*transform);
+    }
+    if (reading_ == Reading::Outlines) return true;
+    addLimits(node, style, state);
+    current_ = &node;
+    return true;
+  }
+
+  PaintContext contextOf(const State& state) {
+    const double diagonal = std::sqrt(dot(state.viewport, state.viewport) / 2);
+    return {[this](std::string_view id) {
+              const auto found = byId_.find(id);
+              if (found == byId_.end()) return false;
+              const std::string_view name = elementName(*found->second);
+              return name == "linearGradient" || name == "radialGradient" || name == "pattern";
+            },
+            [this, diagonal](std::string_view text) { return units_.ofStyle(text, diagonal); }};
+  }
+
+  void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {
+    shape_.drawing.texts = shape_.drawing.images = 0;
+    if (!enter(root, state)) return;
+    if (box) {
+      state.toWorld = state.toWorld * fit(root, *box, state.viewport);
+      state.viewport = box->size;
+    }
+    drawChildren(root, state);
+  }
+
+  void drawChildren(const Node& node, const State& state) {
+    for (const Node* child = node.first_node(); child; child = child->next_sibling()) draw(*child, state);
+  }
+
+  // Elements not named here are not drawn: <defs>, <symbol>, <clipPath>, <text>, foreign ones, ...
+  void draw(const Node& node, State state) {
+    const std::string_view name = elementName(node);
+    const bool unread = name == "text" || name == "flowRoot" || name == "image";
+    if (!unread && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" && !isShape(name)) {
+      return;
+    }
+    if (!enter(node, state)) return;
+    if (unread) {
+      const bool counts = reading_ == Reading::Outlines || (reading_ == Reading::Painted && state.paint.visible);
+      if (counts) ++(name == "image" ? shape_.drawing.images : shape_.drawing.texts);
+      return;
+    }
+    drawContent(node, state);
+  }
+
+  // What an element shows once its own attributes are read.
+  void drawContent(const Node& node, const State& state) {
+    const std::string_view name = elementName(node);
+    if (name == "g" || name == "a") drawChildren(node, state);
+    if (name == "switch") drawSwitch(node, state);
+    if (name == "svg") drawViewport(node, state, nullptr);
+    if (name == "use") drawUse(node, state);
+    if (isShape(name)) drawShape(node, state);
+  }
+
+  // The first child that asks for nothing we lack; languages are not compared.
+  void drawSwitch(const Node& node, const State& state) {
+    for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
+      const std::string_view name = elementName(*child);
+      if (name.empty() || name == "foreignObject" || attribute(*child, "requiredExtensions")) continue;
+      return draw(*child, state);
+    }
+  }
+
+  // A nested <svg> or a <symbol>. \param use  the element that shows it and may give another size, or null.
+  void drawViewport(const Node& node, State state, const Node* use) {
+    const auto side = [&](const char* name, double full) {
+      if (use && lengthOf(*use, name)) return units_.of(*use, name, full, full);
+      return units_.of(node, name, full, full);
+    };
+    const Vec2 size{side("width", state.viewport.x), side("height", state.viewport.y)};
+    if (size.x < 0 || size.y < 0) refuse("width and height must not be negative");
+    if (size.x == 0 || size.y == 0) return;
+    const double x = units_.of(node, "x", state.viewport.x, 0);
+    const double y = units_.of(node, "y", state.viewport.y, 0);
+    state.toWorld = state.toWorld * shifted(x, y);
+    state.viewport = size;
+    const std::string overflow = styleSheet_.styleOf(node).word(Property::Overflow);
+    if (reading_ != Reading::Outlines && overflow != "visible" && overflow != "auto") {
+      state.limits.push_back(rectangleLimit({0, 0}, size, state.toWorld));
+    }
+    if (const auto box = viewBoxOf(node)) {
+      state.toWorld = state.toWorld * fit(node, *box, size);
+      state.viewport = box->size;
+    }
+    drawChildren(node, state);
+  }
+
+  void drawUse(const Node& node, State state) {
+    std::optional<std::string_view> href = attribute(node, "href");
+    if (!href) href = attribute(node, "xlink:href");
+    if (!href) return;
+    const std::string_view target = trimmed(*href);
+    if (!startsWith(target, "#")) refuse("href is " + quoted(target) + "; it must name an element of this file by #id");
+    const auto found = byId_.find(target.substr(1));
+    if (found == byId_.end()) refuse("href is " + quoted(target) + ", but no element has this id");
+    const Node& shown = *found->second;
+    if (std::find(uses_.begin(), uses_.end(), &shown) != uses_.end()) {
+      refuse("href is " + quoted(target) + ", which shows itself again");
+    }
+    const double x = units_.of(node, "x", state.viewport.x, 0);
+    const double y = units_.of(node, "y", state.viewport.y, 0);
+    state.toWorld = state.toWorld * shifted(x, y);
+
+    uses_.push_back(&shown);
+    const std::string_view name = elementName(shown);
+    if (name == "symbol" || name == "svg") {
+      if (enter(shown, state)) drawViewport(shown, state, &node);
+    } else {
+      draw(shown, state);
+    }
+    uses_.pop_back();
+  }
+
+  void drawShape(const Node& node, const State& state) {
+    Outliner out(state.toWorld, options_.tolerance, pointsLeft_);
+    if (!outlineShape(out, node, state.viewport, units_)) return;
+    const PaintState& paint = state.paint;
+    if (reading_ == Reading::Outlines) return show({out.rings(), paint.fillRule}, state);
+    if (reading_ == Reading::Clip) {
+      if (paint.visible) show({out.rings(), paint.clipRule}, state);
+      return;
+    }
+    if (paint.fillAlpha() >= kFaintest) {
+      std::vector<Ring> rings = out.rings();
+      filled_ = filled_ || (reading_ == Reading::Painted && !rings.empty());
+      show({std::move(rings), paint.fillRule}, state, paint.fill.black, paint.fillAlpha());
+    }
+    if (paint.strokeAlpha() >= kFaintest) {
+      show({strokeRings(out.lines(), paint.line, state.toWorld, options_.tolerance, pointsLeft_), FillRule::NonZero},
+           state, paint.stroke.black, paint.strokeAlpha());
+    }
+  }
+
+  // Adds what lies within all limits, and on the page.
+  void show(FilledPath path, const State& state, bool black = false, double alpha = 1) {
+    if (path.rings.empty()) return;
+    if (reading_ == Reading::Outlines) {
+      layers_.push_back({std::move(path)});
+      return;
+    }
+    const bool hides = reading_ == Reading::Mask && black && !maskByAlpha_;
+    if (hides && alpha < 1 - kFaintest) return;  // grey still shows
+    if (reading_ == Reading::Painted) painted_ = true;
+    std::vector<const Limit*> limits;
+    for (const auto& limit : state.limits) limits.push_back(limit.get());
+    path = within(std::move(path), limits, work_);
+    if (reading_ == Reading::Painted) path = onPage(std::move(path));
+    if (!path.rings.empty()) layers_.push_back({std::move(path), !hides, alpha <= kFaint});
+  }
+
+  // As DrawingFacts says. Shadows on or along what is painted firmly are no second tone.
+  double faintArea() const {
+    Shape all, firm;
+    for (const Layer& layer : layers_) {
+      all.paths.push_back(layer.path);
+      if (!layer.faint) firm.paths.push_back(layer.path);
+    }
+    if (firm.paths.empty() || firm.paths.size() == all.paths.size()) return 0;
+    const Result<Outline> whole = resolveOutline(all), without = resolveOutline(firm);
+    if (!whole || !without) return 0;
+    const double area = whole.value().area - without.value().area;
+    return area > kLeastFaint * whole.value().area ? area : 0;
+  }
+
+  FilledPath onPage(FilledPath path) {
+    const Bounds box = boxOf(path.rings);
+    if (covers(page_, box)) return path;
+    const std::vector<FilledPath> both{path, page_.area};
+    FilledPath off = combine(
+        both, [](const std::vector<char>& filled) { return filled[0] != 0 && filled[1] == 0; }, work_);
+    if (!off.rings.empty()) offPage_.paths.push_back(std::move(off));
+    return within(std::move(path), {&page_}, work_);
+  }
+
+  std::shared_ptr<const Limit> rectangleLimit(Vec2 corner, Vec2 size, const Matrix& toWorld) {
+    Outliner out(toWorld, options_.tolerance, pointsLeft_);
+    drawRectangle(out, corner, size, {});
+    return limitOf({out.rings(), FillRule::NonZero});
+  }
+
+  // `clip-path` and `mask` of an element. What names nothing limits nothing.
+  void addLimits(const Node& node, const Style& style, State& state) {
+    const auto named = [&](Property property, const char* kind) -> const Node* {
+      const std::string_view id = urlOf(style.value(property));
+      const auto found = id.empty() ? byId_.end() : byId_.find(id);
+      if (found == byId_.end() || elementName(*found->second) != kind) return nullptr;
+      if (std::find(uses_.begin(), uses_.end(), found->second) != uses_.end()) {
+        refuse(std::string(kPropertyNames[static_cast<std::size_t>(property)]) + " is \"url(#" +
+               std::string(id.substr(0, 40)) + ")\", which shows itself again");
+      }
+      return found->second;
+    };
+    const Node* const clip = named(Property::ClipPath, "clipPath");
+    const Node* const mask = named(Property::Mask, "mask");
+    if (clip) addClip(*clip, node, state);
+    if (mask) addMask(*mask, node, state);
+  }
+
+  // User space of the element, or of its box where `attributeName` says objectBoundingBox.
+  Matrix unitsOf(const Node& limit, const char* attributeName, bool boxIsDefault, const Node& node,
+                 const State& state) {
+    const auto units = attribute(limit, attributeName);
+    const bool byBox = units ? trimmed(*units) == "objectBoundingBox" : boxIsDefault;
+    if (!byBox) return Matrix::Identity();
+    const Bounds box = userBox(node, state);
+    if (box.empty()) return matrix(0, 0, 0, 0, 0, 0);
+    return matrix(box.size().x, 0, 0, box.size().y, box.min.x, box.min.y);
+  }
+
+  // Of all outlines of an element, without strokes, in its user units.
+  Bounds userBox(const Node& node, State state) {
+    if (std::abs(state.toWorld.linear().determinant()) < 1e-30) return {};
+    const Matrix toUser = state.toWorld.inverse();
+    state.limits.clear();
+    const std::int64_t points = pointsLeft_;
+    const std::vector<Layer> layers = drawnAs(Reading::Outlines, [&] { drawContent(node, state); });
+    pointsLeft_ = points;
+    Bounds box;
+    for (const Layer& layer : layers) {
+      for (const Ring& ring : layer.path.rings) {
+        for (const Vec2 p : ring) {
+          const Eigen::Vector2d user = toUser * Eigen::Vector2d(p.x, p.y);
+          box.add({user.x(), user.y()});
+        }
+      }
+    }
+    return box;
+  }
+
+  // What `body` draws, apart from the drawing itself.
+  template <class Body>
+  std::vector<Layer> drawnAs(Reading reading, const Body& body) {
+    std::vector<Layer> kept;
+    kept.swap(layers_);
+    const Reading before = std::exchange(reading_, reading);
+    body();
+    reading_ = before;
+    kept.swap(layers_);
+    return kept;
+  }
+
+  // What an element inherits where it stands.
+  PaintState inheritedBy(const Node& node, const State& state) {
+    PaintState paint;
+    if (const Node* parent = node.parent(); parent && parent->type() == rapidxml::node_element) {
+      paint = inheritedBy(*parent, state);
+    }
+    work_.spend(node);
+    apply(styleSheet_.styleOf(node), contextOf(state), paint);
+    paint.opacity = 1;
+    return paint;
+  }
+
+  // For what is inside of <clipPath> or <mask>.
+  State stateInside(const Node& limit, const Matrix& units, const State& state) {
+    State inside;
+    inside.toWorld = state.toWorld * units;
+    inside.viewport = state.viewport;
+    inside.paint = inheritedBy(limit, state);
+    inside.depth = state.depth + 1;
+    if (inside.depth > kMaxDepth) refuseTooLarge("clipping nests deeper than " + std::to_string(kMaxDepth) + " levels");
+    return inside;
+  }
+
+  void addClip(const Node& clip, const Node& node, State& state) {
+    State inside = stateInside(clip, unitsOf(clip, "clipPathUnits", false, node, state), state);
+    uses_.push_back(&clip);
+    addLimits(clip, styleSheet_.styleOf(clip), inside);
+    if (const auto transform = attribute(clip, "transform")) {
+      inside.toWorld = inside.toWorld * parseTransform(*transform);
+    }
+    const std::vector<Layer> layers = drawnAs(Reading::Clip, [&] {
+      for (const Node* child = clip.first_node(); child; child = child->next_sibling()) {
+        const std::string_view name = elementName(*child);
+        if (name == "use" || isShape(name)) draw(*child, inside);
+      }
+    });
+    uses_.pop_back();
+    state.limits.push_back(limitOf(flattened(layers, work_)));
+  }
+
+  void addMask(const Node& mask, const Node& node, State& state) {
+    const Matrix frame = unitsOf(mask, "maskUnits", true, node, state);
+    const auto units = attribute(mask, "maskUnits");
+    const bool byBox = !units || trimmed(*units) == "objectBoundingBox";
+    const Vec2 full = byBox ? Vec2{1, 1} : state.viewport;
+    const Vec2 corner{units_.of(mask, "x", full.x, -0.1 * full.x), units_.of(mask, "y", full.y, -0.1 * full.y)};
+    const Vec2 size{units_.of(mask, "width", full.x, 1.2 * full.x), units_.of(mask, "height", full.y, 1.2 * full.y)};
+    State inside = stateInside(mask, unitsOf(mask, "maskContentUnits", false, node, state), state);
+    uses_.push_back(&mask);
+    const Style style = styleSheet_.styleOf(mask);
+    addLimits(mask, style, inside);
+    const bool before = std::exchange(maskByAlpha_, style.word(Property::MaskType) == "alpha");
+    const std::vector<Layer> layers = drawnAs(Reading::Mask, [&] { drawChildren(mask, inside); });
+    maskByAlpha_ = before;
+    uses_.pop_back();
+    state.limits.push_back(
+        rectangleLimit(corner, {std::max(0.0, size.x), std::max(0.0, size.y)}, state.toWorld * frame));
+    state.limits.push_back(limitOf(flattened(layers, work_)));
+  }
+
+  SvgOptions options_;
+  const Node*& current_;
+  UserUnits units_;
+  Reading reading_;
+  bool maskByAlpha_ = false;
+  Shape shape_;
+  std::vector<Layer> layers_;
+  Limit page_;
+  Shape offPage_;
+  bool painted_ = false;  // something is, be it off the page
+  bool filled_ = false;
+  std::unordered_map<std::string_view, const Node*> byId_;
+  StyleSheet styleSheet_;
+  std::vector<const Node*> uses_;  // targets being shown, outermost first
+  std::int64_t pointsLeft_ = kMaxPoints;
+  Work work_;
+};
+
+}  // namespace
+
+Shape drawElements(const Node& root, const SvgOptions& options, const Node*& current) {
+  return Drawing(options, current).read(root);
+}
+
+}  // namespace sillon::svg

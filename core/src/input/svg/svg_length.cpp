@@ -1,0 +1,88 @@
+#include "input/svg/svg_length.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <fast_float/fast_float.h>
+
+namespace sillon::svg {
+namespace {
+
+// Millimetres per unit of a CSS length; 0 for no unit, nothing for an unknown one. em and ex: of a 16 px font.
+std::optional<double> mmPerUnit(const std::string& unit) {
+  static constexpr std::array<std::pair<std::string_view, double>, 11> kUnits{{{"", 0},
+                                                                               {"px", kMmPerPx},
+                                                                               {"mm", 1},
+                                                                               {"cm", 10},
+                                                                               {"q", 0.25},
+                                                                               {"in", 25.4},
+                                                                               {"pt", 25.4 / 72},
+                                                                               {"pc", 25.4 / 6},
+                                                                               {"em", 16 * kMmPerPx},
+                                                                               {"rem", 16 * kMmPerPx},
+                                                                               {"ex", 8 * kMmPerPx}}};
+  for (const auto& [name, mm] : kUnits) {
+    if (name == unit) return mm;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Length> lengthOf(const Node& node, const char* name) {
+  const auto text = attribute(node, name);
+  if (!text || trimmed(*text) == "auto") return std::nullopt;
+  Reader reader(trimmed(*text), name);
+  Length length;
+  length.value = reader.number();
+  if (reader.rest() == "%") {
+    length.percent = true;
+    return length;
+  }
+  const auto unit = mmPerUnit(lowered(reader.rest()));
+  if (!unit) {
+    refuse(std::string(name) + " is " + quoted(*text) + "; known units are mm, cm, in, pt, pc, px, Q, em, ex and %");
+  }
+  length.mmPerUnit = *unit;
+  return length;
+}
+
+double UserUnits::of(const Node& node, const char* name, double full, double missing) const {
+  const std::optional<Length> length = lengthOf(node, name);
+  if (!length) return missing;
+  if (length->percent) return length->value / 100 * full;
+  return length->mmPerUnit > 0 ? length->value * length->mmPerUnit / mm : length->value;
+}
+
+double UserUnits::positive(const Node& node, const char* name, double full, double missing) const {
+  const double value = of(node, name, full, missing);
+  if (value < 0) refuse(std::string(name) + " is " + quoted(*attribute(node, name)) + "; it must not be negative");
+  return value;
+}
+
+Vec2 UserUnits::radii(const Node& node, Vec2 full) const {
+  const bool hasX = lengthOf(node, "rx").has_value(), hasY = lengthOf(node, "ry").has_value();
+  const double rx = positive(node, "rx", full.x, 0), ry = positive(node, "ry", full.y, 0);
+  return {hasX ? rx : ry, hasY ? ry : rx};
+}
+
+double UserUnits::ofStyle(std::string_view text, double full) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  text = trimmed(text);
+  if (text.empty()) return kNone;
+  double value = 0;
+  if (text[0] == '+') text.remove_prefix(1);
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) return kNone;
+  const std::string unit = lowered(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (unit == "%") return value / 100 * full;
+  const auto known = mmPerUnit(unit);
+  if (!known) return kNone;
+  return *known > 0 ? value * *known / mm : value;
+}
+
+}  // namespace sillon::svg

@@ -1,0 +1,107 @@
+#include "input/svg/svg_viewport.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+namespace sillon::svg {
+
+Matrix matrix(double a, double b, double c, double d, double e, double f) {
+  Matrix m = Matrix::Identity();
+  m.linear() << a, c, b, d;
+  m.translation() << e, f;
+  return m;
+}
+
+Matrix shifted(double x, double y) { return Matrix(Eigen::Translation2d(x, y)); }
+
+Matrix parseTransform(std::string_view text) {
+  Reader reader(text, "transform");
+  Matrix result = Matrix::Identity();
+  if (trimmed(text) == "none") return result;
+  while (!reader.atEnd()) {
+    reader.skipSeparator();
+    const std::string_view name = reader.word();
+    if (name.empty()) reader.fail("a transform such as translate(1 2)");
+    reader.expect('(');
+    std::array<double, 6> v{};
+    std::size_t n = 0;
+    for (reader.skipSpace(); reader.peek() != ')'; reader.skipSpace()) {
+      if (n == v.size()) reader.fail("')'");
+      v[n++] = reader.number();
+    }
+    reader.expect(')');
+    if (name == "matrix" && n == 6) {
+      result = result * matrix(v[0], v[1], v[2], v[3], v[4], v[5]);
+    } else if (name == "translate" && (n == 1 || n == 2)) {
+      result = result * shifted(v[0], v[1]);
+    } else if (name == "scale" && (n == 1 || n == 2)) {
+      result = result * matrix(v[0], 0, 0, n == 1 ? v[0] : v[1], 0, 0);
+    } else if (name == "rotate" && (n == 1 || n == 3)) {
+      result = result * shifted(v[1], v[2]) * rotation(v[0]) * shifted(-v[1], -v[2]);
+    } else if (name == "skewX" && n == 1) {
+      result = result * matrix(1, 0, std::tan(v[0] / 180 * std::numbers::pi), 1, 0, 0);
+    } else if (name == "skewY" && n == 1) {
+      result = result * matrix(1, std::tan(v[0] / 180 * std::numbers::pi), 0, 1, 0, 0);
+    } else {
+      refuse("transform has " + quoted(name) + " with " + std::to_string(n) +
+             " numbers; it must be matrix, translate, scale, rotate, skewX or skewY with the numbers it takes");
+    }
+  }
+  return result;
+}
+
+std::optional<ViewBox> viewBoxOf(const Node& node) {
+  const auto text = attribute(node, "viewBox");
+  if (!text || trimmed(*text) == "none") return std::nullopt;
+  Reader reader(*text, "viewBox");
+  ViewBox box;
+  box.min.x = reader.number();
+  box.min.y = reader.number();
+  box.size.x = reader.number();
+  box.size.y = reader.number();
+  if (!reader.atEnd()) reader.fail("the end");
+  if (!(box.size.x > 0 && box.size.y > 0)) {
+    refuse("viewBox is " + quoted(*text) + "; its width and height must be more than 0");
+  }
+  return box;
+}
+
+Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
+  const std::string_view text = attribute(node, "preserveAspectRatio").value_or("");
+  Reader reader(text, "preserveAspectRatio");
+  reader.skipSpace();
+  std::string_view align = reader.word();
+  if (align == "defer") {
+    reader.skipSpace();
+    align = reader.word();
+  }
+  reader.skipSpace();
+  const std::string_view mode = reader.word();
+  const auto unknown = [&] {
+    refuse("preserveAspectRatio is " + quoted(text) +
+           "; it must be none or an alignment such as xMidYMid, then meet or slice");
+  };
+  if (!reader.atEnd() || !(mode.empty() || mode == "meet" || mode == "slice")) unknown();
+
+  Vec2 scale{size.x / box.size.x, size.y / box.size.y};
+  if (align == "none") return matrix(scale.x, 0, 0, scale.y, -box.min.x * scale.x, -box.min.y * scale.y);
+
+  if (align.empty()) align = "xMidYMid";
+  const auto share = [&](std::string_view part) {  // of the free room that lies before the box
+    if (part == "Min") return 0.0;
+    if (part == "Mid") return 0.5;
+    if (part != "Max") unknown();
+    return 1.0;
+  };
+  if (align.size() != 8 || align[0] != 'x' || align[4] != 'Y') unknown();
+  const Vec2 before{share(align.substr(1, 3)), share(align.substr(5, 3))};
+  const double s = mode == "slice" ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
+  return matrix(s, 0, 0, s, before.x * (size.x - box.size.x * s) - box.min.x * s,
+                before.y * (size.y - box.size.y * s) - box.min.y * s);
+}
+
+}  // namespace sillon::svg

@@ -1,0 +1,69 @@
+#include "sillon/look/conflict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace sillon {
+namespace {
+
+constexpr int kSteps = 1024;                          // directions of the table; angles between them are interpolated
+constexpr float kPalest = 0.78f, kBrightest = 0.97f;  // greys of black and white, as codes
+constexpr std::array<float, 3> kDark{0.88f, 0.36f, 0.0f};  // orange and blue, which all eyes tell apart
+constexpr std::array<float, 3> kBright{0.0f, 0.34f, 0.8f};
+
+const Tones& onRaster(const Tones& tones, int width, int height, Tones& made) {
+  if (tones.width == width && tones.height == height) return tones;
+  made = resampled(tones, width, height);
+  return made;
+}
+
+}  // namespace
+
+PictureConflict conflictOf(const DirectionMap& directions, std::span<const ShownPicture> shown,
+                           const Roughness& roughness, double level) {
+  PictureConflict conflict{directions.width, directions.height, {}};
+  for (const ShownPicture& picture : shown) {
+    std::vector<float> code = lightTable(lobeOf(picture.lamp, roughness), kSteps);
+    for (float& v : code) v = codeOfLight(v);
+    const float low = *std::min_element(code.begin(), code.end());
+    const float range = std::max(1e-3f, codeOfLight(static_cast<float>(level)) - low);
+    Tones made;
+    const Tones& asked = onRaster(picture.tones, directions.width, directions.height, made);
+    std::vector<float> missing;
+    missing.reserve(directions.angle.size());
+    for (std::size_t k = 0; k < directions.angle.size(); ++k) {
+      // From -90 degrees; the table starts at 0.
+      const float step = (static_cast<float>(directions.angle[k]) / 65535.0f + 0.5f) * kSteps;
+      const auto before = static_cast<std::size_t>(step);
+      const float share = step - static_cast<float>(before);
+      const float seen = code[before % kSteps] * (1 - share) + code[(before + 1) % kSteps] * share;
+      missing.push_back(std::clamp(asked.value[k] - (seen - low) / range, -1.0f, 1.0f));
+    }
+    conflict.missing.push_back(std::move(missing));
+  }
+  return conflict;
+}
+
+RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, const Tones& tones, int side) {
+  const int scale = std::max(1, side / std::max({1, conflict.width, conflict.height}));
+  RgbImage image{conflict.width * scale, conflict.height * scale, {}};
+  image.rgb.reserve(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  Tones made;
+  const Tones& greys = onRaster(tones, conflict.width, conflict.height, made);
+  const auto columns = static_cast<std::size_t>(conflict.width);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t cell = static_cast<std::size_t>(y / scale) * columns + static_cast<std::size_t>(x / scale);
+      const float grey = kPalest + (kBrightest - kPalest) * greys.value[cell];
+      const float off = conflict.missing[picture][cell], full = std::abs(off);
+      for (const float ink : off > 0 ? kDark : kBright) {
+        image.rgb.push_back(static_cast<std::uint8_t>((grey + full * (ink - grey)) * 255 + 0.5f));
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace sillon

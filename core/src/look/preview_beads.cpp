@@ -1,0 +1,121 @@
+#include "look/preview_beads.hpp"
+
+#include <cmath>
+
+#include "base/simd.hpp"
+#include "look/direction_colour.hpp"
+
+namespace sillon {
+namespace {
+
+/// Direction at the joint of two pieces: their mean, so that curves look round. A piece keeps its own direction at
+/// sharp turns and where it is long against its width: a straight bead is straight up to its end, and a short neighbour
+/// begins with its direction.
+Vec2f jointTangent(Vec2f own, Vec2f other, float width) {
+  constexpr float kLong = 4;  // [widths]
+  const Vec2f ownUnit = unit(own), otherUnit = unit(other);
+  if (dot(ownUnit, otherUnit) < 0.5f || length(own) > kLong * width) return ownUnit;
+  return length(other) > kLong * width ? otherUnit : unit(ownUnit + otherUnit);
+}
+
+}  // namespace
+
+std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wanted wanted) {
+  std::vector<Bead> beads;
+  std::size_t total = 0;
+  for (const Cycle& cycle : toolpath.cycles) total += cycle.points.size();
+  beads.reserve(total);
+  for (const Cycle& cycle : toolpath.cycles) {
+    const std::size_t count = cycle.points.size();
+    const auto around = [&](std::size_t k) { return k < count ? k : (k - count) % count; };  // mostly no division
+    const auto at = [&](std::size_t k) { return cycle.points[around(k)]; };
+    const auto sampleAt = [&](std::size_t k) {
+      return Vec2f{static_cast<float>(at(k).x * scale), static_cast<float>((page.y - at(k).y) * scale)};
+    };
+    const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[around(k)] * scale / 2); };
+    for (std::size_t k = 0; k < count; ++k) {
+      Bead& bead = beads.emplace_back();
+      bead.a = sampleAt(k);
+      bead.b = sampleAt(k + 1);
+      bead.radiusA = radiusAt(k);
+      bead.radiusB = radiusAt(k + 1);
+      if (wanted == Wanted::Outlines) continue;
+      const Vec2f own = at(k + 1) - at(k);
+      bead.tangentA = jointTangent(own, at(k) - at(k > 0 ? k - 1 : count - 1), cycle.widths[k]);
+      bead.tangentB = jointTangent(own, at(k + 2) - at(k + 1), cycle.widths[around(k + 1)]);
+      if (wanted == Wanted::Look) continue;
+      const double colourA = directionColourPlace(bead.tangentA.x, bead.tangentA.y);
+      const double turned = (directionColourPlace(bead.tangentB.x, bead.tangentB.y) - colourA) / kDirectionColours;
+      bead.colourA = static_cast<float>(colourA);
+      bead.colourDelta = static_cast<float>((turned - std::floor(turned + 0.5)) * kDirectionColours);
+    }
+  }
+  return beads;
+}
+
+Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
+  const int bands = (height + rows - 1) / rows;
+  Bands sorted{rows, std::vector<std::size_t>(static_cast<std::size_t>(bands) + 1, 0), {}};
+  const auto forEachBand = [&](const Bead& bead, const auto& body) {
+    const float reach = std::max(bead.radiusA, bead.radiusB) + 1;
+    const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
+    if (bottom < 0 || top >= static_cast<float>(height)) return;
+    const int first = static_cast<int>(std::max(top, 0.0f)) / rows;
+    const int last = static_cast<int>(std::min(bottom, static_cast<float>(height - 1))) / rows;
+    for (int band = first; band <= last; ++band) body(static_cast<std::size_t>(band));
+  };
+  for (const Bead& bead : beads) forEachBand(bead, [&](std::size_t band) { ++sorted.begin[band + 1]; });
+  for (std::size_t band = 0; band + 1 < sorted.begin.size(); ++band) sorted.begin[band + 1] += sorted.begin[band];
+  sorted.beads.resize(sorted.begin.back());
+  std::vector<std::size_t> next = sorted.begin;
+  for (std::size_t k = 0; k < beads.size(); ++k) {
+    forEachBand(beads[k], [&](std::size_t band) { sorted.beads[next[band]++] = static_cast<std::uint32_t>(k); });
+  }
+  return sorted;
+}
+
+void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits) {
+  const Vec2f d = bead.b - bead.a;
+  const float squared = dot(d, d);
+  const float perSquared = squared > 0 ? 1 / squared : 0;
+  const float reach = std::max(bead.radiusA, bead.radiusB);
+  const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
+  const int rowBegin = std::max(firstRow, static_cast<int>(std::max(top - 0.5f, 0.0f)));
+  const int rowEnd = std::min(firstRow + rows, static_cast<int>(std::min(bottom, 1e6f)) + 1);
+  const I4 own = splatInt(static_cast<std::int32_t>(index));
+  for (int row = rowBegin; row < rowEnd; ++row) {
+    const float y = static_cast<float>(row) + 0.5f;
+    // Only the part of the axis within reach of this row can colour it: keeps long slanted beads cheap.
+    float t0 = 0, t1 = 1;
+    if (std::abs(d.y) > reach) {
+      const float u = (y - reach - bead.a.y) / d.y, v = (y + reach - bead.a.y) / d.y;
+      t0 = std::clamp(std::min(u, v), 0.0f, 1.0f);
+      t1 = std::clamp(std::max(u, v), 0.0f, 1.0f);
+    }
+    const float x0 = bead.a.x + t0 * d.x, x1 = bead.a.x + t1 * d.x;
+    const float left = std::min(x0, x1) - reach, right = std::max(x0, x1) + reach;
+    const int begin = static_cast<int>(std::clamp(left - 0.5f, 0.0f, static_cast<float>(width)));
+    const int end = static_cast<int>(std::clamp(right + 1.5f, 0.0f, static_cast<float>(width)));
+    const std::size_t line = static_cast<std::size_t>(row - firstRow) * static_cast<std::size_t>(width);
+    const F4 fromY = splat(y - bead.a.y);
+    for (int column = begin; column < end; column += 4) {
+      const F4 fromX = splat(static_cast<float>(column)) + F4{0.5f, 1.5f, 2.5f, 3.5f} - splat(bead.a.x);
+      const F4 along = (fromX * splat(d.x) + fromY * splat(d.y)) * splat(perSquared);
+      const F4 t = min4(max4(along, splat(0)), splat(1));
+      const F4 offX = fromX - splat(d.x) * t;
+      const F4 offY = fromY - splat(d.y) * t;
+      const F4 radius = splat(bead.radiusA) + splat(bead.radiusB - bead.radiusA) * t;
+      const F4 offset2 = offX * offX + offY * offY;
+      const F4 radius2 = radius * radius;
+      // Of four at once.
+      const std::size_t at = line + static_cast<std::size_t>(column);
+      const F4 held = load4(&hits.squaredOffset[at]);
+      const I4 nearer = (offset2 < held * radius2) & (I4{0, 1, 2, 3} < splatInt(end - column));
+      store4(&hits.squaredOffset[at], select4(nearer, offset2 / radius2, held));
+      const I4 heldBead = loadInt4(&hits.bead[at]);
+      storeInt4(&hits.bead[at], heldBead + (nearer & (own - heldBead)));
+    }
+  }
+}
+
+}  // namespace sillon

@@ -1,0 +1,80 @@
+#include "toolpath/line_keeping.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "base/parallel_for.hpp"
+#include "field/double_angle.hpp"
+#include "geometry/closed_curves.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kAlike = 0.8f;     ///< cosine between a segment and the direction asked for, at least
+constexpr float kMostMove = 0.5f;  ///< [tau]
+
+/// Bead's direction asked for at p, between the four cells around it; (0, 0) where they tell none.
+Vec2f beadAt(const LineField& lines, Vec2f p) {
+  const Grid& grid = lines.grid;
+  const double u = (static_cast<double>(p.x) - grid.origin.x) / grid.cell - 0.5;
+  const double v = (static_cast<double>(p.y) - grid.origin.y) / grid.cell - 0.5;
+  const int x0 = static_cast<int>(std::floor(u)), y0 = static_cast<int>(std::floor(v));
+  const float right = static_cast<float>(u - x0), up = static_cast<float>(v - y0);
+  Vec2f z{};
+  for (int k = 0; k < 4; ++k) {
+    const int x = x0 + k % 2, y = y0 + k / 2;
+    if (x < 0 || y < 0 || x >= grid.nx || y >= grid.ny) continue;
+    const Vec2f d = lines.direction[grid.index(x, y)];
+    if (d == Vec2f{}) continue;
+    z = z + lineOf(d) * ((k % 2 == 1 ? right : 1 - right) * (k / 2 == 1 ? up : 1 - up));
+  }
+  const float size = length(z);
+  if (size < 0.5f) return {};
+  const Vec2f d = directionOf(z * (1 / size));
+  return {-d.y, d.x};
+}
+
+}  // namespace
+
+std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lines, double spacing, float pull,
+                                const RunContext& run) {
+  std::vector<Vec2f> moves(curves.points.size());
+  std::vector<Vec2f> excess;  // of the segment asked for over the one there is, from point k to the next
+  std::vector<char> kept;     // whether the segment is to be turned
+  std::vector<float> share;   // of the next point's move in that of point k
+  for (int c = 0; c < curves.count(); ++c) {
+    const auto first = static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)]);
+    const auto n = static_cast<std::size_t>(curves.size(c));
+    excess.assign(n, {});
+    kept.assign(n, 0);
+    share.assign(n, 0);
+    parallelFor(run, static_cast<int>(n), 8192, [&](int begin, int end) {
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+        const Vec2f a = curves.points[first + k], b = curves.points[first + (k + 1) % n];
+        const Vec2f step = b - a;
+        const Vec2f bead = beadAt(lines, (a + b) * 0.5f);
+        const float size = length(step), along = dot(bead, step);
+        if (!(size > 0) || std::abs(along) < kAlike * size) continue;
+        excess[k] = bead * (along < 0 ? -size : size) - step;
+        kept[k] = 1;
+      }
+    });
+    // A symmetric tridiagonal system for each run of points between turned segments: eliminated forwards, solved
+    // backwards. The first point stays, so that a closed curve needs no other treatment.
+    for (std::size_t k = 1; k < n; ++k) {
+      if (!kept[k - 1] || !kept[k]) continue;  // stays: share and move are 0
+      const float inverse = 1 / (2 + pull - share[k - 1]);
+      share[k] = inverse;
+      moves[first + k] = (excess[k - 1] - excess[k] + moves[first + k - 1]) * inverse;
+    }
+    for (std::size_t k = n - 1; k-- > 1;) moves[first + k] = moves[first + k] + moves[first + k + 1] * share[k];
+  }
+  const float most = kMostMove * static_cast<float>(spacing);
+  for (Vec2f& move : moves) {
+    const float size = length(move);
+    if (size > most) move = move * (most / size);
+  }
+  return moves;
+}
+
+}  // namespace sillon
