@@ -10,6 +10,8 @@ import { filesOf } from './serve.js';
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 const engine = at('../wasm/dist/engine');
 const inputs = at('../examples/inputs');
+const pictures = at('../docs/pictures');
+const photograph = 'coupon-photograph.jpg'; // as the coupon is to be photographed
 let dist = at('dist'); // or --outDir
 
 /** The engine's files lie as they are in /engine/, or elsewhere (headers.js): no bundler may touch them. */
@@ -48,16 +50,30 @@ const exampleFiles = {
   configureServer(server) {
     server.middlewares.use(
       '/examples',
-      filesOf(inputs, (request, response) => {
-        response.writeHead(404).end();
-      }),
+      filesOf(
+        inputs,
+        filesOf(pictures, (request, response) => {
+          response.writeHead(404).end();
+        }),
+      ),
     );
   },
   writeBundle() {
-    const used = /^(photo|relief|mosaic|tiles|logo|strokes)(_\w+)?\.(png|svg)$/;
+    const used = /^(photo|relief|mosaic|tiles|logo|strokes|sun|moon)(_\w+)?\.(png|svg)$/;
     for (const name of readdirSync(inputs).filter((name) => used.test(name))) {
       cpSync(join(inputs, name), join(dist, 'examples', name));
     }
+    cpSync(join(pictures, photograph), join(dist, 'examples', photograph));
+  },
+};
+
+/** Where the facts of printers come from stays in the package: the first view need not fetch it. */
+const printerTable = {
+  name: 'studio-printer-table',
+  enforce: 'pre',
+  transform(code, id) {
+    if (!/data[\\/]printers\.json$/.test(id)) return undefined;
+    return JSON.stringify(JSON.parse(code), (key, value) => (key === 'source' || key === 'models' ? undefined : value));
   },
 };
 
@@ -115,7 +131,7 @@ const offline = {
 export default {
   root: at('.'),
   base: './',
-  plugins: [head, engineFiles, exampleFiles, policy, offline],
+  plugins: [head, engineFiles, exampleFiles, printerTable, policy, offline],
   server: { headers: isolation },
   preview: { headers },
   worker: { format: 'iife' }, // sandboxed frames start no modules

@@ -135,7 +135,7 @@ test(
       for (const wrong of ['gallery/../sw.js', '//example.org/gallery/a.zip', 'https://example.org/a.zip']) {
         await other.goto('about:blank');
         await other.goto(`${site.origin}/#open=${wrong}`);
-        await other.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.made);
+        await other.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.result);
       }
       assert.deepEqual(
         fetched.filter((url) => /example\.org|\.zip/.test(url)),

@@ -6,17 +6,20 @@ import directionsWorker from './directions/directions.worker.ts?worker&url';
 import { createRasteriser } from './directions/rasteriser.js';
 import { loadEngine } from './engine/load.js';
 import { StudioEngine } from './engine/studio-engine.js';
-import { createAutosave, type Autosave } from './files/autosave.js';
+import type { Autosave, Kept } from './files/autosave.js';
 import type { PrinterValues } from 'sillon';
 import { onOwnPrinter, withoutBrought } from './model/brought.js';
 import { newPlate } from './model/defaults.js';
 import type { Plate } from './model/plate.js';
+import { homeLight, pictureOf } from './model/lamp.js';
 import { problemOf, StudioError } from './model/problem.js';
 import { addressed } from './embed/address.js';
 import { guestSettings, type GuestSettings } from './model/guest.js';
 import { withPrinter, type PrinterKey } from './model/printers.js';
-import type { Theme } from './model/state.js';
-import { Store } from './model/store.js';
+import { fineResolution } from './model/raster.js';
+import type { PlateResult, Theme } from './model/state.js';
+import type { Untold } from './model/share.js';
+import { Store, type Steps } from './model/store.js';
 import { createOpener } from './opening.js';
 import { workOffline } from './offline.js';
 import './panels/app.js';
@@ -37,8 +40,8 @@ const studio = new Studio(store, threads);
 const engine = new StudioEngine(
   { load: () => loadEngine(threads), now: () => performance.now() },
   {
-    onMade: (made) => {
-      pipeline.onMade(made);
+    onResult: (result) => {
+      pipeline.onResult(result);
     },
     onProgress: (progress) => {
       store.set({ progress });
@@ -52,33 +55,72 @@ const engine = new StudioEngine(
   },
 );
 const rasteriser = createRasteriser(
-  async ({ bytes }) => (await engine.engine()).decodePicture(bytes),
+  async (file) => {
+    const [{ pictureOfFile }, running] = await Promise.all([import('./files/drawn.js'), engine.engine()]);
+    return pictureOfFile(file, running);
+  },
   () => startWorker(directionsWorker, 'directions'),
 );
-const pipeline = new Pipeline(store, engine, rasteriser, () => startWorker(marksWorker, 'marks'));
+const pipeline = new Pipeline(
+  store,
+  engine,
+  rasteriser,
+  () => startWorker(marksWorker, 'marks'),
+  async (plate) => {
+    const [{ shapeRoom }, running] = await Promise.all([import('./directions/shape-room.js'), engine.engine()]);
+    return shapeRoom(plate, running);
+  },
+);
 /** Of the studio itself at once; in a frame none until a host says so. */
 let autosave: Autosave | undefined;
 
-const keeper = (host?: string): Autosave =>
-  createAutosave({
+const rarely = async (): Promise<(typeof import('./i18n/rare.js'))['rare']> => (await import('./i18n/rare.js')).rare;
+
+async function keeper(host?: string): Promise<Autosave> {
+  const { createAutosave } = await import('./files/autosave.js');
+  const made = createAutosave({
     onProblem: (problem) => {
       studio.fail(problem);
     },
+    onTaken: () => {
+      made.save(store.steps);
+      void rarely().then((rare) => {
+        studio.notify(rare('plates.taken'));
+      });
+    },
     ...(host === undefined ? {} : { host }),
   });
+  made.begin(store.state.plate, true);
+  autosave = made;
+  return made;
+}
+
+/** By record: the project files that plates were opened from. */
+const places = new Map<string, FileSystemFileHandle>();
 
 /** What of printers was seen before a file was taken with it, as `toReview` has it. */
 const reviewed = new Set<string>();
 
 /** Another plate altogether; what was there can be had back by undo. */
-function show(plate: Plate): void {
+function show(plate: Plate, fresh = false): void {
   store.settle();
+  autosave?.begin(plate, fresh);
   store.change(() => plate);
-  store.set({ mark: -1, played: 1, playing: false, tool: 'pan' });
+  look();
+}
+
+/** At a plate that nobody has looked at yet. */
+function look(): void {
+  store.set({ mark: -1, played: 1, playing: false, tool: 'pan', opened: [] });
   studio.stage?.fit();
 }
 
 const opener = createOpener(studio, () => engine.engine(), show);
+
+function kept(): Autosave {
+  if (autosave === undefined) throw new StudioError('StorageFull');
+  return autosave;
+}
 
 studio.services = {
   cancel: () => {
@@ -101,7 +143,7 @@ studio.services = {
     return projectData(plate, raster);
   },
   link: async (plate) => {
-    const [{ writeLink }, { untoldText }] = await Promise.all([import('./model/share.js'), import('./i18n/say.js')]);
+    const [{ writeLink }, { untoldText }] = await Promise.all([import('./model/share.js'), import('./i18n/rare.js')]);
     const { hash, untold } = await writeLink(plate, async (file, most) =>
       (await import('./files/shrink.js')).shrunk(file, most),
     );
@@ -125,23 +167,60 @@ studio.services = {
     store.change((plate) => ({ ...plate, printer }));
     studio.notify(t('printer.imported', { name: file.name, n: read.length }));
     if (notRead.length === 0) return;
-    const { importNoteText } = await import('./i18n/say.js');
+    const { importNoteText } = await import('./i18n/say-rare.js');
     studio.notify(t('printer.notRead', { list: notRead.map(importNoteText).join(' ') }));
   },
   newPlate: () => {
-    show(newPlate());
+    show(newPlate(), true);
   },
   welcomed: () => {
     remember('welcomed', 'yes');
   },
-  forget: async () => autosave?.forget(),
+  openedFrom: (project) => {
+    const handle = studio.handles.get(project);
+    if (handle?.kind === 'file' && /\.zip$/i.test(handle.name) && autosave !== undefined)
+      places.set(autosave.current(), handle as FileSystemFileHandle);
+  },
+  savedInPlace: async (project) => {
+    const handle = autosave === undefined ? undefined : places.get(autosave.current());
+    if (handle === undefined) return '';
+    const [{ writeBack }, rare] = await Promise.all([import('./files/in-place.js'), rarely()]);
+    return (await writeBack(handle, project)) ? rare('plates.savedTo', { name: handle.name }) : '';
+  },
+  plates: kept,
+  openPlate: async (id, take) => {
+    const [opened, rare] = await Promise.all([kept().open(id, take), rarely()]);
+    if (opened === undefined) {
+      studio.notify(rare('plates.gone'));
+      return;
+    }
+    showKept(opened.steps);
+    if (opened.state === 'copy') studio.notify(rare('plates.copied'));
+  },
   reviewed: (text) => reviewed.has(text) || (!framed && recallText('reviewed') === text),
   setReviewed: (text) => {
     reviewed.add(text);
     if (!framed) remember('reviewed', text);
   },
+  keptSpools: () => (framed ? undefined : recallText('spools')),
+  keepSpools: (text) => {
+    if (!framed) remember('spools', text);
+  },
   engine: () => engine.engine(),
+  kindPictures: async (plate, wanted) => {
+    const [{ kindPictures }, running] = await Promise.all([import('./own-pictures.js'), engine.engine()]);
+    return kindPictures(plate, store.state.lamp, running, wanted);
+  },
+  shapePictures: async (plate, wanted) => {
+    const [{ shapePictures }, running] = await Promise.all([import('./own-pictures.js'), engine.engine()]);
+    return shapePictures(plate, store.state.lamp, running, wanted);
+  },
+  seen: async (result, directions) => (await import('./seen.js')).seenOf(result, directions),
   directions: () => pipeline.directions(),
+  async handDirections(strokes, box, angle) {
+    const { handRaster } = await import('./directions/hand.js');
+    return handRaster(strokes, box, angle, fineResolution);
+  },
   examine: async (block, flavor) => (await engine.engine()).examineBlock(block, flavor),
 };
 
@@ -163,60 +242,86 @@ async function restore(): Promise<void> {
     return;
   }
   const first = store.state.plate;
-  autosave = keeper();
-  const kept = autosave.load();
+  const kept = keeper().then((made) => made.load());
   const opened = (await openLink(kept)) || (await openAddress(kept));
   const restored = await restoreKept(kept, () => !opened);
   if (!opened && !restored && store.state.plate === first && recallText('welcomed') === undefined) {
-    store.set({ welcome: true });
+    await greet(first);
   }
 }
 
+/** A first visit: a plate that moves by itself until somebody touches it. @param first  what is shown so far */
+async function greet(first: Plate): Promise<void> {
+  const loading = import('./shimmer.js').then(({ loadShimmer }) => loadShimmer());
+  const plate = await opener.first().catch(() => first); // it can be done without
+  if (store.state.plate !== first) return; // a hand was faster
+  store.change(() => plate);
+  look();
+  store.forgetSteps();
+  store.set({ welcome: true, flipping: plate !== first && !studio.calm() });
+  loading.then(
+    (shimmer) => {
+      if (store.state.plate === plate && store.state.result === undefined) store.set({ shimmer });
+    },
+    () => undefined, // the beads will be there soon
+  );
+}
+
 /** Of the work that was left here, which may still be on its way. */
-async function ownPrinter(kept: Promise<Plate | undefined> | undefined): Promise<PrinterValues> {
-  const plate = await Promise.race([kept, elapsed(restoreWithin)]);
-  return (plate ?? store.state.plate).printer;
+async function ownPrinter(kept: Promise<Kept | undefined> | undefined): Promise<PrinterValues> {
+  const found = await Promise.race([kept, elapsed(restoreWithin)]);
+  const plate = found !== undefined && found.state !== 'elsewhere' ? found.steps.plate : store.state.plate;
+  return plate.printer;
 }
 
 /** @param wanted  whether it is still to be shown
  * @returns whether there was work of an earlier visit, which is shown now; what comes too late is offered instead */
-async function restoreKept(kept: Promise<Plate | undefined>, wanted: () => boolean = () => true): Promise<boolean> {
+async function restoreKept(kept: Promise<Kept | undefined>, wanted: () => boolean = () => true): Promise<boolean> {
   const before = store.state.plate;
-  const plate = await kept;
-  if (plate === undefined) return false;
+  const found = await kept;
+  if (found === undefined) return false;
   const shows = wanted() && store.state.plate === before; // else a hand was faster
-  if (shows) showKept(plate);
-  else offerKept(plate);
-  return shows;
+  if (found.state === 'elsewhere') {
+    const action = {
+      label: t('verb.plates'),
+      run: () => {
+        studio.show('plates');
+      },
+    };
+    if (shows) studio.notify((await rarely())('plates.left'), action);
+    return shows;
+  }
+  if (!shows) {
+    studio.notify(t('restore.late'), {
+      label: t('restore.show'),
+      run: () => {
+        showKept(found.steps);
+      },
+    });
+    return false;
+  }
+  showKept(found.steps);
+  if (found.state === 'copy') studio.notify((await rarely())('plates.copied'));
+  else {
+    studio.notify(t('restore.done'), {
+      label: t('restore.discard'),
+      run: () => {
+        studio.services.newPlate();
+      },
+    });
+  }
+  return true;
 }
 
-function showKept(plate: Plate): void {
-  show(plate);
-  store.forgetSteps(); // undone, it would be gone for the plate that a first visit shows
-  studio.notify(t('restore.done'), {
-    label: t('restore.discard'),
-    run: () => {
-      studio.services.newPlate();
-    },
-  });
-}
-
-/** One step of undo brings it, too: it is not kept any more once the plate that is shown has changed. */
-function offerKept(plate: Plate): void {
-  const { plate: shown } = store.state;
-  store.settle();
-  store.change(() => plate);
-  store.change(() => shown);
-  studio.notify(t('restore.late'), {
-    label: t('restore.show'),
-    run: () => {
-      show(plate);
-    },
-  });
+/** With the steps that led to it: undone, a plate must not become the one that was shown before. */
+function showKept(steps: Steps): void {
+  autosave?.begin(steps.plate);
+  store.restore(steps);
+  look();
 }
 
 /** Of the files that the address names, on this page's own site. */
-async function openAddress(kept?: Promise<Plate | undefined>): Promise<boolean> {
+async function openAddress(kept?: Promise<Kept | undefined>): Promise<boolean> {
   for (const { where, value } of asked.wrong) studio.fail({ code: 'GuestValue', values: { where, value }, detail: '' });
   if (asked.files.length === 0) return false;
   return studio.attempt(async () => {
@@ -235,11 +340,11 @@ function usePrinter(key: PrinterKey | undefined): void {
   if (key !== undefined) store.change((plate) => withPrinter(withoutBrought(plate), key));
 }
 
-async function openLink(kept?: Promise<Plate | undefined>): Promise<boolean> {
+async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
   const { hash } = location;
   // Projects of the site's own gallery, and nothing else.
   const project = /^#open=(gallery\/\w+\.zip)$/.exec(hash)?.[1];
-  if (project === undefined && !hash.startsWith('#plate=')) return false;
+  if (project === undefined && hash !== '#shared' && !hash.startsWith('#plate=')) return false;
   // A reload must bring back the work that followed, not the link.
   history.replaceState(null, '', location.pathname + location.search);
   return studio.attempt(async () => {
@@ -247,13 +352,24 @@ async function openLink(kept?: Promise<Plate | undefined>): Promise<boolean> {
       await opener.openOwn(project);
       return;
     }
+    if (hash === '#shared') {
+      const { sharedFiles } = await import('./files/handed.js');
+      await studio.open(await sharedFiles());
+      return;
+    }
     const { readLink } = await import('./model/share.js');
-    const plate = await readLink(hash, async (name, bytes) =>
-      (await import('./files/source-file.js')).sourceFile(name, bytes),
+    let missing: Untold[] = [];
+    const plate = await readLink(
+      hash,
+      async (name, bytes) => (await import('./files/source-file.js')).sourceFile(name, bytes),
+      (parts) => {
+        missing = parts;
+      },
     );
     if (plate === undefined) return;
     show(onOwnPrinter(plate, await ownPrinter(kept)));
-    studio.notify(t('link.opened'));
+    const { missingText } = await import('./i18n/rare.js');
+    studio.notify(`${t('link.opened')} ${missingText(missing)}`.trim());
   });
 }
 
@@ -266,12 +382,21 @@ function keepUp(): void {
       if (lamps > 0 && state.tool !== 'pan') store.set({ tool: 'pan' });
       if (state.lamp >= Math.max(1, lamps)) store.set({ lamp: 0 });
       if (lamps < 2 && state.flipping) store.set({ flipping: false });
-      if (lamps === 0 && state.wipe > 0) store.set({ wipe: 0 });
+      const shown = { picture: pictureOf(state.plate, 0) !== undefined, zigzag: true, conflict: lamps > 1 };
+      if (state.over !== undefined && !shown[state.over]) store.set({ over: undefined });
     }
-    if (state.plate !== before.plate) {
-      autosave?.save(state.plate);
+    const arrives = state.welcome && !before.welcome; // the first plate, which is nobody's work
+    if (state.plate !== before.plate && !arrives) {
+      autosave?.save(store.steps);
       if (state.welcome) studio.endWelcome();
     }
+    if (state.shimmer !== undefined && (state.result !== undefined || !state.welcome))
+      store.set({ shimmer: undefined });
+  });
+  store.subscribe((state, before) => {
+    if (state.result === before.result || state.result?.measured !== true) return;
+    if (!framed) picture(state.result);
+    scan(state.result);
   });
   addEventListener('pagehide', () => void autosave?.flush());
   document.addEventListener('visibilitychange', () => {
@@ -282,6 +407,38 @@ function keepUp(): void {
   addEventListener('unhandledrejection', ({ reason }) => {
     studio.fail(problemOf(reason));
   });
+}
+
+/** Of a finished plate with a code: whether it can be read. */
+function scan(result: PlateResult): void {
+  const { plate } = result;
+  if (result.coarse || plate.directions.kind !== 'qr') return;
+  void Promise.all([import('./scan.js'), engine.engine()])
+    .then(async ([{ scan }, running]) => {
+      const azimuths = await scan(result, running, () => store.state.result === result);
+      if (azimuths !== undefined) store.set({ scan: { plate, azimuths } });
+    })
+    .catch(() => undefined); // nothing is claimed
+}
+
+const pictureAfter = 800; // [ms] without another plate
+const pictureSide = 240; // [pixels]
+
+/** Of a finished plate, for the list of plates. */
+function picture({ plate, toolpath, coarse }: PlateResult): void {
+  if (coarse) return;
+  setTimeout(() => {
+    const { result } = store.state;
+    if (result?.plate !== plate || store.state.plate !== plate) return;
+    void Promise.all([import('./views/miniature.js'), import('./model/filaments.js')])
+      .then(async ([{ miniature }, { viewLook }]) =>
+        autosave?.picture(
+          plate,
+          await miniature(toolpath, viewLook(plate).colour, homeLight(plate, toolpath.look), pictureSide),
+        ),
+      )
+      .catch(() => undefined); // the list has a sign in its place
+  }, pictureAfter);
 }
 
 function applyTheme(theme: Theme): void {
@@ -342,7 +499,7 @@ async function frame(): Promise<void> {
     finished: () => pipeline.finished(),
     make: (product) => studio.make(product),
     picture: (width) => studio.picture(width),
-    video: (seconds) => studio.video(seconds),
+    video: (seconds, signal) => studio.video(seconds, signal),
     cancel: () => {
       pipeline.cancel();
     },
@@ -352,8 +509,8 @@ async function frame(): Promise<void> {
       if (name === undefined || origin === 'null') return false;
       let waits = true;
       const late = elapsed(hostWaits).then(() => (waits = false));
-      autosave = keeper(`${origin} ${name}`);
-      const restored = await Promise.race([restoreKept(autosave.load(), () => waits), late]);
+      const kept = keeper(`${origin} ${name}`).then((made) => made.load());
+      const restored = await Promise.race([restoreKept(kept, () => waits), late]);
       if (restored) begin();
       return restored;
     },
@@ -381,6 +538,11 @@ async function start(): Promise<void> {
   if (framed) {
     await frame();
     return; // other pages work as they work without a network
+  }
+  if ('launchQueue' in window) {
+    void import('./files/handed.js').then(({ onLaunched }) => {
+      onLaunched((files) => void studio.open(files), studio.handles);
+    });
   }
   void workOffline({
     onReady: () => {

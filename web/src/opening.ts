@@ -2,10 +2,10 @@
 import type { Engine } from 'sillon';
 import { t } from './i18n/text.js';
 import { onOwnPrinter } from './model/brought.js';
-import { newPlate } from './model/defaults.js';
+import { newGenerator, newLampDirections, newPlate } from './model/defaults.js';
 import { withFilament } from './model/filaments.js';
 import { homeLight } from './model/lamp.js';
-import type { Plate, ShapeSource, SourceFile } from './model/plate.js';
+import type { DirectionSource, Plate, ShapeSource, SourceFile } from './model/plate.js';
 import { StudioError, type Problem } from './model/problem.js';
 import type { Example } from './panels/examples.js';
 import type { Opened, Opening, Role } from './model/file-role.js';
@@ -17,6 +17,8 @@ export interface Opener {
   /** Uses one of the files that were opened last as something else. */
   setRole(index: number, role: Role): Promise<void>;
   openExample(example: Example): Promise<void>;
+  /** The plate that a first visit sees. @throws StudioError LoadFailed */
+  first(): Promise<Plate>;
   /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
   openOwn(path: string): Promise<void>;
   /** Another plate, of these files alone. @param trusted  whether a project's own printer may be used */
@@ -26,63 +28,111 @@ export interface Opener {
 const gesture = 'files';
 
 /** @param show  puts up another plate altogether. */
-export function createOpener(studio: Studio, engine: () => Promise<Engine>, show: (plate: Plate) => void): Opener {
+export function createOpener(
+  studio: Studio,
+  engine: () => Promise<Engine>,
+  show: (plate: Plate, fresh?: boolean) => void,
+): Opener {
   /** What the files are put into, whatever they are used as. */
   let before: Plate | undefined;
 
-  async function use(opened: readonly Opened[]): Promise<void> {
+  /** @param step  while the plate is made of them */
+  async function use(
+    opened: readonly Opened[],
+    step: (work: Promise<Plate>) => Promise<Plate> = (work) => work,
+  ): Promise<void> {
     const { withFiles } = await import('./files/open.js');
     const base = before ?? studio.store.state.plate;
-    const { light, lightMode, made } = studio.store.state;
+    const { light, lightMode, result } = studio.store.state;
     const tell = (problem: Problem): void => {
       studio.fail(problem);
     };
     // That on the screen: where a hand has put it, else where it comes back to.
-    const lamp = lightMode === 'fixed' ? light : homeLight(base, made?.toolpath.look);
-    const plate = await withFiles(base, opened, await engine(), tell, lamp);
+    const lamp = lightMode === 'fixed' ? light : homeLight(base, result?.toolpath.look);
+    const plate = await step(withFiles(base, opened, await engine(), tell, lamp));
     // One step of undo, however often the roles are changed.
     studio.store.change(() => plate, gesture);
     studio.store.set({ opened });
     studio.stage?.fit();
   }
 
+  /** @param stop  ends it; the plate is as before then */
+  async function read(files: readonly File[], role: Role | undefined, stop: AbortController): Promise<void> {
+    const { signal } = stop;
+    const stopped = new Promise<never>((_, reject) => {
+      signal.addEventListener('abort', () => {
+        reject(signal.reason as Error);
+      });
+    });
+    stopped.catch(() => undefined);
+    const name = files[0]?.name ?? '';
+    /** One after the other, each told of; what goes on after a stop is of no use to anybody. */
+    const step = <Result>(fraction: number, work: Promise<Result>): Promise<Result> => {
+      signal.throwIfAborted();
+      const cancel = (): void => {
+        stop.abort();
+      };
+      studio.store.set({ reading: { name, fraction, cancel } });
+      return Promise.race([work, stopped]);
+    };
+    const { hasUnits, identify, isSliced, readable } = await step(0.05, import('./files/open.js'));
+    const { mode, host } = studio.store.state;
+    const plate = withoutExample(studio.store.state.plate);
+    const [sliced] = files;
+    // What somebody dropped for their printer is not for a page that shows this one.
+    if (
+      sliced !== undefined &&
+      role === undefined &&
+      mode === 'edit' &&
+      host === '' &&
+      (await step(0.1, isSliced(files)))
+    ) {
+      studio.store.set({ sliced, dialog: 'rebrush' });
+      return;
+    }
+    const pictures = await step(0.15, Promise.all(files.map(readable)));
+    const found = await step(
+      0.4,
+      engine().then((running) => identify(pictures, plate, running)),
+    );
+    if (found.project !== undefined) {
+      show(onOwnPrinter(found.project, plate.printer));
+      if (sliced !== undefined && files.length === 1) studio.services.openedFrom(sliced);
+      studio.store.set({ opened: [] });
+      return;
+    }
+    before = plate;
+    studio.store.settle();
+    if (role !== undefined) {
+      found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
+    }
+    await use(found.opened, (work) => step(0.7, work));
+    if (found.opened.length > 1) {
+      studio.show('files');
+      return;
+    }
+    for (const { source, role } of found.opened) {
+      const { plate: made } = studio.store.state;
+      const drawn = role === 'shape' || (role === 'colours' && source.bytes.type === 'image/svg+xml');
+      const unsaid = drawn && !(await hasUnits(source));
+      const size = { width: made.width, height: made.height };
+      const told = `${t('files.opened', { name: source.name, role: t(`role.${role}`) })} ${unsaid ? t('files.sized', size) : ''}`;
+      studio.notify(told.trim(), {
+        label: t('files.change'),
+        run: () => {
+          studio.show('files');
+        },
+      });
+    }
+  }
+
   const opener: Opener = {
     async open(files, role) {
-      const { hasUnits, identify, isSliced, readable } = await import('./files/open.js');
-      const { plate, mode, host } = studio.store.state;
-      const [sliced] = files;
-      // What somebody dropped for their printer is not for a page that shows this one.
-      if (sliced !== undefined && role === undefined && mode === 'edit' && host === '' && (await isSliced(files))) {
-        studio.store.set({ sliced, dialog: 'rebrush' });
-        return;
-      }
-      const found = await identify(await Promise.all(files.map(readable)), plate, await engine());
-      if (found.project !== undefined) {
-        show(onOwnPrinter(found.project, plate.printer));
-        studio.store.set({ opened: [] });
-        return;
-      }
-      before = plate;
-      studio.store.settle();
-      if (role !== undefined) {
-        found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
-      }
-      await use(found.opened);
-      if (found.opened.length > 1) {
-        studio.show('files');
-        return;
-      }
-      for (const { source, role } of found.opened) {
-        const { plate: made } = studio.store.state;
-        const unsaid = role === 'shape' && !(await hasUnits(source));
-        const size = { width: made.width, height: made.height };
-        const told = `${t('files.opened', { name: source.name, role: t(`role.${role}`) })} ${unsaid ? t('files.sized', size) : ''}`;
-        studio.notify(told.trim(), {
-          label: t('files.change'),
-          run: () => {
-            studio.show('files');
-          },
-        });
+      const stop = new AbortController();
+      try {
+        await read(files, role, stop);
+      } finally {
+        studio.store.set({ reading: undefined });
       }
     },
 
@@ -106,8 +156,13 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
     },
 
     async openExample(example) {
-      show(await plateOf(example));
+      show(await plateOf(example), true);
       studio.store.set({ opened: [] });
+    },
+
+    async first() {
+      const { opening } = await import('./panels/examples.js');
+      return plateOf(opening);
     },
 
     async openOwn(path) {
@@ -117,10 +172,19 @@ export function createOpener(studio: Studio, engine: () => Promise<Engine>, show
   return opener;
 }
 
+const ofExample = 'example/';
+
+/** Somebody's own picture takes the place of an example's, which else would stay beside it under a lamp of its own. */
+function withoutExample(plate: Plate): Plate {
+  const { directions } = plate;
+  const example = directions.kind === 'lamp' && directions.pictures.every(({ file }) => file.id.startsWith(ofExample));
+  return example ? { ...plate, name: '', directions: newGenerator('waves') } : plate;
+}
+
 /** The role that a file gets. @param wanted  of an `Opening` */
 function asked({ source, role, roles }: Opened, wanted: string): Role {
   if (wanted === '') return role;
-  const directions: readonly Role[] = ['lamp', 'tone', 'edges', 'levels', 'angle', 'rotation', 'tangent'];
+  const directions: readonly Role[] = ['lamp', 'tone', 'edges', 'levels', 'colours', 'angle', 'rotation', 'tangent'];
   const means: Record<string, readonly Role[]> = { shape: ['shape', 'mask'], image: [role, ...directions] };
   const possible = Object.hasOwn(means, wanted) ? (means[wanted] ?? []) : roles.filter((one) => one === wanted);
   const found = possible.find((one) => roles.includes(one) && (wanted !== 'image' || directions.includes(one)));
@@ -139,10 +203,19 @@ async function fetchedBytes(path: string): Promise<Blob> {
 }
 
 const fetched = async (name: string): Promise<SourceFile> => ({
-  id: `example/${name}`,
+  id: ofExample + name,
   name,
   bytes: await fetchedBytes(`examples/${name}`),
 });
+
+async function directionsOf(directions: Example['directions']): Promise<DirectionSource> {
+  if ('kind' in directions) return directions;
+  if ('file' in directions) return { ...directions, kind: 'map', file: await fetched(directions.file) };
+  const { pictures } = directions;
+  return newLampDirections(
+    await Promise.all(pictures.map(async ({ file, lamp }) => ({ file: await fetched(file), lamp }))),
+  );
+}
 
 async function plateOf(example: Example): Promise<Plate> {
   const { directions, modes = {}, width, height, filament, spacing, nozzle, nearest } = example;
@@ -157,10 +230,7 @@ async function plateOf(example: Example): Promise<Plate> {
     shape,
     width,
     height,
-    directions:
-      'kind' in directions
-        ? directions
-        : { kind: 'map', file: await fetched(directions.file), encoding: directions.encoding },
+    directions: await directionsOf(directions),
     modes: {
       base: modes.base ?? plate.modes.base,
       ...(modes.file === undefined ? {} : { file: await fetched(modes.file) }),

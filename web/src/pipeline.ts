@@ -1,15 +1,15 @@
 // From a plate to what follows from it: directions, toolpath, places to look at, the file's summary.
 import type { Gcode, GcodeCheck } from 'sillon';
-import { coarseResolution, fineResolution } from './directions/rasterise.js';
-import type { DirectionRaster } from './model/raster.js';
+import { coarseResolution, fineResolution, type DirectionRaster } from './model/raster.js';
 import type { Mark } from './model/view.js';
+import type { Room } from './directions/room.js';
 import type { Rasteriser } from './directions/rasteriser.js';
 import type { StudioEngine } from './engine/studio-engine.js';
 import { viewLook } from './model/filaments.js';
-import { isOf, isRound, sameDirections, sameSource } from './model/made.js';
+import { isOf, isRound, roomShape, sameDirections, sameSource } from './model/result.js';
 import type { Plate } from './model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from './model/problem.js';
-import type { Made } from './model/state.js';
+import type { PlateResult } from './model/state.js';
 import type { Store } from './model/store.js';
 import type { Shown } from './panels/shown.js';
 
@@ -23,13 +23,14 @@ interface Drawn {
 
 interface Written {
   plate: Plate;
-  made: Made;
+  result: PlateResult;
   gcode: Gcode;
   check: GcodeCheck;
 }
 
-const sameFile = (a: Written, plate: Plate, made: Made | undefined): boolean =>
-  a.made.toolpath.cycles === made?.toolpath.cycles &&
+const sameFile = (a: Written, plate: Plate, result: PlateResult | undefined): boolean =>
+  isOf(a.result, plate) && // a new plate stands beside the old result until its own is there
+  a.result.toolpath.cycles === result?.toolpath.cycles &&
   a.plate.print === plate.print &&
   a.plate.printer === plate.printer;
 
@@ -47,6 +48,8 @@ export class Pipeline {
     private readonly rasteriser: Rasteriser,
     /** Starts marks.worker.ts. */
     private readonly startMarks: () => Worker,
+    /** What of the page is inside the shape. */
+    private readonly room: (plate: Plate) => Promise<Room>,
   ) {}
 
   start(): void {
@@ -70,7 +73,7 @@ export class Pipeline {
   }
 
   /** The whole, measured path of the plate as it is now, however newly that has changed. */
-  async finished(): Promise<Made> {
+  async finished(): Promise<PlateResult> {
     await this.directions();
     return this.engine.finished();
   }
@@ -83,7 +86,7 @@ export class Pipeline {
     clearTimeout(this.#summaryTimer);
     const written = { plate, ...(await this.engine.gcode(plate)) };
     this.#written = written;
-    if (sameFile(written, this.store.state.plate, this.store.state.made))
+    if (sameFile(written, this.store.state.plate, this.store.state.result))
       this.store.set({ summary: written.gcode.summary, check: written.check });
     return written.gcode;
   }
@@ -118,10 +121,10 @@ export class Pipeline {
     }
   }
 
-  onMade(made: Made): void {
-    const sameBeads = made.toolpath.cycles === this.store.state.made?.toolpath.cycles;
-    this.store.set({ made, ...(sameBeads ? {} : { marks: [], mark: -1 }) });
-    if (!made.coarse && !sameBeads) this.#findMarks(made);
+  onResult(result: PlateResult): void {
+    const sameBeads = result.toolpath.cycles === this.store.state.result?.toolpath.cycles;
+    this.store.set({ result, ...(sameBeads ? {} : { marks: [], mark: -1 }) });
+    if (!result.coarse && !sameBeads) this.#findMarks(result);
     this.#summarise();
   }
 
@@ -158,6 +161,7 @@ export class Pipeline {
         strokes: plate.directions.kind === 'lamp' ? [] : plate.strokes, // the engine solves for them alone
         page: [plate.width, plate.height || plate.width],
         round: isRound(plate),
+        room: roomShape(plate) === undefined ? undefined : await this.room(plate),
         resolution: coarse ? coarseResolution : fineResolution,
       });
       if (raster === undefined) return undefined;
@@ -173,7 +177,7 @@ export class Pipeline {
     return undefined;
   }
 
-  #findMarks(made: Made): void {
+  #findMarks(result: PlateResult): void {
     this.#marksWorker?.terminate(); // what it looks through is stale
     const worker = this.startMarks();
     this.#marksWorker = worker;
@@ -181,22 +185,22 @@ export class Pipeline {
       worker.terminate();
       this.store.set({ marks: data, mark: -1 });
     };
-    worker.postMessage(made.toolpath);
+    worker.postMessage(result.toolpath);
   }
 
   /** Time, length and weight need the file to be written; it is kept for a download. */
   #summarise(): void {
     clearTimeout(this.#summaryTimer);
-    const { plate, made, summary } = this.store.state;
-    if (this.#written !== undefined && sameFile(this.#written, plate, made)) {
+    const { plate, result, summary } = this.store.state;
+    if (this.#written !== undefined && sameFile(this.#written, plate, result)) {
       this.store.set({ summary: this.#written.gcode.summary, check: this.#written.check });
       return;
     }
     if (summary !== undefined) this.store.set({ summary: undefined, check: undefined });
-    if (made === undefined || made.coarse || !made.measured || !isOf(made, plate)) return;
+    if (result === undefined || result.coarse || !result.measured || !isOf(result, plate)) return;
     this.#summaryTimer = setTimeout(() => {
       const { state } = this.store;
-      if (state.live || state.cancelled || state.made?.toolpath.cycles !== made.toolpath.cycles) return;
+      if (state.live || state.cancelled || state.result?.toolpath.cycles !== result.toolpath.cycles) return;
       this.gcode().catch((error: unknown) => {
         if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
       });

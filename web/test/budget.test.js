@@ -59,7 +59,7 @@ test('the engine lies there once, and as it was built', () => {
   const wasm = names.filter((name) => name.endsWith('.wasm')).sort();
   assert.deepEqual(
     wasm,
-    ['files', 'mt', 'rebrush', 'st'].map((name) => `engine/sillon-${name}.wasm`),
+    ['calibrate', 'files', 'mt', 'photo', 'rebrush', 'st'].map((name) => `engine/sillon-${name}.wasm`),
   );
   const built = fileURLToPath(new URL('../../wasm/dist/engine/', import.meta.url));
   for (const name of names.filter((name) => name.startsWith('engine/'))) {

@@ -1,4 +1,5 @@
-import { createServer, type Request } from './serve.js';
+import type { Request } from './request.js';
+import { createServer } from './serve.js';
 import { drawText } from './text.js';
 
 const serve = createServer(drawText);

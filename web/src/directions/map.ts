@@ -66,7 +66,11 @@ export function mapAngles(encoding: DirectionEncoding, size: Size, picture: Pict
   return storeDoubles(x, y);
 }
 
-export function nearest<Values extends Uint8Array | Uint16Array>(values: Values, from: Size, to: Size): Values {
+export function nearest<Values extends Uint8Array | Uint16Array | Int32Array>(
+  values: Values,
+  from: Size,
+  to: Size,
+): Values {
   const make = values.constructor as new (length: number) => Values;
   const out = new make(to.width * to.height);
   const columns = Int32Array.from({ length: to.width }, (_, x) => Math.floor(((x + 0.5) * from.width) / to.width));

@@ -2,6 +2,7 @@
 import type { Picture } from 'sillon';
 import type { DirectionSource, ModeSource, Stroke } from '../model/plate.js';
 import { storeDegrees } from './angle.js';
+import { coloursAngles } from './colours.js';
 import { edgesAngles } from './edges.js';
 import { levelsAngles } from './levels.js';
 import { mapAngles, mapSize } from './map.js';
@@ -10,16 +11,13 @@ import { noiseAngles } from './noise.js';
 import { qrAngles } from './qr.js';
 import { radialAngles } from './radial.js';
 import type { DirectionRaster } from '../model/raster.js';
+import type { Room } from './room.js';
 import { spiralAngles } from './spiral.js';
 import { withStrokes } from './strokes.js';
 import { textAngles } from './text.js';
 import { sizeFor, type Page, type Size } from './texels.js';
 import { toneAngles } from './tone.js';
 import { wavesAngles } from './waves.js';
-
-/** Texels of the longer side, for plates that are printed and for what must keep up with a hand. */
-export const fineResolution = 1024;
-export const coarseResolution = 256;
 
 export interface Pictures {
   /** The source's file decoded, the letters of a text, or the modules of a QR code. */
@@ -33,6 +31,7 @@ function anglesOfSource(
   page: Page,
   picture: Picture | undefined,
   round: boolean,
+  room: Room | undefined,
 ): Uint16Array {
   const shown = (): Picture => {
     if (picture === undefined) throw new Error(`directions of kind "${source.kind}" need a picture`);
@@ -51,10 +50,12 @@ function anglesOfSource(
       return edgesAngles(source, size, page, shown());
     case 'levels':
       return levelsAngles(source, size, shown());
+    case 'colours':
+      return coloursAngles(source, size, shown());
     case 'text':
       return textAngles(source, size, shown());
     case 'qr':
-      return qrAngles(source, size, page, shown(), round);
+      return qrAngles(source, size, page, shown(), round, room);
     case 'radial':
       return radialAngles(source, size, page);
     case 'spiral':
@@ -66,7 +67,8 @@ function anglesOfSource(
   }
 }
 
-/** What strokes are laid over, and what the eraser brings back. @param round  the shape is the ellipse of the page */
+/** What strokes are laid over, and what the eraser brings back. @param round  the shape is the ellipse of the page
+ * @param room  of any other shape that is not its page */
 export function rasteriseSource(
   source: DirectionSource,
   modes: ModeSource,
@@ -74,11 +76,12 @@ export function rasteriseSource(
   resolution: number,
   pictures: Pictures,
   round = false,
+  room?: Room,
 ): DirectionRaster {
   const own = source.kind === 'map' ? pictures.source : undefined;
   const { width, height } = own === undefined ? sizeFor(page, resolution) : mapSize(own, page, resolution);
   const size = { width, height };
-  const angle = anglesOfSource(source, size, page, pictures.source, round);
+  const angle = anglesOfSource(source, size, page, pictures.source, round, room);
   return { ...size, angle, mode: modesOn(modes.base, size, pictures.modes) };
 }
 

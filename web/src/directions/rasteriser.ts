@@ -3,7 +3,8 @@ import type { Picture } from 'sillon';
 import type { DirectionSource, ModeSource, SourceFile, Stroke } from '../model/plate.js';
 import { StudioError } from '../model/problem.js';
 import type { DirectionRaster } from '../model/raster.js';
-import { filesOf, type Reply, type Request } from './serve.js';
+import { filesOf, type Reply, type Request } from './request.js';
+import type { Room } from './room.js';
 import type { Page } from './texels.js';
 
 export interface Wanted {
@@ -13,6 +14,8 @@ export interface Wanted {
   page: Page;
   /** The shape is the ellipse of the page. */
   round?: boolean;
+  /** Of any other shape that is not its page, for codes and letters. */
+  room?: Room | undefined;
   /** Texels of the longer side; see rasterise.ts for the usual ones. */
   resolution: number;
 }
@@ -70,6 +73,7 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
     page,
     resolution,
     round = false,
+    room,
   }: Wanted): Promise<Request> => {
     const pictures = new Map<string, Picture>();
     for (const one of [source, modes]) {
@@ -86,6 +90,7 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
       page,
       resolution,
       round,
+      room,
       keptStrokes,
       newStrokes: wantedStrokes.slice(keptStrokes),
       pictures,

@@ -1,36 +1,14 @@
 // What the worker of directions does with requests: it keeps pictures, the source's raster and the last replay.
 import type { Picture } from 'sillon';
-import type { DirectionSource, ModeSource, Stroke } from '../model/plate.js';
-import { problemOf, type Problem } from '../model/problem.js';
+import type { Stroke } from '../model/plate.js';
+import { problemOf } from '../model/problem.js';
 import { qrPicture } from './qr.js';
 import { rasteriseSource, type Pictures } from './rasterise.js';
 import type { DirectionRaster } from '../model/raster.js';
+import { fileOf, filesOf, type Reply, type Request } from './request.js';
 import { replayed, type Replay } from './strokes.js';
 import { drawText } from './text.js';
-import { sizeFor, type Page } from './texels.js';
-
-export interface Request {
-  source: DirectionSource;
-  modes: ModeSource;
-  page: Page;
-  /** The shape is the ellipse of the page: codes and letters stay within. */
-  round: boolean;
-  resolution: number;
-  /** How many of the last request's strokes stay, and what follows them. */
-  keptStrokes: number;
-  newStrokes: readonly Stroke[];
-  /** Decoded files by id, as far as the last request did not bring them. */
-  pictures: ReadonlyMap<string, Picture>;
-}
-
-export type Reply = { raster: DirectionRaster } | { problem: Problem };
-
-const fileOf = (source: DirectionSource | ModeSource): string | undefined =>
-  'file' in source ? source.file?.id : undefined;
-
-/** Ids of the files that a raster is made from. */
-export const filesOf = (source: DirectionSource, modes: ModeSource): string[] =>
-  [fileOf(source), fileOf(modes)].filter((id) => id !== undefined);
+import { sizeFor } from './texels.js';
 
 /** @param draw  the letters of a text */
 export function createServer(draw: typeof drawText): (request: Request) => Promise<Reply> {
@@ -40,14 +18,14 @@ export function createServer(draw: typeof drawText): (request: Request) => Promi
   let sourceRaster: DirectionRaster | undefined;
   let replay: Replay | undefined;
 
-  const picturesFor = async ({ source, modes, page, resolution, round }: Request): Promise<Pictures> => {
+  const picturesFor = async ({ source, modes, page, resolution, round, room }: Request): Promise<Pictures> => {
     const named = (id: string | undefined): Picture | undefined => (id === undefined ? undefined : pictures.get(id));
     const shown: Pictures = {};
     const ofModes = named(fileOf(modes));
     if (ofModes !== undefined) shown.modes = ofModes;
     const ofSource =
       source.kind === 'text'
-        ? draw(source, sizeFor(page, resolution), round)
+        ? draw(source, sizeFor(page, resolution), round, room)
         : source.kind === 'qr'
           ? await qrPicture(source.text)
           : named(fileOf(source));
@@ -57,7 +35,7 @@ export function createServer(draw: typeof drawText): (request: Request) => Promi
 
   return async (request) => {
     try {
-      const { source, modes, page, resolution, round } = request;
+      const { source, modes, page, resolution, round, room } = request;
       const known = new Map([...pictures, ...request.pictures]);
       pictures = new Map(
         filesOf(source, modes).flatMap((id) => {
@@ -66,10 +44,10 @@ export function createServer(draw: typeof drawText): (request: Request) => Promi
         }),
       );
       strokes = [...strokes.slice(0, request.keptStrokes), ...request.newStrokes];
-      const key = JSON.stringify([source, modes, page, resolution, round]);
+      const key = JSON.stringify([source, modes, page, resolution, round, room?.key]);
       if (sourceRaster === undefined || key !== sourceKey) {
         sourceRaster = undefined;
-        sourceRaster = rasteriseSource(source, modes, page, resolution, await picturesFor(request), round);
+        sourceRaster = rasteriseSource(source, modes, page, resolution, await picturesFor(request), round, room);
         sourceKey = key;
       }
       const done = replayed(replay, sourceRaster, strokes, page);

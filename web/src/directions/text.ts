@@ -1,6 +1,7 @@
 import type { Picture } from 'sillon';
 import { storeDegrees } from './angle.js';
 import { parted, tonesAt } from './grey.js';
+import { placeIn, type Room } from './room.js';
 import type { SourceOf } from './source.js';
 import type { Size } from './texels.js';
 
@@ -12,8 +13,8 @@ const mostOfPage = 0.94; // larger letters are made smaller rather than cut off
 export const fitOf = (wide: number, tall: number, round: boolean): number =>
   Math.min(1, round ? mostOfPage / Math.max(1e-6, Math.hypot(wide, tall)) : mostOfPage / Math.max(wide, tall, 1e-6));
 
-/** The letters, white on black, in the middle of the page. The one function here that needs a canvas. */
-export function drawText(source: SourceOf<'text'>, { width, height }: Size, round = false): Picture {
+/** The letters, white on black, in the middle of the page, or where they fit into `room`. The one function here that needs a canvas. */
+export function drawText(source: SourceOf<'text'>, { width, height }: Size, round = false, room?: Room): Picture {
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Error('this browser has no canvas to draw letters on');
   const family = source.font.replace(/[^\p{L}\p{N} ,-]/gu, '');
@@ -22,16 +23,18 @@ export function drawText(source: SourceOf<'text'>, { width, height }: Size, roun
   const wanted = source.size * width;
   context.font = font(wanted);
   const widest = Math.max(...lines.map((line) => context.measureText(line).width));
-  const fit = fitOf(widest / width, (wanted * lineHeight * lines.length) / height, round);
+  const [wide, tall] = [widest / width, (wanted * lineHeight * lines.length) / height];
+  const { scale, x, y } =
+    room === undefined ? { scale: fitOf(wide, tall, round), x: 0.5, y: 0.5 } : placeIn(wide, tall, room);
   context.fillStyle = 'black';
   context.fillRect(0, 0, width, height);
   context.fillStyle = 'white';
-  context.font = font(wanted * fit);
+  context.font = font(wanted * scale);
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   lines.forEach((line, k) => {
-    const below = (k - (lines.length - 1) / 2) * lineHeight * wanted * fit;
-    context.fillText(line, width / 2, height / 2 + below);
+    const below = (k - (lines.length - 1) / 2) * lineHeight * wanted * scale;
+    context.fillText(line, x * width, y * height + below);
   });
   return { width, height, channels: 4, samples: context.getImageData(0, 0, width, height).data };
 }

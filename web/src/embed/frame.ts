@@ -1,11 +1,13 @@
 // The studio's side of a frame: waits for one host, checks who it is, and answers what it asks for, one request after the
 // other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
 import { problemWords, threadsWords } from '../i18n/say.js';
+import { Unfit } from '../model/check-plate.js';
 import type { Opening } from '../model/file-role.js';
-import { isAbort, problemOf, type Problem } from '../model/problem.js';
-import type { Made } from '../model/state.js';
+import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
+import type { PlateResult } from '../model/state.js';
 import type { Notice } from '../panels/shown.js';
 import type { Product, Studio } from '../panels/studio.js';
+import { brandFrom, wear } from './brand.js';
 import { checkedPicture, checkedVideo, openingsFrom, Refused } from './requests.js';
 import {
   connectFrom,
@@ -29,10 +31,10 @@ export interface FrameServices {
   configure(textOf: (attribute: string) => unknown): Promise<void>;
   /** Project file of the command line; its pictures are named, not held. */
   project(): Promise<unknown>;
-  finished(): Promise<Made>;
+  finished(): Promise<PlateResult>;
   make(product: Product): Promise<{ blob: Blob; name: string }>;
   picture(width: number): Promise<{ blob: Blob; name: string }>;
-  video(seconds: number): Promise<{ blob: Blob; name: string }>;
+  video(seconds: number, signal: AbortSignal): Promise<{ blob: Blob; name: string }>;
   cancel(): void;
   /** The handshake is done. @returns whether work of an earlier visit is shown, which must not be loaded over */
   onHost(origin: string): Promise<boolean>;
@@ -111,7 +113,7 @@ class Host {
       control.signal.throwIfAborted();
       const answer = this.#methods.get(method as Method);
       if (answer === undefined) throw new Refused('UnknownMethod', 'there is no such method');
-      this.#reply(id, await Promise.race([answer(params), abortOf(control.signal)]));
+      this.#reply(id, await Promise.race([answer(params, control.signal), abortOf(control.signal)]));
     } catch (error) {
       this.#refuse(id, error);
     } finally {
@@ -119,7 +121,7 @@ class Host {
     }
   }
 
-  readonly #methods = new Map<Method, (params: Fields) => Promise<Answer>>([
+  readonly #methods = new Map<Method, (params: Fields, signal: AbortSignal) => Promise<Answer>>([
     [
       'load',
       async (params) => {
@@ -132,12 +134,20 @@ class Host {
     [
       'configure',
       async (params) => {
+        dress((attribute) => field(params, attribute));
         await this.services.configure((attribute) => field(params, attribute));
         return { result: null };
       },
     ],
     ['getProject', async () => ({ result: { project: await this.services.project() } })],
-    ['generate', async () => ({ result: { report: (await this.services.finished()).report } })],
+    [
+      'generate',
+      async () => {
+        const { report } = await this.services.finished();
+        await this.services.make('gcode').catch(() => undefined); // a plate that no file can be made of has no cost
+        return { result: { report: { ...report, ...this.#cost() } } };
+      },
+    ],
     [
       'exportGcode',
       async () => {
@@ -153,21 +163,28 @@ class Host {
     ['exportProject', async () => sent(await this.services.make('project'))],
     [
       'capture',
-      async (params) =>
+      async (params, signal) =>
         sent(
           field(params, 'type') === 'video'
-            ? await this.services.video(checkedVideo(params))
+            ? await this.services.video(checkedVideo(params), signal)
             : await this.services.picture(checkedPicture(params)),
         ),
     ],
     [
       'report',
       () => {
-        const { made } = this.studio.store.state;
-        return Promise.resolve({ result: { report: made?.measured === true ? made.report : null } });
+        const { result } = this.studio.store.state;
+        const report = result?.measured === true ? { ...result.report, ...this.#cost() } : null;
+        return Promise.resolve({ result: { report } });
       },
     ],
   ]);
+
+  /** Of the file, once it is written. */
+  #cost(): { grams?: number; minutes?: number } {
+    const { summary } = this.studio.store.state;
+    return summary === undefined ? {} : { grams: summary.filamentGrams, minutes: summary.seconds / 60 };
+  }
 
   #cancel(id: unknown): void {
     const job = this.#jobs.get(id as number);
@@ -197,6 +214,27 @@ function failureOf(error: unknown): Failure {
   return wordsOf(problemOf(error));
 }
 
+/** @throws StudioError */
+function dress(textOf: (attribute: string) => unknown): void {
+  try {
+    wear(brandFrom(textOf));
+  } catch (error) {
+    if (error instanceof Unfit) throw new StudioError('GuestValue', { where: error.where, value: error.value });
+    throw error;
+  }
+}
+
+/** What the address asks for. @returns what it may not be */
+function dressByAddress(): Problem | undefined {
+  const query = new URLSearchParams(location.search);
+  try {
+    dress((attribute) => query.get(attribute) ?? undefined);
+    return undefined;
+  } catch (error) {
+    return problemOf(error);
+  }
+}
+
 /** Tells the host what happens here. */
 function report(host: Host, studio: Studio): void {
   const { store } = studio;
@@ -222,7 +260,8 @@ function report(host: Host, studio: Studio): void {
       settled = state.plate;
       host.tell('change', { name: settled.name, width: settled.width, height: settled.height || settled.width });
     }
-    if (state.made !== before.made && state.made?.measured === true) host.tell('result', { report: state.made.report });
+    if (state.result !== before.result && state.result?.measured === true)
+      host.tell('result', { report: state.result.report });
     if (state.problem !== before.problem && state.problem !== undefined)
       host.tell('error', { ...wordsOf(state.problem) });
     tellNotices(state.notices.filter((notice) => !before.notices.includes(notice)));
@@ -234,6 +273,7 @@ function report(host: Host, studio: Studio): void {
 export function waitForHost(hosts: readonly string[], studio: Studio, services: FrameServices): void {
   const { parent } = window;
   if (parent === window) return;
+  const wrong = dressByAddress();
   const onMessage = ({ source, origin, data, ports }: MessageEvent): void => {
     if (source !== parent || !(hosts.includes('*') || hosts.includes(origin))) return;
     const connect = connectFrom(data);
@@ -250,6 +290,7 @@ export function waitForHost(hosts: readonly string[], studio: Studio, services: 
     }
     host.start(services.onHost(origin));
     report(host, studio);
+    if (wrong !== undefined) host.tell('error', { ...wordsOf(wrong) });
   };
   addEventListener('message', onMessage);
   parent.postMessage(hello, '*'); // tells nothing to anybody

@@ -1,7 +1,7 @@
 // <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
 // into events and promises. No dependencies: one file for a script tag.
-import type { GcodeFinding, GcodeSummary, Project, Report } from 'sillon';
-import type { GcodeFile, StudioFile, StudioMethods, StudioSource } from 'sillon/elements';
+import type { GcodeFinding, GcodeSummary, Project } from 'sillon';
+import type { GcodeFile, StudioFile, StudioInfo, StudioMethods, StudioReport, StudioSource } from 'sillon/elements';
 import { download } from '../files/download.js';
 import { frame } from '../i18n/en.js';
 import { fetchFiles, type Fetched } from './fetching.js';
@@ -26,7 +26,7 @@ const permissions =
 /** Attributes that are part of the frame's address. */
 const ofAddress = ['threads', 'autosave'] as const;
 /** Attributes that the running studio takes. */
-const ofStudio = ['mode', 'controls', 'lang', 'theme', 'units', 'printer'] as const;
+const ofStudio = ['mode', 'controls', 'lang', 'theme', 'units', 'printer', 'accent', 'radius', 'font'] as const;
 /** Attributes that name files, and what each is for. */
 const ofFiles = { src: '', project: '', shape: 'shape', image: 'image' } as const;
 const others = ['base', 'sandbox'] as const;
@@ -97,6 +97,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   #fault: StudioFrameError | undefined;
   /** Whoever waits for a port. */
   readonly #callers = new Set<Waiter>();
+  /** What `ready` told last, and whoever waits for it. */
+  #info: StudioInfo | undefined;
+  readonly #curious = new Set<Waiter>();
   readonly #waiters = new Map<number, Waiter>();
   #nextId = 1;
   #late: ReturnType<typeof setTimeout> | undefined;
@@ -152,7 +155,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     else if (name in ofFiles) this.#loadAttributes();
     else if (this.#port !== undefined) {
       // Taken away, an attribute has its default again.
-      const defaults: Record<string, string> = { mode: 'edit', controls: '', theme: 'auto', units: 'mm' };
+      const plain = { accent: '', radius: '', font: '' };
+      const defaults: Record<string, string> = { mode: 'edit', controls: '', theme: 'auto', units: 'mm', ...plain };
       const value = now ?? defaults[name];
       if (value !== undefined) void this.#ask('configure', { [name]: value }).catch(this.#tellError);
     }
@@ -168,20 +172,29 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     await this.#load(source);
   }
 
+  /** What the event `ready` tells, for those who come later, too. */
+  async info(): Promise<StudioInfo> {
+    await this.#connection();
+    if (this.#info !== undefined) return this.#info;
+    return new Promise((resolve, reject) => {
+      this.#curious.add({ resolve: resolve as (info: unknown) => void, reject });
+    });
+  }
+
   /** The plate as a project of the command line (docs/reference/project.md); its pictures are in `exportProject`. */
   async getProject(): Promise<Project> {
     return objectIn(await this.#askOfPlate('getProject'), 'project') as Project;
   }
 
   /** Waits until the plate is whole and measured. @returns its report */
-  async generate({ signal }: { signal?: AbortSignal } = {}): Promise<Report> {
-    return objectIn(await this.#askOfPlate('generate', {}, signal), 'report') as Report;
+  async generate({ signal }: { signal?: AbortSignal } = {}): Promise<StudioReport> {
+    return objectIn(await this.#askOfPlate('generate', {}, signal), 'report') as StudioReport;
   }
 
   /** Of the plate that is shown; null while it is not whole. */
-  async report(): Promise<Report | null> {
+  async report(): Promise<StudioReport | null> {
     const result = await this.#askOfPlate('report');
-    return isFields(result) && isFields(field(result, 'report')) ? (objectIn(result, 'report') as Report) : null;
+    return isFields(result) && isFields(field(result, 'report')) ? (objectIn(result, 'report') as StudioReport) : null;
   }
 
   /** The file, what it takes (grams, seconds) and what is to be known of it. */
@@ -215,8 +228,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   /** Its look: a PNG `width` pixels wide, or a video of one turn of the light. */
-  capture(options: { type?: 'image' | 'video'; width?: number; seconds?: number } = {}): Promise<StudioFile> {
-    return this.#file('capture', { ...options });
+  capture({
+    signal,
+    ...options
+  }: { type?: 'image' | 'video'; width?: number; seconds?: number; signal?: AbortSignal } = {}): Promise<StudioFile> {
+    return this.#file('capture', options, signal);
   }
 
   // --- The frame ------------------------------------------------------------------------------------------------------------
@@ -334,7 +350,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     if (this.#port === undefined) return;
     this.#port.close();
     this.#port = undefined;
-    for (const { reject } of this.#waiters.values()) reject(fault);
+    this.#info = undefined;
+    for (const { reject } of [...this.#waiters.values(), ...this.#curious]) reject(fault);
+    this.#curious.clear();
     this.#waiters.clear();
   }
 
@@ -376,6 +394,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     if (event === 'export') {
       this.#hand(detail);
       return;
+    }
+    if (event === 'ready') {
+      this.#info = detail as unknown as StudioInfo;
+      for (const { resolve } of this.#curious) resolve(detail);
+      this.#curious.clear();
     }
     this.dispatchEvent(new CustomEvent(event, { detail }));
   }

@@ -2,13 +2,15 @@
 // picture of directions, and one graphics context for all that are on a page.
 import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
 import type { Light } from '../model/view.js';
-import { readViewFile, type ViewFile } from './view-file.js';
+import { FrameBudget, type Waiting } from './frame-budget.js';
+import { decodeView, fetchView, type ViewFile } from './view-file.js';
 import { ViewRenderer } from './view-renderer.js';
 
 const attributes = ['src', 'poster', 'alt', 'light', 'azimuth', 'elevation', 'colour'] as const;
 const ways = ['pointer', 'tilt', 'orbit', 'fixed'] as const;
 type Way = (typeof ways)[number];
 const mostPixels = 2048; // of a side
+const near = '800px'; // around the window: a file is fetched when its element comes that close, and kept decoded while it is
 
 const style = `
   :host { display: block; position: relative; aspect-ratio: 1; }
@@ -39,7 +41,7 @@ function sharedRenderer(): ViewRenderer | undefined {
   if (renderer !== undefined || noRenderer) return renderer;
   try {
     renderer = new ViewRenderer(() => {
-      for (const element of shown) element.redraw();
+      for (const element of shown) element.restore();
     });
   } catch {
     noRenderer = true;
@@ -47,22 +49,42 @@ function sharedRenderer(): ViewRenderer | undefined {
   return renderer;
 }
 
-/** One loop for all; it ends when nothing moves. */
+const budget = new FrameBudget();
+
+/** One loop for all; it ends when nothing is to be drawn. */
 function nextFrame(): void {
   if (frame !== 0) return;
   frame = requestAnimationFrame((now) => {
     frame = 0;
-    let moves = false;
-    for (const element of shown) moves = element.onFrame(now, tilt) || moves;
-    if (moves) nextFrame();
+    const waiting = [...shown].map((element) => element.onFrame(now, tilt)).filter((one) => one !== undefined);
+    budget.spend(waiting);
+    if (waiting.length > 0) nextFrame();
   });
 }
 
-const visibility = new IntersectionObserver((entries) => {
-  for (const { target, isIntersecting } of entries) {
-    if (target instanceof SillonViewElement) target.onVisible(isIntersecting);
-  }
-});
+const watch = (told: (element: SillonViewElement, inside: boolean) => void, rootMargin: string): IntersectionObserver =>
+  new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        if (target instanceof SillonViewElement) told(target, isIntersecting);
+      }
+    },
+    { rootMargin },
+  );
+const visibility = watch((element, inside) => {
+  element.onVisible(inside);
+}, '0px');
+const nearness = watch((element, inside) => {
+  element.onNear(inside);
+}, near);
+
+/** One after the other: what a picture takes while it is decoded, many at once would take many times. */
+let decoding: Promise<unknown> = Promise.resolve();
+function inTurn<T>(decode: () => Promise<T>): Promise<T> {
+  const done = decoding.then(decode);
+  decoding = done.catch(() => undefined);
+  return done;
+}
 const sizes = new ResizeObserver((entries) => {
   for (const { target } of entries) {
     if (target instanceof SillonViewElement) target.redraw();
@@ -106,8 +128,10 @@ export class SillonViewElement extends HTMLElement {
   readonly #poster = document.createElement('img');
   #file: ViewFile | undefined;
   #loading: AbortController | undefined;
+  #near = false;
   #visible = false;
   #stale = true;
+  #drawnAt = 0;
   #pointer: Light | undefined;
   #last = 0;
   #azimuth = 60;
@@ -135,22 +159,28 @@ export class SillonViewElement extends HTMLElement {
     this.#showPoster();
     shown.add(this);
     visibility.observe(this);
+    nearness.observe(this);
     sizes.observe(this);
     if (this.#way() === 'tilt') askForTilt();
-    if (this.#file === undefined) void this.#load();
   }
 
   disconnectedCallback(): void {
     shown.delete(this);
     visibility.unobserve(this);
+    nearness.unobserve(this);
     sizes.unobserve(this);
+    this.#visible = false;
+    this.#near = false;
     this.#drop();
   }
 
   attributeChangedCallback(name: (typeof attributes)[number]): void {
     if (!this.isConnected) return;
-    if (name === 'src') void this.#load();
-    else if (name === 'poster') this.#showPoster();
+    if (name === 'src') {
+      this.#drop();
+      if (this.#near) void this.#load();
+    }
+    if (name === 'poster') this.#showPoster();
     else if (name === 'alt') this.#name();
     else if (name === 'light' && this.#way() === 'tilt') askForTilt();
     this.redraw();
@@ -162,18 +192,37 @@ export class SillonViewElement extends HTMLElement {
     if (this.#visible) nextFrame();
   }
 
-  /** @returns whether its light goes on moving */
-  onFrame(now: number, tilted: Light | undefined): boolean {
-    if (!this.#visible || this.#file === undefined) return false;
-    const light = this.#light(now, tilted);
-    const moves = this.#orbits(tilted);
-    if (moves || this.#stale) this.#draw(light);
-    return moves;
+  /** @returns what it wants of this frame */
+  onFrame(now: number, tilted: Light | undefined): Waiting | undefined {
+    const file = this.#file;
+    if (!this.#visible || file === undefined || renderer?.holds(file) !== true) return undefined;
+    const orbits = this.#orbits(tilted);
+    if (!orbits && !this.#stale) return undefined;
+    return {
+      why: !this.#stale ? 'orbits' : this.#pointer === undefined ? 'stale' : 'led',
+      drawnAt: this.#drawnAt,
+      fromMiddle: () => {
+        const { left, top, width, height } = this.getBoundingClientRect();
+        return Math.hypot(left + width / 2 - innerWidth / 2, top + height / 2 - innerHeight / 2);
+      },
+      draw: () => {
+        this.#drawnAt = now;
+        this.#draw(file, this.#light(now, tilted));
+      },
+    };
   }
 
   onVisible(visible: boolean): void {
     this.#visible = visible;
     if (visible) nextFrame();
+  }
+
+  /** Far from the window a view is but the bytes of its file. */
+  onNear(near: boolean): void {
+    this.#near = near;
+    if (!near) this.#release();
+    else if (this.#file === undefined) void this.#load();
+    else this.restore();
   }
 
   // --- Light ----------------------------------------------------------------------------------------------------------------
@@ -237,11 +286,9 @@ export class SillonViewElement extends HTMLElement {
     this.#poster.hidden = !safe || !this.#canvas.hidden;
   }
 
-  #draw(light: Light): void {
-    const file = this.#file;
-    const drawer = sharedRenderer();
-    if (file === undefined || drawer === undefined) return;
+  #draw(file: ViewFile, light: Light): void {
     const { clientWidth, clientHeight } = this;
+    this.#stale = false; // also of one without a box: it is told when it has one
     if (clientWidth === 0 || clientHeight === 0) return;
     // The plate's proportions, within the element's box.
     const scale = Math.min(clientWidth / file.page[0], clientHeight / file.page[1]) * devicePixelRatio;
@@ -251,12 +298,12 @@ export class SillonViewElement extends HTMLElement {
     if (this.#canvas.width !== width) this.#canvas.width = width;
     if (this.#canvas.height !== height) this.#canvas.height = height;
     const colour = hexColour(this.getAttribute('colour')) ?? file.colour;
-    const drawn = drawer.draw({ file, colour, light }, this.#canvas);
-    this.#stale = !drawn;
-    if (drawn) {
-      this.#canvas.hidden = false;
-      this.#poster.hidden = true;
+    if (renderer?.draw({ file, colour, light }, this.#canvas) !== true) {
+      this.#stale = true; // a lost context: it is told when there is one again
+      return;
     }
+    this.#canvas.hidden = false;
+    this.#poster.hidden = true;
   }
 
   async #load(): Promise<void> {
@@ -268,30 +315,49 @@ export class SillonViewElement extends HTMLElement {
     try {
       if (sharedRenderer() === undefined) throw new Error('this browser has no WebGL2');
       if (!/^(?:https?|blob):$/.test(protocolOf(src))) throw new Error(`${protocolOf(src)} addresses are not read`);
-      const response = await fetch(new URL(src, document.baseURI), { signal: loading.signal });
-      if (!response.ok) throw new Error(`${src} came with status ${response.status}`);
-      const file = await readViewFile(await response.arrayBuffer(), src);
+      const file = await fetchView(new URL(src, document.baseURI), src, loading.signal);
       if (loading.signal.aborted) return;
       this.#file = file;
-      this.dispatchEvent(new CustomEvent('load'));
-      this.redraw();
+      await this.#decode(file);
+      if (this.#file === file) this.dispatchEvent(new CustomEvent('load'));
     } catch (error) {
       if (loading.signal.aborted) return;
+      this.#drop();
       const message = error instanceof Error ? error.message : String(error);
       this.dispatchEvent(new CustomEvent('error', { detail: { code: 'LoadFailed', message } }));
     }
   }
 
+  /** @throws Error with one sentence */
+  #decode(file: ViewFile): Promise<void> {
+    return inTurn(async () => {
+      const wanted = (): boolean => this.#near && this.#file === file;
+      if (!wanted()) return;
+      const texels = await decodeView(file, this.getAttribute('src') ?? '');
+      if (wanted()) sharedRenderer()?.hold(file, texels);
+      texels.close();
+      this.redraw();
+    });
+  }
+
+  /** Decodes anew what was released, or what a lost context held. */
+  restore(): void {
+    if (this.#near && this.#file !== undefined) void this.#decode(this.#file).catch(() => undefined); // the poster stays
+  }
+
+  /** What can be had again from the file. */
+  #release(): void {
+    if (this.#file !== undefined) renderer?.forget(this.#file);
+    this.#canvas.hidden = true;
+    this.#canvas.width = this.#canvas.height = 0;
+    this.#showPoster();
+  }
+
   #drop(): void {
     this.#loading?.abort();
     this.#loading = undefined;
-    if (this.#file !== undefined) {
-      renderer?.forget(this.#file);
-      this.#file.texels.close();
-    }
+    this.#release();
     this.#file = undefined;
-    this.#canvas.hidden = true;
-    this.#showPoster();
   }
 }
 

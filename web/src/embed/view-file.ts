@@ -6,12 +6,15 @@ export interface ViewFile {
   /** Of its filament: sRGB 0..255, slopes along and across the bead [degrees]. */
   colour: [number, number, number];
   slopes: [number, number];
-  /** Red: direction; green: cover; blue: width. */
-  texels: ImageBitmap;
+  /** Its bytes: few, while what they are decoded to is kept only of views that may be seen. */
+  png: Blob;
 }
 
-const mostBytes = 4e6;
-const mostSide = 4096; // [texels]
+const mostBytes = 500e3; // the core writes 200 KiB at most
+const mostTexels = 1 << 20; // and a quarter of these
+const mostComment = 1000;
+const headerBytes = 33 + 12 + mostComment; // signature, IHDR, and the text behind it
+const patience = 60_000; // [ms]
 const pattern =
   /^sillon-view 1 page (\d{1,9}) (\d{1,9}) spacing \d{1,9} colour (\d{1,3}) (\d{1,3}) (\d{1,3}) slopes (\d{1,4}) (\d{1,4})$/;
 
@@ -20,35 +23,68 @@ function commentOf(bytes: DataView): string | undefined {
   const header = 33; // signature and IHDR
   if (bytes.byteLength < header + 12 || bytes.getUint32(0) !== 0x89504e47) return undefined;
   const length = bytes.getUint32(header);
-  if (length > 1000 || header + 12 + length > bytes.byteLength) return undefined;
+  if (length > mostComment || header + 12 + length > bytes.byteLength) return undefined;
   const text = new TextDecoder('latin1').decode(new Uint8Array(bytes.buffer, header + 4, 4 + length));
   return text.startsWith('tEXtComment\0') ? text.slice(12) : undefined;
 }
 
-/** @throws Error with one sentence */
-export async function readViewFile(file: ArrayBuffer, name: string): Promise<ViewFile> {
-  if (file.byteLength > mostBytes)
-    throw new Error(`${name} has ${file.byteLength} bytes; at most ${mostBytes} are read`);
-  const bytes = new DataView(file);
+/** All but the picture itself. @param start  of the file @throws Error with one sentence */
+function headerFrom(start: ArrayBuffer, name: string): Omit<ViewFile, 'png'> {
+  const bytes = new DataView(start);
   const found = pattern.exec(commentOf(bytes) ?? '');
   if (found === null) throw new Error(`${name} is no view of a plate; sillon generate --view makes one`);
   const [wide, tall] = [bytes.getUint32(16), bytes.getUint32(20)];
-  if (wide > mostSide || tall > mostSide)
-    throw new Error(`${name} has ${wide} x ${tall} texels; at most ${mostSide} a side`);
+  if (wide * tall > mostTexels)
+    throw new Error(`${name} has ${wide} x ${tall} texels; at most ${mostTexels} in all are read`);
   const number = (k: number): number => Number(found[k]);
   const byte = (k: number): number => Math.min(255, number(k));
-  // Stored values, as they are: they are no colours.
-  const texels = await createImageBitmap(new Blob([file], { type: 'image/png' }), {
-    colorSpaceConversion: 'none',
-    premultiplyAlpha: 'none',
-  }).catch(() => {
-    throw new Error(`${name} is damaged`);
-  });
   const slope = (k: number): number => Math.min(45, Math.max(0.1, number(k) / 100));
   return {
     page: [Math.max(1e-3, number(1) / 1000), Math.max(1e-3, number(2) / 1000)],
     colour: [byte(3), byte(4), byte(5)],
     slopes: [slope(6), slope(7)],
-    texels,
   };
+}
+
+/** Stops reading where it is no view or too long: servers need not tell, or not the truth.
+ * @throws Error with one sentence; the signal's reason */
+export async function fetchView(url: URL, name: string, signal: AbortSignal): Promise<ViewFile> {
+  const stop = new AbortController();
+  const late = setTimeout(() => {
+    stop.abort(new Error(`${name} did not arrive within ${patience / 1000} s`));
+  }, patience);
+  const give = (): void => {
+    stop.abort(signal.reason);
+  };
+  signal.addEventListener('abort', give);
+  try {
+    signal.throwIfAborted();
+    const response = await fetch(url, { signal: stop.signal });
+    if (!response.ok) throw new Error(`${name} came with status ${response.status}`);
+    const parts: BlobPart[] = [];
+    let size = 0;
+    let header: Omit<ViewFile, 'png'> | undefined;
+    const reader = response.body?.getReader();
+    for (let next = await reader?.read(); next?.value !== undefined; next = await reader?.read()) {
+      parts.push(next.value);
+      size += next.value.byteLength;
+      if (size > mostBytes) throw new Error(`${name} has more than ${mostBytes} bytes; no more are read`);
+      if (header === undefined && size >= headerBytes) header = headerFrom(await new Blob(parts).arrayBuffer(), name);
+    }
+    const png = new Blob(parts, { type: 'image/png' });
+    return { ...(header ?? headerFrom(await png.arrayBuffer(), name)), png };
+  } finally {
+    clearTimeout(late);
+    signal.removeEventListener('abort', give);
+    stop.abort(); // of what is still to come
+  }
+}
+
+/** Stored values, as they are: they are no colours. Red: direction; green: cover; blue: width. @throws Error */
+export async function decodeView({ png }: ViewFile, name: string): Promise<ImageBitmap> {
+  try {
+    return await createImageBitmap(png, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+  } catch {
+    throw new Error(`${name} is damaged`);
+  }
 }

@@ -55,6 +55,8 @@ export interface Shown {
   /** sRGB 0..255. */
   colour: ViewFile['colour'];
   light: Light;
+  /** Seen from straight above all over, as pictures are solved for; else from some page widths above. */
+  fromAfar?: boolean;
 }
 
 const linear = (byte: number): number => {
@@ -82,10 +84,11 @@ export class ViewRenderer {
     this.canvas.addEventListener('webglcontextrestored', onRestored);
   }
 
-  /** @returns whether it was drawn: not while the context is lost */
-  draw({ file, colour, light }: Shown, target: HTMLCanvasElement): boolean {
+  /** @returns whether it was drawn: not while the context is lost, and not before its texels are there */
+  draw({ file, colour, light, fromAfar = false }: Shown, target: HTMLCanvasElement): boolean {
     const gl = this.#gl;
-    if (gl.isContextLost()) return false;
+    const texture = this.#textures.get(file);
+    if (gl.isContextLost() || texture === undefined) return false;
     const { width, height } = target;
     // Never smaller again: another size costs more than what is not used.
     if (this.canvas.width < width) this.canvas.width = width;
@@ -95,13 +98,13 @@ export class ViewRenderer {
     gl.useProgram(program);
     gl.viewport(0, 0, width, height);
     gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.#textureOf(file));
+    gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.uniform1i(at('texels'), 0);
     gl.uniform3f(at('lamp'), ...lampOf(light));
     gl.uniform3f(at('body'), linear(colour[0]), linear(colour[1]), linear(colour[2]));
     gl.uniform2f(at('slopes'), ...file.slopes);
     gl.uniform1f(at('lampSlope'), appearance.softbox);
-    gl.uniform1f(at('eyeNear'), 1);
+    gl.uniform1f(at('eyeNear'), fromAfar ? 0 : 1);
     gl.uniform2f(at('page'), ...file.page);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     const context = target.getContext('2d');
@@ -117,17 +120,21 @@ export class ViewRenderer {
     this.#textures.delete(file);
   }
 
-  #textureOf(file: ViewFile): WebGLTexture {
-    const known = this.#textures.get(file);
-    if (known !== undefined) return known;
+  holds(file: ViewFile): boolean {
+    return this.#textures.has(file);
+  }
+
+  /** What is drawn of them: direction and cover, two bytes a texel. */
+  hold(file: ViewFile, texels: ImageBitmap): void {
     const gl = this.#gl;
+    this.forget(file);
+    if (gl.isContextLost()) return;
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, gl.RGB, gl.UNSIGNED_BYTE, file.texels);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG8, gl.RG, gl.UNSIGNED_BYTE, texels);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     this.#textures.set(file, texture);
-    return texture;
   }
 }

@@ -1,10 +1,13 @@
 // Fetches and starts the engine, behind the first picture of the page.
 import type { Engine } from 'sillon';
 
+const paintWithin = 500; // [ms]; frames that are out of their page's sight are not drawn, and may be asked for a plate
+
 /** Resolves once the page has been drawn; at once where it is hidden and never will be. */
 function afterPaint(): Promise<void> {
   if (document.visibilityState === 'hidden') return Promise.resolve();
   return new Promise((resolve) => {
+    setTimeout(resolve, paintWithin);
     requestAnimationFrame(() => {
       setTimeout(resolve, 0);
     });

@@ -1,10 +1,10 @@
-// The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
-import type { Engine, EngineInfo, Gcode, GcodeCheck, ViewParams } from 'sillon';
+import type { Engine, EngineInfo, Gcode, GcodeCheck, Toolpath, ViewParams } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
+import { viewLook } from '../model/filaments.js';
 import type { Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
-import type { Made, Progress } from '../model/state.js';
+import type { PlateResult, Progress } from '../model/state.js';
 import { Cost } from './coarse.js';
 import { engineInput, sameToolpath, type Input } from '../model/input.js';
 import { TimeLeft } from '../model/time-left.js';
@@ -12,7 +12,7 @@ import { TimeLeft } from '../model/time-left.js';
 const restAfter = 250; // [ms] without an update, after which a hand rests
 
 export interface EngineEvents {
-  onMade(made: Made): void;
+  onResult(result: PlateResult): void;
   /** undefined: nothing runs. */
   onProgress(progress: Progress | undefined): void;
   /** undefined: the last one is over. */
@@ -37,7 +37,7 @@ interface Wanted extends Input {
 interface Done {
   input: Input;
   level: (typeof order)[number];
-  made: Made | undefined;
+  result: PlateResult | undefined;
   problem: Problem | undefined;
 }
 
@@ -55,12 +55,13 @@ interface Running extends Job {
 }
 
 interface Waiter {
-  resolve(made: Made): void;
+  resolve(result: PlateResult): void;
   reject(error: unknown): void;
 }
 
 export class StudioEngine {
   #engine: Promise<Engine> | undefined;
+  #loaded = false;
   #latest: Input | undefined;
   /** undefined: nothing asked for, or cancelled. */
   #wanted: Wanted | undefined;
@@ -116,10 +117,14 @@ export class StudioEngine {
 
   /** @param plate  whose printer and print it is for; the path is that of the last update, whole and measured.
    * @throws SillonError, StudioError, AbortError */
-  async gcode(plate: Plate): Promise<{ gcode: Gcode; check: GcodeCheck; made: Made }> {
-    return this.#export(async (engine, made, signal) => {
-      const gcode = await engine.writeGcode(made.toolpath, plate.printer, plate.print, { signal });
-      return { gcode, check: await engine.checkGcode(gcode.blob, plate.printer, { signal }), made };
+  async gcode(plate: Plate): Promise<{ gcode: Gcode; check: GcodeCheck; result: PlateResult }> {
+    return this.#export(async (engine, result, signal) => {
+      const below = await this.#below(engine, plate, signal);
+      const gcode = await engine.writeGcode(inItsColour(result.toolpath, plate), plate.printer, plate.print, {
+        ...below,
+        signal,
+      });
+      return { gcode, check: await engine.checkGcode(gcode.blob, plate.printer, { signal }), result };
     });
   }
 
@@ -136,7 +141,7 @@ export class StudioEngine {
 
   /** The latest plate's path, whole and measured: its measures go into the G-code.
    * @throws SillonError, StudioError, AbortError */
-  finished(): Promise<Made> {
+  finished(): Promise<PlateResult> {
     if (this.#latest === undefined || this.#disposed) return Promise.reject(new StudioError('Disposed'));
     return new Promise((resolve, reject) => {
       this.#waiters.push({ resolve, reject });
@@ -158,6 +163,7 @@ export class StudioEngine {
       this.#engine = loading;
       loading.then(
         (engine) => {
+          this.#loaded = true;
           if (this.#disposed) engine.dispose();
           else this.events.onInfo(engine.info);
         },
@@ -224,32 +230,32 @@ export class StudioEngine {
   async #run(job: Job, signal: AbortSignal): Promise<void> {
     const { kind, input } = job;
     try {
-      if (this.#engine === undefined) this.#tellProgress('loading', '', 0, undefined);
+      if (!this.#loaded) this.#tellProgress('loading', '', 0, undefined);
       const engine = await this.engine();
       if (signal.aborted) return;
-      const made = await this.#make(engine, job, signal);
+      const result = await this.#make(engine, job, signal);
       // A change of printer or name while it ran is no other toolpath.
       const plate = this.#wanted !== undefined && sameToolpath(this.#wanted, input) ? this.#wanted.plate : input.plate;
-      this.#done = { input, level: kind, made: { ...made, plate }, problem: undefined };
+      this.#done = { input, level: kind, result: { ...result, plate }, problem: undefined };
       this.#tellProblem(undefined);
-      this.events.onMade({ ...made, plate });
+      this.events.onResult({ ...result, plate });
     } catch (error) {
       if (isAbort(error) || signal.aborted) return;
       const problem = problemOf(error);
-      this.#done = { input, level: 'none', made: undefined, problem };
+      this.#done = { input, level: 'none', result: undefined, problem };
       // What is said of a plate that is gone already would only confuse.
       if (this.#wanted !== undefined && sameToolpath(this.#wanted, input)) this.#tellProblem(problem);
     }
   }
 
-  async #make(engine: Engine, { kind, quick, factor, input }: Job, signal: AbortSignal): Promise<Made> {
+  async #make(engine: Engine, { kind, quick, factor, input }: Job, signal: AbortSignal): Promise<PlateResult> {
     const begin = this.host.now();
     const timeLeft = new TimeLeft(begin);
     const job = kind === 'measured' ? 'measuring' : 'making';
     const measure = kind === 'measured';
     if (!quick) this.#tellProgress(job, '', 0, undefined);
     const { input: plateInput, params } = engineInput(input, factor);
-    const { toolpath, report } = await engine.generateToolpath(plateInput, params, {
+    const { toolpath, report, conflict } = await engine.generateToolpath(plateInput, params, {
       measure,
       signal,
       onProgress: ({ stage, fraction }) => {
@@ -259,11 +265,12 @@ export class StudioEngine {
     });
     if (!measure) this.#cost.learn(input.plate, factor, this.host.now() - begin);
     // The same beads as before: views that compare `cycles` need not upload them again.
-    const before = measure ? this.#done?.made?.toolpath : undefined;
+    const before = measure ? this.#done?.result?.toolpath : undefined;
     return {
       plate: input.plate,
       toolpath: before === undefined ? toolpath : { ...toolpath, cycles: before.cycles, shape: before.shape },
       report,
+      conflict,
       coarse: kind === 'coarse',
       measured: measure,
     };
@@ -271,30 +278,39 @@ export class StudioEngine {
 
   // --- Exports --------------------------------------------------------------------------------------------------------------
 
-  async #export<Result>(write: (engine: Engine, made: Made, signal: AbortSignal) => Promise<Result>): Promise<Result> {
+  async #export<Result>(
+    write: (engine: Engine, result: PlateResult, signal: AbortSignal) => Promise<Result>,
+  ): Promise<Result> {
     const control = new AbortController();
     const { signal } = control;
     this.#exports.add(control);
     try {
-      const made = await this.finished();
+      const result = await this.finished();
       const engine = await this.engine();
       if (signal.aborted) throw aborted();
       if (this.#running === undefined) this.#tellProgress('writing', '', 0, undefined);
-      return await write(engine, made, signal);
+      return await write(engine, result, signal);
     } finally {
       this.#exports.delete(control);
       if (this.#running === undefined) this.events.onProgress(undefined);
     }
   }
 
+  /** The path of the layer below, where the print asks for one. */
+  async #below(engine: Engine, { print }: Plate, signal: AbortSignal): Promise<{ below?: Toolpath }> {
+    if (print.basePattern !== 'across' || print.base === 0 || this.#done === undefined) return {};
+    const { input, params } = engineInput(this.#done.input, 1);
+    return { below: (await engine.generateToolpath(input, params, { across: true, signal })).toolpath };
+  }
+
   /** Nothing is left to do for the plate that is wanted. */
   #tellFinished(): void {
     const done = this.#done;
     if (this.#wanted === undefined || this.#wanted.live || done === undefined) return;
-    const { made, problem } = done;
+    const { result, problem } = done;
     this.#tellWaiters((waiter) => {
       if (problem !== undefined) waiter.reject(new StudioError(problem.code, problem.values, problem.detail));
-      else if (made !== undefined) waiter.resolve(made);
+      else if (result !== undefined) waiter.resolve(result);
     });
   }
 
@@ -316,5 +332,11 @@ export class StudioEngine {
     this.events.onProblem(problem);
   }
 }
+
+/** The engine knows the colours of the measured spools alone. */
+const inItsColour = (toolpath: Toolpath, plate: Plate): Toolpath =>
+  toolpath.look === undefined || plate.spool === undefined
+    ? toolpath
+    : { ...toolpath, look: { ...toolpath.look, colour: viewLook(plate).colour } };
 
 const aborted = (): DOMException => new DOMException('The job was cancelled', 'AbortError');

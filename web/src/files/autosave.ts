@@ -1,16 +1,26 @@
-// Keeps the work over reloads, in the browser's own storage. Storage may be denied, full, of another version, or shared with
-// another tab: whatever it does, the page goes on.
+// Keeps plates over reloads, in the browser's own storage: each in a record of its own, which only one tab writes. Storage may
+// be denied, full, of another version, or shared with other tabs: whatever it does, the page goes on and nothing is
+// overwritten.
 import { createStore, delMany, getMany, keys, promisifyRequest } from 'idb-keyval';
-import { fieldsOf, numberIn, plateFrom, textIn, Unfit } from '../model/check-plate.js';
+import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type FileFrom } from '../model/check-plate.js';
 import type { Plate, SourceFile } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
+import type { Steps } from '../model/store.js';
+import { webLocks, type Locks } from './locks.js';
 import { filesOf, plateData } from './plate-data.js';
 
-const version = 1;
-const recordKey = 'plate';
-const fileKey = (id: string): string => `file/${id}`;
+const version = 2;
 const settleAfter = 500; // [ms] without a change
 const patience = 10_000; // [ms]: some browsers never answer
+/** What is kept of a plate's history, to either side: steps, points of their strokes, and bytes of files only they use. */
+const most = { steps: 60, points: 200_000, bytes: 32e6 };
+
+/** Of versions that knew one plate only. */
+const oldKey = 'plate';
+const recordKey = (id: string): string => `plate/${id}`;
+const aboutKey = (id: string): string => `about/${id}`;
+const filesKey = (id: string): string => `file/${id}/`;
+const idOfKey = (key: string): string | undefined => /^about\/(.+)$/.exec(key)?.[1];
 
 /** What a browser's storage can do. */
 export interface Storage {
@@ -22,15 +32,55 @@ export interface Storage {
   keys(): Promise<string[]>;
 }
 
+/** What a tab remembers over a reload, and no other tab knows. */
+export interface Session {
+  get(): string | undefined;
+  set(id: string): void;
+}
+
+/** A kept plate, as a list shows it. */
+export interface Listed {
+  id: string;
+  name: string;
+  /** [mm] */
+  width: number;
+  height: number;
+  /** [ms] since 1970 */
+  changed: number;
+  picture: Blob | undefined;
+  /** This tab shows it; another tab has it. */
+  here: boolean;
+  elsewhere: boolean;
+}
+
+/** 'elsewhere': the plate that was left here last is open in another tab; 'copy': as it is there, to go on with as a copy. */
+export type Kept = { state: 'own' | 'copy'; steps: Steps } | { state: 'elsewhere' };
+
 export interface Autosave {
-  /** @returns undefined where nothing, or nothing that can be used, was kept; some storages never answer. Until it has
-   * answered, nothing is written over what was kept. */
-  load(): Promise<Plate | undefined>;
+  /** The plate of this tab, else the one that was changed last. @returns undefined where nothing that can be used was kept;
+   * some storages never answer */
+  load(): Promise<Kept | undefined>;
+  /** From now on this plate is shown, which has a record of its own. @param fresh  nobody has changed it yet: it is not kept
+   * after its tab is gone */
+  begin(plate: Plate, fresh?: boolean): void;
+  /** The record of the plate that is shown. */
+  current(): string;
   /** Soon, when no other has come. */
-  save(plate: Plate): void;
+  save(steps: Steps): void;
   /** What waits is saved now. */
   flush(): Promise<void>;
-  forget(): Promise<void>;
+  /** The latest first. */
+  list(): Promise<Listed[]>;
+  /** @param take  also from another tab, which goes on with a copy; else this tab gets the copy
+   * @returns undefined where it is gone */
+  open(id: string, take?: boolean): Promise<Exclude<Kept, { state: 'elsewhere' }> | undefined>;
+  rename(id: string, name: string): Promise<void>;
+  /** @returns the copy's id; undefined where there is nothing to copy */
+  duplicate(id: string, name: string): Promise<string | undefined>;
+  /** @returns what brings it back */
+  remove(id: string): Promise<() => Promise<void>>;
+  /** For the list. */
+  picture(plate: Plate, picture: Blob): Promise<void>;
 }
 
 /** IndexedDB; opened by the first call, which is where it may be denied. */
@@ -50,6 +100,27 @@ function browserStorage(database: string): Storage {
   };
 }
 
+/** In the tab's own storage; where that is denied, reloads begin with the plate that was changed last. */
+function tabSession(name: string): Session {
+  const key = `${name} plate`;
+  return {
+    get() {
+      try {
+        return sessionStorage.getItem(key) ?? undefined;
+      } catch {
+        return undefined;
+      }
+    },
+    set(id) {
+      try {
+        sessionStorage.setItem(key, id);
+      } catch {
+        // denied, or full
+      }
+    },
+  };
+}
+
 const inTime = <Result>(promise: Promise<Result>): Promise<Result> => {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const late = new Promise<never>((_, reject) => {
@@ -62,131 +133,411 @@ const inTime = <Result>(promise: Promise<Result>): Promise<Result> => {
   });
 };
 
-async function recordedPlate(storage: Storage, record: unknown): Promise<Plate> {
-  const fields = fieldsOf(record, '', ['version', 'files', 'plate']);
-  numberIn(fields['version'], 'version', version, version);
+const newId = (): string =>
+  Array.from(crypto.getRandomValues(new Uint32Array(3)), (word) => word.toString(36)).join('');
+
+// --- Records -----------------------------------------------------------------------------------------------------------
+
+interface About {
+  name: string;
+  width: number;
+  height: number;
+  changed: number;
+  /** Nobody has changed it yet. */
+  fresh: boolean;
+  picture?: Blob;
+}
+
+function aboutFrom(value: unknown): About | undefined {
+  const given = value as Partial<About> | undefined;
+  if (typeof given !== 'object' || typeof given.name !== 'string' || typeof given.changed !== 'number')
+    return undefined;
+  const { name, width, height, changed, fresh, picture } = given;
+  if (typeof width !== 'number' || typeof height !== 'number') return undefined;
+  const about = { name, width, height, changed, fresh: fresh === true };
+  return picture instanceof Blob ? { ...about, picture } : about;
+}
+
+const pointsOf = ({ strokes }: Plate): number => strokes.reduce((sum, { points }) => sum + points.length / 2, 0);
+
+/** The steps next to the plate that may be kept. @param plates  the nearest first */
+function nearest(plate: Plate, plates: readonly Plate[], isOf: (plate: Plate) => boolean): Plate[] {
+  const files = new Set(filesOf(plate).map(({ id }) => id));
+  const kept: Plate[] = [];
+  let [points, bytes] = [0, 0];
+  for (const one of plates) {
+    points += pointsOf(one);
+    for (const { id, bytes: blob } of filesOf(one)) {
+      if (!files.has(id)) bytes += blob.size;
+      files.add(id);
+    }
+    if (!isOf(one) || kept.length >= most.steps || points > most.points || bytes > most.bytes) break;
+    kept.push(one);
+  }
+  return kept;
+}
+
+const allFiles = ({ past, plate, future }: Steps): SourceFile[] => [
+  ...new Map([...past, plate, ...future].flatMap(filesOf).map((file) => [file.id, file])).values(),
+];
+
+const told = (plate: Plate): unknown => plateData(plate, ({ id, name }) => ({ id, name }));
+
+/** A list of plates of which any may be unfit: what lies behind that one is left out. */
+function platesFrom(value: unknown, fileFrom: FileFrom): Plate[] {
+  const plates: Plate[] = [];
+  for (const one of Array.isArray(value) ? (value as unknown[]) : []) {
+    try {
+      plates.push(plateFrom(one, fileFrom));
+    } catch (error) {
+      if (error instanceof Unfit) break;
+      throw error;
+    }
+  }
+  return plates;
+}
+
+/** @param keyOf  of a file, by its id @throws Unfit */
+async function recordedSteps(storage: Storage, record: unknown, keyOf: (id: string) => string): Promise<Steps> {
+  const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
+  numberIn(fields['version'], 'version', 1, version);
   const ids = (Array.isArray(fields['files']) ? fields['files'] : []).map((id) => textIn(id, 'files', 1000));
-  const blobs = await storage.getMany(ids.map(fileKey));
+  const blobs = await storage.getMany(ids.map(keyOf));
+  const files = new Map<string, SourceFile>();
   const bytes = new Map(ids.map((id, k) => [id, blobs[k]]));
-  return plateFrom(fields['plate'], (told, where): SourceFile => {
+  const fileFrom = (told: unknown, where: string): SourceFile => {
     const file = fieldsOf(told, where, ['id', 'name']);
     const id = textIn(file['id'], where, 1000);
     const blob = bytes.get(id);
     if (!(blob instanceof Blob)) throw new Unfit(where, told);
-    return { id, name: textIn(file['name'], where, 1000), bytes: blob };
-  });
-}
-
-const entryOf = ({ id, bytes }: SourceFile): [string, unknown] => [fileKey(id), bytes];
-
-/** @param known  whether a file is in the storage */
-async function write(storage: Storage, plate: Plate, known: (id: string) => boolean): Promise<void> {
-  const files = filesOf(plate);
-  const record = {
-    version,
-    files: files.map(({ id }) => id),
-    plate: plateData(plate, ({ id, name }) => ({ id, name })),
+    const name = textIn(file['name'], where, 1000);
+    const known = files.get(`${id} ${name}`) ?? { id, name, bytes: blob };
+    files.set(`${id} ${name}`, known); // steps share what did not change
+    return known;
   };
-  await storage.setMany([...files.filter(({ id }) => !known(id)).map(entryOf), [recordKey, record]]);
+  const plate = plateFrom(fields['plate'], fileFrom);
+  const past = platesFrom(fields['past'], fileFrom); // the nearest first, as in `future`
+  return { past: past.reverse(), plate, future: platesFrom(fields['future'], fileFrom).reverse() };
 }
 
-/** Exactly the files of the plate are to be there. @param stands  whether the plate is the last that was written */
-async function tidy(storage: Storage, plate: Plate, stands: () => boolean): Promise<void> {
-  const files = filesOf(plate);
-  const there = await storage.keys();
-  const lost = files.filter(({ id }) => !there.includes(fileKey(id))); // another tab has thrown them away
-  if (lost.length > 0 && stands()) await storage.setMany(lost.map(entryOf));
-  const unused = there.filter((key) => key !== recordKey && !files.some(({ id }) => key === fileKey(id)));
-  if (unused.length > 0 && stands()) await storage.delMany(unused);
-}
-
-/** @param onProblem  is told once that work cannot be kept
+/** @param onProblem  is told when work cannot be kept, and again when that comes back
+ * @param onTaken  another tab goes on with the plate; this one goes on with a copy
  * @param host  a page that shows the studio, and the name that it gave the work: none sees another's; empty: the studio's own */
 export function createAutosave(
-  { onProblem, host = '' }: { onProblem: (problem: Problem) => void; host?: string },
-  storage: Storage = browserStorage(host === '' ? 'sillon-studio' : `sillon-studio ${host}`),
+  {
+    onProblem,
+    onTaken = () => undefined,
+    host = '',
+  }: { onProblem: (problem: Problem) => void; onTaken?: () => void; host?: string },
+  name = host === '' ? 'sillon-studio' : `sillon-studio ${host}`,
+  storage: Storage = browserStorage(name),
+  locks: Locks = webLocks(name),
+  session: Session = tabSession(name),
 ): Autosave {
-  let waiting: Plate | undefined;
-  let saved: Plate | undefined;
-  const written = new Set<string>();
+  /** Of every plate that is in a record, or in the history of one. */
+  const idOf = new WeakMap<Plate, string>();
+  /** By id: the plate as it was when nobody had changed it. */
+  const begun = new Map<string, Plate>();
+  /** By id: what was written last. */
+  const saved = new Map<string, Plate>();
+  const written = new Map<string, Set<string>>();
+  /** Written by this tab, perhaps before it has read what was kept. */
+  const begunHere = new Set<string>();
+  let current = newId();
+  const before = session.get();
+  let waiting: { id: string; steps: Steps } | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  let told = false;
+  let failing = false;
   let turn = 0; // of the last that was written or forgotten
-  /** Nothing is written before what was kept has been read, nor while it is being forgotten. */
-  let open: Promise<unknown> = Promise.resolve();
   let last = Promise.resolve();
 
-  const wrote = (plate: Plate): void => {
-    saved = plate;
-    written.clear();
-    for (const { id } of filesOf(plate)) written.add(id);
-  };
-
   const attempt = (action: Promise<void>): Promise<void> => {
-    const done = inTime(action).catch((error: unknown) => {
-      if (told) return;
-      told = true;
-      onProblem({ code: 'StorageFull', values: {}, detail: error instanceof Error ? error.message : String(error) });
-    });
+    const done = inTime(action).then(
+      () => {
+        failing = false;
+      },
+      (error: unknown) => {
+        if (failing) return;
+        failing = true;
+        onProblem({ code: 'StorageFull', values: {}, detail: error instanceof Error ? error.message : String(error) });
+      },
+    );
     last = last.then(() => done);
     return last;
   };
 
+  /** Another tab has the record of the plate that is shown, and this one goes on with a copy. */
+  const lost = (id: string): void => {
+    written.delete(id);
+    saved.delete(id);
+    moved.set(id, newId());
+    if (current !== id) return;
+    current = moved.get(id) as string;
+    settle();
+    onTaken();
+  };
+  /** Records that went to other tabs, and the copies that this tab goes on with. */
+  const moved = new Map<string, string>();
+  const live = (id: string): string => {
+    const next = moved.get(id);
+    return next === undefined ? id : live(next);
+  };
+
+  /** This tab's record is the current one. */
+  function settle(): void {
+    session.set(current);
+    void locks.take(current, { onLost: lost });
+  }
+
+  const wrote = (id: string, steps: Steps): void => {
+    saved.set(id, steps.plate);
+    written.set(id, new Set(allFiles(steps).map((file) => file.id)));
+  };
+
+  const isOf =
+    (id: string) =>
+    (plate: Plate): boolean => {
+      const known = idOf.get(plate);
+      return known === undefined || live(known) === id; // of several in one turn only the last is saved
+    };
+
+  /** What is kept of them; the nearest steps first. */
+  function cut({ past, plate, future }: Steps, id: string): Steps {
+    const before = nearest(plate, [...past].reverse(), isOf(id));
+    const after = nearest(plate, [...future].reverse(), isOf(id));
+    return { past: before, plate, future: after };
+  }
+
+  /** Exactly the files of the record are to be there. @param stands  whether it is the last that was written */
+  async function tidy(id: string, steps: Steps, stands: () => boolean): Promise<void> {
+    const wanted = new Set(allFiles(steps).map((file) => filesKey(id) + file.id));
+    const unused = (await storage.keys()).filter((key) => key.startsWith(filesKey(id)) && !wanted.has(key));
+    if (unused.length > 0 && stands()) await storage.delMany(unused);
+  }
+
+  async function write(id: string, given: Steps): Promise<void> {
+    const mine = ++turn;
+    const steps = cut(given, id);
+    const { plate, past, future } = steps;
+    const files = allFiles(steps);
+    const known = written.get(id);
+    const record = {
+      version,
+      files: files.map((file) => file.id),
+      plate: told(plate),
+      past: past.map(told),
+      future: future.map(told),
+    };
+    const { width, height } = plate;
+    const about: About = {
+      name: plate.name,
+      width,
+      height: height || width,
+      changed: Date.now(),
+      fresh: begun.get(id) === plate,
+      ...(pictures.has(id) ? { picture: pictures.get(id) } : {}),
+    };
+    await storage.setMany([
+      ...files
+        .filter((file) => known?.has(file.id) !== true)
+        .map((file): [string, unknown] => [filesKey(id) + file.id, file.bytes]),
+      [recordKey(id), record],
+      [aboutKey(id), about],
+    ]);
+    wrote(id, steps);
+    const stands = (): boolean => mine === turn;
+    if (stands()) await tidy(id, steps, stands);
+  }
+  /** By id: for the list. */
+  const pictures = new Map<string, Blob>();
+
   const flush = (): Promise<void> => {
     clearTimeout(timer);
-    const plate = waiting;
+    const work = waiting;
     waiting = undefined;
-    if (plate === undefined || plate === saved) return last;
-    const mine = ++turn;
-    const stands = (): boolean => mine === turn;
-    return attempt(
-      // At once, also while an earlier plate is being written: the storage does one after the other, and a page that is
-      // being closed hears no answers any more.
-      open.then(async () => {
-        await write(storage, plate, (id) => written.has(id));
-        wrote(plate);
-        if (stands()) await tidy(storage, plate, stands);
-      }),
-    );
+    if (work === undefined || work.steps.plate === saved.get(work.id)) return last;
+    // At once, also while an earlier plate is being written: the storage does one after the other, and a page that is being
+    // closed hears no answers any more.
+    begunHere.add(live(work.id));
+    return attempt(write(live(work.id), work.steps));
   };
 
-  const read = async (): Promise<Plate | undefined> => {
+  const namesOf = async (id: string): Promise<string[]> =>
+    (await storage.keys()).filter(
+      (key) => key === recordKey(id) || key === aboutKey(id) || key.startsWith(filesKey(id)),
+    );
+
+  async function abouts(): Promise<{ id: string; about: About }[]> {
+    const ids = (await storage.keys()).flatMap((key) => idOfKey(key) ?? []);
+    const values = await storage.getMany(ids.map(aboutKey));
+    return ids
+      .flatMap((id, k) => {
+        const about = aboutFrom(values[k]);
+        return about === undefined ? [] : [{ id, about }];
+      })
+      .sort((a, b) => b.about.changed - a.about.changed);
+  }
+
+  /** @returns undefined where it is gone or broken: a broken record would be found broken for ever */
+  async function stepsOf(id: string): Promise<Steps | undefined> {
+    const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
+    if (record === undefined) return undefined;
     try {
-      const [record] = await storage.getMany([recordKey]);
-      if (record === undefined) return undefined;
-      const plate = await recordedPlate(storage, record);
-      wrote(plate);
-      return plate;
+      const steps = await recordedSteps(storage, record, (file) => filesKey(id) + file);
+      const picture = aboutFrom(about)?.picture;
+      if (picture !== undefined) pictures.set(id, picture);
+      return steps;
     } catch (error) {
-      // A broken record would be found broken for ever; of a storage that denies itself, `save` will tell.
-      if (error instanceof Unfit) await storage.delMany([recordKey]).catch(() => undefined);
+      if (error instanceof Unfit) await storage.delMany(await namesOf(id)).catch(() => undefined);
       return undefined;
     }
-  };
+  }
+
+  /** All of them are of this record from now on. */
+  function claim(id: string, steps: Steps): void {
+    for (const plate of [...steps.past, steps.plate, ...steps.future]) idOf.set(plate, id);
+  }
+
+  /** The record of earlier versions becomes one among others. */
+  async function migrate(): Promise<void> {
+    const [record] = await storage.getMany([oldKey]);
+    if (record === undefined) return;
+    let gone = (await storage.keys()).filter((key) => key === oldKey || /^file\/[^/]+$/.test(key));
+    try {
+      const steps = await recordedSteps(storage, record, (file) => `file/${file}`);
+      const id = newId();
+      claim(id, steps);
+      await write(id, steps);
+      saved.delete(id); // by nobody who shows it
+    } catch (error) {
+      if (!(error instanceof Unfit)) gone = [];
+    }
+    if (gone.length > 0) await storage.delMany(gone);
+  }
+
+  async function taken(
+    id: string,
+    wait: boolean,
+    steal = false,
+  ): Promise<Exclude<Kept, { state: 'elsewhere' }> | undefined> {
+    const own = await locks.take(id, { wait, steal, onLost: lost });
+    const steps = await stepsOf(id);
+    if (steps === undefined) return undefined;
+    const record = own ? id : newId();
+    claim(record, steps);
+    if (own) wrote(id, steps);
+    else if (pictures.has(id)) pictures.set(record, pictures.get(id) as Blob);
+    return { state: own ? 'own' : 'copy', steps };
+  }
+
+  async function read(): Promise<Kept | undefined> {
+    try {
+      await migrate();
+      const own = before === undefined ? undefined : await taken(before, true);
+      if (own !== undefined) return own;
+      const newest = (await abouts()).find(({ id }) => !begunHere.has(id));
+      if (newest === undefined) return undefined;
+      if (!(await locks.take(newest.id, { onLost: lost }))) return { state: 'elsewhere' };
+      return await taken(newest.id, false);
+    } catch {
+      return undefined; // of a storage that denies itself, `save` will tell
+    }
+  }
 
   return {
-    load() {
-      const kept = read();
-      open = kept;
-      return kept;
+    load: read,
+    begin(plate, fresh = false) {
+      const known = idOf.get(plate);
+      const id = known === undefined ? newId() : live(known);
+      idOf.set(plate, id);
+      if (known === undefined && fresh) begun.set(id, plate);
+      current = id;
+      settle();
     },
-    save(plate) {
-      waiting = plate;
+    current: () => current,
+    save(steps) {
+      const { plate } = steps;
+      const known = idOf.get(plate);
+      const id = known === undefined ? current : live(known);
+      idOf.set(plate, id);
+      if (id !== current || saved.size === 0) {
+        current = id;
+        settle();
+      }
+      if (waiting !== undefined && waiting.id !== id) void flush();
+      waiting = { id, steps };
       clearTimeout(timer);
       timer = setTimeout(() => void flush(), settleAfter);
     },
     flush,
-    forget() {
-      clearTimeout(timer);
-      waiting = undefined;
-      ++turn;
-      const gone = open.then(async () => {
-        saved = undefined;
-        written.clear();
-        await storage.delMany(await storage.keys());
+    async list() {
+      await flush();
+      const [all, held] = await Promise.all([abouts(), locks.held()]);
+      const shown = all.filter(({ id, about }) => !about.fresh || id === current || held.has(id));
+      // What nobody ever changed goes with its tab.
+      const left = all.filter((one) => !shown.includes(one));
+      for (const { id } of left) await storage.delMany(await namesOf(id));
+      return shown.map(({ id, about: { name, width, height, changed, picture } }) => ({
+        id,
+        name,
+        width,
+        height,
+        changed,
+        picture,
+        here: id === current,
+        elsewhere: held.has(id) && !locks.mine(id),
+      }));
+    },
+    async open(id, take = false) {
+      await flush();
+      return taken(id, false, take);
+    },
+    async rename(id, name) {
+      await flush();
+      const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
+      const known = aboutFrom(about);
+      if (known === undefined || typeof record !== 'object' || record === null) return;
+      const { plate } = record as { plate?: object };
+      await storage.setMany([
+        [recordKey(id), { ...record, plate: { ...plate, name } }],
+        [aboutKey(id), { ...known, name, fresh: false }],
+      ]);
+    },
+    async duplicate(id, name) {
+      await flush();
+      const names = await namesOf(id);
+      const values = await storage.getMany(names);
+      if (!names.includes(recordKey(id))) return undefined;
+      const copy = newId();
+      const entries = names.map((key, k): [string, unknown] => {
+        const value = values[k];
+        if (key === recordKey(id)) {
+          const record = value as { plate?: object };
+          return [recordKey(copy), { ...record, plate: { ...record.plate, name } }];
+        }
+        if (key === aboutKey(id))
+          return [aboutKey(copy), { ...(value as object), name, changed: Date.now(), fresh: false }];
+        return [filesKey(copy) + key.slice(filesKey(id).length), value];
       });
-      open = gone.catch(() => undefined);
-      return attempt(gone);
+      await storage.setMany(entries);
+      return copy;
+    },
+    async remove(id) {
+      await flush();
+      const names = await namesOf(id);
+      const values = await storage.getMany(names);
+      await storage.delMany(names);
+      saved.delete(id);
+      written.delete(id);
+      return () => storage.setMany(names.map((key, k) => [key, values[k]]));
+    },
+    async picture(plate, picture) {
+      const id = live(idOf.get(plate) ?? '');
+      if (id === '') return; // nobody has changed it: it is not kept
+      pictures.set(id, picture);
+      await flush();
+      const about = aboutFrom((await storage.getMany([aboutKey(id)]))[0]);
+      if (about !== undefined) await storage.setMany([[aboutKey(id), { ...about, picture }]]);
     },
   };
 }

@@ -1,7 +1,7 @@
 // What a picture is probably for, by its name and by a few figures of its pixels.
 import type { Picture } from 'sillon';
 import { mostPictures } from '../model/lamp.js';
-import type { Plate } from '../model/plate.js';
+import type { DirectionSource, Plate } from '../model/plate.js';
 import type { Role } from '../model/file-role.js';
 
 export interface PictureFacts {
@@ -167,6 +167,8 @@ export interface Guessed {
   name: string;
   /** undefined: SVG. */
   facts: PictureFacts | undefined;
+  /** Of an SVG: how many flat colours it has. */
+  colours?: number;
 }
 
 function roleOf({ name, facts }: Guessed): Role {
@@ -180,9 +182,12 @@ function roleOf({ name, facts }: Guessed): Role {
   return facts.twoTones ? 'levels' : 'lamp';
 }
 
+/** Directions that nobody chose with care: a drawing's own may take their place. */
+const plain: readonly DirectionSource['kind'][] = ['angle', 'radial', 'spiral', 'waves', 'noise', 'colours'];
+
 /** Which part of a plate a role fills; each can be filled once. */
 const partOf = (role: Role): string =>
-  role === 'shape' || role === 'mask' ? 'shape' : role === 'modes' ? 'modes' : 'directions';
+  role === 'shape' || role === 'mask' || role === 'colours' ? 'shape' : role === 'modes' ? 'modes' : 'directions';
 
 /** One role for each file; what would fill a part a second time gets none. @param plate  that they will be put into */
 export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
@@ -197,6 +202,10 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   const black = roles.indexOf('levels');
   const awaited = plate.directions.kind === 'map' && plate.shape.kind !== 'file';
   if (black >= 0 && (filled('directions') > 1 || awaited) && filled('shape') === 0) roles[black] = 'mask';
+  // A drawing of several colours has a direction for each, unless something else tells directions.
+  const alone = filled('directions') === 0 && plain.includes(plate.directions.kind) && plate.strokes.length === 0;
+  const shape = roles.indexOf('shape');
+  if (alone && shape >= 0 && (files[shape]?.colours ?? 0) > 1) roles[shape] = 'colours';
   // Each further picture gets a lamp of its own, as long as there is room for it.
   const { directions } = plate;
   let pictures =
@@ -224,6 +233,7 @@ const pictureRoles = [
   'tone',
   'edges',
   'levels',
+  'colours',
   'angle',
   'rotation',
   'tangent',
@@ -231,4 +241,5 @@ const pictureRoles = [
   'none',
 ] as const;
 
-export const allowedRoles = (isPicture: boolean): readonly Role[] => (isPicture ? pictureRoles : ['shape', 'none']);
+export const allowedRoles = (isPicture: boolean): readonly Role[] =>
+  isPicture ? pictureRoles : ['shape', 'colours', 'none'];

@@ -6,6 +6,7 @@ import type { DirectionSource, Plate, ShapeSource, SourceFile } from '../model/p
 import { StudioError, problemOf } from '../model/problem.js';
 import type { Opened, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
+import { coloursIn, coloursOf, isSvg } from './drawn.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
 import { enoughToKnow, kindOf, type Kind } from './kind.js';
 import { seemsSliced } from './sliced.js';
@@ -116,7 +117,9 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
 
   const guessed = [];
   for (const { source, kind } of all) {
-    guessed.push({ name: source.name, facts: kind === 'svg' ? undefined : await pictureFacts(source, engine) });
+    const { name } = source;
+    if (kind === 'svg') guessed.push({ name, facts: undefined, colours: (await coloursIn(source, engine)).length });
+    else guessed.push({ name, facts: await pictureFacts(source, engine) });
   }
   const roles = guessRoles(guessed, plate);
   const opened = all.map(({ source, kind }, k) => ({
@@ -202,6 +205,7 @@ export function withFile(
       return { ...plate, modes: { ...modes, file } };
     case 'none':
     case 'project':
+    case 'colours':
       return plate;
     case 'lamp':
     case 'more': {
@@ -223,7 +227,7 @@ export function withFile(
 type Tell = (problem: StudioError) => void;
 
 /** Of what is to be recognised. */
-const seen: readonly Role[] = ['lamp', 'more', 'tone', 'edges', 'levels'];
+const seen: readonly Role[] = ['lamp', 'more', 'tone', 'edges', 'levels', 'colours'];
 
 async function sizeOf(
   plate: Plate,
@@ -248,6 +252,21 @@ async function sizeOf(
   return [width, height];
 }
 
+/** A drawing as shape and directions; of a picture its directions alone. */
+async function withColours(
+  plate: Plate,
+  opened: Opened,
+  engine: OpeningEngine,
+  tell: Tell | undefined,
+): Promise<Plate> {
+  const { source: file } = opened;
+  const before = plate.directions.kind === 'colours' ? plate.directions.colours : [];
+  const drawn = isSvg(file);
+  const size = await sizeOf(plate, drawn ? { ...opened, role: 'shape' } : opened, engine, tell);
+  const made = drawn ? withFile(plate, file, 'shape', size) : framed(plate, size);
+  return { ...made, directions: await coloursOf(file, engine, before) };
+}
+
 /** The plate with all of them put to use: shapes first, as pictures are laid over them.
  * @param tell  what of a file is not in the plate
  * @param light  on the screen
@@ -263,7 +282,10 @@ export async function withFiles(
   const isShape = ({ role }: Opened): boolean => role === 'shape' || role === 'mask';
   let made = plate;
   for (const one of [...used.filter(isShape), ...used.filter((other) => !isShape(other))]) {
-    made = withFile(made, one.source, one.role, await sizeOf(made, one, engine, tell), light);
+    made =
+      one.role === 'colours'
+        ? await withColours(made, one, engine, tell)
+        : withFile(made, one.source, one.role, await sizeOf(made, one, engine, tell), light);
   }
   const [first] = used;
   return made.name === '' && first !== undefined ? { ...made, name: stemOf(first.source.name) } : made;

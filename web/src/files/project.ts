@@ -3,7 +3,7 @@
 import { strFromU8, strToU8, zipSync, type Zippable } from 'fflate';
 import type { DirectionInput, Engine, PrinterValues, Project, ShapeInput } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
-import { engineInput } from '../model/input.js';
+import { engineInput, paintOf } from '../model/input.js';
 import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type Fields } from '../model/check-plate.js';
 import { newLampDirections, newPlate } from '../model/defaults.js';
 import { mostPictures, pictureInput } from '../model/lamp.js';
@@ -216,7 +216,13 @@ async function commandLinePlate(
     name: stemOf(name).slice(0, 200),
     shape:
       ofShape !== undefined
-        ? { kind: 'file', file: ofShape, unitless: shape.unitless }
+        ? {
+            kind: 'file',
+            file: ofShape,
+            unitless: shape.unitless,
+            ...(shape.paint !== paintOf({ unitless: shape.unitless }) && { paint: shape.paint }),
+            ...(shape.keepThin === true && { keepThin: true }),
+          }
         : builtin === 'rounded'
           ? { kind: builtin, radius: shape.radius }
           : { kind: builtin },

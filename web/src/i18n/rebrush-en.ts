@@ -9,7 +9,22 @@ export const rebrushEn = {
   'rebrush.another': 'Another file…',
   'rebrush.reading': 'Reading {name}',
 
-  'rebrush.faces': 'Top faces',
+  'rebrush.tilt': 'See it from aside',
+  'rebrush.flat': 'See it from above',
+  'rebrush.below': 'See it from below',
+  'rebrush.tilted':
+    'The print from aside. Drag or use the arrow keys to turn it, with Shift or two fingers to move it; click a face to choose it or leave it',
+
+  'rebrush.faces': 'Faces',
+  'rebrush.side': 'Which faces',
+  'rebrush.side.top': 'Tops',
+  'rebrush.side.bottom': 'Bottom',
+  'rebrush.side.both': 'Both',
+  'rebrush.side.bottom.help':
+    'The first layer, seen through the print: turned over, it is mirrored. Pictures read correctly then.',
+  'rebrush.side.both.help':
+    'The view from above shows the tops. From aside, press “See it from below” for the first layer.',
+  'rebrush.bottomFace': 'Bottom, {z} mm high',
   'rebrush.chosen': '{n} of {all} chosen, {area} mm²',
   'rebrush.all': 'All',
   'rebrush.none': 'None',
@@ -22,9 +37,12 @@ export const rebrushEn = {
 
   'rebrush.directions': 'Direction of the beads',
   'rebrush.way.angle': 'One angle',
+  'rebrush.way.hand': 'By hand',
   'rebrush.way.plate': 'As the plate',
   'rebrush.way.picture': 'Picture',
   'rebrush.angle': 'Angle',
+  'rebrush.hand.help': 'Comb the faces: beads follow your strokes, and lie at the angle elsewhere.',
+  'rebrush.hand.undo': 'Undo the last stroke',
   'rebrush.plate.help': 'The directions of the plate that you have open, with its brush strokes.',
   'rebrush.picture.help': 'A photograph that the faces show while the lamp shines on them. Drop one, or choose it.',
   'rebrush.picture.choose': 'Choose a picture…',

@@ -1,14 +1,13 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
-import type { EngineInfo, GcodeFinding, GcodeWarning, ImportNote, PrinterValues } from 'sillon';
+import type { EngineInfo, PrinterValues } from 'sillon';
 import type { Filament } from '../model/filaments.js';
 import { countLines, unusualHeat } from '../model/brought.js';
 import { profileOf, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
 import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
-import type { Untold } from '../model/share.js';
 import type { Progress } from '../model/state.js';
 import type { Verdict } from '../model/verdicts.js';
-import { formatDuration, formatNumber, hasText, language, t } from './text.js';
+import { formatDuration, formatNumber, hasText, t } from './text.js';
 
 export const settingLabel = ({ id }: Setting): string => t(`setting.${id}`);
 export const settingHelp = ({ id }: Setting): string => t(`help.${id}`);
@@ -68,12 +67,6 @@ export const printerLabel = (printer: PrinterChoice | undefined): string => {
   return hasText(text) ? t(text) : printer.label;
 };
 
-/** A note of importPrinter in the page's language; one of an unknown code as the engine says it. */
-export function importNoteText({ code, values, message }: ImportNote): string {
-  const id = `note.${code}`;
-  return hasText(id) ? t(id, values) : message;
-}
-
 /** Temperatures of a printer, where they are higher than usual. */
 export function heatText(printer: PrinterValues): string {
   const { nozzle, bed } = unusualHeat(printer);
@@ -105,26 +98,18 @@ export function broughtText(brought: PrinterValues, own: PrinterValues): string 
 
 export const filamentLabel = ({ key }: Filament): string => t(`filament.${key}`);
 
-export function untoldText(parts: readonly Untold[]): string {
-  if (parts.length === 0) return t('link.complete');
-  const list = new Intl.ListFormat(language(), { type: 'conjunction' });
-  return t('link.untold', { parts: list.format(parts.map((part) => t(`link.untold.${part}`))) });
-}
-
 export interface ProgressWords {
   job: string;
   stage: string;
-  percent: string;
   /** Empty where nothing is known. */
   left: string;
 }
 
-export function progressWords({ job, stage, fraction, secondsLeft }: Progress): ProgressWords {
+export function progressWords({ job, stage, secondsLeft }: Progress): ProgressWords {
   const id = `stage.${stage}`;
   return {
     job: t(`job.${job}`),
     stage: hasText(id) ? t(id) : stage,
-    percent: t('progress.percent', { percent: Math.floor(100 * fraction) }),
     left: secondsLeft === undefined ? '' : t('progress.left', { time: formatDuration(secondsLeft) }),
   };
 }
@@ -141,68 +126,4 @@ export function threadsWords(
   if (reasonCode === 'GivenUp') return { count, why: t('threads.givenUp') };
   const framed = globalThis.parent !== (globalThis.window as typeof globalThis.window | undefined);
   return { count, why: t(framed ? 'threads.frame' : 'threads.isolation') };
-}
-
-const findingRules = [
-  'commands',
-  'layers',
-  'grammar',
-  'homing',
-  'heating',
-  'modes',
-  'bounds',
-  'height',
-  'extrusion',
-  'flow',
-  'speed',
-  'rate',
-  'retraction',
-  'cycle',
-  'coverage',
-  'noise',
-  'settings',
-  'totals',
-  'end',
-] as const;
-
-/** A finding of GcodeCheck in the page's language, with its line; one of an unknown rule as the engine says it. */
-export function findingText({
-  rule,
-  line,
-  count,
-  message,
-}: Pick<GcodeFinding, 'rule' | 'line' | 'count' | 'message'>): string {
-  const known = findingRules.find((name) => name === rule);
-  const what = known === undefined ? message : t(`finding.${known}`);
-  if (line === 0) return what;
-  return t(count > 1 ? 'check.places' : 'check.place', { what, line, n: count - 1 });
-}
-
-export interface StartLine {
-  line: number;
-  /** As it stands in the start block. */
-  code: string;
-  /** In the engine's words. */
-  what: string;
-}
-
-/** The lines of the start block that warnings name, and an error's sentence: errors carry no values. */
-export function startLines(warnings: readonly GcodeWarning[], error: string, startGcode: string): StartLine[] {
-  const lines = startGcode.split('\n');
-  const [, refused, why = ''] = /^line (\d+) of startGcode: (.*)$/.exec(error) ?? [];
-  const named = warnings.flatMap(({ code, values: { line, what } }) => (code === 'StartLine' ? [{ line, what }] : []));
-  if (refused !== undefined) named.unshift({ line: refused, what: why });
-  return named.flatMap(({ line, what }) => {
-    const code = lines[Number(line) - 1];
-    return code === undefined ? [] : [{ line: Number(line), code: code.trim(), what: String(what) }];
-  });
-}
-
-/** A warning of GcodeSummary in the page's language. */
-export function warningText({ code, values }: GcodeWarning): string {
-  const { block } = values;
-  return t(
-    `warning.${code}`,
-    block === 'startGcode' || block === 'endGcode' ? { ...values, block: t(`setting.printer.${block}`) } : values,
-  );
 }

@@ -1,6 +1,9 @@
 // The page's words. What a language lacks would be a type error.
+import type { calibrateEn } from './calibrate-en.js';
 import { en } from './en.js';
+import type { drawingEn } from './drawing-en.js';
 import { languages, spoken } from './languages.js';
+import type { rareEn } from './rare-en.js';
 import type { rebrushEn } from './rebrush-en.js';
 
 export type TextId = keyof typeof en;
@@ -8,7 +11,10 @@ export type TextId = keyof typeof en;
 export type Text = string | { readonly one: string; readonly other: string };
 export type Dictionary = Readonly<Record<TextId, Text>>;
 /** Of a language but English, whose words of views that are rarely opened are in files of their own. */
-export type Translation = Dictionary & Readonly<Record<keyof typeof rebrushEn, Text>>;
+export type Translation = Dictionary &
+  Readonly<
+    Record<keyof typeof calibrateEn | keyof typeof drawingEn | keyof typeof rareEn | keyof typeof rebrushEn, Text>
+  >;
 export type Values = Readonly<Record<string, string | number>>;
 
 let current = 'en';

@@ -3,6 +3,7 @@
 import {
   fileKinds,
   generatorKinds,
+  newColours,
   newFileDirections,
   newGenerator,
   newLampDirections,
@@ -10,8 +11,18 @@ import {
   newShape,
 } from './defaults.js';
 import { filaments } from './filaments.js';
+import { mostColours } from './flat-colours.js';
 import { mostPictures } from './lamp.js';
-import type { DirectionSource, LampPicture, ModeSource, Plate, ShapeSource, SourceFile, Stroke } from './plate.js';
+import type {
+  DirectionSource,
+  LampPicture,
+  ModeSource,
+  OwnSpool,
+  Plate,
+  ShapeSource,
+  SourceFile,
+  Stroke,
+} from './plate.js';
 import { accepts, settings, type SectionName } from './settings.js';
 
 export type Fields = Record<string, unknown>;
@@ -92,16 +103,63 @@ export const filamentFrom = (value: unknown): string =>
     filaments.map(({ key }) => key as string),
   );
 
+type SpoolSides = OwnSpool['fine'];
+
+function sidesFrom(value: unknown, where: string): SpoolSides {
+  const sides = fieldsOf(value, where, ['nozzleSide', 'bedSide']);
+  const slopes = (side: keyof SpoolSides): [number, number] => {
+    const at = `${where}.${side}`;
+    const pair = sides[side];
+    if (!Array.isArray(pair) || pair.length !== 2) throw new Unfit(at, pair);
+    return [numberIn(pair[0], at, 0.1, 45), numberIn(pair[1], at, 0.1, 45)];
+  };
+  return { nozzleSide: slopes('nozzleSide'), bedSide: slopes('bedSide') };
+}
+
+/** As the engine reads an entry of a file of spools. @param value  without the key */
+export function spoolFrom(key: unknown, value: unknown, where = 'spool'): OwnSpool {
+  const name = textIn(key, `${where}.key`, 40);
+  if (!/^[\w-]+$/.test(name) || filaments.some((filament) => filament.key === name)) {
+    throw new Unfit(`${where}.key`, name);
+  }
+  const { colour, fine, wide, source } = fieldsOf(value, where, ['colour', 'fine', 'wide', 'source']);
+  const channels = Array.isArray(colour) && colour.length === 3 ? colour : [undefined];
+  const rgb = channels.map((one) => (Number.isInteger(one) ? numberIn(one, `${where}.colour`, 0, 255) : NaN));
+  if (rgb.some(Number.isNaN)) throw new Unfit(`${where}.colour`, colour);
+  if (source !== undefined && typeof source !== 'string') throw new Unfit(`${where}.source`, source);
+  return {
+    key: name,
+    colour: rgb as [number, number, number],
+    fine: sidesFrom(fine, `${where}.fine`),
+    ...(wide !== undefined && { wide: sidesFrom(wide, `${where}.wide`) }),
+    ...(source !== undefined && { source }),
+  };
+}
+
+/** Of a plate's data, or of a link's; undefined: none. */
+export function plateSpoolFrom(value: unknown): { spool?: OwnSpool } {
+  if (value === undefined) return {};
+  const { key, ...entry } = fieldsOf(value, 'spool', ['key', 'colour', 'fine', 'wide', 'source']);
+  return { spool: spoolFrom(key, entry) };
+}
+
 /** @param fileFrom  undefined: files are not allowed */
 export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
-  const fields = fieldsOf(value, 'shape', ['kind', 'radius', 'file', 'unitless']);
+  const fields = fieldsOf(value, 'shape', ['kind', 'radius', 'file', 'unitless', 'paint', 'keepThin']);
   const builtins = ['rectangle', 'rounded', 'disc'] as const;
   const kinds = fileFrom === undefined ? builtins : ([...builtins, 'file'] as const);
   const kind = oneOf(fields['kind'], 'shape.kind', kinds);
   if (kind === 'file' && fileFrom !== undefined) {
-    fieldsOf(value, 'shape', ['kind', 'file', 'unitless']);
+    fieldsOf(value, 'shape', ['kind', 'file', 'unitless', 'paint', 'keepThin']);
     const unitless = oneOf(fields['unitless'], 'shape.unitless', ['px', 'mm'] as const);
-    return { kind, file: fileFrom(fields['file'], 'shape.file'), unitless };
+    const { paint, keepThin } = fields;
+    return {
+      kind,
+      file: fileFrom(fields['file'], 'shape.file'),
+      unitless,
+      ...(paint !== undefined && { paint: oneOf(paint, 'shape.paint', ['shown', 'ignore'] as const) }),
+      ...(keepThin !== undefined && { keepThin: keepThin === true }),
+    };
   }
   fieldsOf(value, 'shape', ['kind', 'radius']);
   if (kind === 'rounded') return { kind, radius: numberIn(fields['radius'], 'shape.radius', 0, 10000) };
@@ -176,12 +234,26 @@ function lampFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
   };
 }
 
+function coloursFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
+  const { file, colours } = fieldsOf(value, 'directions', ['kind', 'file', 'colours']);
+  if (!Array.isArray(colours) || colours.length > mostColours) throw new Unfit('directions.colours', colours);
+  const read = colours.map((one: unknown, k) => {
+    const where = `directions.colours[${k}]`;
+    const { colour, angle } = fieldsOf(one, where, ['colour', 'angle']);
+    if (typeof colour !== 'string' || !/^#[\da-f]{6}$/.test(colour)) throw new Unfit(`${where}.colour`, colour);
+    return { colour, angle: numberIn(angle, `${where}.angle`, -360, 360) };
+  });
+  return newColours(fileFrom(file, 'directions.file'), read);
+}
+
 /** @param fileFrom  undefined: files are not allowed */
 export function directionsFrom(value: unknown, fileFrom?: FileFrom): DirectionSource {
-  const kinds = fileFrom === undefined ? generatorKinds : ([...generatorKinds, ...fileKinds, 'lamp'] as const);
+  const kinds =
+    fileFrom === undefined ? generatorKinds : ([...generatorKinds, ...fileKinds, 'lamp', 'colours'] as const);
   const given = (value as Fields | null | undefined) ?? {};
   const kind = oneOf(given['kind'], 'directions.kind', kinds);
   if (kind === 'lamp') return lampFrom(value, fileFrom as FileFrom);
+  if (kind === 'colours') return coloursFrom(value, fileFrom as FileFrom);
   const file = includes(fileKinds, kind) ? fileFrom?.(given['file'], 'directions.file') : undefined;
   const usual =
     includes(fileKinds, kind) && file !== undefined ? newFileDirections(kind, file) : newGenerator(kind as 'angle');
@@ -239,7 +311,7 @@ function sectionFrom(section: SectionName, value: unknown): Fields {
 
 /** A whole plate. @throws Unfit */
 export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
-  const fields = fieldsOf(value, '', [...Object.keys(newPlate()), 'brought']);
+  const fields = fieldsOf(value, '', [...Object.keys(newPlate()), 'brought', 'spool']);
   return {
     name: nameFrom(fields['name']),
     shape: shapeFrom(fields['shape'], fileFrom),
@@ -255,5 +327,6 @@ export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
       ? {}
       : { brought: sectionFrom('printer', fields['brought']) as unknown as Plate['printer'] }),
     filament: filamentFrom(fields['filament']),
+    ...plateSpoolFrom(fields['spool']),
   };
 }

@@ -1,6 +1,6 @@
 // What a plate is before anybody changes it.
 import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
-import type { DirectionSource, LampPicture, Plate, ShapeSource, SourceFile } from './plate.js';
+import type { DirectionSource, FlatColour, LampPicture, Plate, ShapeSource, SourceFile } from './plate.js';
 import { table } from './setting-table.js';
 
 /** What the core's table of settings says. */
@@ -14,7 +14,7 @@ export const printerDefaults = defaultsOf<PrinterValues>(table.printer);
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
 
 /** Each kind of directions as it is first chosen. */
-const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'pictures'> } = {
+const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'pictures' | 'colours'> } = {
   angle: { kind: 'angle', angle: 0 },
   lamp: { kind: 'lamp', lampSize: 0.1, smoothness: 0.05, localContrast: 0 },
   map: { kind: 'map', encoding: 'angle' },
@@ -22,6 +22,7 @@ const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'p
   tone: { kind: 'tone', from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },
   edges: { kind: 'edges', smoothing: 0.01, across: false },
   levels: { kind: 'levels', dark: 0, light: 90, threshold: 0.5, invert: false },
+  colours: { kind: 'colours' },
   text: { kind: 'text', text: 'Sillon', font: 'sans-serif', bold: true, size: 0.3, letters: 90, ground: 0 },
   qr: { kind: 'qr', text: 'SILLON', dark: 0, light: 90, margin: 2 },
   radial: { kind: 'radial', centre: [0.5, 0.5], angle: 0 },
@@ -31,7 +32,7 @@ const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'p
 };
 
 export type FileKind = 'map' | 'tone' | 'edges' | 'levels';
-export type GeneratorKind = Exclude<DirectionSource['kind'], FileKind | 'lamp'>;
+export type GeneratorKind = Exclude<DirectionSource['kind'], FileKind | 'lamp' | 'colours'>;
 
 export const generatorKinds = ['angle', 'radial', 'spiral', 'waves', 'noise', 'text', 'qr'] as const;
 export const fileKinds = ['tone', 'edges', 'levels', 'map'] as const;
@@ -45,6 +46,12 @@ export const newFileDirections = <Kind extends FileKind>(kind: Kind, file: Sourc
 export const newLampDirections = (pictures: readonly LampPicture[]): Generated['lamp'] => ({
   ...directions.lamp,
   pictures,
+});
+
+export const newColours = (file: SourceFile, colours: readonly FlatColour[]): Generated['colours'] => ({
+  ...directions.colours,
+  file,
+  colours,
 });
 
 export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource =>

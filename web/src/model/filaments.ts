@@ -1,6 +1,7 @@
 // A short list of filaments: how they are printed, and how they look, which is the core's table of spools.
 import { spools } from './appearance.js';
-import type { Plate } from './plate.js';
+import type { OwnSpool, Plate } from './plate.js';
+import { withAdvance } from './printers.js';
 
 /** Along, across. */
 export type Slopes = readonly [number, number];
@@ -50,11 +51,24 @@ export const filaments: readonly Filament[] = [
 export const filamentOf = (key: string): Filament =>
   filaments.find((filament) => filament.key === key) ?? (filaments[0] as Filament);
 
+/** Colour and gloss: of the visitor's own spool, where there is one. */
+const looksOf = ({ filament, spool }: Pick<Plate, 'filament' | 'spool'>): Pick<Filament, 'colour' | 'roughness'> =>
+  spool === undefined
+    ? filamentOf(filament)
+    : { colour: spool.colour, roughness: { fine: spool.fine, wide: spool.wide ?? spool.fine } };
+
+/** Looks like a spool of one's own; undefined: as the filament again. */
+export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
+  const changed = { ...plate, spool };
+  if (spool === undefined) delete changed.spool;
+  return changed;
+}
+
 /** The plate of another filament: its look, temperatures and weight. */
 export function withFilament(plate: Plate, key: FilamentKey): Plate {
   const { type, density, nozzleTemperature, bedTemperature } = filamentOf(key);
-  return {
-    ...plate,
+  const changed = {
+    ...withSpool(plate, undefined),
     filament: key,
     printer: {
       ...plate.printer,
@@ -65,6 +79,7 @@ export function withFilament(plate: Plate, key: FilamentKey): Plate {
       bedTemperature,
     },
   };
+  return withAdvance(changed, plate);
 }
 
 const toLinear = (value: number): number => {
@@ -75,19 +90,20 @@ const toLinear = (value: number): number => {
 /** What the views draw with: linear colour, and the slopes for this nozzle, between those measured. A mirrored plate is
  * made to be seen from below. */
 export function lookOf(plate: Plate): { colour: [number, number, number]; along: number; across: number } {
-  const { colour } = filamentOf(plate.filament);
+  const { colour } = looksOf(plate);
   const [along, across] = slopesOf(plate);
   return { colour: [toLinear(colour[0]), toLinear(colour[1]), toLinear(colour[2])], along, across };
 }
 
 /** The same for files: sRGB 0..255. */
 export function viewLook(plate: Plate): { colour: [number, number, number]; slopes: [number, number] } {
-  return { colour: [...filamentOf(plate.filament).colour], slopes: slopesOf(plate) };
+  return { colour: [...looksOf(plate).colour], slopes: slopesOf(plate) };
 }
 
 /** Along and across the bead, on the side that is seen, for the nozzle [degrees]. */
-export function slopesOf({ filament, print, printer }: Plate): [number, number] {
-  const { roughness } = filamentOf(filament);
+export function slopesOf(plate: Plate): [number, number] {
+  const { print, printer } = plate;
+  const { roughness } = looksOf(plate);
   const side = print.mirror ? 'bedSide' : 'nozzleSide';
   const share = Math.min(1, Math.max(0, (printer.nozzle - fineNozzle) / (wideNozzle - fineNozzle)));
   const between = (k: 0 | 1): number => roughness.fine[side][k] * (1 - share) + roughness.wide[side][k] * share;

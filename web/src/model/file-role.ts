@@ -5,6 +5,7 @@ import type { SourceFile } from './plate.js';
 export type Role =
   | 'shape'
   | 'mask'
+  | 'colours'
   | 'lamp'
   | 'more'
   | 'tone'

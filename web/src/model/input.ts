@@ -20,15 +20,24 @@ export function sameToolpath(a: Input, b: Input): boolean {
   return (raster !== undefined && !lit) || (p.directions === q.directions && p.modes === q.modes);
 }
 
+/** Millimetres without a unit are the published scenes', which outline what they mean. */
+export const paintOf = ({
+  paint,
+  unitless,
+}: {
+  paint?: 'shown' | 'ignore' | undefined;
+  unitless: 'px' | 'mm';
+}): 'shown' | 'ignore' => paint ?? (unitless === 'mm' ? 'ignore' : 'shown');
+
 export function shapeInput({ shape, width, height }: Plate): ShapeInput {
   switch (shape.kind) {
     case 'file':
-      // Millimetres without a unit are the published scenes', which outline what they mean.
       return {
         file: shape.file.bytes,
         pageWidth: width,
         unitless: shape.unitless,
-        ...(shape.unitless === 'mm' && { paint: 'ignore' as const }),
+        ...(paintOf(shape) === 'ignore' && { paint: 'ignore' as const }),
+        ...(shape.keepThin === true && { keepThin: true }),
       };
     case 'rounded':
       return { builtin: 'rounded', size: [width, height], radius: shape.radius };
@@ -56,6 +65,16 @@ function thinned<Samples extends Uint8Array | Uint16Array>(
   return { width: columns, height: rows, samples: kept };
 }
 
+/** @param step  every so many texels are given */
+export function rasterInput(raster: DirectionRaster, step = 1): Required<Pick<PlateInput, 'directions' | 'modes'>> {
+  const angles = thinned(raster.angle, raster, step);
+  const modes = thinned(raster.mode, raster, step);
+  return {
+    directions: { file: { ...angles, channels: 1 }, encoding: 'angle' },
+    modes: { file: { ...modes, channels: 1, samples: modes.samples.map((mode) => mode * greyPerMode) } },
+  };
+}
+
 /** @param factor  by how much the spacing grows; above 1 for previews. */
 export function engineInput({ plate, raster }: Input, factor = 1): { input: PlateInput; params: ToolpathParams } {
   const { spacing, bridge } = plate.toolpath;
@@ -75,14 +94,5 @@ export function engineInput({ plate, raster }: Input, factor = 1): { input: Plat
   // Two texels per bead are enough for a preview, and reading large pictures would take most of its time.
   const enough = (2 * plate.width) / params.spacing;
   const step = factor > 1 ? Math.max(1, Math.floor(raster.width / enough)) : 1;
-  const angles = thinned(raster.angle, raster, step);
-  const modes = thinned(raster.mode, raster, step);
-  return {
-    input: {
-      shape,
-      directions: { file: { ...angles, channels: 1 }, encoding: 'angle' },
-      modes: { file: { ...modes, channels: 1, samples: modes.samples.map((mode) => mode * greyPerMode) } },
-    },
-    params,
-  };
+  return { input: { shape, ...rasterInput(raster, step) }, params };
 }

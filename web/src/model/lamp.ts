@@ -33,13 +33,14 @@ export function pictureInput<Content>(plate: Plate, source: LampSource, content:
     lampSize,
     smoothness,
     localContrast,
+    corrections: 0, // each takes as long as a plate: too long for a page that follows the hand
   } satisfies Omit<PictureInput, 'files'> & { files: { file: Content; lamp: [number, number] | null }[] };
 }
 
 /** Whether both plates ask the engine for the same pictures; other directions do not know of spools. */
 export function sameSpool(a: Plate, b: Plate): boolean {
   if (a.directions.kind !== 'lamp' || b.directions.kind !== 'lamp') return true;
-  return a.filament === b.filament && slopesOf(a).join() === slopesOf(b).join();
+  return a.filament === b.filament && a.spool === b.spool && slopesOf(a).join() === slopesOf(b).join();
 }
 
 const wrapped = (azimuth: number): number => ((azimuth % 360) + 360) % 360;
@@ -68,6 +69,12 @@ export function lampsOf(source: DirectionSource, look: Look | undefined): Light[
   });
 }
 
+/** What is to be seen on the plate; of several pictures, the one whose lamp shines. */
+export function pictureOf({ directions }: Plate, lamp: number): SourceFile | undefined {
+  if (directions.kind === 'lamp') return directions.pictures[lamp]?.file;
+  return 'file' in directions && directions.kind !== 'map' ? directions.file : undefined;
+}
+
 export const usualLight: Readonly<Light> = { azimuth: 60, elevation: 35 };
 
 /** Where the plate looks as it is meant to: beads that run across the light are bright. */
@@ -80,6 +87,8 @@ export function homeLight({ directions }: Plate, look: Look | undefined): Light 
       return across(directions.invert ? directions.from : directions.to);
     case 'levels':
       return across(directions.invert ? directions.dark : directions.light);
+    case 'colours':
+      return across(directions.colours.at(-1)?.angle ?? usualLight.azimuth + 90); // the lightest is bright
     case 'qr':
       return across(directions.light);
     case 'text':
@@ -99,7 +108,7 @@ const wideLamp = 0.25;
 export const greySteps = (contrast: number): number =>
   Math.max(1, Math.floor(Math.log(Math.max(1, contrast)) / Math.log(1.1)));
 
-export type Weakness = 'spool' | 'window' | 'unlike';
+export type Weakness = 'spool' | 'window' | 'unlike' | 'crowded';
 
 /** Why people may not see the pictures; empty: they will. @param seen  of the finished plate */
 export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | undefined): Weakness[] {
@@ -111,6 +120,13 @@ export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | unde
   const [along] = slopesOf(plate);
   const dull = along >= 6; // [degrees] gold: the shine is as wide along the bead as across it
   if (!window && (dull || seen?.some(({ contrast }) => contrast < weakContrast) === true)) found.push('spool');
-  if (seen?.some(({ r }) => r < unlike) === true) found.push('unlike');
+  // Of three pictures and more it is the others that leave no room, whatever the size.
+  if (seen?.some(({ r }) => r < unlike) === true) found.push(seen.length > 2 ? 'crowded' : 'unlike');
   return found;
 }
+
+/** For the sentences about weaknesses: how many pictures there are, and the lowest of their correlations. */
+export const leastSeen = (seen: readonly PictureReport[] | undefined): { n: number; r: number } => ({
+  n: seen?.length ?? 0,
+  r: Math.min(1, ...(seen ?? []).map(({ r }) => r)),
+});

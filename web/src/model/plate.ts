@@ -1,6 +1,6 @@
 // Everything that makes a plate. Plain data, never changed in place: one undo step is one Plate, and two Plates share what
 // did not change.
-import type { DirectionEncoding, DirectionMode, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
+import type { DirectionEncoding, DirectionMode, PrintParams, PrinterValues, Spool, ToolpathParams } from 'sillon';
 
 /** A file as it came: kept for the project file. Equal `id`: equal bytes. */
 export interface SourceFile {
@@ -15,13 +15,27 @@ export type ShapeSource =
   | { kind: 'rounded'; radius: number }
   | { kind: 'disc' }
   /** SVG, or a mask picture: bright, opaque pixels are inside. */
-  | { kind: 'file'; file: SourceFile; unitless: 'px' | 'mm' };
+  | {
+      kind: 'file';
+      file: SourceFile;
+      unitless: 'px' | 'mm';
+      /** Left out: as it appears, but for lengths in mm without a unit. */
+      paint?: 'shown' | 'ignore';
+      /** What is thinner than a bead is widened to one. */
+      keepThin?: boolean;
+    };
 
 /** A picture to be seen while its lamp shines: azimuth counter-clockwise from the right, and elevation [degrees]; null: the
  * engine chooses. */
 export interface LampPicture {
   file: SourceFile;
   lamp: readonly [number, number] | null;
+}
+
+/** A colour of a drawing as '#rrggbb', and the direction of what is painted in it [degrees]. */
+export interface FlatColour {
+  colour: string;
+  angle: number;
 }
 
 /** Where directions come from. Angles are degrees, counter-clockwise from the right; a bead has no sense: 180° is 0°.
@@ -45,6 +59,8 @@ export type DirectionSource =
   | { kind: 'edges'; file: SourceFile; smoothing: number; across: boolean }
   /** Two directions: where the picture is dark, and where it is light. */
   | { kind: 'levels'; file: SourceFile; dark: number; light: number; threshold: number; invert: boolean }
+  /** A direction for each flat colour of a drawing or a picture, from dark to light; other colours go with the nearest. */
+  | { kind: 'colours'; file: SourceFile; colours: readonly FlatColour[] }
   | { kind: 'text'; text: string; font: string; bold: boolean; size: number; letters: number; ground: number }
   | { kind: 'qr'; text: string; dark: number; light: number; margin: number }
   | { kind: 'radial'; centre: [number, number]; angle: number }
@@ -53,6 +69,9 @@ export type DirectionSource =
   | { kind: 'noise'; seed: number; scale: number; amplitude: number; angle: number };
 
 /** One gesture of a brush, in page units as above. Edits are replayed in order over the source. */
+/** What beads may do at a place, as people choose among it. */
+export const modeChoices = ['constrained', 'parallel', 'orthogonal', 'smoothest'] as const satisfies DirectionMode[];
+
 export interface Stroke {
   tool: 'comb' | 'mode' | 'erase';
   /** x0, y0, x1, y1, ... */
@@ -71,6 +90,12 @@ export interface ModeSource {
   file?: SourceFile;
 }
 
+/** A spool that somebody has measured: an entry of a file of spools, with its name there. */
+export interface OwnSpool extends Readonly<Spool> {
+  /** 1 to 40 letters, digits, `-` and `_`. */
+  key: string;
+}
+
 export interface Plate {
   name: string;
   shape: ShapeSource;
@@ -87,4 +112,6 @@ export interface Plate {
   brought?: PrinterValues | undefined;
   /** Key of the filament whose colour and gloss the appearance shows. */
   filament: string;
+  /** Instead of its colour and gloss, those of a spool of one's own. */
+  spool?: OwnSpool | undefined;
 }

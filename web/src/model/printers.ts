@@ -23,7 +23,11 @@ export interface PrinterChoice {
   /** Maker and model; the dictionary may have a better one (`printer.KEY`). */
   label: string;
   machine: Machine;
+  /** Pressure advance as the maker's own slicer sets it, by filament type and nozzle. */
+  advance: Advance;
 }
+
+type Advance = Record<string, Record<string, number>>;
 
 const usual = Object.fromEntries(
   Object.entries(printerDefaults).filter(([key]) => !(ofFilament as readonly string[]).includes(key)),
@@ -34,11 +38,15 @@ interface Row extends Partial<Machine> {
   maker?: string;
   models?: string[];
   source?: string;
+  advance?: Advance;
 }
 
-function choice(key: PrinterKey, { maker = '', models: _models, source: _source, ...values }: Row): PrinterChoice {
+function choice(
+  key: PrinterKey,
+  { maker = '', models: _models, source: _source, advance = {}, ...values }: Row,
+): PrinterChoice {
   const machine = { ...usual, ...values };
-  return { key, label: machine.name.startsWith(maker) ? machine.name : `${maker} ${machine.name}`, machine };
+  return { key, advance, label: machine.name.startsWith(maker) ? machine.name : `${maker} ${machine.name}`, machine };
 }
 
 const isGeneric = ({ key }: PrinterChoice): boolean => key.startsWith('generic');
@@ -49,13 +57,27 @@ export const printers: readonly PrinterChoice[] = Object.entries(table.printers 
   .filter(({ machine }) => machine.flavor !== 'bambu')
   .sort((a, b) => Number(isGeneric(b)) - Number(isGeneric(a)) || a.label.localeCompare(b.label, 'en'));
 
+/** Pressure advance as the printer's maker sets it for the filament and the nozzle; off where none is known. */
+function makersAdvance(printer: PrinterValues): Pick<PrinterValues, 'pressureAdvance' | 'setPressureAdvance'> {
+  const value = profileOf(printer)?.advance[printer.filamentType]?.[printer.nozzle];
+  return { setPressureAdvance: value !== undefined, pressureAdvance: value ?? printerDefaults.pressureAdvance };
+}
+
+/** As `followAdvance` of the core: after a change of filament or nozzle, unless it was the visitor’s own. */
+export function withAdvance(plate: Plate, before: Plate): Plate {
+  const { setPressureAdvance, pressureAdvance } = makersAdvance(before.printer);
+  const own =
+    setPressureAdvance !== before.printer.setPressureAdvance || pressureAdvance !== before.printer.pressureAdvance;
+  return own ? plate : { ...plate, printer: { ...plate.printer, ...makersAdvance(plate.printer) } };
+}
+
 /** The plate on another printer; the nozzle and what the filament asks for stay. */
 export function withPrinter(plate: Plate, key: PrinterKey): Plate {
   const chosen = printers.find((one) => one.key === key);
   if (chosen === undefined) throw new Error(`there is no printer ${key}`);
   const { nozzle } = plate.printer;
   const printer = { ...plate.printer, ...structuredClone(chosen.machine), nozzle };
-  return { ...plate, printer };
+  return { ...plate, printer: { ...printer, ...makersAdvance(printer) } };
 }
 
 /** Chosen for a print, not what a machine is. */

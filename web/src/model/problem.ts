@@ -31,6 +31,8 @@ export type ProblemCode =
   | 'TextTooLong'
   | 'NoWebGl'
   | 'NoVideo'
+  /** No frame is drawn where nobody looks: none can be recorded. */
+  | 'OutOfSight'
   | 'StorageFull';
 
 export interface Problem {
@@ -61,3 +63,7 @@ export function problemOf(error: unknown): Problem {
 }
 
 export const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';
+
+/** Whether both would be told in the same words. */
+export const same = (a: Problem, b: Problem): boolean =>
+  a.code === b.code && a.detail === b.detail && JSON.stringify(a.values) === JSON.stringify(b.values);

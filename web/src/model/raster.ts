@@ -9,3 +9,7 @@ export interface DirectionRaster {
   /** 0 parallel, 1 orthogonal, 2 smoothest, 3 constrained. */
   mode: Uint8Array;
 }
+
+/** Texels of the longer side, for plates that are printed and for what must keep up with a hand. */
+export const fineResolution = 1024;
+export const coarseResolution = 256;

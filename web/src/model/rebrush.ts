@@ -1,14 +1,19 @@
 // What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
-import type { RebrushOptions, SlicedSurface } from 'sillon';
-import { engineInput } from './input.js';
-import type { Plate, SourceFile } from './plate.js';
+import type { DirectionMode, RebrushOptions, SlicedSurface } from 'sillon';
+import { engineInput, rasterInput } from './input.js';
+import type { OwnSpool, Plate, SourceFile, Stroke } from './plate.js';
 import type { DirectionRaster } from './raster.js';
 
-export type Way = 'angle' | 'plate' | 'picture';
+export type Way = 'angle' | 'hand' | 'plate' | 'picture';
 export type Fit = RebrushOptions['fit'];
 export const fits: readonly Fit[] = ['face', 'object', 'bed', 'all'];
 
+/** Which surfaces are meant: of the first layer, the bottoms. */
+export type Side = NonNullable<RebrushOptions['sides']>;
+export const sides: readonly Side[] = ['top', 'bottom', 'both'];
+
 export interface Wish {
+  side: Side;
   /** Places in the engine's list. */
   chosen: ReadonlySet<number>;
   way: Way;
@@ -19,27 +24,64 @@ export interface Wish {
   lamp: readonly [number, number];
   /** Key of the filament: pictures are solved for its gloss. */
   spool: string;
+  /** Instead of it, a spool of one's own. */
+  own: OwnSpool | undefined;
   fit: Fit;
+  /** Of the way 'hand': points and radii in mm on the bed. */
+  strokes: readonly Stroke[];
 }
 
-/** A top face and its place in the engine's list. */
+/** What a hand draws with on a print. */
+export interface HandBrush {
+  tool: 'pan' | Stroke['tool'];
+  /** [mm] */
+  across: number;
+  /** As a stroke's. */
+  softness: number;
+  /** What the tool 'mode' paints. */
+  mode: DirectionMode;
+}
+
+/** A surface and its place in the engine's list. */
 export interface Face extends SlicedSurface {
   index: number;
 }
 
 /** Largest first. */
-export const topsOf = (surfaces: readonly SlicedSurface[]): Face[] =>
+export const facesOf = (surfaces: readonly SlicedSurface[], wanted: Side): Face[] =>
   surfaces
     .map((surface, index) => ({ ...surface, index }))
-    .filter(({ side }) => side === 'top')
+    .filter(({ side }) => wanted === 'both' || side === wanted)
     .sort((a, b) => b.areaMm2 - a.areaMm2 || a.index - b.index);
+
+/** [mm²] */
+export const areaOf = (faces: readonly Face[]): number => faces.reduce((sum, { areaMm2 }) => sum + areaMm2, 0);
+
+/** On the bed [mm]. */
+export interface Box {
+  corner: readonly [number, number];
+  size: readonly [number, number];
+}
+
+/** Around all chosen faces, as the engine takes it for the fit 'all'. */
+export function boxOf({ chosen }: Wish, faces: readonly Face[]): Box {
+  const boxes = faces.filter(({ index, left }) => left === '' && chosen.has(index));
+  const least = (k: 0 | 1): number => Math.min(...boxes.map(({ corner }) => corner[k]));
+  const most = (k: 0 | 1): number => Math.max(...boxes.map(({ corner, region }) => corner[k] + region.page[k]));
+  const corner = [least(0), least(1)] as const;
+  return { corner, size: [most(0) - corner[0], most(1) - corner[1]] };
+}
 
 /** What is missing before the engine can be asked; empty: nothing. */
 export const lackOf = ({ chosen, way, picture }: Wish): '' | 'nothing' | 'noPicture' =>
   chosen.size === 0 ? 'nothing' : way === 'picture' && picture === undefined ? 'noPicture' : '';
 
+/** Of one's own spool, those of the side that is seen; of the others the engine knows them. */
+const slopesFor = (spool: OwnSpool | undefined, side: Side): { slopes?: [number, number] } =>
+  spool === undefined ? {} : { slopes: [...spool.fine[side === 'bottom' ? 'bedSide' : 'nozzleSide']] };
+
 /** @param faces  all that can be replaced; where all are chosen, none is named
- * @param raster  of the plate, for the way 'plate' */
+ * @param raster  of the plate, for the way 'plate'; over the box of the chosen faces, for 'hand' */
 export function howOf(
   wish: Wish,
   faces: readonly Face[],
@@ -47,20 +89,26 @@ export function howOf(
   raster: DirectionRaster | undefined,
 ): Partial<RebrushOptions> {
   const all = faces.every(({ index }) => wish.chosen.has(index));
-  const only = all ? {} : { only: [...wish.chosen].sort((a, b) => a - b) };
+  const sides = wish.side === 'top' ? {} : { sides: wish.side };
+  const only = all ? sides : { only: [...wish.chosen].sort((a, b) => a - b) };
   switch (wish.way) {
     case 'angle':
       return { directions: { angle: wish.angle }, ...only };
+    case 'hand':
+      if (raster === undefined) throw new Error('there are no strokes');
+      return { ...rasterInput(raster), fit: 'all', ...only };
     case 'plate': {
       const { directions, modes, pictures } = engineInput({ plate, raster }).input;
-      const given = Object.entries({ directions, modes, pictures }).filter(([, part]) => part !== undefined);
+      const lit = pictures && { ...pictures, slopes: null, ...slopesFor(plate.spool, wish.side) };
+      const given = Object.entries({ directions, modes, pictures: lit }).filter(([, part]) => part !== undefined);
       return { ...(Object.fromEntries(given) as Partial<RebrushOptions>), fit: wish.fit, ...only };
     }
     case 'picture': {
       const { picture, lamp } = wish;
       if (picture === undefined) throw new Error('there is no picture');
       const files = [{ file: picture.bytes, lamp: [lamp[0], lamp[1]] as [number, number] }];
-      return { pictures: { files, spool: wish.spool as never }, fit: wish.fit, ...only };
+      const pictures = { files, spool: wish.spool as never, ...slopesFor(wish.own, wish.side) };
+      return { pictures, fit: wish.fit, ...only };
     }
   }
 }

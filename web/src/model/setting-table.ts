@@ -27,7 +27,7 @@ export const table = {
   print: {
     layers: { type: 'integer', level: 'basic', default: 1, low: 1, high: 1000 },
     base: { type: 'integer', level: 'basic', default: 2, low: 0, high: 1000 },
-    basePattern: { type: 'choice', level: 'advanced', default: 'hatched', choices: ['hatched','concentric','same'] },
+    basePattern: { type: 'choice', level: 'advanced', default: 'hatched', choices: ['hatched','concentric','same','across'] },
     basePerimeters: { type: 'integer', level: 'advanced', default: 1, low: 0, high: 10 },
     showSide: { type: 'choice', level: 'basic', default: 'up', choices: ['up','bed','both'] },
     skirt: { type: 'integer', level: 'advanced', default: 1, low: 0, high: 20 },

@@ -5,6 +5,7 @@ import presetTable from 'sillon/presets.json' with { type: 'json' };
 import { toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 import { table } from './setting-table.js';
+import { withAdvance } from './printers.js';
 
 type PrintSettings = Omit<PrintParams, 'date'>;
 
@@ -342,10 +343,11 @@ export function adviceFor(nozzle: number): NozzleAdvice {
 /** Another nozzle, with the spacing and the layers that suit it. */
 export function withNozzle(plate: Plate, nozzle: number): Plate {
   const { spacing, layerHeight } = adviceFor(nozzle);
-  return {
+  const changed = {
     ...plate,
     toolpath: { ...plate.toolpath, spacing: spacing[1] },
     print: { ...plate.print, layerHeight, firstLayerHeight: 0 },
     printer: { ...plate.printer, nozzle },
   };
+  return withAdvance(changed, plate);
 }

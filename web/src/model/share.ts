@@ -7,6 +7,7 @@ import {
   heightFrom,
   modeFrom,
   nameFrom,
+  plateSpoolFrom,
   shapeFrom,
   textIn,
   Unfit,
@@ -14,7 +15,7 @@ import {
   type Fields,
 } from './check-plate.js';
 import { fileKinds, newGenerator, newPlate, newShape } from './defaults.js';
-import type { DirectionSource, Plate, SourceFile } from './plate.js';
+import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
 import { mostPictures } from './lamp.js';
 import { profileOf } from './printers.js';
 import { StudioError } from './problem.js';
@@ -27,10 +28,12 @@ const mostCharacters = 16_000;
 const mostBytes = 200_000;
 
 /** What a link cannot carry. */
-export type Untold = 'shape' | 'directions' | 'detail' | 'modes' | 'strokes' | 'blocks';
+export const untoldParts = ['shape', 'directions', 'detail', 'modes', 'strokes', 'blocks'] as const;
+export type Untold = (typeof untoldParts)[number];
 
-/** Of all pictures of a link together [bytes]. */
+/** Of all pictures of a link together, and of its drawing [bytes]. */
 export const mostPictureBytes = 8000;
+const mostDrawingBytes = 4000;
 
 /** A picture made small enough; undefined: it cannot be. @param most  [bytes] */
 export type Shrink = (file: SourceFile, most: number) => Promise<Uint8Array | undefined>;
@@ -107,15 +110,39 @@ function changed(plate: Plate): Record<string, SettingValue> {
   return values;
 }
 
-/** What a link tells of directions; undefined: it cannot. */
-async function toldDirections(directions: DirectionSource, shrink: Shrink | undefined): Promise<unknown> {
-  if (directions.kind !== 'lamp') return isFileKind(directions.kind) ? undefined : directions;
-  const most = mostPictureBytes / directions.pictures.length;
+const toldFile = (name: string, bytes: Uint8Array): object => ({ name, data: toBase64Url(bytes) });
+
+/** A drawing that is small as it is; undefined: it cannot travel. */
+async function toldShape(shape: ShapeSource, shrink: Shrink | undefined): Promise<{ told: unknown; bytes: number }> {
+  if (shape.kind !== 'file') return { told: shape, bytes: 0 };
+  const { bytes: blob, name } = shape.file;
+  if (shrink === undefined || blob.type !== 'image/svg+xml' || blob.size > mostDrawingBytes) {
+    return { told: undefined, bytes: 0 };
+  }
+  const bytes = new Uint8Array(await blob.arrayBuffer());
+  return { told: { ...shape, file: toldFile(name, bytes) }, bytes: bytes.length };
+}
+
+/** What a link tells of directions; undefined: it cannot. @param room  for pictures [bytes] */
+async function toldDirections(directions: DirectionSource, shrink: Shrink | undefined, room: number): Promise<unknown> {
+  if (directions.kind === 'map') return undefined; // made small, its angles would be others
+  if (directions.kind === 'colours') {
+    // Its own bytes: grey and small, it would show other colours.
+    const { file } = directions;
+    if (shrink === undefined || file.bytes.size > Math.min(room, mostDrawingBytes)) return undefined;
+    return { ...directions, file: toldFile(file.name, new Uint8Array(await file.bytes.arrayBuffer())) };
+  }
+  if (directions.kind !== 'lamp') {
+    if (!('file' in directions)) return directions;
+    const bytes = await shrink?.(directions.file, room);
+    return bytes === undefined ? undefined : { ...directions, file: toldFile(directions.file.name, bytes) };
+  }
+  const most = room / directions.pictures.length;
   const pictures = [];
   for (const { file, lamp } of directions.pictures) {
     const bytes = await shrink?.(file, most);
     if (bytes === undefined) return undefined;
-    pictures.push({ file: { name: file.name, data: toBase64Url(bytes) }, lamp });
+    pictures.push({ file: toldFile(file.name, bytes), lamp });
   }
   return { ...directions, pictures };
 }
@@ -124,23 +151,26 @@ async function toldDirections(directions: DirectionSource, shrink: Shrink | unde
 export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
   const untold: Untold[] = [];
   const { name, shape, width, height, directions, modes, filament } = plate;
-  if (shape.kind === 'file') untold.push('shape');
-  const toldOf = await toldDirections(directions, shrink);
+  const drawing = await toldShape(shape, shrink);
+  if (drawing.told === undefined) untold.push('shape');
+  const toldOf = await toldDirections(directions, shrink, mostPictureBytes - drawing.bytes);
   if (toldOf === undefined) untold.push('directions');
-  else if (directions.kind === 'lamp') untold.push('detail');
+  else if (directions.kind === 'lamp' || isFileKind(directions.kind)) untold.push('detail');
   if (modes.file !== undefined) untold.push('modes');
   if (plate.strokes.length > 0) untold.push('strokes');
   if (profileOf(plate.printer) === undefined && plate.printer.startGcode + plate.printer.endGcode !== '')
     untold.push('blocks');
   const told = {
     name,
-    shape: shape.kind === 'file' ? undefined : shape,
+    shape: drawing.told,
     width,
     height,
     directions: toldOf,
     mode: modes.base,
     filament,
     settings: changed(plate),
+    ...(plate.spool !== undefined && { spool: plate.spool }),
+    ...(untold.length > 0 ? { untold } : {}),
   };
   const packed = await deflated(new TextEncoder().encode(JSON.stringify(told)));
   return { hash: `#${key}${version}.${toBase64Url(packed)}`, untold };
@@ -166,14 +196,19 @@ function settingsFrom(plate: Plate, value: unknown): Plate {
 /** Of the pictures in a link, which may have been written by anybody. */
 async function filesIn(value: unknown, unpack: Unpack): Promise<Map<unknown, SourceFile>> {
   const files = new Map<unknown, SourceFile>();
-  const pictures = ((value as Fields | null)?.['directions'] as Fields | null | undefined)?.['pictures'];
-  if (!Array.isArray(pictures)) return files;
-  for (const [k, one] of pictures.slice(0, mostPictures).entries()) {
-    const told = (one as Fields | null)?.['file'];
-    const where = `directions.pictures[${k}].file`;
+  const read = async (part: unknown, where: string): Promise<void> => {
+    const told = (part as Fields | null | undefined)?.['file'];
+    if (told === undefined) return;
     const { name, data } = fieldsOf(told, where, ['name', 'data']);
     const bytes = fromBase64Url(textIn(data, where, mostCharacters));
     files.set(told, await unpack(textIn(name, where, 1000), bytes));
+  };
+  const { shape, directions } = (value ?? {}) as Fields;
+  await read(shape, 'shape.file');
+  await read(directions, 'directions.file');
+  const pictures = (directions as Fields | null | undefined)?.['pictures'];
+  for (const [k, one] of (Array.isArray(pictures) ? pictures.slice(0, mostPictures) : []).entries()) {
+    await read(one, `directions.pictures[${k}].file`);
   }
   return files;
 }
@@ -184,13 +219,13 @@ function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Pla
     if (file === undefined) throw new Unfit(where, told);
     return file;
   };
-  const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'filament', 'settings'];
+  const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'filament', 'settings', 'spool', 'untold'];
   const fields = fieldsOf(value, '', known);
   const { shape, directions } = fields; // undefined: it was a file
   const plate: Plate = {
     ...newPlate(),
     name: nameFrom(fields['name']),
-    shape: shape === undefined ? newShape('rectangle') : shapeFrom(shape),
+    shape: shape === undefined ? newShape('rectangle') : shapeFrom(shape, files.size > 0 ? fileFrom : undefined),
     width: widthFrom(fields['width']),
     height: heightFrom(fields['height']),
     directions:
@@ -200,14 +235,30 @@ function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Pla
     modes: { base: modeFrom(fields['mode'], 'mode') },
     strokes: [],
     filament: filamentFrom(fields['filament']),
+    ...plateSpoolFrom(fields['spool']),
   };
   return settingsFrom(plate, fields['settings']);
 }
 
+/** Links of earlier versions do not say it, but leave out what they lack. */
+function missingIn(value: unknown): Untold[] {
+  const { untold, shape, directions } = value as Fields;
+  if (Array.isArray(untold)) return untoldParts.filter((part) => untold.includes(part));
+  return [
+    ...(shape === undefined ? ['shape' as const] : []),
+    ...(directions === undefined ? ['directions' as const] : []),
+  ];
+}
+
 /** @returns undefined where the hash is no plate's.
  * @param unpack  left out: pictures are refused
+ * @param tell  what the link could not carry
  * @throws StudioError LinkTooLong, LinkTooNew, LinkBroken, LinkValue */
-export async function readLink(hash: string, unpack?: Unpack): Promise<Plate | undefined> {
+export async function readLink(
+  hash: string,
+  unpack?: Unpack,
+  tell?: (parts: Untold[]) => void,
+): Promise<Plate | undefined> {
   const text = hash.replace(/^#/, '');
   if (!text.startsWith(key)) return undefined;
   if (text.length > mostCharacters) throw new StudioError('LinkTooLong', { bytes: text.length, most: mostCharacters });
@@ -223,7 +274,9 @@ export async function readLink(hash: string, unpack?: Unpack): Promise<Plate | u
     throw new StudioError('LinkBroken');
   }
   try {
-    return toldPlate(value, unpack === undefined ? new Map() : await filesIn(value, unpack));
+    const plate = toldPlate(value, unpack === undefined ? new Map() : await filesIn(value, unpack));
+    tell?.(missingIn(value));
+    return plate;
   } catch (error) {
     if (error instanceof Unfit) throw new StudioError('LinkValue', { where: error.where, value: error.value });
     throw error;

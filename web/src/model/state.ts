@@ -1,5 +1,5 @@
 // All that the page shows, but for the cameras, which move too often.
-import type { GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
+import type { Conflict, GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
 import type { DirectionRaster } from './raster.js';
 import type { ColourBy, Light, ViewName } from './view.js';
 import { newPlate } from './defaults.js';
@@ -21,12 +21,14 @@ export interface Progress {
 }
 
 /** A toolpath and the plate that it was made for. */
-export interface Made {
+export interface PlateResult {
   plate: Plate;
   toolpath: Toolpath;
   /** With measures, once those are there. */
   report: Report;
-  /** Made with a larger spacing, to be quick. */
+  /** Of two pictures and more: what they take from each other. */
+  conflict?: Conflict | undefined;
+  /** PlateResult with a larger spacing, to be quick. */
   coarse: boolean;
   measured: boolean;
 }
@@ -47,7 +49,7 @@ export interface State {
 
   // What follows from the plate.
   directions: DirectionRaster | undefined;
-  made: Made | undefined;
+  result: PlateResult | undefined;
   summary: GcodeSummary | undefined;
   /** Of the same file, read back as a printer would. */
   check: GcodeCheck | undefined;
@@ -67,7 +69,7 @@ export const newState = (): State => ({
   advanced: false,
   tool: 'pan',
   directions: undefined,
-  made: undefined,
+  result: undefined,
   summary: undefined,
   check: undefined,
   progress: undefined,

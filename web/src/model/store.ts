@@ -4,6 +4,13 @@ import type { Plate } from './plate.js';
 
 const mostSteps = 200;
 
+/** A plate and what undo and redo go to, the nearest last. */
+export interface Steps {
+  past: readonly Plate[];
+  plate: Plate;
+  future: readonly Plate[];
+}
+
 export interface HasPlate {
   plate: Plate;
 }
@@ -57,6 +64,18 @@ export class Store<State extends HasPlate> {
   /** Ends a gesture: what comes next is another step. */
   settle(): void {
     this.#gesture = undefined;
+  }
+
+  get steps(): Steps {
+    return { past: [...this.#past], plate: this.#state.plate, future: [...this.#future] };
+  }
+
+  /** Another plate with the steps that led to it; those of the plate before are forgotten. */
+  restore({ past, plate, future }: Steps): void {
+    this.settle();
+    this.#past = [...past];
+    this.#future = [...future];
+    this.#become({ ...this.#state, plate });
   }
 
   /** What was before the plate cannot be had back. */

@@ -22,6 +22,7 @@ export type VerdictText =
   | 'alignment.free'
   | 'path.one'
   | 'path.many'
+  | 'path.apart'
   | 'crossings.poor';
 
 export interface Verdict {
@@ -51,7 +52,7 @@ const round = (value: number, digits: number): number => Number(value.toFixed(di
 /** Empty for a report without measures. */
 export function verdictsOf(report: Report): Verdict[] {
   const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = report;
-  const { alignmentConstrained, dislocationBound } = report;
+  const { alignmentConstrained, turnBound } = report;
   if (
     width === undefined ||
     coverage === undefined ||
@@ -63,7 +64,7 @@ export function verdictsOf(report: Report): Verdict[] {
     lostAreaMm2 === undefined ||
     lengthMm === undefined ||
     alignmentConstrained === undefined ||
-    dislocationBound === undefined
+    turnBound === undefined
   ) {
     return [];
   }
@@ -72,9 +73,9 @@ export function verdictsOf(report: Report): Verdict[] {
   const verdicts: Verdict[] = [
     {
       measure: 'path',
-      level: 'good',
-      text: report.toolpaths === 1 ? 'path.one' : 'path.many',
-      values: { n: report.toolpaths, length: round(lengthMm / 1000, 2) },
+      level: report.unjoined > 0 ? 'fair' : 'good',
+      text: report.toolpaths === 1 ? 'path.one' : report.unjoined > 0 ? 'path.apart' : 'path.many',
+      values: { n: report.toolpaths, length: round(lengthMm / 1000, 2), apart: report.unjoined },
     },
   ];
   for (const { r, contrast } of report.pictures ?? []) {
@@ -95,7 +96,7 @@ export function verdictsOf(report: Report): Verdict[] {
     verdicts.push(judged('alignment', levelBetween(percent, 90, 70, false), { percent: round(percent, 1) }));
   }
 
-  const turning = { n: uTurns, density: perCm2(uTurns), bound: dislocationBound };
+  const turning = { n: uTurns, density: perCm2(uTurns), bound: turnBound };
   const widths = {
     low: round(width.p01 * spacing, 2),
     high: round(width.p99 * spacing, 2),

@@ -15,9 +15,12 @@ export interface FilamentLook {
   across: number;
 }
 
+/** A plate as it looks from straight above, without its beads. @param width, height  [pixels] */
+export type Shimmer = (light: Light, width: number, height: number) => CanvasImageSource;
+
 /** A place worth a look, found by the quality view [mm]. */
 export interface Mark {
   x: number;
   y: number;
-  kind: 'turn' | 'gap' | 'narrow' | 'wide' | 'lost';
+  kind: 'turn' | 'gap' | 'narrow' | 'wide' | 'lost' | 'kept';
 }

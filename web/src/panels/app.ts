@@ -8,7 +8,6 @@ import './directions-panel.js';
 import { StudioElement } from './element.js';
 import './header.js';
 import { icon, type IconName } from './icons.js';
-import './shape-panel.js';
 import { offers, ownControls, type Dialog } from './shown.js';
 import { onShortcut } from './shortcuts.js';
 import './stage.js';
@@ -24,21 +23,32 @@ declare global {
 
 const loadDialog: Record<Dialog, () => Promise<unknown>> = {
   gallery: () => import('./gallery.js'),
+  palette: () => import('./palette.js'),
+  plates: () => import('./plates-dialog.js'),
   help: () => import('./help.js'),
   files: () => import('./files-dialog.js'),
   share: () => import('./share-dialog.js'),
   brought: () => import('./blocks-dialog.js'),
   blocks: () => import('./blocks-dialog.js'),
   rebrush: () => import('./rebrush-view.js'),
+  calibrate: () => import('./calibrate-dialog.js'),
+  spools: () => import('./calibrate-dialog.js'),
+  first: () => import('./first-print.js'),
 };
 
 /** Sections that no first visit begins with. */
 const loadPanel: Record<string, () => Promise<unknown>> = {
   own: () => import('./own-panel.js'),
+  shape: () => import('./shape-panel.js'),
   print: () => import('./print-panel.js'),
   toolpath: () => import('./toolpath-panel.js'),
   quality: () => import('./quality-panel.js'),
 };
+
+/** Chromium's. */
+interface Handing {
+  getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
+}
 
 @customElement('sillon-app')
 export class App extends StudioElement {
@@ -244,7 +254,7 @@ export class App extends StudioElement {
   #sections(): Tab[] {
     const offered = sections
       .filter((name) => offers(this.state, name))
-      .map((name): Tab => [name, name, name === 'toolpath' ? t('view.toolpath') : t(`section.${name}`)]);
+      .map((name): Tab => [name, name, t(`section.${name}`)]);
     return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
   }
 
@@ -276,6 +286,10 @@ export class App extends StudioElement {
     switch (dialog) {
       case 'gallery':
         return html`<sillon-gallery .studio=${this.studio}></sillon-gallery>`;
+      case 'palette':
+        return html`<sillon-palette .studio=${this.studio}></sillon-palette>`;
+      case 'plates':
+        return html`<sillon-plates .studio=${this.studio}></sillon-plates>`;
       case 'help':
         return html`<sillon-help .studio=${this.studio}></sillon-help>`;
       case 'files':
@@ -284,6 +298,11 @@ export class App extends StudioElement {
         return html`<sillon-share .studio=${this.studio}></sillon-share>`;
       case 'rebrush':
         return html`<sillon-rebrush .studio=${this.studio}></sillon-rebrush>`;
+      case 'calibrate':
+      case 'spools':
+        return html`<sillon-calibrate .studio=${this.studio} .purpose=${dialog}></sillon-calibrate>`;
+      case 'first':
+        return html`<sillon-first .studio=${this.studio}></sillon-first>`;
       case 'brought':
       case 'blocks':
         return html`<sillon-blocks .studio=${this.studio} .purpose=${dialog}></sillon-blocks>`;
@@ -345,8 +364,18 @@ export class App extends StudioElement {
     if (event.dataTransfer === null || event.dataTransfer.files.length === 0) return;
     event.preventDefault();
     this.studio.store.set({ dropping: false });
-    if (this.#takesFiles()) void this.studio.open([...event.dataTransfer.files]);
+    if (this.#takesFiles()) void this.#openDropped(event.dataTransfer);
   };
+
+  /** Of a project, the browser may lend what it takes to save it back in its place; it is gone with the event. */
+  async #openDropped({ files, items }: DataTransfer): Promise<void> {
+    const dropped = [...files];
+    const [item] = items as unknown as Iterable<Handing>;
+    const handle = dropped.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;
+    const [found, [file]] = [await handle, dropped];
+    if (file !== undefined && found?.kind === 'file') this.studio.handles.set(file, found);
+    await this.studio.open(dropped);
+  }
 
   #takesFiles = (): boolean => offers(this.state, 'shape') || offers(this.state, 'directions');
 

@@ -3,9 +3,10 @@
 import type { GcodeFinding, PrinterValues } from 'sillon';
 import { css, html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
-import { findingText, heatText, settingLabel, valueText } from '../i18n/say.js';
+import { heatText, settingLabel, valueText } from '../i18n/say.js';
+import { findingText } from '../i18n/say-rare.js';
 import { t } from '../i18n/text.js';
-import { toReview, withoutBlocks } from '../model/brought.js';
+import { withoutBlocks } from '../model/brought.js';
 import { settings, type Setting, type SettingValue } from '../model/settings.js';
 import { DialogElement } from './dialog.js';
 import { icon } from './icons.js';
@@ -141,7 +142,7 @@ export class Blocks extends DialogElement {
       ${this.purpose === 'brought' ? this.#differences(printer) : nothing}
       ${printer.anyTemperature ? html`<p>${icon('warn', 16)} ${t('blocks.anyTemperature')} ${heatText(printer)}</p>` : nothing}
       ${this.#block(printer, 'startGcode')} ${this.#block(printer, 'endGcode')}
-      <div class="end">${this.purpose === 'brought' ? this.#choice() : this.#download(printer)}</div>
+      <div class="end">${this.purpose === 'brought' ? this.#choice() : this.#download()}</div>
     `;
   }
 
@@ -222,7 +223,7 @@ export class Blocks extends DialogElement {
       </button>`;
   }
 
-  #download(printer: PrinterValues): TemplateResult {
+  #download(): TemplateResult {
     return html`<button
         type="button"
         @click=${() => {
@@ -236,9 +237,9 @@ export class Blocks extends DialogElement {
         type="button"
         class="main"
         @click=${() => {
-          this.studio.services.setReviewed(toReview(printer));
-          this.close();
-          void this.studio.save('gcode');
+          this.close(() => {
+            this.studio.goOn();
+          });
         }}
       >
         ${icon('download')} ${t('keys.gcode')}

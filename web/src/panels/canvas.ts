@@ -1,11 +1,11 @@
 // The plate on its bench: drawn by the renderer, moved by hand, wheel and keys, combed by brushes; rulers along two sides.
-import { css, html, type TemplateResult } from 'lit';
-import type { Shape } from 'sillon';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { Conflict, Shape } from 'sillon';
 import { customElement, query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
-import { homeLight, lampsOf } from '../model/lamp.js';
+import { homeLight, lampsOf, pictureOf } from '../model/lamp.js';
 import type { Plate, Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../style/bench.js';
@@ -15,16 +15,22 @@ import { createRenderer } from '../views/renderer.js';
 import type { Light } from '../model/view.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from './element.js';
-import { drawOverlay, rulerWidth, type Cursor } from './overlay.js';
+import { drawOverlay, rulerWidth, type Cursor, type Overlay } from './overlay.js';
 import { Gestures } from './gestures.js';
-import type { Shown } from './shown.js';
+import type { Divider } from './divider.js';
+import type { Over, Shown } from './shown.js';
 import type { Stage } from './studio.js';
 
 const gap = 0.08; // between plate and zigzag, share of the page's width
 const margin = 40; // around the plate [CSS pixels]
 const toolsWidth = 60;
+const narrow = 640; // [CSS pixels] where buttons lie over the plate
+const clear = 8;
+const armLength = 600; // [mm]
+const handLength = 350; // of a phone
 const slowFrame = 120; // [ms]
 const mostSlowFrames = 8;
+const leap = 15; // [degrees] farther than that, the light springs to where it turns
 const flipEach = 2600; // [ms] for each picture while the lamp turns
 const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
 
@@ -46,14 +52,14 @@ export class PlateCanvas extends StudioElement implements Stage {
     `,
   ];
 
-  static override reads = ['tool'] as const;
+  static override reads = ['tool', 'over', 'view'] as const;
 
   @query('.drawing') private drawing!: HTMLCanvasElement;
   @query('.overlay') private overlay!: HTMLCanvasElement;
 
   #renderer: Renderer | undefined;
   /** Pixels of the screen. */
-  #camera: Camera = { x: 0, y: 0, scale: 1 };
+  camera: Camera = { x: 0, y: 0, scale: 1 };
   #fitted = true;
   #frame = 0;
   #cursor: Cursor | undefined;
@@ -62,6 +68,7 @@ export class PlateCanvas extends StudioElement implements Stage {
   #observer: ResizeObserver | undefined;
   #lastTouch = 0;
   #hovered = false;
+  readonly #coarse = matchMedia('(pointer: coarse)');
   readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #gestures: Gestures | undefined;
@@ -74,7 +81,24 @@ export class PlateCanvas extends StudioElement implements Stage {
         role="application"
         aria-roledescription=${t('app.plate')}
         aria-label=${t('view.canvas')}
-      ></canvas>`;
+      ></canvas
+      >${
+        this.#over() === undefined || !this.#divides
+          ? nothing
+          : html`<sillon-divider .studio=${this.studio} .shareAt=${this.#shareAt}></sillon-divider>`
+      }`;
+  }
+
+  #over = (): Over | undefined => (this.state.view === 'appearance' ? this.state.over : undefined);
+
+  #shareAt = (x: number): number =>
+    this.#toPage({ x: x - this.getBoundingClientRect().left, y: 0 }).x / this.#page().page[0];
+
+  #placeDivider(): void {
+    const divider = this.renderRoot.querySelector<Divider>('sillon-divider');
+    if (divider === null) return;
+    const { left, top, width, height } = this.plateBox();
+    divider.place(left + this.state.wipe * width, top, height);
   }
 
   override firstUpdated(): void {
@@ -92,8 +116,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       zoom: (factor, x, y) => {
         this.#zoomAt(factor, x, y);
       },
-      hover: (point) => {
-        this.#hover(point);
+      hover: (point, leads) => {
+        this.#hover(point, leads);
       },
       begin: (point) => {
         this.#points = this.#toUnit(point);
@@ -119,6 +143,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       this.#resize();
     });
     this.#observer.observe(this);
+    const bars = (this.getRootNode() as ShadowRoot).querySelector('.bottom');
+    if (bars !== null) this.#observer.observe(bars);
     this.#lastTouch = performance.now();
     this.#darkScheme.addEventListener('change', this.#redraw);
     addEventListener('deviceorientation', this.#onTilt);
@@ -130,6 +156,7 @@ export class PlateCanvas extends StudioElement implements Stage {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#flipTimer);
     this.#observer?.disconnect();
     this.#gestures?.dispose();
     this.#renderer?.dispose();
@@ -139,11 +166,35 @@ export class PlateCanvas extends StudioElement implements Stage {
     document.removeEventListener('visibilitychange', this.#redraw);
   }
 
+  /** The divider is there to be drawn. */
+  #divides = false;
+
+  protected override updated(): void {
+    if (this.#over() === undefined) return;
+    if (this.#divides) this.#redraw();
+    else {
+      void this.studio.attempt(async () => {
+        await import('./divider.js');
+        this.#divides = true;
+        this.requestUpdate();
+      });
+    }
+  }
+
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
     const { plate } = now;
     const resized = plate.width !== before.plate.width || plate.height !== before.plate.height;
     const compared = this.#compares(now) !== this.#compares(before);
-    if ((resized || compared) && this.#fitted) this.fit();
+    if (now.sizing !== before.sizing && now.sizing !== 'free') this.#fitted = true;
+    if (now.sizing !== before.sizing) this.#resize();
+    else if ((resized || compared) && this.#fitted) this.#place();
+    if (now.view !== before.view && this.#fitted) {
+      // Other buttons lie over it.
+      const { host } = this.getRootNode() as ShadowRoot;
+      void (host as HTMLElement & { updateComplete: Promise<boolean> }).updateComplete.then(() => {
+        if (this.#fitted && this.getBoundingClientRect().width <= narrow) this.#place();
+      });
+    }
     this.#redraw();
   }
 
@@ -159,11 +210,14 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #draw(now: number): void {
     const sways = this.#moveLight(now);
-    this.#renderer?.draw(this.scene(), this.#camera);
+    clearTimeout(this.#flipTimer);
+    const { scale } = this.camera;
+    this.#renderer?.draw(this.scene(), { ...this.camera, scale: scale * this.#fineness() });
+    this.#placeDivider();
     const pixels = devicePixelRatio;
     const { plate, view, marks, mark } = this.state;
     drawOverlay(this.overlay, {
-      camera: this.#camera,
+      camera: this.camera,
       pixels,
       page: [plate.width, plate.height || plate.width],
       cursor: this.state.tool === 'pan' ? undefined : this.#cursor,
@@ -172,54 +226,81 @@ export class PlateCanvas extends StudioElement implements Stage {
       marks: view === 'quality' ? marks : [],
       mark,
       shape: view === 'directions' ? this.#shapeOf(plate) : undefined,
-      picture: this.#picture(),
+      shimmer: this.#shimmer(),
+      picture: this.#over() === 'conflict' ? this.#conflict() : this.#picture(),
+      grey: this.#over() === 'picture',
       wipe: this.state.wipe,
       styles: getComputedStyle(this),
     });
-    if (sways) this.#redraw();
+    if (sways && this.#steps()) this.#flipTimer = setTimeout(this.#redraw, flipEach);
+    else if (sways) this.#redraw();
+  }
+
+  /** Until there are beads. */
+  #shimmer(): Overlay['shimmer'] {
+    const { shimmer, result, light, view } = this.state;
+    if (shimmer === undefined || result !== undefined || view !== 'appearance') return undefined;
+    return (width, height) => shimmer(light, width, height);
   }
 
   /** The one whose lamp shines, where it is laid over the plate. */
   #picture(): ImageBitmap | undefined {
-    const { plate, view, wipe, lamp } = this.state;
-    if (plate.directions.kind !== 'lamp' || view !== 'appearance' || wipe <= 0) return undefined;
-    const bytes = plate.directions.pictures[lamp]?.file.bytes;
+    if (this.#over() !== 'picture') return undefined;
+    const bytes = pictureOf(this.state.plate, this.state.lamp)?.bytes;
     if (bytes === undefined) return undefined;
     if (this.#bitmapOf !== bytes) {
       this.#bitmapOf = bytes;
       this.#bitmap = undefined;
-      createImageBitmap(bytes).then(
-        (bitmap) => {
-          if (this.#bitmapOf === bytes) this.#bitmap = bitmap;
-          this.#redraw();
-        },
-        () => undefined, // of a kind that browsers do not draw
-      );
+      void import('../files/drawn.js')
+        .then(({ bitmapOf }) => bitmapOf(bytes))
+        .then(
+          (bitmap) => {
+            if (this.#bitmapOf === bytes) this.#bitmap = bitmap;
+            this.#redraw();
+          },
+          () => undefined, // of a kind that browsers do not draw
+        );
     }
     return this.#bitmap;
   }
+
+  /** What the picture whose lamp shines cannot have, once what draws it is there. */
+  #conflict(): OffscreenCanvas | undefined {
+    const { result, lamp } = this.state;
+    if (result?.conflict === undefined) return undefined;
+    if (this.#tinted === undefined) {
+      this.#tinted = () => undefined;
+      void this.studio.attempt(async () => {
+        this.#tinted = (await import('../views/conflict.js')).conflictPicture;
+        this.#redraw();
+      });
+    }
+    return this.#tinted(result.conflict, lamp);
+  }
+
+  #tinted: ((conflict: Conflict, picture: number) => OffscreenCanvas | undefined) | undefined;
 
   #bitmap: ImageBitmap | undefined;
   #bitmapOf: Blob | undefined;
 
   /** That of the toolpath, while it still is the plate's. */
   #shapeOf({ shape, width, height }: Plate): Shape | undefined {
-    const { made } = this.state;
-    const same = made?.plate.shape === shape && made.plate.width === width && made.plate.height === height;
-    return same ? made.toolpath.shape : undefined;
+    const { result } = this.state;
+    const same = result?.plate.shape === shape && result.plate.width === width && result.plate.height === height;
+    return same ? result.toolpath.shape : undefined;
   }
 
   #compares = ({ compare, view }: Readonly<Shown>): boolean => compare && view === 'appearance';
 
   scene(): Scene {
-    const { plate, made, directions, view, colourBy, played, compare, light, marks, theme } = this.state;
+    const { plate, result, directions, view, colourBy, played, compare, light, marks, theme } = this.state;
     const { page } = this.#page();
     const lit = plate.directions.kind === 'lamp' ? plate.directions : undefined;
     // Which way beads run that show a picture is known once they are there.
     const solved = lit !== undefined && view === 'directions';
     return {
       page,
-      toolpath: made?.toolpath,
+      toolpath: result?.toolpath,
       directions,
       view: solved ? 'toolpath' : view,
       colourBy: solved ? 'direction' : colourBy,
@@ -232,6 +313,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       },
       progress: view === 'toolpath' ? played : 1,
       compare: compare && view === 'appearance',
+      wipe: this.#over() === 'zigzag' ? this.state.wipe : undefined,
+      blended: this.#blends(),
       light,
       filament: lookOf(plate),
       marks,
@@ -249,10 +332,10 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { width, height } = this.getBoundingClientRect();
     if (width === 0 || height === 0) return;
     const [columns, rows] = [Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio)];
-    this.#renderer?.resize(columns, rows);
+    this.#renderer?.resize(columns * this.#fineness(), rows * this.#fineness());
     this.overlay.width = columns;
     this.overlay.height = rows;
-    if (this.#fitted) this.fit();
+    if (this.#fitted) this.#place();
     this.#draw(performance.now());
   }
 
@@ -260,13 +343,14 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   /** @returns whether it goes on moving by itself. */
   #moveLight(now: number): boolean {
-    const { lightMode, view, light, recording } = this.state;
-    if (view !== 'appearance' || recording || document.hidden) return false;
+    const { lightMode, view, light, recording, tool } = this.state;
+    // It keeps still under a brush: else nobody could tell what a stroke changes.
+    if (view !== 'appearance' || recording || document.hidden || tool !== 'pan') return false;
     const resting = now - this.#lastTouch > swayFor || this.#calm.matches;
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
-    const free = lightMode === 'pointer' && (!this.#hovered || this.state.flipping);
+    const free = lightMode === 'pointer' && !this.#leads();
     if (!orbits && !free) return false;
-    const slow = this.#slowFrames >= mostSlowFrames;
+    const slow = this.#isSlow();
     const sways = free && !resting && !slow;
     const elapsed = now - (this.#lastSway || now);
     if (elapsed > slowFrame && elapsed < 1000) ++this.#slowFrames;
@@ -281,16 +365,27 @@ export class PlateCanvas extends StudioElement implements Stage {
     const home = this.#home(now);
     const { flipping } = this.state;
     const aim = sways && !flipping ? swayed(home, now) : home;
-    const jumps = this.#calm.matches || slow || flipping;
+    const jumps = this.#calm.matches || slow || (flipping && near(light, aim, leap));
     const next = jumps ? aim : turned(light, aim, Math.min(50, elapsed));
     if (!near(next, light, 0.01)) this.studio.store.set({ light: near(next, aim, 0.05) ? aim : next });
-    return sways || flipping || !near(next, aim, 0.05);
+    return sways || (flipping && !resting) || !near(next, aim, 0.05);
   }
+
+  /** Whether the light is where the pointer is: over the plate, unless somebody has asked for the lamp to turn. */
+  #leads(): boolean {
+    const { flipping, welcome } = this.state;
+    return this.#hovered && (!flipping || welcome);
+  }
+
+  #isSlow = (): boolean => this.#slowFrames >= mostSlowFrames;
+
+  /** Whether the lamp turns from picture to picture without a way between. */
+  #steps = (): boolean => this.state.flipping && this.#isSlow();
 
   /** Of the picture that is shown; while the lamp turns, between two. */
   #home(now: number): Light {
-    const { plate, made, lamp, flipping } = this.state;
-    const look = made?.toolpath.look;
+    const { plate, result, lamp, flipping } = this.state;
+    const look = result?.toolpath.look;
     const lamps = lampsOf(plate.directions, look);
     if (!flipping || lamps.length < 2) {
       this.#flipBegan = 0;
@@ -302,11 +397,12 @@ export class PlateCanvas extends StudioElement implements Stage {
     const to = (from + 1) % lamps.length;
     if (this.state.lamp !== from) this.studio.store.set({ lamp: from });
     // It rests at each picture for half of the time.
-    const share = Math.min(1, Math.max(0, 2 * (turn % 1) - 0.5));
+    const share = this.#steps() ? 0 : Math.min(1, Math.max(0, 2 * (turn % 1) - 0.5));
     return between(lamps[from] as Light, lamps[to] as Light, (1 - Math.cos(Math.PI * share)) / 2);
   }
 
   #flipBegan = 0;
+  #flipTimer: ReturnType<typeof setTimeout> | undefined;
 
   #lastSway = 0;
   /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
@@ -323,11 +419,12 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.studio.store.set({ light: lightOfTilt(beta, gamma) });
   };
 
-  #hover(point: { x: number; y: number } | undefined): void {
-    this.#hovered = point !== undefined;
+  #hover(point: { x: number; y: number } | undefined, leads: boolean): void {
+    this.#hovered = leads && point !== undefined;
     this.#cursor = point === undefined ? undefined : this.#toPage(point);
-    const { lightMode, view, recording } = this.state;
-    if (point !== undefined && lightMode === 'pointer' && view === 'appearance' && !recording) {
+    const { lightMode, view, recording, tool } = this.state;
+    const lit = lightMode === 'pointer' && view === 'appearance' && !recording;
+    if (lit && tool === 'pan' && point !== undefined && this.#leads()) {
       const { width, height } = this.getBoundingClientRect();
       const light = lightUnder((point.x - width / 2) / (width / 2), (height / 2 - point.y) / (height / 2));
       this.studio.store.set({ light });
@@ -340,8 +437,8 @@ export class PlateCanvas extends StudioElement implements Stage {
   /** Millimetres under a point of the element. */
   #toPage({ x, y }: { x: number; y: number }): Cursor {
     const { width, height } = this.getBoundingClientRect();
-    const scale = this.#camera.scale / devicePixelRatio;
-    return { x: this.#camera.x + (x - width / 2) / scale, y: this.#camera.y - (y - height / 2) / scale };
+    const scale = this.camera.scale / devicePixelRatio;
+    return { x: this.camera.x + (x - width / 2) / scale, y: this.camera.y - (y - height / 2) / scale };
   }
 
   #toUnit(point: { x: number; y: number }): number[] {
@@ -351,23 +448,94 @@ export class PlateCanvas extends StudioElement implements Stage {
   }
 
   fit(): void {
+    this.#fitted = true;
+    if (this.state.sizing !== 'whole') this.studio.store.set({ sizing: 'whole' });
+    this.#place();
+  }
+
+  #blends = (): boolean => this.state.sizing === 'arm' && this.state.view === 'appearance';
+
+  /** Pixels drawn per pixel of the screen, one way: what is finer than the eye must be drawn to be blended. */
+  #fineness = (): number => (this.#blends() && Math.max(this.overlay.width, this.overlay.height) <= 2048 ? 2 : 1);
+
+  /** CSS pixels per mm, as large as it will be; at arm's length for somebody who looks at the screen from nearer. */
+  #lifeScale = (): number => (this.#blends() && this.#coarse.matches ? handLength / armLength : 1) * (96 / 25.4);
+
+  /** All of it in the middle of what is free. */
+  #place(): void {
     const { page, shown } = this.#page();
     const { width, height } = this.getBoundingClientRect();
+    if (width <= narrow) {
+      this.#fitFree(shown, page[1], width, height);
+      return;
+    }
     const room = Math.min(margin, width * 0.08);
     const tools = width > 560 ? toolsWidth : 0; // they lie over the left side
     const across = Math.max(1, width - tools - 2 * room);
     const [above, below] = this.#margins(height, room);
-    const scale = Math.max(0.01, Math.min(across / shown, (height - above - below) / page[1]));
+    const whole = Math.min(across / shown, (height - above - below) / page[1]);
+    const scale = this.state.sizing === 'whole' ? Math.max(0.01, whole) : this.#lifeScale();
     const y = page[1] / 2 + (above - below) / 2 / scale;
-    this.#camera = { x: shown / 2 - tools / 2 / scale, y, scale: scale * devicePixelRatio };
-    this.#fitted = true;
+    this.camera = { x: shown / 2 - tools / 2 / scale, y, scale: scale * devicePixelRatio };
     this.#redraw();
+  }
+
+  /** Into what the buttons leave of a narrow canvas. */
+  #fitFree(wide: number, tall: number, width: number, height: number): void {
+    const { left, top, right, bottom } = this.#free(width, height);
+    const [across, down] = [right - left - 2 * clear, bottom - top - 2 * clear];
+    const whole = Math.max(0.01, Math.min(across / wide, down / tall));
+    const scale = this.state.sizing === 'whole' ? whole : this.#lifeScale();
+    this.camera = {
+      x: wide / 2 + (width - left - right) / 2 / scale,
+      y: tall / 2 - (height - top - bottom) / 2 / scale,
+      scale: scale * devicePixelRatio,
+    };
+    this.#redraw();
+  }
+
+  /** What lies free of buttons [CSS pixels]: each takes the side on which it costs least. */
+  #free(width: number, height: number): { left: number; top: number; right: number; bottom: number } {
+    const { left: x, top: y } = this.getBoundingClientRect();
+    const free = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
+    const root = this.getRootNode() as ShadowRoot;
+    for (const one of root.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')) {
+      this.#observer?.observe(one); // it may not be drawn yet
+      const box = one.getBoundingClientRect();
+      const [left, top, right, bottom] = [box.left - x, box.top - y, box.right - x, box.bottom - y];
+      const covers = left < free.right && right > free.left && top < free.bottom && bottom > free.top;
+      if (box.width === 0 || !covers) continue;
+      const [wide, tall] = [free.right - free.left, free.bottom - free.top];
+      const costs = [
+        (bottom - free.top) * wide,
+        (free.bottom - top) * wide,
+        (right - free.left) * tall,
+        (free.right - left) * tall,
+      ];
+      const side = costs.indexOf(Math.min(...costs));
+      if (side === 0) free.top = bottom;
+      else if (side === 1) free.bottom = top;
+      else if (side === 2) free.left = right;
+      else free.right = left;
+    }
+    const enough = free.right - free.left > width / 4 && free.bottom - free.top > height / 4;
+    return enough ? free : { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
   }
 
   /** What a low bench leaves out (the stage's style) need not be kept free. */
   #margins(height: number, room: number): [above: number, below: number] {
-    if (height > 340) return [room + margin, room + margin];
+    const bars = (this.getRootNode() as ShadowRoot).querySelector('.bottom')?.clientHeight ?? 0;
+    if (height > 340) return [room + margin, Math.max(room + margin, Math.min(bars + 24, height / 2 - margin))];
     return height <= 170 || this.studio.store.state.mode === 'view' ? [rulerWidth + 8, 8] : [rulerWidth + 64, 12];
+  }
+
+  /** Where the plate lies in this element [CSS pixels]. */
+  plateBox(): { left: number; top: number; width: number; height: number } {
+    const { page } = this.#page();
+    const { width, height } = this.getBoundingClientRect();
+    const scale = this.camera.scale / devicePixelRatio;
+    const [left, top] = [width / 2 - this.camera.x * scale, height / 2 - (page[1] - this.camera.y) * scale];
+    return { left, top, width: page[0] * scale, height: page[1] * scale };
   }
 
   zoom(factor: number): void {
@@ -380,23 +548,28 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { page } = this.#page();
     const { width } = this.getBoundingClientRect();
     const least = (width * devicePixelRatio) / (12 * Math.max(...page));
-    this.#camera = zoomed(this.#camera, at, factor, least, 1200 * devicePixelRatio);
-    this.#fitted = false;
+    this.camera = zoomed(this.camera, at, factor, least, 1200 * devicePixelRatio);
+    this.#letGo();
     this.#redraw();
   }
 
   #move(dx: number, dy: number): void {
     const { page, shown } = this.#page();
     const ratio = devicePixelRatio;
-    this.#camera = panned(this.#camera, dx * ratio, dy * ratio, [shown, page[1]], 0.5);
+    this.camera = panned(this.camera, dx * ratio, dy * ratio, [shown, page[1]], 0.5);
     this.#fitted = false;
     this.#redraw();
   }
 
+  #letGo(): void {
+    this.#fitted = false;
+    if (this.state.sizing !== 'free') this.studio.store.set({ sizing: 'free' });
+  }
+
   lookAt(x: number, y: number, across: number): void {
     const { width } = this.getBoundingClientRect();
-    this.#camera = { x, y, scale: (width * devicePixelRatio) / across };
-    this.#fitted = false;
+    this.camera = { x, y, scale: (width * devicePixelRatio) / across };
+    this.#letGo();
     this.#redraw();
   }
 
@@ -447,7 +620,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   /** With keys a brush is led as with a pointer; the space bar puts it down and takes it up. */
   #moveCursor(dx: number, dy: number): void {
-    const scale = this.#camera.scale / devicePixelRatio;
+    const scale = this.camera.scale / devicePixelRatio;
     const { page } = this.#page();
     const from = this.#cursor ?? { x: page[0] / 2, y: page[1] / 2 };
     this.#cursor = {
@@ -481,20 +654,21 @@ export class PlateCanvas extends StudioElement implements Stage {
   }
 
   /** One turn of the light, or from one picture to the other and back, as a video. */
-  async record(seconds: number): Promise<Blob> {
+  async record(seconds: number, signal?: AbortSignal): Promise<Blob> {
     const { recordCanvas } = await import('./video.js');
     const before = this.state.light;
     this.studio.store.set({ recording: true, view: 'appearance' });
     try {
       const [first, second] = this.studio.lamps();
-      return await recordCanvas(this.drawing, seconds, (share) => {
+      const pose = (share: number): void => {
         if (first !== undefined && second !== undefined) {
           // From one picture to the other and back.
           this.studio.store.set({ light: between(first, second, (1 - Math.cos(2 * Math.PI * share)) / 2) });
           return;
         }
         this.studio.store.set({ light: { ...before, azimuth: (before.azimuth + 360 * share) % 360 } });
-      });
+      };
+      return await recordCanvas(this.drawing, seconds, pose, signal);
     } finally {
       this.studio.store.set({ recording: false, light: before });
     }

@@ -7,6 +7,7 @@ import { icon } from './icons.js';
 
 export abstract class DialogElement extends StudioElement {
   @query('dialog') private dialog!: HTMLDialogElement;
+  #afterwards?: () => void;
 
   protected abstract heading(): string;
   protected abstract body(): TemplateResult;
@@ -16,6 +17,7 @@ export abstract class DialogElement extends StudioElement {
       aria-labelledby="title"
       @close=${() => {
         this.studio.show(undefined);
+        this.#afterwards?.();
       }}
       @click=${(event: MouseEvent) => {
         if (event.target === this.dialog) this.close();
@@ -42,7 +44,9 @@ export abstract class DialogElement extends StudioElement {
     this.dialog.showModal();
   }
 
-  protected close(): void {
+  /** @param afterwards  done once the sheet is gone, which is later: what it opens is not closed with this one */
+  protected close(afterwards?: () => void): void {
+    this.#afterwards = afterwards;
     this.dialog.close();
   }
 }

@@ -11,11 +11,12 @@ import {
   type FileKind,
 } from '../model/defaults.js';
 import { lampFor } from '../model/lamp.js';
-import type { DirectionSource, SourceFile } from '../model/plate.js';
+import { modeChoices, type DirectionSource, type SourceFile } from '../model/plate.js';
 import { StudioElement } from './element.js';
-import { cards, numberField, select } from './fields.js';
+import { DrawnChoices } from './drawn-choices.js';
+import { cards, numberField, select, type Option } from './fields.js';
 import { fileChip } from './file-chip.js';
-import { icon, type IconName } from './icons.js';
+import { icon } from './icons.js';
 import './lamps-panel.js';
 import { panelStyle } from './panel-style.js';
 import { sourceField } from './source-field.js';
@@ -23,13 +24,14 @@ import { sourceRows } from './source-rows.js';
 
 type Kind = DirectionSource['kind'];
 
+const loadColours = (): Promise<unknown> => import('./colours-panel.js');
+
 const pictures = '.png,.jpg,.jpeg,image/*';
-const modes = ['constrained', 'parallel', 'orthogonal', 'smoothest'] as const;
 const isFileKind = (kind: Kind): kind is FileKind => (fileKinds as readonly string[]).includes(kind);
 
 @customElement('sillon-directions-panel')
 export class DirectionsPanel extends StudioElement {
-  static override reads = ['plate', 'tool', 'brush'] as const;
+  static override reads = ['plate', 'tool', 'brush', 'scan'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -44,6 +46,8 @@ export class DirectionsPanel extends StudioElement {
     `,
   ];
 
+  readonly #pictures = new DrawnChoices<Kind>(this, () => this.studio.services.kindPictures);
+
   override render(): TemplateResult {
     const { directions } = this.state.plate;
     return html`
@@ -53,6 +57,12 @@ export class DirectionsPanel extends StudioElement {
         <p class="note">${t(`source.${directions.kind}.help`)}</p>
         ${'file' in directions ? fileChip(this.studio, directions.file, pictures) : nothing}
         ${directions.kind === 'lamp' ? html`<sillon-lamps .studio=${this.studio}></sillon-lamps>` : nothing}
+        ${
+          directions.kind === 'colours' && this.isHere(loadColours)
+            ? html`<sillon-colours .studio=${this.studio}></sillon-colours>`
+            : nothing
+        }
+        ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}
         ${sourceRows(directions).map((row) => sourceField(this.studio, directions, row))}
       </section>
       ${directions.kind === 'lamp' ? nothing : this.#brushes()} ${this.#modes()}
@@ -60,16 +70,17 @@ export class DirectionsPanel extends StudioElement {
   }
 
   #picker({ kind }: DirectionSource): TemplateResult {
-    const option = (value: Kind): { value: Kind; label: string; icon: IconName } => ({
+    const option = (value: Kind): Option<Kind> => ({
       value,
       label: t(`source.${value}`),
       icon: value,
+      picture: this.#pictures.url(value),
     });
     return cards<Kind>({
       id: 'source',
       label: t('source.title'),
       value: kind,
-      options: (['lamp', ...generatorKinds, ...fileKinds] as const).map(option),
+      options: (['lamp', ...generatorKinds, 'tone', 'edges', 'levels', 'colours', 'map'] as const).map(option),
       onChoose: (chosen) => {
         void this.#choose(chosen);
       },
@@ -79,23 +90,41 @@ export class DirectionsPanel extends StudioElement {
   async #choose(kind: Kind): Promise<void> {
     const { directions } = this.state.plate;
     if (kind === directions.kind) return;
-    if (!isFileKind(kind) && kind !== 'lamp') {
+    if (!isFileKind(kind) && kind !== 'lamp' && kind !== 'colours') {
       this.#set(newGenerator(kind));
       return;
     }
-    const file =
-      'file' in directions ? directions.file : directions.kind === 'lamp' ? directions.pictures[0]?.file : undefined;
+    const file = this.#fileFor(kind);
     if (file !== undefined) {
-      this.#set(this.#ofFile(kind, file));
+      await this.#use(kind, file);
       return;
     }
     this.requestUpdate(); // the card stays as it was until a picture is there
     const files = await this.studio.pick(pictures);
     if (files.length === 0) return;
-    await this.studio.open(files);
-    const opened = this.state.plate.directions;
-    const chosen = 'file' in opened ? opened.file : opened.kind === 'lamp' ? opened.pictures[0]?.file : undefined;
-    if (chosen !== undefined && opened.kind !== kind) this.#set(this.#ofFile(kind, chosen));
+    await this.studio.open(files, kind === 'colours' ? kind : undefined);
+    const chosen = this.#fileFor(kind);
+    if (chosen !== undefined && this.state.plate.directions.kind !== kind) await this.#use(kind, chosen);
+  }
+
+  /** The plate's own that may tell such directions. */
+  #fileFor(kind: FileKind | 'lamp' | 'colours'): SourceFile | undefined {
+    const { shape, directions } = this.state.plate;
+    if (kind === 'colours' && shape.kind === 'file') return shape.file;
+    const file =
+      'file' in directions ? directions.file : directions.kind === 'lamp' ? directions.pictures[0]?.file : undefined;
+    return kind === 'lamp' && file?.bytes.type === 'image/svg+xml' ? undefined : file; // solved for pixels alone
+  }
+
+  async #use(kind: FileKind | 'lamp' | 'colours', file: SourceFile): Promise<void> {
+    if (kind !== 'colours') {
+      this.#set(this.#ofFile(kind, file));
+      return;
+    }
+    await this.studio.attempt(async () => {
+      const [{ coloursOf }, running] = await Promise.all([import('../files/drawn.js'), this.studio.services.engine()]);
+      this.#set(await coloursOf(file, running));
+    });
   }
 
   #ofFile(kind: FileKind | 'lamp', file: SourceFile): DirectionSource {
@@ -115,20 +144,6 @@ export class DirectionsPanel extends StudioElement {
     const drawing = tool !== 'pan';
     return html`<section aria-labelledby="edit-title">
       <h3 id="edit-title">${t('section.edit')}</h3>
-      ${cards<typeof tool>({
-        id: 'tool',
-        label: t('tool.title'),
-        value: tool,
-        options: [
-          { value: 'pan', label: t('tool.pan'), icon: 'hand' },
-          { value: 'comb', label: t('tool.comb'), icon: 'comb' },
-          { value: 'mode', label: t('tool.mode'), icon: 'mode' },
-          { value: 'erase', label: t('tool.erase'), icon: 'erase' },
-        ],
-        onChoose: (chosen) => {
-          this.studio.setTool(chosen);
-        },
-      })}
       <p class="note">${t(`tool.${tool}.help`)}</p>
       ${
         tool === 'mode'
@@ -136,7 +151,7 @@ export class DirectionsPanel extends StudioElement {
               id: 'brush-mode',
               label: t('section.modes'),
               value: brush.mode,
-              options: modes.map((value) => ({ value, label: t(`mode.${value}`) })),
+              options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
               onChoose: (mode) => {
                 setBrush({ mode });
               },
@@ -207,7 +222,7 @@ export class DirectionsPanel extends StudioElement {
         id: 'mode-base',
         label: t('modes.base'),
         value: base,
-        options: modes.map((value) => ({ value, label: t(`mode.${value}`) })),
+        options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
         onChoose: (mode) => {
           set({ base: mode });
         },

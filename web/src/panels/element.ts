@@ -33,6 +33,22 @@ export abstract class StudioElement extends LitElement {
     this.#end?.();
   }
 
+  readonly #parts = new Map<() => Promise<unknown>, boolean>();
+
+  /** Whether the elements of a part are known, which is fetched when it is first asked for; draws again once it is there.
+   * @param load  always the same function for the same part */
+  protected isHere(load: () => Promise<unknown>): boolean {
+    const known = this.#parts.get(load);
+    if (known !== undefined) return known;
+    this.#parts.set(load, false);
+    void this.studio.attempt(async () => {
+      await load();
+      this.#parts.set(load, true);
+      this.requestUpdate();
+    });
+    return false;
+  }
+
   /** After each change of the state, drawn or not. */
   protected onState(_state: Readonly<Shown>, _before: Readonly<Shown>): void {}
 }

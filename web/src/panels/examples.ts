@@ -12,7 +12,10 @@ export interface Example {
   filament: FilamentKey;
   /** A name is that of a file. */
   shape: ShapeSource | string;
-  directions: DirectionSource | { file: string; encoding: DirectionEncoding };
+  directions:
+    | DirectionSource
+    | { file: string; encoding: DirectionEncoding }
+    | { pictures: readonly { file: string; lamp: readonly [number, number] }[] };
   modes?: { base?: DirectionMode; file?: string };
   nozzle?: number;
   spacing?: number;
@@ -20,6 +23,7 @@ export interface Example {
 }
 
 export type ExampleId =
+  | 'sunMoon'
   | 'ripples'
   | 'rays'
   | 'rings'
@@ -35,7 +39,33 @@ export type ExampleId =
   | 'crest'
   | 'brushwork';
 
+/** Two pictures in one plate, on a spool with contrast: what the studio opens with, too. */
+export const opening: Example = {
+  id: 'sunMoon',
+  width: 80,
+  height: 80,
+  filament: 'bluePla',
+  shape: newShape('disc'),
+  directions: {
+    pictures: [
+      { file: 'sun.png', lamp: [70, 45] },
+      { file: 'moon.png', lamp: [110, 45] },
+    ],
+  },
+};
+
+/** Also a first print: nothing can go wrong with it that the coupon does not show. */
+export const coaster: Example = {
+  id: 'whirl',
+  width: 80,
+  height: 80,
+  filament: 'bluePla',
+  shape: newShape('disc'),
+  directions: { ...newGenerator('spiral'), turns: 2, angle: 25 },
+};
+
 export const examples: readonly Example[] = [
+  opening,
   {
     id: 'ripples',
     width: 70,
@@ -44,14 +74,7 @@ export const examples: readonly Example[] = [
     shape: newShape('disc'),
     directions: newGenerator('waves'),
   },
-  {
-    id: 'whirl',
-    width: 80,
-    height: 80,
-    filament: 'bluePla',
-    shape: newShape('disc'),
-    directions: { ...newGenerator('spiral'), turns: 2, angle: 25 },
-  },
+  coaster,
   {
     id: 'rays',
     width: 80,

@@ -2,10 +2,18 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { live } from 'lit/directives/live.js';
-import { t } from '../i18n/text.js';
+import { language, t } from '../i18n/text.js';
 import { icon, type IconName } from './icons.js';
 
 type Content = TemplateResult | typeof nothing;
+
+/** As the page's language writes it, to be typed over: without marks between thousands. */
+const inputText = (value: number): string =>
+  new Intl.NumberFormat(language(), { maximumFractionDigits: 10, useGrouping: false }).format(value);
+
+/** With a comma or a point, in every language. */
+const numberIn = (text: string): number =>
+  /^\s*[-−]?(?:\d+[.,]?\d*|[.,]\d+)\s*$/.test(text) ? Number(text.replace('−', '-').replace(',', '.')) : Number.NaN;
 
 /** Shows a number, but leaves alone what is being typed unless the number changes elsewhere. */
 class Shows extends Directive {
@@ -18,7 +26,7 @@ class Shows extends Directive {
   override update({ element }: ElementPart, [value]: [number]): typeof nothing {
     const input = element as HTMLInputElement;
     const typing = input.matches(':focus') && value === this.#shown;
-    if (!typing && Number(input.value || Number.NaN) !== value) input.value = String(value);
+    if (!typing && numberIn(input.value) !== value) input.value = inputText(value);
     this.#shown = value;
     return nothing;
   }
@@ -76,7 +84,7 @@ const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(ste
 const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
 
 function readNumber(field: NumberField, input: HTMLInputElement): number | undefined {
-  const value = input.value.trim() === '' ? Number.NaN : Number(input.value);
+  const value = numberIn(input.value);
   const right = value >= field.min && value <= field.max && (!field.integer || Number.isInteger(value));
   input.setAttribute('aria-invalid', String(!right));
   const error = input.closest('.field')?.querySelector<HTMLElement>('.error');
@@ -91,27 +99,6 @@ function readNumber(field: NumberField, input: HTMLInputElement): number | undef
   return right ? value : undefined;
 }
 
-// Chromium and WebKit drop a comma without a word where they count with points, and 1,5 becomes 15; they take a point in every
-// language. Firefox keeps what is typed, and what it cannot read is told.
-const dropsCommas = !CSS.supports('-moz-appearance', 'none');
-
-function onTyping(event: InputEvent): void {
-  if (event.data !== ',' || !dropsCommas) return;
-  event.preventDefault();
-  // There is no other way to write where the caret is: a number field does not tell.
-  // eslint-disable-next-line @typescript-eslint/no-deprecated
-  document.execCommand('insertText', false, '.');
-}
-
-function onPaste(event: ClipboardEvent): void {
-  const text = event.clipboardData?.getData('text/plain').trim() ?? '';
-  if (!/^-?\d*,\d+$/.test(text)) return;
-  event.preventDefault();
-  const input = event.currentTarget as HTMLInputElement;
-  input.value = text.replace(',', '.'); // as values are written everywhere
-  input.dispatchEvent(new Event('input', { bubbles: true }));
-}
-
 /** The number alone, with its unit. */
 export function numberInput(field: NumberField, name = true): TemplateResult {
   const { id, label, unit = '', min, max, step } = field;
@@ -123,25 +110,36 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
     const input = event.currentTarget as HTMLInputElement;
     if (readNumber(field, input) === undefined) {
       // What cannot be used does not stay; the sentence about it does, until the next change.
-      input.value = String(shortNumber(field.value, step));
+      input.value = inputText(shortNumber(field.value, step));
       input.setAttribute('aria-invalid', 'false');
     }
     field.onSettle();
   };
+  /** As the spin buttons of number fields, which write no comma where the page's language has one. */
+  const onKey = (event: KeyboardEvent): void => {
+    const by = event.key === 'ArrowUp' ? step : event.key === 'ArrowDown' ? -step : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    const input = event.currentTarget as HTMLInputElement;
+    const next = Math.min(max, Math.max(min, (numberIn(input.value) || 0) + by));
+    input.value = inputText(Number(next.toFixed(digitsOf(step))));
+    onInput(event);
+  };
   return html`<span class="measure">
     <input
-      type="number"
+      type="text"
+      role="spinbutton"
+      autocomplete="off"
       inputmode=${min < 0 ? 'text' : 'decimal'}
       id=${id}
       aria-label=${name ? nothing : label}
       aria-describedby="${id}-error"
-      min=${min}
-      max=${max}
-      step=${step}
+      aria-valuemin=${min}
+      aria-valuemax=${max}
+      aria-valuenow=${field.value}
       ?disabled=${field.disabled ?? false}
       ${shows(shortNumber(field.value, step))}
-      @beforeinput=${onTyping}
-      @paste=${onPaste}
+      @keydown=${onKey}
       @input=${onInput}
       @change=${onChange}
     />
@@ -153,7 +151,20 @@ export function numberField(field: NumberField): TemplateResult {
   const { id, label, value, step, usual, help = '' } = field;
   const [low, high] = usual ?? [0, 1];
   return html`<div class="field">
-    <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
+    <span class="name"
+      ><label
+        for=${id}
+        class="scrubs"
+        @pointerdown=${(event: PointerEvent) => {
+          const name = event.currentTarget as HTMLElement;
+          if (event.button === 0 && event.pointerType !== 'touch' && !field.disabled)
+            void import('./scrub.js').then(({ scrub }) => {
+              scrub(event, name, field);
+            });
+        }}
+        >${label}</label
+      >${aboutButton(id, label, help)}</span
+    >
     ${numberInput(field)}
     ${
       usual === undefined
@@ -183,6 +194,8 @@ export interface Option<Value extends string = string> {
   value: Value;
   label: string;
   icon?: IconName | undefined;
+  /** Address of a picture that takes the icon's place. */
+  picture?: string | undefined;
   disabled?: boolean;
   title?: string;
 }
@@ -198,7 +211,7 @@ export interface ChoiceField<Value extends string = string> {
 
 function radios<Value extends string>(field: ChoiceField<Value>, size: number): TemplateResult[] {
   return field.options.map(
-    ({ value, label, icon: name, disabled = false, title = '' }) =>
+    ({ value, label, icon: name, picture, disabled = false, title = '' }) =>
       html`<label title=${title || nothing}>
         <input
           type="radio"
@@ -210,7 +223,9 @@ function radios<Value extends string>(field: ChoiceField<Value>, size: number): 
             field.onChoose(value);
           }}
         />
-        ${name === undefined ? nothing : icon(name, size)}<span>${label}</span>
+        ${picture !== undefined ? html`<img src=${picture} alt="" />` : name === undefined ? nothing : icon(name, size)}<span
+          >${label}</span
+        >
       </label>`,
   );
 }
@@ -219,7 +234,7 @@ function radios<Value extends string>(field: ChoiceField<Value>, size: number): 
 export const segments = <Value extends string>(field: ChoiceField<Value>, legend = true): TemplateResult => {
   const { length: count } = field.options;
   const letters = field.options.reduce((sum, { label }) => sum + label.length, 0);
-  const columns = count > 4 && letters > 30 ? Math.ceil(count / 2) : count;
+  const columns = count > 3 && letters > 24 ? Math.ceil(count / 2) : count;
   return html`<div class="field">
     ${
       legend

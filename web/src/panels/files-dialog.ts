@@ -1,6 +1,7 @@
 // What the files that were opened last are for: the page's guess, to be changed.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { rare } from '../i18n/rare.js';
 import { formatBytes, t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
 import type { Opened, Role } from '../model/file-role.js';
@@ -94,7 +95,7 @@ export class Files extends DialogElement {
       >
         ${roles.map((name) => html`<option value=${name} ?selected=${name === role}>${t(`role.${name}`)}</option>`)}
       </select>
-      <p class="note" id="${id}-help">${t(`role.${role}.help`)}</p>
+      <p class="note" id="${id}-help">${rare(`role.${role}.help`)}</p>
     </li>`;
   }
 

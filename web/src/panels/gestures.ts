@@ -9,8 +9,8 @@ export interface GestureEvents {
   draws(event: PointerEvent): boolean;
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
-  /** undefined: the pointer has left. */
-  hover(place: Place | undefined): void;
+  /** undefined: the pointer has left. @param leads  it floats above the plate, as no finger does */
+  hover(place: Place | undefined, leads: boolean): void;
   begin(place: Place): void;
   draw(place: Place): void;
   end(): void;
@@ -61,7 +61,7 @@ export class Gestures {
       this.#drawing = undefined;
       return;
     }
-    this.events.hover(place);
+    this.events.hover(place, floats(event));
     if (this.events.draws(event)) {
       this.#drawing = event.pointerId;
       this.events.begin(place);
@@ -72,7 +72,7 @@ export class Gestures {
     const place = this.#place(event);
     const before = this.#pointers.get(event.pointerId);
     if (before === undefined) {
-      this.events.hover(place);
+      this.events.hover(place, floats(event));
       return;
     }
     if (this.#pointers.size === 2) {
@@ -83,11 +83,10 @@ export class Gestures {
     }
     this.#pointers.set(event.pointerId, place);
     if (this.#drawing === event.pointerId) {
-      this.events.hover(place);
+      this.events.hover(place, false);
       for (const each of coalesced(event)) this.events.draw(this.#place(each));
     } else if (this.#pointers.size === 1) {
       this.events.pan(place.x - before.x, place.y - before.y);
-      if (event.pointerType !== 'mouse') this.events.hover(place);
     }
   };
 
@@ -104,11 +103,11 @@ export class Gestures {
       this.#drawing = undefined;
       this.events.end();
     }
-    if (event.pointerType !== 'mouse') this.events.hover(undefined);
+    if (event.pointerType !== 'mouse') this.events.hover(undefined, false);
   };
 
   #onLeave = (event: PointerEvent): void => {
-    if (!this.#pointers.has(event.pointerId)) this.events.hover(undefined);
+    if (!this.#pointers.has(event.pointerId)) this.events.hover(undefined, false);
   };
 
   #onWheel = (event: WheelEvent): void => {
@@ -124,4 +123,19 @@ export class Gestures {
 function coalesced(event: PointerEvent): PointerEvent[] {
   const events = 'getCoalescedEvents' in event ? event.getCoalescedEvents() : [];
   return events.length > 0 ? events : [event];
+}
+
+const floats = ({ pointerType }: PointerEvent): boolean => pointerType !== 'touch';
+
+const stillClick = 5; // [CSS pixels] that a pointer may move between down and up
+
+/** Clicks that end where they began, and are no end of a drag. @param run  given the place on the element [CSS pixels] */
+export function onStillClick(element: HTMLElement, run: (x: number, y: number) => void): void {
+  let down = { x: 0, y: 0 };
+  element.addEventListener('pointerdown', ({ offsetX: x, offsetY: y }) => {
+    down = { x, y };
+  });
+  element.addEventListener('click', ({ offsetX: x, offsetY: y }) => {
+    if (Math.hypot(x - down.x, y - down.y) <= stillClick) run(x, y);
+  });
 }

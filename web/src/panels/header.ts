@@ -3,30 +3,23 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { languages } from '../i18n/languages.js';
 import { t } from '../i18n/text.js';
-import { weaknessesOf } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
 import type { Theme } from '../model/state.js';
 import { StudioElement } from './element.js';
 import { icon, mark, type IconName } from './icons.js';
+import { menuStyle } from './menu-style.js';
 import { offers } from './shown.js';
-import type { Product } from './studio.js';
 
-const products: readonly (readonly [Product, IconName])[] = [
-  ['gcode', 'print'],
-  ['body', 'body'],
-  ['svg', 'toolpath'],
-  ['png', 'camera'],
-  ['view', 'sun'],
-  ['project', 'file'],
-];
+const loadDownloads = (): Promise<unknown> => import('./downloads.js');
 const themes: readonly Theme[] = ['auto', 'light', 'dark'];
 
 @customElement('sillon-header')
 export class Header extends StudioElement {
-  static override reads = ['plate', 'made', 'theme', 'mode', 'controls', 'host'] as const;
+  static override reads = ['plate', 'theme', 'mode', 'controls', 'host'] as const;
 
   static override styles = [
     ...StudioElement.styles,
+    menuStyle,
     css`
       :host {
         display: flex;
@@ -74,7 +67,7 @@ export class Header extends StudioElement {
       .main {
         margin-left: 4px;
         padding: 0 14px;
-        min-height: 34px;
+        min-height: max(34px, var(--control));
       }
       [popover] {
         position: fixed;
@@ -90,40 +83,9 @@ export class Header extends StudioElement {
         box-shadow: var(--lift);
         overflow: auto;
       }
-      [popover] button {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        justify-items: start;
-        gap: 0 12px;
-        width: 100%;
-        padding: 8px 10px;
-        border-color: transparent;
-        background: none;
-        text-align: left;
-      }
-      [popover] button:hover {
-        background: var(--hover);
-      }
-      [popover] button .icon {
-        grid-row: span 2;
-        color: var(--accent);
-      }
-      [popover] button:disabled .icon {
-        color: inherit;
-      }
-      [popover] hr {
-        margin: 6px 10px;
-        border: 0;
-        border-top: 1px solid var(--line);
-      }
       [popover] .field {
         padding: 8px 10px;
         gap: 6px;
-      }
-      .weak {
-        display: flex;
-        align-items: start;
-        color: var(--bad);
       }
       .narrow {
         display: none;
@@ -290,61 +252,74 @@ export class Header extends StudioElement {
     for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
   }
 
-  #item(
-    name: IconName,
-    label: string,
-    help: string,
-    run: () => void,
-    { where = '', disabled = false }: { where?: string; disabled?: boolean } = {},
-  ): TemplateResult {
+  #item(name: IconName, label: string, run: () => void, where = ''): TemplateResult {
     return html`<button
       type="button"
-      class=${where}
-      ?disabled=${disabled}
+      class="item ${where}"
       @click=${() => {
         this.#hide();
         run();
       }}
     >
-      ${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}
+      ${icon(name, 20)}<span>${label}</span>
     </button>`;
   }
 
+  /** What is in it comes when it is first opened. */
   #exports(): TemplateResult {
-    const { plate, made } = this.state;
-    return html`<div id="export" popover role="group" aria-label=${t('section.export')}>
-      ${weaknessesOf(plate, made?.plate.directions === plate.directions ? made.report.pictures : undefined).map(
-        (weakness) => html`<p class="note field weak">${icon('warn', 16)} ${t(`lamp.weak.${weakness}`)}</p>`,
-      )}
-      ${products.map(([product, name]) => {
-        const missing = product === 'body' && this.state.plate.print.base === 0;
-        const help = t(missing ? 'export.body.none' : `export.${product}.help`);
-        const save = (): void => void this.studio.save(product);
-        return this.#item(name, t(`export.${product}`), help, save, { disabled: missing });
-      })}
-      <hr />
-      ${this.#item('share', t('verb.share'), t('export.link.help'), () => {
-        this.studio.show('share');
-      })}
+    return html`<div
+      id="export"
+      popover
+      role="group"
+      aria-label=${t('section.export')}
+      @beforetoggle=${() => {
+        this.#opened = true;
+        this.requestUpdate();
+      }}
+    >
+      ${
+        this.#opened && this.isHere(loadDownloads)
+          ? html`<sillon-downloads
+              .studio=${this.studio}
+              @done=${() => {
+                this.#hide();
+              }}
+            ></sillon-downloads>`
+          : nothing
+      }
     </div>`;
   }
+
+  #opened = false;
 
   #menu(): TemplateResult {
     const { theme, language, host } = this.state;
     return html`<div id="menu" popover role="group" aria-label=${t('app.menu')}>
-      ${this.#item('plus', t('verb.new'), '', () => {
+      ${this.#item('plus', t('verb.new'), () => {
         this.studio.services.newPlate();
       })}
+      ${
+        host === ''
+          ? this.#item('gallery', t('verb.plates'), () => {
+              this.studio.show('plates');
+            })
+          : nothing
+      }
       ${this.#item(
         'share',
         t('verb.share'),
-        '',
         () => {
           this.studio.show('share');
         },
-        { where: 'narrow' },
+        'narrow',
       )}
-      ${this.#item('help', t('help.title'), '', () => {
+      ${this.#item('print', t('verb.first'), () => {
+        this.studio.show('first');
+      })}
+      ${this.#item('tune', t('verb.calibrate'), () => {
+        this.studio.show('calibrate');
+      })}
+      ${this.#item('help', t('help.title'), () => {
         this.studio.show('help');
       })}
       <hr />
@@ -375,7 +350,7 @@ export class Header extends StudioElement {
         host === ''
           ? html`<p class="note field">${t('app.local')}</p>`
           : html`<p class="note field">${t('app.host', { host })}</p>
-              ${this.#item('open', t('app.open'), '', () => {
+              ${this.#item('open', t('app.open'), () => {
                 void this.studio.attempt(async () => {
                   const { url } = await this.studio.services.link(this.state.plate);
                   open(url, '_blank', 'noopener');

@@ -1,12 +1,10 @@
 // What this is, and its keys.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { rare } from '../i18n/rare.js';
 import { t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
-import { shortcuts } from './shortcuts.js';
-
-const keyNames = { Ctrl: 'key.ctrl', Shift: 'key.shift', Esc: 'key.escape' } as const;
-const keyName = (key: string): string => (key in keyNames ? t(keyNames[key as keyof typeof keyNames]) : key);
+import { keysText, shortcuts } from './shortcut-list.js';
 
 @customElement('sillon-help')
 export class Help extends DialogElement {
@@ -65,28 +63,28 @@ export class Help extends DialogElement {
 
   protected override body(): TemplateResult {
     return html`
-      <p>${t('help.intro')}</p>
+      <p>${rare('help.intro')}</p>
       <ol>
-        <li>${t('help.step1')}</li>
-        <li>${t('help.step2')}</li>
-        <li>${t('help.step3')}</li>
-        <li>${t('help.step4')}</li>
+        <li>${rare('help.step1')}</li>
+        <li>${rare('help.step2')}</li>
+        <li>${rare('help.step3')}</li>
+        <li>${rare('help.step4')}</li>
       </ol>
-      <h3>${t('help.keys')}</h3>
+      <h3>${rare('help.keys')}</h3>
       <dl>
         ${shortcuts.map(
           ({ shown, text }) =>
             html`<div>
-              <dt>${t(text)}</dt>
-              <dd>${shown.map((keys) => html`<kbd>${keys.split(' ').map(keyName).join(' ')}</kbd>`)}</dd>
+              <dt>${rare(text)}</dt>
+              <dd>${shown.map((keys) => html`<kbd>${keysText(keys)}</kbd>`)}</dd>
             </div>`,
         )}
       </dl>
-      <h3>${t('help.mouse')}</h3>
+      <h3>${rare('help.mouse')}</h3>
       <ul>
-        <li>${t('help.mouse.pan')}</li>
-        <li>${t('help.mouse.zoom')}</li>
-        <li>${t('help.mouse.light')}</li>
+        <li>${rare('help.mouse.pan')}</li>
+        <li>${rare('help.mouse.zoom')}</li>
+        <li>${rare('help.mouse.light')}</li>
       </ul>
       <p class="note">${t('app.local')}</p>
     `;

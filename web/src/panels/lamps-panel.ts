@@ -2,7 +2,15 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
-import { greySteps, lampSizes, lampsOf, mostPictures, weaknessesOf, type LampSource } from '../model/lamp.js';
+import {
+  greySteps,
+  lampSizes,
+  lampsOf,
+  leastSeen,
+  mostPictures,
+  weaknessesOf,
+  type LampSource,
+} from '../model/lamp.js';
 import type { LampPicture } from '../model/plate.js';
 import './dial.js';
 import { StudioElement } from './element.js';
@@ -17,7 +25,7 @@ type SizeName = keyof typeof lampSizes;
 
 @customElement('sillon-lamps')
 export class LampsPanel extends StudioElement {
-  static override reads = ['plate', 'made', 'lamp'] as const;
+  static override reads = ['plate', 'result', 'lamp'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -80,11 +88,11 @@ export class LampsPanel extends StudioElement {
   ];
 
   override render(): TemplateResult | typeof nothing {
-    const { plate, made } = this.state;
+    const { plate, result } = this.state;
     const { directions } = plate;
     if (directions.kind !== 'lamp') return nothing;
     const size = (Object.keys(lampSizes) as SizeName[]).find((name) => lampSizes[name] === directions.lampSize);
-    const seen = made?.plate.directions === directions ? made.report.pictures : undefined;
+    const seen = result?.plate.directions === directions ? result.report.pictures : undefined;
     return html`
       <ul>
         ${directions.pictures.map((picture, k) => this.#picture(directions, picture, k, seen?.[k]?.contrast))}
@@ -105,7 +113,8 @@ export class LampsPanel extends StudioElement {
         },
       })}
       ${weaknessesOf(plate, seen).map(
-        (weakness) => html`<p class="warning">${icon('warn', 16)} <span>${t(`lamp.weak.${weakness}`)}</span></p>`,
+        (weakness) =>
+          html`<p class="warning">${icon('warn', 16)} <span>${t(`lamp.weak.${weakness}`, leastSeen(seen))}</span></p>`,
       )}
       ${plate.strokes.length > 0 ? html`<p class="note">${t('lamp.strokes', { n: plate.strokes.length })}</p>` : nothing}
     `;

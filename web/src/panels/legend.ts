@@ -6,11 +6,11 @@ import { directionPalette, markColours, rampColour } from '../views/palette.js';
 import type { ColourBy, Mark } from '../model/view.js';
 import { StudioElement } from './element.js';
 
-const kinds: readonly Mark['kind'][] = ['lost', 'gap', 'turn', 'narrow', 'wide'];
+const kinds: readonly Mark['kind'][] = ['lost', 'kept', 'gap', 'turn', 'narrow', 'wide'];
 
 @customElement('sillon-legend')
 export class Legend extends StudioElement {
-  static override reads = ['view', 'colourBy', 'made', 'marks', 'plate'] as const;
+  static override reads = ['view', 'colourBy', 'result', 'marks', 'plate'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -51,7 +51,7 @@ export class Legend extends StudioElement {
   ];
 
   override render(): TemplateResult | typeof nothing {
-    const { view, colourBy, made } = this.state;
+    const { view, colourBy, result } = this.state;
     if (view === 'quality') {
       const counted = kinds.filter((kind) => this.state.marks.some((mark) => mark.kind === kind));
       return html`${counted.map(
@@ -65,7 +65,7 @@ export class Legend extends StudioElement {
       return html`<canvas class="fan" width="112" height="60" aria-hidden="true"></canvas>
         ${view === 'directions' ? html`<span>${t('legend.direction')}</span>` : nothing}`; // else it says "by" beside it
     }
-    const spacing = made?.toolpath.spacing ?? this.state.plate.toolpath.spacing;
+    const spacing = result?.toolpath.spacing ?? this.state.plate.toolpath.spacing;
     const { speed } = this.state.plate.printer;
     const ends: Record<Exclude<ColourBy, 'direction'>, readonly [string, string]> = {
       width: [`${formatNumber(0.5 * spacing)} mm`, `${formatNumber(1.5 * spacing)} mm`],

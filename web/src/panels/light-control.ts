@@ -9,6 +9,10 @@ import type { LightMode } from './shown.js';
 
 const lightModes: readonly LightMode[] = ['pointer', 'tilt', 'orbit', 'fixed'];
 
+/** A finger does not float above the plate. */
+const label = (mode: LightMode): string =>
+  mode === 'pointer' && matchMedia('(hover: none)').matches ? t('light.sways') : t(`light.${mode}`);
+
 @customElement('sillon-light')
 export class LightControl extends StudioElement {
   static override reads = ['light', 'lightMode'] as const;
@@ -21,7 +25,8 @@ export class LightControl extends StudioElement {
         grid-template-columns: auto 1fr;
         align-items: center;
         gap: 2px 12px;
-        width: 236px;
+        width: max-content; /* as wide as the longest word of its select */
+        min-width: 236px;
         padding: 8px 12px 8px 8px;
         border: 1px solid var(--line);
         border-radius: var(--radius-large);
@@ -34,17 +39,30 @@ export class LightControl extends StudioElement {
         grid-row: span 2;
       }
       select {
-        min-height: 28px;
+        min-height: max(28px, var(--control));
         font-size: var(--note);
         border-color: var(--line);
       }
       @media (max-width: 720px) {
         :host {
-          width: 196px;
+          min-width: 196px;
         }
         sillon-dial {
           width: 46px;
           height: 46px;
+        }
+      }
+      /* One row over the plate of a phone. */
+      @container (width < 420px) {
+        :host {
+          min-width: min-content;
+          grid-template-columns: auto max-content minmax(40px, 1fr); /* the longest of its words stays whole */
+          padding: 4px 8px 4px 4px;
+        }
+        sillon-dial {
+          grid-row: auto;
+          width: 44px;
+          height: 44px;
         }
       }
     `,
@@ -70,7 +88,7 @@ export class LightControl extends StudioElement {
           void this.studio.setLightMode((event.currentTarget as HTMLSelectElement).value as LightMode);
         }}
       >
-        ${lightModes.map((mode) => html`<option value=${mode} ?selected=${mode === lightMode}>${t(`light.${mode}`)}</option>`)}
+        ${lightModes.map((mode) => html`<option value=${mode} ?selected=${mode === lightMode}>${label(mode)}</option>`)}
       </select>
       <input
         type="range"

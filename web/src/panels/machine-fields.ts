@@ -1,12 +1,21 @@
 // Which printer, which filament.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { filamentLabel, printerLabel } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import { countLines } from '../model/brought.js';
-import { filaments, withFilament } from '../model/filaments.js';
+import { filaments, withFilament, withSpool } from '../model/filaments.js';
+import type { OwnSpool } from '../model/plate.js';
 import { printers, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
 import { select } from './fields.js';
 import type { Studio } from './studio.js';
+
+/** Those that are kept here, and that of the plate, which may have come with a project. */
+export function ownSpools(studio: Studio): readonly OwnSpool[] {
+  const { plate, spools = [] } = studio.store.state;
+  const { spool } = plate;
+  return spool === undefined || spools.some(({ key }) => key === spool.key) ? spools : [...spools, spool];
+}
 
 /** For the panel that shows `filamentField`. */
 export const swatchStyle = css`
@@ -80,7 +89,7 @@ export function printerField(studio: Studio): TemplateResult {
                 type="button"
                 class="link"
                 @click=${() => {
-                  studio.show('blocks');
+                  studio.review();
                 }}
               >
                 ${t('brought.show')}
@@ -91,11 +100,12 @@ export function printerField(studio: Studio): TemplateResult {
 }
 
 export function filamentField(studio: Studio): TemplateResult {
-  const { filament: key } = studio.store.state.plate;
+  const { filament: key, spool } = studio.store.state.plate;
+  const own = ownSpools(studio);
   const chosen = filaments.find((filament) => filament.key === key) ?? filaments[0];
   return html`<div class="field">
       <span class="name" id="filament-name">${t('section.filament')}</span>
-      <span class="note">${chosen === undefined ? '' : filamentLabel(chosen)}</span>
+      <span class="note">${spool !== undefined ? spool.key : chosen === undefined ? '' : filamentLabel(chosen)}</span>
       <div class="wide swatches" role="radiogroup" aria-labelledby="filament-name">
         ${filaments.map(
           (filament) =>
@@ -104,9 +114,23 @@ export function filamentField(studio: Studio): TemplateResult {
                 type="radio"
                 name="filament"
                 aria-label=${filamentLabel(filament)}
-                .checked=${filament.key === key}
+                .checked=${live(spool === undefined && filament.key === key)}
                 @change=${() => {
                   studio.change((plate) => withFilament(plate, filament.key));
+                }}
+              />
+            </label>`,
+        )}
+        ${own.map(
+          (one) =>
+            html`<label title=${one.key} .style=${`--colour: rgb(${one.colour.join(' ')})`}>
+              <input
+                type="radio"
+                name="filament"
+                aria-label=${one.key}
+                .checked=${live(spool?.key === one.key)}
+                @change=${() => {
+                  studio.change((plate) => withSpool(plate, one));
                 }}
               />
             </label>`,

@@ -5,6 +5,7 @@ import { problemWords } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
+import { same } from '../model/problem.js';
 import type { Notice } from './shown.js';
 
 @customElement('sillon-notices')
@@ -67,6 +68,12 @@ export class Notices extends StudioElement {
         gap: 6px;
         margin-top: 6px;
       }
+      @media (pointer: coarse) {
+        .close {
+          min-height: 44px;
+          width: 44px;
+        }
+      }
       @media (max-width: 720px) {
         :host {
           width: 100%;
@@ -93,7 +100,7 @@ export class Notices extends StudioElement {
               )
         }
         ${notices.map((notice) =>
-          notice.problem === undefined
+          notice.problem === undefined || (problem !== undefined && same(notice.problem, problem))
             ? nothing
             : this.#problem(
                 notice.problem,

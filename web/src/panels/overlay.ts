@@ -21,10 +21,14 @@ export interface Overlay {
   marks: readonly Mark[];
   /** Which of the marks is looked at. */
   mark: number;
+  /** Stands in for the plate. */
+  shimmer: ((width: number, height: number) => CanvasImageSource) | undefined;
   /** Veils the page outside of it. */
   shape: Shape | undefined;
   /** Laid over the page from the left, up to the share `wipe`. */
-  picture: ImageBitmap | undefined;
+  picture: ImageBitmap | OffscreenCanvas | undefined;
+  /** Colours are not the plate's to show. */
+  grey: boolean;
   wipe: number;
   styles: CSSStyleDeclaration;
 }
@@ -49,6 +53,11 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
   const toY = (y: number): number => height / 2 - (y - camera.y) * scale;
   context.setTransform(pixels, 0, 0, pixels, 0, 0);
   context.clearRect(0, 0, width, height);
+  if (overlay.shimmer !== undefined) {
+    const [wide, tall] = [overlay.page[0] * scale, overlay.page[1] * scale];
+    const shimmer = overlay.shimmer(Math.ceil(wide * pixels), Math.ceil(tall * pixels));
+    context.drawImage(shimmer, toX(0), toY(overlay.page[1]), wide, tall);
+  }
   if (overlay.shape !== undefined) {
     context.setTransform(scale * pixels, 0, 0, -scale * pixels, toX(0) * pixels, toY(0) * pixels);
     drawVeil(context, overlay.shape, overlay);
@@ -56,28 +65,30 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
   }
   drawPicture(context, overlay, toX, toY);
   drawMarks(context, overlay, toX, toY);
-  if (overlay.cursor !== undefined) drawBrush(context, overlay, toX(overlay.cursor.x), toY(overlay.cursor.y), scale);
+  const { cursor } = overlay;
+  if (cursor !== undefined) {
+    const at = { x: toX(cursor.x), y: toY(cursor.y) };
+    drawBrush(context, at, overlay.radius * scale, overlay.softness);
+  }
   drawRulers(context, overlay, width, height, scale, toX, toY);
 }
 
 function drawPicture(
   context: CanvasRenderingContext2D,
-  { picture, wipe, page, styles }: Overlay,
+  { picture, grey, wipe, page }: Overlay,
   toX: (x: number) => number,
   toY: (y: number) => number,
 ): void {
   if (picture === undefined || wipe <= 0) return;
   const [left, top] = [toX(0), toY(page[1])];
   const [wide, tall] = [toX(page[0]) - left, toY(0) - top];
-  context.filter = 'grayscale(1)'; // colours are not the plate's to show
+  if (grey) context.filter = 'grayscale(1)';
   context.drawImage(picture, 0, 0, picture.width * wipe, picture.height, left, top, wide * wipe, tall);
   context.filter = 'none';
-  context.fillStyle = styles.getPropertyValue('--accent');
-  context.fillRect(left + wide * wipe - 1, top, 2, tall);
 }
 
-function drawBrush(context: CanvasRenderingContext2D, overlay: Overlay, x: number, y: number, scale: number): void {
-  const radius = overlay.radius * scale;
+/** @param radius  in the context's unit */
+export function drawBrush(context: CanvasRenderingContext2D, { x, y }: Cursor, radius: number, softness: number): void {
   const ring = (size: number, dashes: number[]): void => {
     for (const [colour, line] of [
       ['rgb(0 0 0 / 0.55)', 3],
@@ -92,7 +103,7 @@ function drawBrush(context: CanvasRenderingContext2D, overlay: Overlay, x: numbe
     }
   };
   ring(radius, []);
-  if (overlay.softness > 0.02) ring(radius * (1 - overlay.softness), [2, 3]);
+  if (softness > 0.02) ring(radius * (1 - softness), [2, 3]);
   context.setLineDash([]);
   context.fillStyle = 'white';
   context.fillRect(x - 0.75, y - 0.75, 1.5, 1.5);

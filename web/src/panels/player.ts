@@ -10,7 +10,7 @@ const duration = 14_000; // [ms] of a whole print
 
 @customElement('sillon-player')
 export class Player extends StudioElement {
-  static override reads = ['played', 'playing', 'made'] as const;
+  static override reads = ['played', 'playing', 'result'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -40,8 +40,8 @@ export class Player extends StudioElement {
   #before = 0;
 
   override render(): TemplateResult {
-    const { played, playing, made } = this.state;
-    const length = made?.report.lengthMm;
+    const { played, playing, result } = this.state;
+    const length = result?.report.lengthMm;
     const percent = t('progress.percent', { percent: Math.floor(100 * played) });
     const label = t(playing ? 'verb.pause' : 'verb.play');
     return html`

@@ -1,11 +1,14 @@
 // Printer, filament, layers, place; what it will take; the file.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { findingText, startLines, warningText } from '../i18n/say.js';
+import { c } from '../i18n/calibrate.js';
+import { findingText, startLines, warningText } from '../i18n/say-rare.js';
 import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
+import { loadSpools } from './own-spools.js';
 import { settings } from '../model/settings.js';
 import { advancedSettings } from './advanced.js';
 import './bed.js';
+import './doubts.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { filamentField, printerField, swatchStyle } from './machine-fields.js';
@@ -14,7 +17,7 @@ import { settingField } from './setting-field.js';
 
 @customElement('sillon-print-panel')
 export class PrintPanel extends StudioElement {
-  static override reads = ['plate', 'summary', 'check', 'made', 'advanced', 'problem'] as const;
+  static override reads = ['plate', 'summary', 'check', 'result', 'advanced', 'problem', 'spools'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -63,6 +66,11 @@ export class PrintPanel extends StudioElement {
     `,
   ];
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    loadSpools(this.studio);
+  }
+
   override render(): TemplateResult {
     return html`
       <section aria-labelledby="print-title">
@@ -77,8 +85,27 @@ export class PrintPanel extends StudioElement {
         ${settingField(this.studio, 'print.brim')} ${settingField(this.studio, 'print.copies')}
       </section>
       <section aria-label=${t('section.filament')}>
-        ${filamentField(this.studio)} ${settingField(this.studio, 'printer.nozzleTemperature')}
-        ${settingField(this.studio, 'printer.bedTemperature')} ${settingField(this.studio, 'printer.speed')}
+        ${filamentField(this.studio)}
+        <div class="buttons">
+          <button
+            type="button"
+            @click=${() => {
+              this.studio.show('spools');
+            }}
+          >
+            ${c('spools.yours')}
+          </button>
+          <button
+            type="button"
+            @click=${() => {
+              this.studio.show('calibrate');
+            }}
+          >
+            ${icon('tune', 16)} ${t('verb.calibrate')}
+          </button>
+        </div>
+        ${settingField(this.studio, 'printer.nozzleTemperature')} ${settingField(this.studio, 'printer.bedTemperature')}
+        ${settingField(this.studio, 'printer.speed')}
       </section>
       <section aria-label=${t('section.basics')}>
         ${settingField(this.studio, 'print.layers')} ${settingField(this.studio, 'print.base')}
@@ -88,6 +115,7 @@ export class PrintPanel extends StudioElement {
         this.studio,
         settings.filter(({ section, advanced }) => section !== 'toolpath' && advanced),
       )}
+      <sillon-doubts .studio=${this.studio}></sillon-doubts>
       <div class="take">
         <button
           type="button"
@@ -103,7 +131,8 @@ export class PrintPanel extends StudioElement {
   }
 
   #summary(): TemplateResult {
-    const { summary, plate } = this.state;
+    const { summary, plate, result } = this.state;
+    const warnings = summary === undefined ? [] : [...(result?.report.warnings ?? []), ...summary.warnings];
     const { print } = plate;
     const { layerHeight, startHeight, firstLayerHeight } = print;
     const upper = print.layers * (print.showSide === 'both' ? 2 : 1) + print.base - 1;
@@ -134,11 +163,11 @@ export class PrintPanel extends StudioElement {
         ${t('summary.estimate')} ${summary === undefined ? '' : t('summary.size', { size: formatBytes(summary.bytes) })}
       </p>
       ${
-        summary === undefined || summary.warnings.length === 0
+        warnings.length === 0
           ? nothing
           : html`<h3>${t('summary.warnings')}</h3>
               <ul class="warnings">
-                ${summary.warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
+                ${warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
               </ul>`
       }
       ${this.#findings()} ${this.#startLines()}`;

@@ -15,15 +15,16 @@ const mostListed = 60;
 
 /** Which places a measure speaks of. */
 const placesOf: Partial<Record<Verdict['measure'], readonly Mark['kind'][]>> = {
+  path: ['lost'],
   coverage: ['gap', 'lost'],
   uTurns: ['turn'],
   widths: ['narrow', 'wide'],
-  lost: ['lost'],
+  lost: ['lost', 'kept'],
 };
 
 @customElement('sillon-quality-panel')
 export class QualityPanel extends StudioElement {
-  static override reads = ['made', 'progress', 'marks', 'mark', 'engine'] as const;
+  static override reads = ['result', 'progress', 'marks', 'mark', 'engine'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -105,8 +106,8 @@ export class QualityPanel extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { made, engine } = this.state;
-    const verdicts = made === undefined || !made.measured ? [] : verdictsOf(made.report);
+    const { result, engine } = this.state;
+    const verdicts = result === undefined || !result.measured ? [] : verdictsOf(result.report);
     return html`
       <section aria-labelledby="quality-title">
         <h2 id="quality-title">${t('section.quality')}</h2>
@@ -126,7 +127,7 @@ export class QualityPanel extends StudioElement {
               </ul>`
         }
       </section>
-      ${made === undefined ? nothing : this.#histogram()} ${this.#places()}
+      ${result === undefined ? nothing : this.#histogram()} ${this.#places()}
       ${
         engine === undefined
           ? nothing
@@ -143,7 +144,8 @@ export class QualityPanel extends StudioElement {
   #look({ measure, level }: Verdict): TemplateResult | typeof nothing {
     const kinds = placesOf[measure] ?? [];
     const at = this.state.marks.findIndex(({ kind }) => kinds.includes(kind));
-    if (at < 0 || (measure === 'lost' && level === 'good')) return nothing;
+    const good = (measure === 'lost' || measure === 'path') && level === 'good';
+    if (at < 0 || (good && this.state.marks[at]?.kind !== 'kept')) return nothing;
     return html`<button
       type="button"
       class="link"
@@ -157,12 +159,12 @@ export class QualityPanel extends StudioElement {
   }
 
   #histogram(): TemplateResult | typeof nothing {
-    const { made } = this.state;
-    if (made === undefined) return nothing;
-    const { bars, low, high } = widthHistogram(made.toolpath);
+    const { result } = this.state;
+    if (result === undefined) return nothing;
+    const { bars, low, high } = widthHistogram(result.toolpath);
     const top = Math.max(...bars, 1e-9);
     const step = 300 / bars.length;
-    const { spacing } = made.toolpath;
+    const { spacing } = result.toolpath;
     const at = ((spacing - low) / (high - low)) * 300;
     return html`<section aria-labelledby="widths-title">
       <h3 id="widths-title">${t('histogram.widths')}</h3>

@@ -1,118 +1,62 @@
-// A sliced print from above: its relief, the outlines of its top faces, and the new beads under the light. Moved by hand,
-// wheel and keys; a click chooses a face.
-import { css, html, LitElement, type PropertyValues, type TemplateResult } from 'lit';
-import type { Cycle, PrintRelief, Toolpath } from 'sillon';
+// A sliced print from above: its relief, the outlines of its faces, and the new beads under the light. Moved by hand, wheel
+// and keys; a click chooses a face, a brush draws.
+import { css, html, nothing, type PropertyValues, type TemplateResult } from 'lit';
+import type { PrintRelief, Toolpath } from 'sillon';
 import { customElement, property, query } from 'lit/decorators.js';
 import { r } from '../i18n/rebrush.js';
-import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
-import type { Face } from '../model/rebrush.js';
-import type { FilamentLook, Light } from '../model/view.js';
-import { bench } from '../style/bench.js';
-import { controls } from '../style/controls.js';
+import type { Light } from '../model/view.js';
 import { panned, zoomed } from '../views/camera.js';
 import { lightUnder } from '../views/light.js';
-import { shadedRelief } from '../views/relief.js';
+import { drawOutlines, drawStrokes, reliefPicture } from '../views/print-drawing.js';
+import { joinedBeads, outlinesOf, pageOf, type Page } from '../views/print-page.js';
 import { createRenderer } from '../views/renderer.js';
 import type { Camera, Renderer } from '../views/scene.js';
-import { Gestures } from './gestures.js';
-import { icon } from './icons.js';
-
-const margin = 24; // [CSS pixels] around the print
-const closest = 400; // [CSS pixels per mm]
-const stillClick = 5; // [CSS pixels] that a pointer may move between down and up
-const fewFaces = 60; // glow is slow to draw
-const above = 0.1; // [mm] by which what hides a face is higher
-
-interface Outline {
-  index: number;
-  parts: { path: Path2D; rule: CanvasFillRule }[];
-  /** What of it is not under the rest of the print. */
-  seen: Path2D;
-}
-
-function addLine(path: Path2D, points: ArrayLike<number>): void {
-  for (let k = 0; k + 1 < points.length; k += 2) {
-    const [x, y] = [points[k] as number, points[k + 1] as number];
-    if (k === 0) path.moveTo(x, y);
-    else path.lineTo(x, y);
-  }
-}
+import { draws, strokeOf, strokesOnPage } from './hand-strokes.js';
+import { drawBrush } from './overlay.js';
+import { closest, margin, PrintBench } from './print-bench.js';
 
 @customElement('sillon-rebrush-bench')
-export class RebrushBench extends LitElement {
+export class RebrushBench extends PrintBench {
   static override styles = [
-    controls,
-    bench,
+    PrintBench.styles,
     css`
       .overlay.hits {
         cursor: pointer;
       }
-      .zoom {
-        position: absolute;
-        right: 8px;
-        bottom: 8px;
-        display: flex;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        box-shadow: var(--lift);
+      .overlay.draws {
+        cursor: none;
       }
     `,
   ];
 
   @property({ attribute: false }) relief: PrintRelief | undefined;
-  @property({ attribute: false }) faces: readonly Face[] = [];
-  @property({ attribute: false }) chosen: ReadonlySet<number> = new Set();
-  /** New beads of a face, on its page. */
-  @property({ attribute: false }) laid: ReadonlyMap<number, readonly Cycle[]> = new Map<number, readonly Cycle[]>();
-  /** The face that is pointed at elsewhere. */
-  @property({ attribute: false }) marked: number | undefined;
   /** Where the light rests. */
   @property({ attribute: false }) home: Light = { azimuth: 60, elevation: 35 };
-  @property({ attribute: false }) filament!: FilamentLook;
   /** Pictures are solved for an eye far above. */
   @property({ type: Boolean }) lit = false;
-  @property({ type: Boolean }) dark = false;
-
+  /** Whether the print can be seen from aside. */
+  @property({ type: Boolean }) tilts = false;
   @query('.ground') private ground!: HTMLCanvasElement;
   @query('.beads') private beads!: HTMLCanvasElement;
   @query('.overlay') private overlay!: HTMLCanvasElement;
 
   #renderer: Renderer | undefined;
-  #gestures: Gestures | undefined;
-  #observer: ResizeObserver | undefined;
   #camera: Camera = { x: 0, y: 0, scale: 1 };
-  #fitted = true;
-  #frame = 0;
   #pointed: number | undefined;
   #light: Light | undefined;
-  #downAt = { x: 0, y: 0 };
-  /** Lower left corner of what is shown, on the bed, and its size [mm]. */
-  #corner: readonly [number, number] = [0, 0];
-  #page: [number, number] = [1, 1];
+  #page: Page = { corner: [0, 0], size: [1, 1] };
   #picture: OffscreenCanvas | undefined;
-  #outlines: Outline[] = [];
   #toolpath: Toolpath | undefined;
+  /** Where the brush is, and the stroke that it draws, on the page [mm]. */
+  #cursor: { x: number; y: number } | undefined;
+  #points: number[] | undefined;
 
   override render(): TemplateResult {
-    const zoom = (name: 'minus' | 'plus' | 'fit', label: string, run: () => void): TemplateResult =>
-      html`<button type="button" class="plain square" aria-label=${label} title=${label} @click=${run}>
-        ${icon(name, 16)}
-      </button>`;
     return html`<canvas class="ground" aria-hidden="true"></canvas><canvas class="beads" aria-hidden="true"></canvas
-      ><canvas class="overlay" tabindex="0" role="application" aria-label=${r('bench')}></canvas>
-      <div class="zoom" role="group" aria-label=${t('section.view')}>
-        ${zoom('minus', t('verb.zoomOut'), () => {
-          this.#zoom(1 / 1.4);
-        })}
-        ${zoom('plus', t('verb.zoomIn'), () => {
-          this.#zoom(1.4);
-        })}
-        ${zoom('fit', t('verb.fit'), () => {
-          this.#fit();
-        })}
-      </div>`;
+      ><canvas class="overlay" tabindex="0" role="application" aria-label=${r('bench')}></canvas> ${this.buttons(
+        this.tilts ? this.button('body', r('tilt'), () => this.dispatchEvent(new CustomEvent('tilt'))) : nothing,
+      )}`;
   }
 
   override firstUpdated(): void {
@@ -121,49 +65,42 @@ export class RebrushBench extends LitElement {
     } catch {
       this.#renderer = undefined; // outlines and relief are there without it
     }
-    this.#gestures = new Gestures(this.overlay, {
-      draws: () => false,
+    this.watch(this.overlay, {
+      draws: () => this.#draws(),
       pan: (dx, dy) => {
         this.#move(dx, dy);
       },
       zoom: (factor, x, y) => {
-        this.#zoom(factor, x, y);
+        this.zoom(factor, x, y);
       },
       hover: (place) => {
         this.#hover(place);
       },
-      begin: () => undefined,
-      draw: () => undefined,
-      end: () => undefined,
-      abandon: () => undefined,
+      begin: (place) => {
+        this.#points = [];
+        this.#addPoint(place);
+      },
+      draw: (place) => {
+        this.#addPoint(place);
+      },
+      end: () => {
+        this.#endStroke();
+      },
+      abandon: () => {
+        this.#points = undefined;
+        this.redraw();
+      },
     });
-    this.overlay.addEventListener('pointerdown', ({ offsetX: x, offsetY: y }) => {
-      this.#downAt = { x, y };
-    });
-    this.overlay.addEventListener('click', ({ offsetX: x, offsetY: y }) => {
-      if (Math.hypot(x - this.#downAt.x, y - this.#downAt.y) > stillClick) return;
-      const index = this.#faceAt(x, y);
-      if (index !== undefined) this.dispatchEvent(new CustomEvent('toggle-face', { detail: index }));
-    });
-    this.overlay.addEventListener('keydown', this.#onKey);
-    this.#observer = new ResizeObserver(() => {
-      this.#resize();
-    });
-    this.#observer.observe(this);
   }
 
   override updated(changed: PropertyValues<this>): void {
     if (changed.has('relief') || changed.has('faces')) this.#lay();
     if (changed.has('dark') || changed.has('relief')) this.#shade();
     if (changed.has('laid') || changed.has('chosen') || changed.has('faces') || changed.has('relief')) this.#join();
-    this.#redraw();
+    this.redraw();
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    cancelAnimationFrame(this.#frame);
-    this.#observer?.disconnect();
-    this.#gestures?.dispose();
+  protected override release(): void {
     this.#renderer?.dispose();
   }
 
@@ -171,151 +108,25 @@ export class RebrushBench extends LitElement {
 
   /** Places the page, and the outlines on it. */
   #lay(): void {
-    const { relief, faces } = this;
-    if (relief !== undefined) {
-      this.#corner = relief.corner;
-      this.#page = [relief.columns * relief.cell, relief.rows * relief.cell];
-    } else if (faces.length > 0) {
-      const least = (k: 0 | 1): number => Math.min(...faces.map(({ corner }) => corner[k]));
-      const most = (k: 0 | 1): number => Math.max(...faces.map(({ corner, region }) => corner[k] + region.page[k]));
-      this.#corner = [least(0), least(1)];
-      this.#page = [most(0) - least(0), most(1) - least(1)];
-    }
-    // The lowest first: what lies above is drawn later, and is what a click means.
-    this.#outlines = [...faces]
-      .sort((a, b) => a.z - b.z || b.areaMm2 - a.areaMm2)
-      .map((face) => {
-        const seen = new Path2D();
-        const parts = face.region.paths.map(({ fillRule, rings }) => {
-          const path = new Path2D();
-          for (const ring of rings) {
-            const points = this.#shifted(ring, face);
-            addLine(path, points);
-            path.closePath();
-            for (const run of this.#seenRuns(points, face.z)) addLine(seen, run);
-          }
-          return { path, rule: fillRule };
-        });
-        return { index: face.index, parts, seen };
-      });
-    if (this.#fitted) this.#fit();
-  }
-
-  /** Points of a face's own page on that of the print. */
-  #shifted<Points extends Float32Array | Float64Array>(points: Points, { corner }: Face): Points {
-    const [dx, dy] = [corner[0] - this.#corner[0], corner[1] - this.#corner[1]];
-    return points.map((value, k) => value + (k % 2 === 0 ? dx : dy)) as Points;
-  }
-
-  /** Whether nothing of the print lies above this place. */
-  #isSeen(x: number, y: number, z: number): boolean {
-    const { relief } = this;
-    if (relief === undefined) return true;
-    const [column, row] = [Math.floor(x / relief.cell), relief.rows - 1 - Math.floor(y / relief.cell)];
-    if (column < 0 || row < 0 || column >= relief.columns || row >= relief.rows) return true;
-    return (relief.heights[row * relief.columns + column] as number) < z + above;
-  }
-
-  /** The stretches of a closed line that are seen; the whole of it comes back to its beginning. */
-  #seenRuns(points: ArrayLike<number>, z: number): number[][] {
-    const runs: number[][] = [];
-    let run: number[] = [];
-    for (let k = 0; k <= points.length; k += 2) {
-      const [x, y] = [points[k % points.length] as number, points[(k + 1) % points.length] as number];
-      if (this.#isSeen(x, y, z)) run.push(x, y);
-      else if (run.length > 0) {
-        runs.push(run);
-        run = [];
-      }
-    }
-    return run.length > 0 ? [...runs, run] : runs;
+    this.#page = pageOf(this.relief, this.faces);
+    this.outlines = outlinesOf(this.faces, this.relief, this.#page);
+    if (this.fitted) this.fit();
   }
 
   #shade(): void {
-    const { relief } = this;
-    this.#picture = undefined;
-    if (relief === undefined) return;
-    const picture = new OffscreenCanvas(relief.columns, relief.rows);
-    const pixels = shadedRelief(relief, this.dark ? [128, 134, 140] : [206, 204, 198]);
-    picture.getContext('2d')?.putImageData(new ImageData(pixels, relief.columns, relief.rows), 0, 0);
-    this.#picture = picture;
+    this.#picture = this.relief === undefined ? undefined : reliefPicture(this.relief, this.dark);
   }
 
-  /** One toolpath of the new beads of all chosen faces, without what lies under the rest of the print. */
   #join(): void {
-    const cycles = this.#outlines.flatMap(({ index }) => {
-      const face = this.faces.find((one) => one.index === index);
-      if (face === undefined || !this.chosen.has(index)) return [];
-      return (this.laid.get(index) ?? []).flatMap(({ points, widths }) =>
-        this.#seenCycles(this.#shifted(points, face), widths, face.z),
-      );
-    });
-    const spacing = this.faces[0]?.spacing ?? 0.4;
-    this.#toolpath =
-      cycles.length === 0 ? undefined : { spacing, cycles, shape: { page: this.#page, paths: [] }, notes: [] };
+    const chosen = this.faces.filter(({ index }) => this.chosen.has(index));
+    this.#toolpath = joinedBeads(chosen, this.laid, this.relief, this.#page);
   }
 
-  /** The renderer draws closed lines: a stretch of one goes to its end and back again. */
-  #seenCycles(points: Float32Array, widths: Float32Array, z: number): Cycle[] {
-    type Place = [x: number, y: number, width: number];
-    const runs: number[][] = [];
-    let run: number[] = [];
-    let hidden = 0;
-    let last: Place = [0, 0, 0];
-    /** @param stays  it is a point of the line, not one between */
-    const pass = (place: Place, stays: boolean): void => {
-      if (this.#isSeen(place[0], place[1], z)) {
-        if (stays || run.length === 0) run.push(...place);
-      } else {
-        ++hidden;
-        if (run.length > 0) runs.push([...run, ...last]);
-        run = [];
-      }
-      last = place;
-    };
-    const at = (k: number): Place => {
-      const from = k % widths.length;
-      return [points[2 * from] as number, points[2 * from + 1] as number, widths[from] as number];
-    };
-    // Between its points too: a bead may pass under what lies above.
-    const step = 2 * (this.relief?.cell ?? 1);
-    for (let k = 0; k < widths.length; ++k) {
-      const [from, to] = [at(k), at(k + 1)];
-      const pieces = Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / step);
-      pass(from, true);
-      for (let piece = 1; piece < pieces; ++piece) {
-        const share = piece / pieces;
-        pass(from.map((value, n) => value + share * ((to[n] as number) - value)) as Place, false);
-      }
-    }
-    if (hidden === 0) return [{ points, widths }];
-    if (run.length > 0) runs.push(run);
-    return runs.map((line) => {
-      const count = line.length / 3;
-      const places = Array.from(
-        { length: Math.max(1, 2 * count - 2) },
-        (_, k) => 3 * (k < count ? k : 2 * count - 2 - k),
-      );
-      return {
-        points: Float32Array.from(places.flatMap((k) => line.slice(k, k + 2))),
-        widths: Float32Array.from(places, (k) => line[k + 2] as number),
-      };
-    });
-  }
-
-  #redraw(): void {
-    if (this.#frame !== 0 || !this.isConnected) return;
-    this.#frame = requestAnimationFrame(() => {
-      this.#frame = 0;
-      this.#draw();
-    });
-  }
-
-  #draw(): void {
+  protected override draw(): void {
     this.#drawGround();
     this.#renderer?.draw(
       {
-        page: this.#page,
+        page: this.#page.size,
         toolpath: this.#toolpath,
         directions: undefined,
         view: 'appearance',
@@ -333,6 +144,7 @@ export class RebrushBench extends LitElement {
       this.#camera,
     );
     this.#drawOutlines();
+    this.#drawStrokes();
   }
 
   /** Device pixels of a place on the page, y up. */
@@ -349,7 +161,7 @@ export class RebrushBench extends LitElement {
     if (this.#picture === undefined) return;
     const { left, bottom, scale } = this.#place();
     context.imageSmoothingQuality = 'high';
-    const [wide, tall] = this.#page;
+    const [wide, tall] = this.#page.size;
     context.drawImage(this.#picture, left, bottom - tall * scale, wide * scale, tall * scale);
   }
 
@@ -361,127 +173,155 @@ export class RebrushBench extends LitElement {
     const { left, bottom, scale } = this.#place();
     context.setTransform(scale, 0, 0, -scale, left, bottom);
     const styles = getComputedStyle(this);
-    const [accent, soft] = [styles.getPropertyValue('--accent'), styles.getPropertyValue('--soft')];
-    const pixel = devicePixelRatio / scale;
-    const glows = this.#outlines.length <= fewFaces;
-    for (const { index, parts, seen } of this.#outlines) {
-      const chosen = this.chosen.has(index);
-      const pointed = index === this.#pointed || index === this.marked;
-      context.strokeStyle = chosen ? accent : soft;
-      context.fillStyle = accent;
-      context.lineWidth = (pointed ? 3 : chosen ? 1.75 : 1.25) * pixel;
-      context.setLineDash(chosen ? [] : [4 * pixel, 4 * pixel]);
-      context.shadowColor = chosen && glows ? accent : 'transparent';
-      context.shadowBlur = 12 * devicePixelRatio;
-      for (const { path, rule } of parts) {
-        context.globalAlpha = chosen && !this.laid.has(index) ? 0.3 : pointed ? 0.12 : 0;
-        if (context.globalAlpha > 0) context.fill(path, rule);
-      }
-      context.globalAlpha = 1;
-      context.stroke(seen);
+    drawOutlines(
+      context,
+      {
+        outlines: this.outlines,
+        chosen: this.chosen,
+        laid: this.laid,
+        pointed: [this.#pointed, this.marked],
+        accent: styles.getPropertyValue('--accent'),
+        soft: styles.getPropertyValue('--soft'),
+      },
+      devicePixelRatio / scale,
+      devicePixelRatio,
+    );
+  }
+
+  /** Strokes that are not beads yet, and the brush. */
+  #drawStrokes(): void {
+    const context = this.overlay.getContext('2d');
+    if (context === null || this.brush === undefined) return;
+    const { left, bottom, scale } = this.#place();
+    const strokes = strokesOnPage(this.strokes, this.#page.corner, this.#points, this.brush);
+    context.setTransform(scale, 0, 0, -scale, left, bottom);
+    drawStrokes(context, strokes, getComputedStyle(this).getPropertyValue('--accent'));
+    if (!this.#draws() || this.#cursor === undefined) return;
+    const at = { x: left + this.#cursor.x * scale, y: bottom - this.#cursor.y * scale };
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    drawBrush(context, at, (this.brush.across / 2) * scale, this.brush.softness);
+  }
+
+  // --- Brush ----------------------------------------------------------------------------------------------------------------
+
+  #draws(): boolean {
+    return draws(this.brush);
+  }
+
+  #addPoint(place: { x: number; y: number }): void {
+    this.#points?.push(...this.pageAt(place.x, place.y));
+    this.redraw();
+  }
+
+  #endStroke(): void {
+    const [points, brush] = [this.#points, this.brush];
+    this.#points = undefined;
+    if (points === undefined || brush === undefined) return;
+    const detail = strokeOf(brush, points, this.#page.corner);
+    if (detail === undefined) return;
+    this.dispatchEvent(new CustomEvent('stroke', { detail }));
+  }
+
+  /** With keys a brush is led as with a pointer; the space bar puts it down and takes it up. */
+  #moveBrush(dx: number, dy: number): void {
+    const scale = this.#camera.scale / devicePixelRatio;
+    const from = this.#cursor ?? { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2 };
+    const within = (value: number, length: number): number => Math.min(length, Math.max(0, value));
+    this.#cursor = {
+      x: within(from.x + dx / scale, this.#page.size[0]),
+      y: within(from.y + dy / scale, this.#page.size[1]),
+    };
+    this.#points?.push(this.#cursor.x, this.#cursor.y);
+    this.redraw();
+  }
+
+  #togglePen(): void {
+    if (this.#points !== undefined) {
+      this.#endStroke();
+      return;
     }
+    this.#cursor ??= { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2 };
+    this.#points = [this.#cursor.x, this.#cursor.y];
+    this.redraw();
   }
 
   // --- Camera and pointer ---------------------------------------------------------------------------------------------------
 
-  #resize(): void {
-    const { width, height } = this.getBoundingClientRect();
-    if (width === 0 || height === 0) return;
+  protected override resize(width: number, height: number): void {
     const [columns, rows] = [Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio)];
     for (const canvas of [this.ground, this.overlay]) {
       canvas.width = columns;
       canvas.height = rows;
     }
     this.#renderer?.resize(columns, rows);
-    if (this.#fitted) this.#fit();
-    this.#draw();
+    if (this.fitted) this.fit();
+    this.draw();
   }
 
-  #fit(): void {
+  protected override fit(): void {
     const { width, height } = this.getBoundingClientRect();
     const room = (length: number): number => Math.max(1, length - 2 * Math.min(margin, length * 0.06));
-    const scale = Math.min(room(width) / this.#page[0], room(height) / this.#page[1]);
-    this.#camera = { x: this.#page[0] / 2, y: this.#page[1] / 2, scale: scale * devicePixelRatio };
-    this.#fitted = true;
-    this.#redraw();
+    const scale = Math.min(room(width) / this.#page.size[0], room(height) / this.#page.size[1]);
+    this.#camera = { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2, scale: scale * devicePixelRatio };
+    this.fitted = true;
+    this.redraw();
   }
 
-  /** Millimetres of the page under a point of the element. */
-  #toPage(x: number, y: number): [number, number] {
+  /** Also beside the print. */
+  protected override pageAt(x: number, y: number): [number, number] {
     const { left, bottom, scale } = this.#place();
     return [(x * devicePixelRatio - left) / scale, (bottom - y * devicePixelRatio) / scale];
   }
 
-  #zoom(factor: number, x?: number, y?: number): void {
+  protected override zoom(factor: number, x?: number, y?: number): void {
     const { width, height } = this.getBoundingClientRect();
-    const [atX, atY] = this.#toPage(x ?? width / 2, y ?? height / 2);
-    const least = (width * devicePixelRatio) / (8 * Math.max(...this.#page));
+    const [atX, atY] = this.pageAt(x ?? width / 2, y ?? height / 2);
+    const least = (width * devicePixelRatio) / (8 * Math.max(...this.#page.size));
     const at = { x: atX, y: atY };
     this.#camera = zoomed(this.#camera, at, factor, least, closest * devicePixelRatio);
-    this.#fitted = false;
-    this.#redraw();
+    this.fitted = false;
+    this.redraw();
   }
 
   #move(dx: number, dy: number): void {
     const ratio = devicePixelRatio;
-    this.#camera = panned(this.#camera, dx * ratio, dy * ratio, this.#page, 0.4);
-    this.#fitted = false;
-    this.#redraw();
+    this.#camera = panned(this.#camera, dx * ratio, dy * ratio, this.#page.size, 0.4);
+    this.fitted = false;
+    this.redraw();
   }
 
-  #onKey = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const step = event.shiftKey ? 80 : 24;
-    const keys: Record<string, () => void> = {
-      ArrowLeft: () => {
-        this.#move(step, 0);
-      },
-      ArrowRight: () => {
-        this.#move(-step, 0);
-      },
-      ArrowUp: () => {
-        this.#move(0, step);
-      },
-      ArrowDown: () => {
-        this.#move(0, -step);
-      },
-      '+': () => {
-        this.#zoom(1.25);
-      },
-      '-': () => {
-        this.#zoom(0.8);
-      },
-      '0': () => {
-        this.#fit();
-      },
+  protected override keys(shift: boolean): Record<string, () => void> {
+    const step = shift ? 80 : 24;
+    const go = (x: number, y: number) => (): void => {
+      if (this.#draws()) this.#moveBrush(x, y);
+      else this.#move(-x, y);
     };
-    const run = keys[event.key === '=' ? '+' : event.key];
-    if (run === undefined) return;
-    run();
-    event.preventDefault();
-    event.stopPropagation();
-  };
-
-  /** The highest of those that lie there, one above the other. */
-  #faceAt(x: number, y: number): number | undefined {
-    const context = this.overlay.getContext('2d');
-    if (context === null) return undefined;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    const [u, v] = this.#toPage(x, y);
-    const hit = this.#outlines.filter(({ parts }) =>
-      parts.some(({ path, rule }) => context.isPointInPath(path, u, v, rule)),
-    );
-    return hit.at(-1)?.index;
+    return {
+      ArrowLeft: go(-step, 0),
+      ArrowRight: go(step, 0),
+      ArrowUp: go(0, step),
+      ArrowDown: go(0, -step),
+      ...(this.#draws() && {
+        ' ': () => {
+          this.#togglePen();
+        },
+      }),
+    };
   }
 
   #hover(place: { x: number; y: number } | undefined): void {
     const { width, height } = this.getBoundingClientRect();
-    this.#pointed = place === undefined ? undefined : this.#faceAt(place.x, place.y);
+    const draws = this.#draws();
+    const at = place === undefined ? undefined : this.pageAt(place.x, place.y);
+    this.#cursor = at === undefined || !draws ? undefined : { x: at[0], y: at[1] };
+    this.#pointed = place === undefined || draws ? undefined : this.faceAt(place.x, place.y);
+    // It stands still under a brush.
     this.#light =
-      place === undefined
+      place === undefined || draws
         ? undefined
         : lightUnder((place.x - width / 2) / (width / 2), (height / 2 - place.y) / (height / 2));
     this.overlay.classList.toggle('hits', this.#pointed !== undefined);
-    this.#redraw();
+    this.overlay.classList.toggle('draws', draws);
+    this.redraw();
   }
 }

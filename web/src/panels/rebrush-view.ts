@@ -1,314 +1,61 @@
 // A sliced print, to be re-brushed: all over the page, above the plate, which stays as it is. Its top faces are listed and
 // seen from above; new beads are laid as soon as something is chosen, and the same kind of file is downloaded.
-import { css, html, nothing, type PropertyValues, type TemplateResult } from 'lit';
+import { html, type PropertyValues, type TemplateResult } from 'lit';
 import type { Cycle, PrintRelief, Rebrushed, SlicedFile } from 'sillon';
 import { customElement, query, state } from 'lit/decorators.js';
-import { live } from 'lit/directives/live.js';
 import { download } from '../files/download.js';
 import { isSliced } from '../files/open.js';
 import { readable } from '../files/readable.js';
 import { brushedName } from '../files/sliced.js';
 import { sourceFile } from '../files/source-file.js';
-import { r, type RebrushTextId } from '../i18n/rebrush.js';
-import { filamentLabel, problemWords } from '../i18n/say.js';
-import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
-import { filaments, lookOf } from '../model/filaments.js';
+import { r } from '../i18n/rebrush.js';
+import { formatBytes } from '../i18n/text.js';
+import { loadSpools } from './own-spools.js';
+import { lookOf } from '../model/filaments.js';
+import { ownSpools } from './machine-fields.js';
 import { lampFor } from '../model/lamp.js';
+import type { Stroke } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
-import { fits, howOf, lackOf, topsOf, type Face, type Wish } from '../model/rebrush.js';
+import type { DirectionRaster } from '../model/raster.js';
+import {
+  boxOf,
+  facesOf,
+  howOf,
+  lackOf,
+  sides,
+  type Face,
+  type HandBrush,
+  type Side,
+  type Wish,
+} from '../model/rebrush.js';
 import { TimeLeft } from '../model/time-left.js';
 import type { Light } from '../model/view.js';
-import './dial.js';
 import { StudioElement } from './element.js';
-import { numberInput, segments, select } from './fields.js';
 import { icon } from './icons.js';
 import './rebrush-bench.js';
-import { thumbnail } from './thumbnail.js';
+import { directionFields } from './rebrush-directions.js';
+import { faceList } from './rebrush-faces.js';
+import { foot, noWork, progressBar, type Progress } from './rebrush-foot.js';
+import { rebrushStyle } from './rebrush-style.js';
 
 const mostBytes = 256e6; // as the engine reads of text
 const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
 const restAfter = 350; // [ms] without a change, after which beads are laid
 const pictureFiles = 'image/*,.tga';
 
-interface Progress {
-  fraction: number;
-  secondsLeft: number | undefined;
-}
-
 @customElement('sillon-rebrush')
 export class RebrushView extends StudioElement {
   static override reads = ['sliced', 'theme'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      dialog {
-        width: 100vw;
-        max-width: none;
-        height: 100dvh;
-        max-height: none;
-        border: 0;
-        border-radius: 0;
-        box-shadow: none;
-      }
-      dialog[open] {
-        display: grid;
-        grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) 360px;
-      }
-      dialog > .head {
-        grid-column: 1 / -1;
-        min-height: var(--bar);
-        padding: 8px 12px;
-        border-bottom: 1px solid var(--line);
-        justify-content: start;
-      }
-      .head h2 {
-        flex: 1;
-        min-width: 0;
-        overflow: hidden;
-        font-size: var(--lead);
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .head h2:focus {
-        outline: none; /* where reading begins: there is nothing to press */
-      }
-      .side {
-        display: grid;
-        grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
-        min-height: 0;
-        border-left: 1px solid var(--line);
-      }
-      .scroll {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        align-content: start;
-        gap: 22px;
-        padding: 16px;
-        overflow: auto;
-        overscroll-behavior: contain;
-        scrollbar-width: thin;
-        scrollbar-color: var(--line) transparent;
-      }
-      section {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 10px;
-        min-width: 0;
-      }
-      .title {
-        display: flex;
-        align-items: baseline;
-        gap: 4px 10px;
-        flex-wrap: wrap;
-      }
-      .title h3 {
-        flex: 1;
-      }
-      .faces {
-        display: grid;
-        max-height: 264px;
-        overflow: auto;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--raised);
-        scrollbar-width: thin;
-      }
-      .faces label {
-        display: grid;
-        grid-template-columns: auto 1fr auto;
-        align-items: center;
-        gap: 0 10px;
-        min-height: 40px;
-        padding: 5px 10px;
-        cursor: pointer;
-      }
-      .faces li + li {
-        border-top: 1px solid var(--line);
-      }
-      .faces label:has(:focus-visible) {
-        outline: 2px solid var(--accent);
-        outline-offset: -2px;
-      }
-      .faces input {
-        width: 16px;
-        height: 16px;
-        margin: 0;
-        accent-color: var(--accent);
-      }
-      .faces .what {
-        display: grid;
-        min-width: 0;
-        overflow-wrap: anywhere;
-      }
-      @media (hover: hover) {
-        .faces label:hover {
-          background: var(--hover);
-        }
-      }
-      details ul {
-        display: grid;
-        gap: 4px;
-        padding-left: 2px;
-      }
-      .angle,
-      .stands {
-        display: grid;
-        grid-template-columns: auto 1fr auto;
-        align-items: center;
-        gap: 4px 12px;
-      }
-      .angle sillon-dial,
-      .stands sillon-dial {
-        width: 52px;
-        height: 52px;
-      }
-      .stands > span {
-        display: grid;
-        grid-column: span 2;
-      }
-      .picture {
-        display: grid;
-        grid-template-columns: 64px 1fr auto;
-        align-items: center;
-        gap: 10px;
-      }
-      .picture img {
-        width: 64px;
-        height: 64px;
-        object-fit: cover;
-        border-radius: var(--radius);
-      }
-      .picture b {
-        overflow: hidden;
-        font-weight: 500;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .foot {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 10px;
-        padding: 12px 16px calc(12px + env(safe-area-inset-bottom));
-        border-top: 1px solid var(--line);
-      }
-      .foot button.main {
-        min-height: calc(var(--control) + 8px);
-      }
-      .foot button.main span {
-        min-width: 0;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .job {
-        display: grid;
-        grid-template-columns: 1fr auto;
-        align-items: center;
-        gap: 6px 10px;
-      }
-      .bar {
-        grid-column: 1 / -1;
-        height: 3px;
-        border-radius: 2px;
-        background: var(--line);
-        overflow: hidden;
-      }
-      .bar div {
-        height: 100%;
-        width: calc(100% * var(--share));
-        background: var(--accent);
-      }
-      .problem {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 8px;
-        padding: 10px 12px;
-        border-radius: var(--radius);
-        background: var(--bad-tint);
-      }
-      .problem .icon {
-        color: var(--bad);
-      }
-      .problem p {
-        overflow-wrap: anywhere;
-      }
-      .problem div {
-        display: grid;
-        gap: 4px;
-      }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-      }
-      .alone {
-        grid-column: 1 / -1;
-        display: grid;
-        place-content: center;
-        gap: 16px;
-        width: min(560px, 100%);
-        margin: auto;
-        padding: 24px;
-      }
-      .alone .job {
-        width: min(420px, 80vw);
-      }
-      .bar.unknown div {
-        width: 30%;
-      }
-      @media (prefers-reduced-motion: no-preference) {
-        .bar.unknown div {
-          animation: pass 1.2s linear infinite;
-        }
-        @keyframes pass {
-          from {
-            transform: translateX(-100%);
-          }
-          to {
-            transform: translateX(340%);
-          }
-        }
-      }
-      @media (max-width: 720px) {
-        dialog[open] {
-          grid-template: auto minmax(0, 2fr) minmax(0, 3fr) / minmax(0, 1fr);
-        }
-        .side {
-          border-left: 0;
-          border-top: 1px solid var(--line);
-        }
-        .faces {
-          max-height: none;
-        }
-        .back span {
-          position: absolute;
-          clip-path: inset(50%);
-        }
-      }
-      /* A low page scrolls as a whole: the bench is not worth its room there. */
-      @media (max-height: 480px) {
-        dialog[open] {
-          grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
-        }
-        .side {
-          display: block;
-          overflow: auto;
-        }
-        .scroll,
-        .faces {
-          overflow: visible;
-          max-height: none;
-        }
-      }
-    `,
-  ];
+  static override styles = [...StudioElement.styles, rebrushStyle];
 
   @query('dialog') private dialog!: HTMLDialogElement;
 
   @state() private print: SlicedFile | undefined;
   @state() private relief: PrintRelief | undefined;
   @state() private faces: readonly Face[] = [];
+  /** Of them; bottoms where no top is meant. */
+  @state() private shown: readonly Face[] = [];
   @state() private wish!: Wish;
   @state() private done: Rebrushed | undefined;
   /** Of the choices as they are now. */
@@ -319,6 +66,8 @@ export class RebrushView extends StudioElement {
   @state() private problem: Problem | undefined;
   @state() private marked: number | undefined;
   @state() private light!: Light;
+  @state() private tilted = false;
+  @state() private brush: HandBrush = { tool: 'comb', across: 8, softness: 0.5, mode: 'parallel' };
   @state() private saved = '';
   @state() private darkScheme = matchMedia('(prefers-color-scheme: dark)').matches;
 
@@ -331,17 +80,21 @@ export class RebrushView extends StudioElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    loadSpools(this.studio);
     const { plate } = this.state;
     const { azimuth, elevation } = this.studio.homeLight();
     this.light = { azimuth: Math.round(azimuth), elevation: Math.round(elevation) };
     this.wish = {
+      side: 'top',
       chosen: new Set(),
       way: 'angle',
       angle: plate.directions.kind === 'angle' ? plate.directions.angle : 30,
       picture: undefined,
       lamp: lampFor([], this.light),
       spool: plate.filament,
+      own: plate.spool,
       fit: 'face',
+      strokes: [],
     };
     const { signal } = this.#end;
     // Before the page below hears of them.
@@ -427,6 +180,7 @@ export class RebrushView extends StudioElement {
     this.saved = '';
     this.faces = [];
     this.laid = new Map();
+    this.wish = { ...this.wish, strokes: [] };
     this.progress = { fraction: 0, secondsLeft: undefined };
     const { signal } = job;
     try {
@@ -439,21 +193,36 @@ export class RebrushView extends StudioElement {
       const seen = engine.printRelief(file, reliefSide, { signal }).catch(() => undefined);
       const print = await engine.listSurfaces(file, { signal });
       if (signal.aborted) return;
-      const faces = topsOf(print.surfaces);
-      const free = faces.filter(({ left }) => left === '').map(({ index }) => index);
       this.relief = await seen;
       if (signal.aborted as boolean) return;
       this.print = print;
-      this.faces = faces;
-      this.wish = { ...this.wish, chosen: new Set(free) };
+      const free = (side: Side): boolean => facesOf(print.surfaces, side).some(({ left }) => left === '');
+      const side = !free('top') && free('bottom') ? 'bottom' : 'top';
+      this.wish = { ...this.wish, ...this.#all(side) };
       this.progress = undefined;
-      if (free.length > 0) void this.#lay();
+      if (this.wish.chosen.size > 0) void this.#lay();
     } catch (error) {
       if (signal.aborted) return;
       this.progress = undefined;
       if (!isAbort(error)) this.problem = problemOf(error);
     }
   }
+
+  /** All faces of a side that can be replaced. */
+  #all(side: Side): Pick<Wish, 'side' | 'chosen'> {
+    this.faces = facesOf(this.print?.surfaces ?? [], side);
+    this.shown = side === 'bottom' ? this.faces : this.faces.filter((face) => face.side === 'top');
+    return { side, chosen: new Set(this.#free().map(({ index }) => index)) };
+  }
+
+  /** The view from aside is fetched when it is wanted. */
+  #tilt = async (): Promise<void> => {
+    if (!this.tilted)
+      await this.#try(async () => {
+        await import('./rebrush-tilted.js');
+      });
+    this.tilted = !this.tilted;
+  };
 
   /** What is wanted now; beads follow. */
   #want(change: Partial<Wish>): void {
@@ -486,7 +255,7 @@ export class RebrushView extends StudioElement {
     try {
       const { services } = this.studio;
       const { plate } = this.state;
-      const drawn = wish.way === 'plate' && plate.directions.kind !== 'lamp' ? await services.directions() : undefined;
+      const drawn = await this.#drawn(wish);
       const engine = await services.engine();
       if (signal.aborted) return;
       const how = howOf(wish, this.#free(), plate, drawn);
@@ -508,6 +277,14 @@ export class RebrushView extends StudioElement {
     this.progress = undefined;
   }
 
+  /** What the engine cannot draw by itself. */
+  async #drawn(wish: Wish): Promise<DirectionRaster | undefined> {
+    const { services } = this.studio;
+    if (wish.way === 'hand') return services.handDirections(wish.strokes, boxOf(wish, this.faces), wish.angle);
+    const solved = this.state.plate.directions.kind === 'lamp'; // the engine solves for it
+    return wish.way === 'plate' && !solved ? services.directions() : undefined;
+  }
+
   #cancel = (): void => {
     clearTimeout(this.#rest);
     this.#job?.abort();
@@ -516,6 +293,12 @@ export class RebrushView extends StudioElement {
   };
 
   #free = (): Face[] => this.faces.filter(({ left }) => left === '');
+
+  /** Those that the file has. */
+  #sides({ surfaces }: SlicedFile): readonly Side[] {
+    const has = (side: Side): boolean => surfaces.some((surface) => surface.side === side);
+    return sides.filter((side) => (side === 'both' ? has('top') && has('bottom') : has(side)));
+  }
 
   #toggle(index: number): void {
     if (!this.#free().some((face) => face.index === index)) return;
@@ -558,21 +341,10 @@ export class RebrushView extends StudioElement {
   /** While it is read, and where nothing can be done with it. */
   #alone(name: string): TemplateResult {
     if (this.progress !== undefined) {
-      return html`<div class="alone">${this.#bar(r('reading', { name }), undefined)}</div>`;
+      return html`<div class="alone">${progressBar(r('reading', { name }), undefined, this.#close)}</div>`;
     }
-    const { print, problem } = this;
-    const left = this.#leftReasons(this.faces);
-    const message =
-      print === undefined ? r('unreadable', { name }) : r(this.faces.length === 0 ? 'noTops' : 'noFaces', { name });
     return html`<div class="alone">
-      <div class="problem" role="alert">
-        ${icon('warn')}
-        <div>
-          <p><b>${message}</b></p>
-          ${problem === undefined ? nothing : html`<p>${problem.detail}</p>`}
-          ${print === undefined ? html`<p class="note">${r('unreadableHelp')}</p>` : left}
-        </div>
-      </div>
+      ${noWork(name, this.print, this.faces, this.problem)}
       <div class="buttons">
         <button type="button" class="main" @click=${this.#close}>${r('back')}</button>
         ${this.#another()}
@@ -586,21 +358,55 @@ export class RebrushView extends StudioElement {
   #work(print: SlicedFile): TemplateResult {
     const { wish, light } = this;
     const { plate, theme, sliced } = this.state;
+    const done = this.fresh ? this.done : undefined;
     const lamps = wish.way === 'picture' ? { azimuth: wish.lamp[0], elevation: wish.lamp[1] } : light;
-    return html`<sillon-rebrush-bench
-        .relief=${this.relief}
-        .faces=${this.faces}
-        .chosen=${wish.chosen}
-        .laid=${this.laid}
-        .marked=${this.marked}
-        .home=${lamps}
-        .filament=${lookOf({ ...plate, filament: wish.spool })}
-        .lit=${wish.way === 'picture'}
-        .dark=${theme === 'auto' ? this.darkScheme : theme === 'dark'}
-        @toggle-face=${(event: CustomEvent<number>) => {
-          this.#toggle(event.detail);
-        }}
-      ></sillon-rebrush-bench>
+    const filament = lookOf({ ...plate, filament: wish.spool, spool: wish.own });
+    const dark = theme === 'auto' ? this.darkScheme : theme === 'dark';
+    const toggle = (event: CustomEvent<number>): void => {
+      this.#toggle(event.detail);
+    };
+    const tilts = this.relief !== undefined;
+    const brush = wish.way === 'hand' ? this.brush : undefined;
+    const strokes = this.fresh ? [] : wish.strokes;
+    const draw = (event: CustomEvent<Stroke>): void => {
+      this.#want({ strokes: [...this.wish.strokes, event.detail] });
+    };
+    return html`${
+        this.tilted && tilts
+          ? html`<sillon-rebrush-tilted
+              .relief=${this.relief}
+              .faces=${this.faces}
+              .side=${wish.side}
+              .chosen=${wish.chosen}
+              .laid=${this.laid}
+              .marked=${this.marked}
+              .light=${lamps}
+              .filament=${filament}
+              .brush=${brush}
+              .strokes=${strokes}
+              .dark=${dark}
+              @toggle-face=${toggle}
+              @tilt=${this.#tilt}
+              @stroke=${draw}
+            ></sillon-rebrush-tilted>`
+          : html`<sillon-rebrush-bench
+              .relief=${this.relief}
+              .faces=${this.shown}
+              .chosen=${wish.chosen}
+              .laid=${this.laid}
+              .marked=${this.marked}
+              .home=${lamps}
+              .filament=${filament}
+              .lit=${wish.way === 'picture'}
+              .brush=${brush}
+              .strokes=${strokes}
+              .dark=${dark}
+              .tilts=${tilts}
+              @toggle-face=${toggle}
+              @tilt=${this.#tilt}
+              @stroke=${draw}
+            ></sillon-rebrush-bench>`
+      }
       <div class="side">
         <div class="scroll">
           <section>
@@ -609,324 +415,59 @@ export class RebrushView extends StudioElement {
             </p>
             <div class="buttons">${this.#another()}</div>
           </section>
-          ${this.#list()} ${this.#directions()}
+          ${faceList({
+            faces: this.faces,
+            side: wish.side,
+            sides: this.#sides(print),
+            chosen: wish.chosen,
+            done,
+            onSide: (side) => {
+              this.#want(this.#all(side));
+            },
+            onChoose: (chosen) => {
+              this.#want({ chosen });
+            },
+            onToggle: (index) => {
+              this.#toggle(index);
+            },
+            onMark: (index) => {
+              this.marked = index;
+            },
+          })}
+          ${directionFields({
+            wish,
+            spools: ownSpools(this.studio),
+            brush: this.brush,
+            done,
+            light,
+            onWant: (change) => {
+              this.#want(change);
+            },
+            onBrush: (change) => {
+              this.brush = { ...this.brush, ...change };
+            },
+            onLight: (next) => {
+              this.light = next;
+            },
+            onPickPicture: () => void this.#pick(pictureFiles),
+          })}
           <p class="note">${r('untried')}</p>
         </div>
-        <div class="foot">${this.#foot(print)}</div>
+        <div class="foot">
+          ${foot({
+            wish,
+            print,
+            name: brushedName(sliced?.name ?? ''),
+            progress: this.progress,
+            problem: this.problem,
+            cancelled: this.cancelled,
+            done,
+            saved: this.saved,
+            onCancel: this.#cancel,
+            onAgain: () => void this.#lay(),
+            onSave: this.#save,
+          })}
+        </div>
       </div>`;
   }
-
-  #list(): TemplateResult {
-    const { wish } = this;
-    const free = this.#free();
-    const rest = this.faces.filter(({ left }) => left !== '');
-    const chosen = free.filter(({ index }) => wish.chosen.has(index));
-    const area = chosen.reduce((sum, { areaMm2 }) => sum + areaMm2, 0);
-    return html`<section>
-      <div class="title">
-        <h3 id="faces">${r('faces')}</h3>
-        <button
-          type="button"
-          class="link"
-          @click=${() => {
-            this.#want({ chosen: new Set(free.map(({ index }) => index)) });
-          }}
-        >
-          ${r('all')}
-        </button>
-        <button
-          type="button"
-          class="link"
-          @click=${() => {
-            this.#want({ chosen: new Set() });
-          }}
-        >
-          ${r('none')}
-        </button>
-      </div>
-      <ul class="faces" aria-labelledby="faces">
-        ${free.map((face) => this.#face(face))}
-      </ul>
-      <p class="note" role="status">
-        ${r('chosen', { n: chosen.length, all: free.length, area: formatNumber(area, 0) })}
-      </p>
-      ${
-        rest.length === 0
-          ? nothing
-          : html`<details>
-              <summary>${icon('fold', 16)} ${r('left', { n: rest.length })}</summary>
-              ${this.#leftReasons(rest)}
-            </details>`
-      }
-    </section>`;
-  }
-
-  #face(face: Face): TemplateResult {
-    const { index, layer, z, areaMm2, object } = face;
-    const made = this.fresh ? this.done?.surfaces.find((one) => one.index === index) : undefined;
-    const mark = (marked: number | undefined) => () => {
-      this.marked = marked;
-    };
-    return html`<li @pointerenter=${mark(index)} @pointerleave=${mark(undefined)}>
-      <label>
-        <input
-          type="checkbox"
-          .checked=${live(this.wish.chosen.has(index))}
-          @change=${() => {
-            this.#toggle(index);
-          }}
-          @focus=${mark(index)}
-          @blur=${mark(undefined)}
-        />
-        <span class="what"
-          ><span>${r('face', { layer, z: formatNumber(z) })}</span>${
-            object === '' ? nothing : html`<span class="note">${object}</span>`
-          }${
-            made === undefined
-              ? nothing
-              : html`<span class="note">${made.replaced ? r('done') : r('keeps', { why: made.left })}</span>`
-          }</span
-        >
-        <span class="figures">${r('area', { area: formatNumber(areaMm2, areaMm2 < 10 ? 1 : 0) })}</span>
-      </label>
-    </li>`;
-  }
-
-  /** One line for each reason. */
-  #leftReasons(faces: readonly Face[]): TemplateResult | typeof nothing {
-    if (faces.length === 0) return nothing;
-    const groups = grouped(faces);
-    return html`<ul>
-      ${[...groups].map(([reason, list]) => {
-        const area = formatNumber(
-          list.reduce((sum, { areaMm2 }) => sum + areaMm2, 0),
-          1,
-        );
-        const why = reason === '' ? (list[0]?.left ?? '') : r(`left.${reason}` as RebrushTextId);
-        return html`<li class="note">${r('why', { why, n: list.length, area })}</li>`;
-      })}
-    </ul>`;
-  }
-
-  #directions(): TemplateResult {
-    const { wish } = this;
-    const { way } = wish;
-    return html`<section>
-      ${segments({
-        id: 'way',
-        label: r('directions'),
-        value: way,
-        options: [
-          { value: 'angle', label: r('way.angle'), icon: 'angle' },
-          { value: 'plate', label: r('way.plate'), icon: 'directions' },
-          { value: 'picture', label: r('way.picture'), icon: 'lamp' },
-        ],
-        onChoose: (next) => {
-          this.#want({ way: next });
-        },
-      })}
-      ${way === 'angle' ? this.#angle() : nothing}
-      ${way === 'plate' ? html`<p class="note">${r('plate.help')}</p>` : nothing}
-      ${way === 'picture' ? this.#picture() : nothing}
-      ${
-        way === 'angle'
-          ? nothing
-          : select({
-              id: 'fit',
-              label: r('fit'),
-              value: wish.fit,
-              options: fits.map((value) => ({ value, label: r(`fit.${value}`) })),
-              onChoose: (fit) => {
-                this.#want({ fit });
-              },
-            })
-      }
-      ${way === 'picture' ? this.#lamp() : this.#light()}
-    </section>`;
-  }
-
-  #angle(): TemplateResult {
-    const { angle } = this.wish;
-    const set = (value: number): void => {
-      this.#want({ angle: value });
-    };
-    const field = { id: 'angle', label: r('angle'), value: angle, min: -360, max: 360, step: 1, unit: '°' };
-    return html`<div class="field angle">
-      <sillon-dial
-        .label=${r('angle')}
-        .value=${angle}
-        @turn=${(event: CustomEvent<number>) => {
-          set(event.detail);
-        }}
-      ></sillon-dial>
-      <label for="angle">${r('angle')}</label>
-      ${numberInput({ ...field, onInput: set, onSettle: () => undefined })}
-      <p class="error" id="angle-error" role="status" hidden></p>
-    </div>`;
-  }
-
-  #picture(): TemplateResult {
-    const { picture } = this.wish;
-    const choose = (): void => void this.#pick(pictureFiles);
-    if (picture === undefined) {
-      return html`<p class="note">${r('picture.help')}</p>
-        <div class="buttons">
-          <button type="button" class="main" @click=${choose}>${icon('open', 16)} ${r('picture.choose')}</button>
-        </div>`;
-    }
-    const seen = this.fresh ? (this.done?.surfaces ?? []).flatMap(({ pictures }) => pictures.map((one) => one.r)) : [];
-    const mean = seen.reduce((sum, one) => sum + one, 0) / seen.length;
-    return html`<div class="picture">
-        ${thumbnail(picture)}<b title=${picture.name}>${picture.name}</b>
-        <button type="button" class="plain" @click=${choose}>${t('verb.replace')}</button>
-      </div>
-      ${
-        seen.length === 0
-          ? nothing
-          : html`<p class="note">${r('picture.seen', { percent: Math.round(100 * Math.max(0, mean)) })}</p>`
-      }
-      ${select({
-        id: 'spool',
-        label: r('spool'),
-        value: this.wish.spool,
-        options: filaments.map((filament) => ({ value: filament.key, label: filamentLabel(filament) })),
-        onChoose: (spool) => {
-          this.#want({ spool });
-        },
-      })}`;
-  }
-
-  /** Of the picture: it is solved for it. */
-  #lamp(): TemplateResult {
-    const [azimuth, elevation] = this.wish.lamp;
-    return this.#stands('lamp', azimuth, elevation, 15, 80, (lamp) => {
-      this.#want({ lamp });
-    });
-  }
-
-  /** Only to look at the beads. */
-  #light(): TemplateResult {
-    const { azimuth, elevation } = this.light;
-    return this.#stands('light', azimuth, elevation, 5, 90, ([a, e]) => {
-      this.light = { azimuth: a, elevation: e };
-    });
-  }
-
-  #stands(
-    name: 'lamp' | 'light',
-    azimuth: number,
-    elevation: number,
-    lowest: number,
-    highest: number,
-    set: (light: [number, number]) => void,
-  ): TemplateResult {
-    return html`<div class="stands">
-      <sillon-dial
-        kind="light"
-        .label=${r(name)}
-        .value=${azimuth}
-        .min=${0}
-        .max=${360}
-        @turn=${(event: CustomEvent<number>) => {
-          set([event.detail % 360, elevation]);
-        }}
-      ></sillon-dial>
-      <span
-        ><span
-          >${name === 'lamp' ? t('lamp.stands', { azimuth, elevation }) : r('light.stands', { azimuth, elevation })}</span
-        ><input
-          type="range"
-          min=${lowest}
-          max=${highest}
-          step="1"
-          aria-label=${r('height')}
-          aria-valuetext="${elevation}°"
-          .value=${live(String(elevation))}
-          .style=${`--share: ${(elevation - lowest) / (highest - lowest)}`}
-          @input=${(event: Event) => {
-            set([azimuth, Number((event.currentTarget as HTMLInputElement).value)]);
-          }}
-      /></span>
-    </div>`;
-  }
-
-  #bar(what: string, fraction: number | undefined, rest = ''): TemplateResult {
-    const percent = fraction === undefined ? undefined : Math.floor(100 * fraction);
-    return html`<div class="job">
-      <span role="status">${what}</span>
-      <button type="button" @click=${fraction === undefined ? this.#close : this.#cancel}>${t('verb.cancel')}</button>
-      <div
-        class="bar ${percent === undefined ? 'unknown' : ''}"
-        role="progressbar"
-        aria-label=${what}
-        aria-valuemin="0"
-        aria-valuemax="100"
-        aria-valuenow=${percent ?? nothing}
-      >
-        <div .style=${`--share: ${fraction ?? 0.3}`}></div>
-      </div>
-      ${percent === undefined ? nothing : html`<span class="note">${t('progress.percent', { percent })} ${rest}</span>`}
-    </div>`;
-  }
-
-  #foot(print: SlicedFile): TemplateResult {
-    const { progress, problem, fresh, done, wish } = this;
-    const lack = lackOf(wish);
-    const name = brushedName(this.state.sliced?.name ?? '');
-    return html`${
-        progress === undefined
-          ? nothing
-          : this.#bar(
-              r('making', {
-                k: Math.min(wish.chosen.size, 1 + Math.floor(progress.fraction * wish.chosen.size)),
-                n: wish.chosen.size,
-              }),
-              progress.fraction,
-              progress.secondsLeft === undefined
-                ? ''
-                : t('progress.left', { time: formatDuration(progress.secondsLeft) }),
-            )
-      }
-      ${problem === undefined ? nothing : this.#failed(problem)}
-      ${lack === '' ? nothing : html`<p class="note" role="status">${r(lack)}</p>`}
-      ${
-        this.cancelled || (problem !== undefined && lack === '')
-          ? html`<div class="buttons">
-              ${this.cancelled ? html`<span role="status">${r('cancelled')}</span>` : nothing}
-              <button type="button" @click=${() => void this.#lay()}>${r('again')}</button>
-            </div>`
-          : nothing
-      }
-      ${fresh && done !== undefined ? this.#ready(done, print) : nothing}
-      <button type="button" class="main" ?disabled=${!fresh} @click=${this.#save}>
-        ${icon('download')} <span>${r('download', { name })}</span>
-      </button>
-      ${this.saved === '' ? nothing : html`<p class="note" role="status">${this.saved}</p>`}`;
-  }
-
-  #failed(problem: Problem): TemplateResult {
-    const engine = problem.code === 'InvalidArgument' || problem.code === 'InvalidFile';
-    const { message, hint } = problemWords(problem);
-    return html`<div class="problem" role="alert">
-      ${icon('warn')}
-      <div>
-        <p><b>${engine ? r('failed') : message}</b></p>
-        ${problem.detail === '' ? nothing : html`<p>${problem.detail}</p>`}
-        ${engine || hint === '' ? nothing : html`<p class="note">${hint}</p>`}
-      </div>
-    </div>`;
-  }
-
-  #ready({ seconds, surfaces }: Rebrushed, { slicer }: SlicedFile): TemplateResult {
-    const n = surfaces.filter(({ replaced }) => replaced).length;
-    const time = formatDuration(Math.abs(seconds));
-    return html`<p role="status">${r('ready', { n, time, more: r(seconds < 0 ? 'shorter' : 'longer'), slicer })}</p>`;
-  }
-}
-
-/** By the reason why they are left. */
-function grouped(faces: readonly Face[]): Map<Face['reason'], Face[]> {
-  const groups = new Map<Face['reason'], Face[]>();
-  for (const face of faces) groups.set(face.reason, [...(groups.get(face.reason) ?? []), face]);
-  return groups;
 }

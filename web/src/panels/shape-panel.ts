@@ -6,18 +6,23 @@ import { newShape } from '../model/defaults.js';
 import type { Plate, ShapeSource } from '../model/plate.js';
 import { settingOf, withValue } from '../model/settings.js';
 import { StudioElement } from './element.js';
-import { cards, numberField, select } from './fields.js';
+import { DrawnChoices } from './drawn-choices.js';
+import { cards, numberField } from './fields.js';
 import { fileChip } from './file-chip.js';
 import { icon } from './icons.js';
 import { panelStyle } from './panel-style.js';
 import { settingField } from './setting-field.js';
 import { lengthField, sizeFields, sizeStyle } from './size-fields.js';
 
+const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
+
 @customElement('sillon-shape-panel')
 export class ShapePanel extends StudioElement {
   static override reads = ['plate', 'keepRatio', 'units'] as const;
 
   static override styles = [...StudioElement.styles, panelStyle, sizeStyle];
+
+  readonly #pictures = new DrawnChoices<ShapeSource['kind']>(this, () => this.studio.services.shapePictures);
 
   override render(): TemplateResult {
     const { plate } = this.state;
@@ -30,10 +35,15 @@ export class ShapePanel extends StudioElement {
           label: t('section.shape'),
           value: shape.kind,
           options: [
-            { value: 'disc', label: t('shape.disc'), icon: 'disc' },
-            { value: 'rectangle', label: t('shape.rectangle'), icon: 'rectangle' },
-            { value: 'rounded', label: t('shape.rounded'), icon: 'rounded' },
-            { value: 'file', label: t('shape.file'), icon: 'file' },
+            { value: 'disc', label: t('shape.disc'), icon: 'disc', picture: this.#pictures.url('disc') },
+            {
+              value: 'rectangle',
+              label: t('shape.rectangle'),
+              icon: 'rectangle',
+              picture: this.#pictures.url('rectangle'),
+            },
+            { value: 'rounded', label: t('shape.rounded'), icon: 'rounded', picture: this.#pictures.url('rounded') },
+            { value: 'file', label: t('shape.file'), icon: 'file', picture: this.#pictures.url('file') },
           ],
           onChoose: (kind) => {
             void this.#choose(kind);
@@ -109,24 +119,8 @@ export class ShapePanel extends StudioElement {
       return numberField(lengthField(field, units));
     }
     if (shape.kind !== 'file') return nothing;
-    const vector = /\.svg$/i.test(shape.file.name);
     return html`${fileChip(this.studio, shape.file, '.svg,.png,.jpg,.jpeg,image/*')}
-    ${
-      vector
-        ? select({
-            id: 'unitless',
-            label: t('shape.unitless'),
-            value: shape.unitless,
-            options: [
-              { value: 'px', label: t('shape.unitless.px') },
-              { value: 'mm', label: t('shape.unitless.mm') },
-            ],
-            onChoose: (unitless) => {
-              this.studio.change((plate) => ({ ...plate, shape: { ...shape, unitless } }));
-            },
-          })
-        : nothing
-    }`;
+    ${this.isHere(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}`;
   }
 
   #fit({ printer, toolpath, width, height }: Plate): TemplateResult {

@@ -1,6 +1,7 @@
 // A link that carries the settings, and what it cannot carry.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
+import { rare } from '../i18n/rare.js';
 import { t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
 import { icon } from './icons.js';
@@ -47,7 +48,7 @@ export class Share extends DialogElement {
 
   protected override body(): TemplateResult {
     return html`
-      <p>${t('export.link.help')} ${this.told}</p>
+      <p>${rare('export.link.help')} ${this.told}</p>
       <div class="link">
         <input type="text" readonly aria-label=${t('verb.share')} .value=${this.url} @focus=${this.#select} />
         <button type="button" class="main" ?disabled=${this.url === ''} @click=${this.#copy}>

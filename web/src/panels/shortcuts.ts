@@ -1,34 +1,8 @@
-// Keys that work anywhere on the page; the help sheet lists the same rows.
-import type { TextId } from '../i18n/text.js';
+// Keys that work anywhere on the page; shortcut-list.ts has the same.
 import type { Tool } from '../model/state.js';
 import type { ViewName } from '../model/view.js';
 import { offers } from './shown.js';
 import type { Studio } from './studio.js';
-
-interface Shortcut {
-  /** As the help sheet shows them; several are alternatives. */
-  shown: readonly string[];
-  text: TextId;
-}
-
-export const shortcuts: readonly Shortcut[] = [
-  { shown: ['?'], text: 'keys.help' },
-  { shown: ['Ctrl O'], text: 'keys.open' },
-  { shown: ['Ctrl S'], text: 'keys.save' },
-  { shown: ['Ctrl Shift S'], text: 'keys.gcode' },
-  { shown: ['Ctrl Z'], text: 'keys.undo' },
-  { shown: ['Ctrl Shift Z', 'Ctrl Y'], text: 'keys.redo' },
-  { shown: ['1', '2', '3', '4'], text: 'keys.views' },
-  { shown: ['← ↑ → ↓'], text: 'keys.move' },
-  { shown: ['+', '-'], text: 'keys.zoom' },
-  { shown: ['0'], text: 'keys.fit' },
-  { shown: ['V', 'B', 'M', 'E'], text: 'keys.tools' },
-  { shown: ['[', ']'], text: 'keys.radius' },
-  { shown: [',', '.'], text: 'keys.light' },
-  { shown: ['C'], text: 'keys.compare' },
-  { shown: ['P'], text: 'keys.play' },
-  { shown: ['Esc'], text: 'keys.cancel' },
-];
 
 const views: Record<string, ViewName> = { '1': 'directions', '2': 'toolpath', '3': 'appearance', '4': 'quality' };
 const tools: Record<string, Tool> = { v: 'pan', b: 'comb', m: 'mode', e: 'erase' };
@@ -64,7 +38,8 @@ export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   } else if (key === ',' || key === '.') {
     const by = key === ',' ? lightStep : -lightStep;
     studio.setLight({ azimuth: (state.light.azimuth + by + 360) % 360 });
-  } else if (key === 'escape' && state.progress !== undefined) studio.services.cancel();
+  } else if (key === 'escape' && state.reading !== undefined) state.reading.cancel();
+  else if (key === 'escape' && state.progress !== undefined) studio.services.cancel();
   else if (key === 'escape' && state.tool !== 'pan') studio.setTool('pan');
   else return false;
   return true;
@@ -74,7 +49,8 @@ function onCommand(studio: Studio, key: string, event: KeyboardEvent): boolean {
   const { store } = studio;
   if (store.state.mode === 'view') return false;
   if ((key === 'o' && store.state.mode !== 'edit') || (key === 's' && !offers(store.state, 'download'))) return false;
-  if (key === 'o') void studio.pick().then((files) => studio.open(files));
+  if (key === 'k' && store.state.mode === 'edit') studio.show('palette');
+  else if (key === 'o') void studio.pick().then((files) => studio.open(files));
   else if (key === 's') void studio.save(event.shiftKey ? 'gcode' : 'project');
   else if (typesText(event)) return false;
   else if (key === 'z' && event.shiftKey) store.redo();

@@ -4,18 +4,42 @@ import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
 import type { Problem } from '../model/problem.js';
 import type { Opened } from '../model/file-role.js';
-import type { Mark } from '../model/view.js';
+import type { OwnSpool, Plate } from '../model/plate.js';
+import type { Mark, Shimmer } from '../model/view.js';
 
+/** What lies over the plate, from the left up to a line. */
+export type Over = 'picture' | 'zigzag' | 'conflict';
+/** 'life': as large as it will be; 'arm': as an eye at arm's length sees it, which tells no beads apart. */
+export type Sizing = 'whole' | 'life' | 'arm' | 'free';
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
 /** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded; 'rebrush': a sliced
- * print, all over the page. */
-export type Dialog = 'gallery' | 'help' | 'files' | 'share' | 'brought' | 'blocks' | 'rebrush';
+ * print, all over the page; 'spools': that of 'calibrate', at the visitor's own spools. */
+export type Dialog =
+  | 'gallery'
+  | 'palette'
+  | 'plates'
+  | 'help'
+  | 'files'
+  | 'share'
+  | 'brought'
+  | 'blocks'
+  | 'rebrush'
+  | 'calibrate'
+  | 'spools'
+  | 'first';
 
 export interface Brush {
   /** Share of the page's width. */
   radius: number;
   softness: number;
   mode: DirectionMode;
+}
+
+export interface Reading {
+  name: string;
+  /** 0..1 */
+  fraction: number;
+  cancel: () => void;
 }
 
 /** Something to tell, that goes away by itself unless it is a problem. */
@@ -42,9 +66,13 @@ export interface Shown extends State {
   lamp: number;
   /** The lamp turns from one picture to the next, and on. */
   flipping: boolean;
-  /** 0..1: how much of the plate lies under the picture that it was made from. */
+  over: Over | undefined;
+  /** 0..1: how much of the plate lies under that. */
   wipe: number;
+  sizing: Sizing;
   marks: readonly Mark[];
+  /** Lamps under which the code of that plate is read [degrees], 0 to 180. */
+  scan: { plate: Plate; azimuths: readonly number[] } | undefined;
   /** Index of the mark that is looked at; -1: none. */
   mark: number;
   /** The proportions that `width` and `height` keep while one of them changes. */
@@ -56,9 +84,15 @@ export interface Shown extends State {
   opened: readonly Opened[];
   /** The print that dialog 'rebrush' is about. */
   sliced: File | undefined;
+  /** The visitor's own; undefined: not looked for yet. */
+  spools: readonly OwnSpool[] | undefined;
   dropping: boolean;
+  /** Files that are being read. */
+  reading: Reading | undefined;
   recording: boolean;
   notices: readonly Notice[];
+  /** Stands in for the beads of the first plate. */
+  shimmer: Shimmer | undefined;
   /** What this is and what to do is said: a first visit, before anything was done. */
   welcome: boolean;
   engine: EngineInfo | undefined;
@@ -88,17 +122,23 @@ export const newShown = (): Shown => ({
   lightMode: 'pointer',
   lamp: 0,
   flipping: false,
-  wipe: 0,
+  over: undefined,
+  wipe: 0.5,
+  sizing: 'whole',
   marks: [],
+  scan: undefined,
   mark: -1,
   keepRatio: true,
   live: false,
   dialog: undefined,
   opened: [],
   sliced: undefined,
+  spools: undefined,
   dropping: false,
+  reading: undefined,
   recording: false,
   notices: [],
+  shimmer: undefined,
   welcome: false,
   engine: undefined,
   cancelled: false,

@@ -132,6 +132,7 @@ const rows: Record<DirectionSource['kind'], readonly SourceRow[]> = {
     percent('threshold', 'field.threshold', 100),
     flag('invert', 'field.invert'),
   ],
+  colours: [], // a list of their own
   text: [
     text('field.text', 200, true),
     percent('size', 'field.textSize', 100, 2),

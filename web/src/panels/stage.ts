@@ -6,11 +6,8 @@ import type { ColourBy, ViewName } from '../model/view.js';
 import './canvas.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
-import './legend.js';
-import './lamp-bar.js';
 import './light-control.js';
 import './notices.js';
-import './player.js';
 import { offers } from './shown.js';
 import './status-bar.js';
 import './tool-palette.js';
@@ -21,7 +18,7 @@ const videoSeconds = 6;
 
 @customElement('sillon-stage')
 export class StageElement extends StudioElement {
-  static override reads = ['view', 'colourBy', 'compare', 'recording', 'made', 'mode', 'controls', 'plate'] as const;
+  static override reads = ['view', 'colourBy', 'compare', 'recording', 'result', 'mode', 'controls', 'plate'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -201,6 +198,22 @@ export class StageElement extends StudioElement {
           bottom: 6px;
         }
       }
+      @media (pointer: coarse) {
+        .views button {
+          min-height: var(--control);
+        }
+        @container (width < 420px) and (height <= 450px) {
+          .actions {
+            display: none;
+          }
+        }
+        @container (width < 420px) {
+          sillon-tools,
+          .actions {
+            top: 84px;
+          }
+        }
+      }
       /* Beside the tools, where the middle is too near to them. */
       @container (420px <= width <= 640px) {
         .views {
@@ -232,6 +245,17 @@ export class StageElement extends StudioElement {
       }
     `,
   ];
+
+  #complete = false;
+
+  /** What no first view needs at once. */
+  override firstUpdated(): void {
+    void this.studio.attempt(async () => {
+      await Promise.all([import('./looks-bar.js'), import('./legend.js'), import('./player.js')]);
+      this.#complete = true;
+      this.requestUpdate();
+    });
+  }
 
   override render(): TemplateResult {
     const { view, compare, mode, plate } = this.state;
@@ -271,14 +295,7 @@ export class StageElement extends StudioElement {
         }
         ${view === 'appearance' ? this.#looks() : nothing}
         <div class="bottom">
-          ${view === 'toolpath' ? this.#colourBy() : nothing}
-          ${view === 'appearance' ? nothing : html`<sillon-legend .studio=${this.studio}></sillon-legend>`}
-          ${view === 'toolpath' ? html`<sillon-player .studio=${this.studio}></sillon-player>` : nothing}
-          ${
-            view === 'appearance' && plate.directions.kind === 'lamp'
-              ? html`<sillon-lamp-bar .studio=${this.studio}></sillon-lamp-bar>`
-              : nothing
-          }
+          ${view === 'toolpath' ? this.#colourBy() : nothing} ${this.#complete ? this.#bars(view) : nothing}
           ${view === 'appearance' ? html`<sillon-light class="light" .studio=${this.studio}></sillon-light>` : nothing}
         </div>
         ${
@@ -290,6 +307,12 @@ export class StageElement extends StudioElement {
       <sillon-notices .studio=${this.studio}></sillon-notices>
       <sillon-status .studio=${this.studio}></sillon-status>
     `;
+  }
+
+  #bars(view: ViewName): TemplateResult {
+    if (view === 'appearance') return html`<sillon-looks .studio=${this.studio}></sillon-looks>`;
+    return html`<sillon-legend .studio=${this.studio}></sillon-legend>
+      ${view === 'toolpath' ? html`<sillon-player .studio=${this.studio}></sillon-player>` : nothing}`;
   }
 
   #onTabKey = (event: KeyboardEvent): void => {
@@ -309,7 +332,7 @@ export class StageElement extends StudioElement {
         aria-pressed=${String(compare)}
         title="${t('view.compare.help')} (C)"
         @click=${() => {
-          this.studio.store.set({ compare: !compare });
+          this.studio.store.set({ compare: !compare, over: undefined });
         }}
       >
         ${icon('compare')} <span class="words">${t('view.zigzag')}</span>

@@ -3,14 +3,14 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { progressWords } from '../i18n/say.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
-import { isOf } from '../model/made.js';
+import { isOf } from '../model/result.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { inUnits } from './size-fields.js';
 
 @customElement('sillon-status')
 export class StatusBar extends StudioElement {
-  static override reads = ['plate', 'made', 'summary', 'progress', 'cancelled', 'live', 'units'] as const;
+  static override reads = ['plate', 'result', 'summary', 'progress', 'reading', 'cancelled', 'live', 'units'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -70,7 +70,7 @@ export class StatusBar extends StudioElement {
         display: flex;
       }
       .job button {
-        min-height: 28px;
+        min-height: max(28px, var(--control));
         font-size: var(--note);
       }
       @media (max-width: 720px) {
@@ -91,8 +91,14 @@ export class StatusBar extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { progress } = this.state;
-    return html`${progress === undefined ? this.#figures() : this.#job(progress)}
+    const { progress, reading } = this.state;
+    return html`${
+        reading !== undefined
+          ? this.#job(t('job.reading', { name: reading.name }), reading.fraction, '', reading.cancel)
+          : progress === undefined
+            ? this.#figures()
+            : this.#progress(progress)
+      }
       <div class="zoom" role="group" aria-label=${t('section.view')}>
         ${this.#button('minus', t('verb.zoomOut'), () => this.studio.stage?.zoom(1 / 1.4))}
         ${this.#button('plus', t('verb.zoomIn'), () => this.studio.stage?.zoom(1.4))}
@@ -106,40 +112,40 @@ export class StatusBar extends StudioElement {
     </button>`;
   }
 
-  #job(progress: NonNullable<this['state']['progress']>): TemplateResult {
-    const { job, stage, percent, left } = progressWords(progress);
+  #progress(progress: NonNullable<this['state']['progress']>): TemplateResult {
+    const { job, stage, left } = progressWords(progress);
+    return this.#job(stage === '' ? job : stage, progress.fraction, left, () => {
+      this.studio.services.cancel();
+    });
+  }
+
+  #job(what: string, fraction: number, left: string, cancel: () => void): TemplateResult {
+    const percent = Math.floor(100 * fraction);
     return html`<div
         class="bar"
         role="progressbar"
-        aria-label=${job}
+        aria-label=${what}
         aria-valuemin="0"
         aria-valuemax="100"
-        aria-valuenow=${Math.floor(100 * progress.fraction)}
+        aria-valuenow=${percent}
       >
-        <div .style=${`--share: ${progress.fraction}`}></div>
+        <div .style=${`--share: ${fraction}`}></div>
       </div>
       <div class="job">
-        <span class="stage">${stage === '' ? job : stage}</span>
-        <span class="share">${percent}</span><span class="share rest">${left}</span>
-        <button
-          type="button"
-          @click=${() => {
-            this.studio.services.cancel();
-          }}
-        >
-          ${t('verb.cancel')}
-        </button>
+        <span class="stage">${what}</span>
+        <span class="share">${t('progress.percent', { percent })}</span><span class="share rest">${left}</span>
+        <button type="button" @click=${cancel}>${t('verb.cancel')}</button>
       </div>`;
   }
 
   #figures(): TemplateResult {
-    const { plate, made, cancelled, units } = this.state;
+    const { plate, result, cancelled, units } = this.state;
     const size = [plate.width, plate.height || plate.width].map((length) =>
       formatNumber(inUnits(length, units), units === 'in' ? 2 : 1),
     );
     // Figures of another plate - the last one that could be made - would be taken for this one's.
-    const own = made !== undefined && isOf(made, plate);
-    const length = own ? made.report.lengthMm : undefined;
+    const own = result !== undefined && isOf(result, plate);
+    const length = own ? result.report.lengthMm : undefined;
     const summary = own ? this.state.summary : undefined;
     return html`<div class="figures">
       ${

@@ -1,17 +1,21 @@
 // What the elements can do. They know the state and this; what it takes stands in main.ts.
+import type { Autosave } from '../files/autosave.js';
 import { download } from '../files/download.js';
 import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, lampsOf } from '../model/lamp.js';
-import type { Plate } from '../model/plate.js';
+import type { Plate, Stroke } from '../model/plate.js';
+import type { Seen } from '../model/doubts.js';
 import type { DirectionRaster } from '../model/raster.js';
+import type { Box } from '../model/rebrush.js';
 import type { Problem } from '../model/problem.js';
-import { isAbort, problemOf } from '../model/problem.js';
+import { isAbort, problemOf, same } from '../model/problem.js';
 import type { Store } from '../model/store.js';
-import type { Theme, Tool } from '../model/state.js';
+import type { PlateResult, Theme, Tool } from '../model/state.js';
 import type { Light, ViewName } from '../model/view.js';
 import type { Role } from '../model/file-role.js';
+import type { Draw } from './drawn-choices.js';
 import type { Example } from './examples.js';
 import type { Dialog, LightMode, Notice, Shown } from './shown.js';
 
@@ -41,16 +45,33 @@ export interface Services {
   /** Takes the printer from G-code or settings of another program. */
   importPrinter(file: File): Promise<void>;
   newPlate(): void;
+  /** Writes the project over the file that it was opened from. @returns what is said of it; empty where there is none */
+  savedInPlace(project: Blob): Promise<string>;
+  /** The plate that is shown now is that of a project file. */
+  openedFrom(project: File): void;
+  /** Those that are kept here. @throws where none is kept: in frames whose page does not ask for it */
+  plates(): Autosave;
+  /** Shows one of them. @param take  also from another tab, which goes on with a copy */
+  openPlate(id: string, take: boolean): Promise<void>;
   /** What this is need not be said again. */
   welcomed(): void;
-  forget(): Promise<void>;
   /** Whether what `toReview` says was seen already. */
   reviewed(text: string): boolean;
   setReviewed(text: string): void;
+  /** A file of the visitor's own spools, as its text; undefined: none is kept. */
+  keptSpools(): string | undefined;
+  keepSpools(text: string): void;
   /** For what the plate has no part in. */
   engine(): Promise<Engine>;
+  /** What each kind of directions, and each shape, makes of the plate. */
+  kindPictures: Draw<Plate['directions']['kind']>;
+  shapePictures: Draw<Plate['shape']['kind']>;
+  /** How well a finished plate shows what its directions ask for. */
+  seen(result: PlateResult, directions: DirectionRaster): Promise<Seen>;
   /** Of the plate as it is now, in full. */
   directions(): Promise<DirectionRaster>;
+  /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
+  handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
   /** What a start or end block would do, line by line. */
   examine(block: string, flavor: PrinterValues['flavor']): Promise<GcodeFinding[]>;
 }
@@ -62,12 +83,13 @@ export interface Stage {
   /** Millimetres of the page. */
   lookAt(x: number, y: number, across: number): void;
   capture(width: number): Promise<Blob>;
-  record(seconds: number): Promise<Blob>;
+  record(seconds: number, signal?: AbortSignal): Promise<Blob>;
 }
 
 const noticeFor = 7000; // [ms]
 
-const isPacked = (product: Product, plate: Plate): boolean => product === 'gcode' && plate.printer.flavor === 'bambu';
+export const isPacked = (product: Product, plate: Plate): boolean =>
+  product === 'gcode' && plate.printer.flavor === 'bambu';
 const endings: Record<Product, string> = {
   gcode: '.gcode',
   body: '.base.3mf',
@@ -81,7 +103,7 @@ const plain = (text: string): string => text.replace(/[^\p{L}\p{N}._ -]+/gu, '')
 const fileName = (plate: Plate, product: string): string => `${plain(plate.name) || 'plate'}${product}`;
 
 /** What tells one G-code file from another on a printer's screen: `_0.4mm_PLA_1h05m`. */
-function gcodeMark({ printer }: Plate, seconds: number): string {
+export function gcodeMark({ printer }: Plate, seconds: number): string {
   const minutes = Math.max(1, Math.round(seconds / 60));
   const hours = Math.floor(minutes / 60);
   const time = hours > 0 ? `${hours}h${String(minutes % 60).padStart(2, '0')}m` : `${minutes}m`;
@@ -101,15 +123,15 @@ async function mayTilt(): Promise<boolean> {
   return matchMedia('(pointer: coarse)').matches;
 }
 
-const same = (a: Problem, b: Problem): boolean =>
-  a.code === b.code && a.detail === b.detail && JSON.stringify(a.values) === JSON.stringify(b.values);
-
 export class Studio {
   stage: Stage | undefined;
   services!: Services;
   /** Gives a file to the visitor, or to the page that shows this one. */
   deliver: (blob: Blob, name: string) => void = download;
+  /** Of opened files, to save them back in their place. */
+  readonly handles = new WeakMap<File, FileSystemHandle>();
   #nextNotice = 1;
+  #reviewed: (() => void) | undefined;
 
   constructor(
     readonly store: Store<Shown>,
@@ -162,7 +184,8 @@ export class Studio {
   setTool(tool: Tool): void {
     if (this.store.state.plate.directions.kind === 'lamp') return; // solved for as a whole: there is nothing to brush over
     this.store.set({ tool });
-    if (tool !== 'pan') this.setView('directions');
+    // In the shimmer strokes are seen as they will be; elsewhere they are seen as directions.
+    if (tool !== 'pan' && this.store.state.view !== 'appearance') this.setView('directions');
   }
 
   togglePlay(): void {
@@ -173,14 +196,14 @@ export class Studio {
 
   /** Where the plate looks as it is meant to; the light comes back to it. */
   homeLight(): Light {
-    const { plate, made, light, lightMode } = this.store.state;
-    return lightMode === 'fixed' ? light : homeLight(plate, made?.toolpath.look);
+    const { plate, result, light, lightMode } = this.store.state;
+    return lightMode === 'fixed' ? light : homeLight(plate, result?.toolpath.look);
   }
 
   /** Of the plate's pictures. */
   lamps(): Light[] {
-    const { plate, made } = this.store.state;
-    return lampsOf(plate.directions, made?.toolpath.look);
+    const { plate, result } = this.store.state;
+    return lampsOf(plate.directions, result?.toolpath.look);
   }
 
   /** The light moves to a picture's lamp and stays near it. */
@@ -188,11 +211,14 @@ export class Studio {
     this.store.set({ lamp, flipping: false, lightMode: 'pointer', view: 'appearance' });
   }
 
+  /** Whether the visitor asks for little motion. */
+  calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
+
   /** The lamp turns from each picture to the next until it is told to stop. */
   flip(): void {
     const { flipping, lamp } = this.store.state;
     const next = (lamp + 1) % Math.max(1, this.lamps().length);
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.showLamp(next);
+    if (this.calm()) this.showLamp(next);
     else this.store.set({ flipping: !flipping, lightMode: 'pointer', view: 'appearance' });
   }
 
@@ -223,7 +249,7 @@ export class Studio {
 
   /** Not to be said again on this device. */
   endWelcome(): void {
-    this.store.set({ welcome: false });
+    this.store.set({ welcome: false, flipping: false });
     this.services.welcomed();
   }
 
@@ -282,8 +308,11 @@ export class Studio {
     if (files.length > 0) await this.attempt(() => this.services.open(files, role));
   }
 
-  /** Asks for files; the plate is as before where none is chosen. */
-  pick(accept = ''): Promise<File[]> {
+  /** Asks for files; the plate is as before where none is chosen. @param accept  empty: any; then a project among them can be
+   * saved back in its place */
+  async pick(accept = ''): Promise<File[]> {
+    if (accept === '' && 'showOpenFilePicker' in window)
+      return (await import('../files/in-place.js')).pickFiles(this.handles);
     return new Promise((resolve) => {
       const input = document.createElement('input');
       input.type = 'file';
@@ -300,12 +329,38 @@ export class Studio {
   }
 
   async save(product: Product): Promise<void> {
-    if (product === 'gcode' && this.#mustReview()) {
-      this.show('blocks');
-      return;
-    }
+    if (product !== 'gcode' || !this.#mustReview()) await this.#save(product);
+    else this.whenReviewed(() => void this.#save(product));
+  }
+
+  /** Takes a file to the printer, at once or once everything was seen that it would run. */
+  whenReviewed(save: () => void): void {
+    if (this.#mustReview()) this.review(save);
+    else save();
+  }
+
+  /** Shows the blocks. @param save  what their button is for; left out: the plate's own file */
+  review(save?: () => void): void {
+    this.#reviewed = save;
+    this.show('blocks');
+  }
+
+  /** The blocks are on the screen no more. */
+  goOn(): void {
+    const { printer } = this.store.state.plate;
+    this.services.setReviewed(toReview(printer));
+    if (this.#reviewed === undefined) void this.#save('gcode');
+    else this.#reviewed();
+  }
+
+  async #save(product: Product): Promise<void> {
     await this.attempt(async () => {
       const { blob, name } = await this.make(product);
+      const place = product === 'project' ? await this.services.savedInPlace(blob) : '';
+      if (place !== '') {
+        this.notify(place);
+        return;
+      }
       this.deliver(blob, name);
       if (product === 'body') this.#offerRest(name);
       else this.notify(t('export.done', { name }));
@@ -387,9 +442,9 @@ export class Studio {
   }
 
   /** One turn of the light. */
-  async video(seconds: number): Promise<{ blob: Blob; name: string }> {
+  async video(seconds: number, signal?: AbortSignal): Promise<{ blob: Blob; name: string }> {
     const { plate } = this.store.state;
-    const blob = await this.#canvas().record(seconds);
+    const blob = await this.#canvas().record(seconds, signal);
     return { blob, name: fileName(plate, blob.type.startsWith('video/mp4') ? '.mp4' : '.webm') };
   }
 

@@ -14,7 +14,7 @@ import {
 } from '../model/settings.js';
 import { advancedSettings } from './advanced.js';
 import { StudioElement } from './element.js';
-import { segments } from './fields.js';
+import { cards, segments } from './fields.js';
 import { icon } from './icons.js';
 import { panelStyle } from './panel-style.js';
 import { settingField } from './setting-field.js';
@@ -45,12 +45,16 @@ export class ToolpathPanel extends StudioElement {
     const advice = adviceFor(printer.nozzle);
     return html`
       <section aria-labelledby="beads-title">
-        <h2 id="beads-title">${t('view.toolpath')}</h2>
-        ${segments<QualityName>({
+        <h2 id="beads-title">${t('section.toolpath')}</h2>
+        ${cards<QualityName>({
           id: 'quality',
           label: t('preset.title'),
           value: quality,
-          options: (Object.keys(qualities) as QualityName[]).map((value) => ({ value, label: t(`preset.${value}`) })),
+          options: (Object.keys(qualities) as QualityName[]).map((value) => ({
+            value,
+            label: t(`preset.${value}`),
+            picture: `presets/${value}.webp`,
+          })),
           onChoose: (value) => {
             this.studio.change((now) => withQuality(now, value));
           },

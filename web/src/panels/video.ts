@@ -1,15 +1,59 @@
 // A short video of a canvas.
-import { StudioError } from '../model/problem.js';
+import { problemOf, StudioError } from '../model/problem.js';
 
 const types = ['video/mp4;codecs=avc1.42E01E', 'video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 const framesPerSecond = 30;
 const bitsPerSecond = 12_000_000;
+const lookEvery = 1000; // [ms]
+const mostLooks = 3; // one alone may come before the frame of a slow page
 
-/** @param pose  called for each frame with the share of the time that has passed. */
+/** Resolves after so many seconds of frames. Browsers draw none in hidden tabs, nor in frames that are scrolled away.
+ * @throws StudioError OutOfSight */
+function play(seconds: number, pose: (share: number) => void, signal: AbortSignal): Promise<void> {
+  return new Promise((resolve, reject) => {
+    signal.throwIfAborted();
+    let begin: number | undefined;
+    let waiting = 0;
+    const end = (settle: () => void): void => {
+      cancelAnimationFrame(next);
+      clearInterval(watch);
+      signal.removeEventListener('abort', abort);
+      settle();
+    };
+    const step = (now: number): void => {
+      waiting = 0;
+      begin ??= now;
+      const share = (now - begin) / (1000 * seconds);
+      if (share >= 1) {
+        end(resolve);
+        return;
+      }
+      pose(share);
+      next = requestAnimationFrame(step);
+    };
+    const abort = (): void => {
+      end(() => {
+        reject(signal.reason as Error);
+      });
+    };
+    let next = requestAnimationFrame(step);
+    const watch = setInterval(() => {
+      if (++waiting < mostLooks) return;
+      end(() => {
+        reject(new StudioError('OutOfSight'));
+      });
+    }, lookEvery);
+    signal.addEventListener('abort', abort);
+  });
+}
+
+/** @param pose  called for each frame with the share of the time that has passed.
+ * @throws StudioError NoVideo, OutOfSight; the signal's reason */
 export async function recordCanvas(
   canvas: HTMLCanvasElement,
   seconds: number,
   pose: (share: number) => void,
+  signal?: AbortSignal,
 ): Promise<Blob> {
   if (typeof MediaRecorder === 'undefined' || typeof canvas.captureStream !== 'function')
     throw new StudioError('NoVideo');
@@ -21,31 +65,22 @@ export async function recordCanvas(
   recorder.addEventListener('dataavailable', ({ data }) => {
     pieces.push(data);
   });
-  const stopped = new Promise<void>((resolve, reject) => {
+  const failed = new AbortController();
+  recorder.addEventListener('error', (event) => {
+    failed.abort(new StudioError('NoVideo', {}, problemOf(event.error).detail));
+  });
+  const stopped = new Promise<void>((resolve) => {
     recorder.addEventListener('stop', () => {
       resolve();
     });
-    recorder.addEventListener('error', () => {
-      reject(new StudioError('NoVideo'));
-    });
   });
-  recorder.start();
-  await new Promise<void>((resolve) => {
-    let begin = 0;
-    const step = (now: number): void => {
-      if (begin === 0) begin = now;
-      const share = (now - begin) / (1000 * seconds);
-      if (share >= 1) {
-        resolve();
-        return;
-      }
-      pose(share);
-      requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
-  });
-  recorder.stop();
-  await stopped;
-  for (const track of stream.getTracks()) track.stop();
+  try {
+    recorder.start();
+    await play(seconds, pose, signal === undefined ? failed.signal : AbortSignal.any([signal, failed.signal]));
+    if (recorder.state !== 'inactive') recorder.stop();
+    await stopped;
+  } finally {
+    for (const track of stream.getTracks()) track.stop();
+  }
   return new Blob(pieces, { type });
 }

@@ -33,6 +33,7 @@ export class Welcome extends StudioElement {
       }
       .buttons {
         display: flex;
+        flex-wrap: wrap;
         gap: 6px;
       }
       .close {
@@ -71,6 +72,14 @@ export class Welcome extends StudioElement {
           }}
         >
           ${t('welcome.examples')}
+        </button>
+        <button
+          type="button"
+          @click=${() => {
+            this.studio.show('first');
+          }}
+        >
+          ${t('verb.first')}
         </button>
       </div>
       <button

@@ -106,6 +106,21 @@ async function answer(request: Request, url: string): Promise<Response> {
   }
 }
 
+/** Files that another app shares with the installed page (manifest): kept until that page takes them (files/handed.ts). */
+async function share(request: Request): Promise<Response> {
+  const cache = await caches.open(`sillon-shared ${scope}`);
+  const form = await request.formData();
+  const files = form.getAll('files').filter((one) => typeof one !== 'string');
+  for (const [k, file] of files.entries()) {
+    const headers = { 'Content-Type': file.type || 'application/octet-stream' };
+    await cache.put(
+      new URL(`shared-${k}?name=${encodeURIComponent(file.name)}`, scope),
+      new Response(file, { headers }),
+    );
+  }
+  return Response.redirect(`${scope}#shared`, 303);
+}
+
 worker.addEventListener('install', (event) => {
   event.waitUntil(install());
 });
@@ -122,6 +137,10 @@ worker.addEventListener('activate', (event) => {
 worker.addEventListener('fetch', (event) => {
   const { request } = event;
   const url = new URL(request.url);
+  if (request.method === 'POST' && request.mode === 'navigate' && url.href === scope) {
+    event.respondWith(share(request));
+    return;
+  }
   if (request.method !== 'GET' || url.origin !== worker.location.origin || request.headers.has('range')) return;
   url.search = '';
   url.hash = '';

@@ -144,7 +144,6 @@ export const controls = css`
     color: var(--ink);
   }
   input[type='text'],
-  input[type='number'],
   select,
   textarea {
     min-height: var(--control);
@@ -172,14 +171,9 @@ export const controls = css`
     background-size: 4px 4px;
     background-repeat: no-repeat;
   }
-  input[type='number'] {
-    appearance: textfield;
-    -moz-appearance: textfield;
+  input[role='spinbutton'] {
     text-align: right;
     font-variant-numeric: tabular-nums;
-  }
-  input[type='number']::-webkit-inner-spin-button {
-    appearance: none;
   }
   input[aria-invalid='true'] {
     border-color: var(--bad);
@@ -256,6 +250,10 @@ export const controls = css`
     gap: 2px;
     min-width: 0;
   }
+  .scrubs {
+    cursor: ew-resize;
+    user-select: none;
+  }
   .field > .wide,
   .field > input[type='range'],
   .field > .help {
@@ -296,7 +294,7 @@ export const controls = css`
     border-radius: var(--radius);
     background: var(--raised);
   }
-  .measure input[type='number'] {
+  .measure input[role='spinbutton'] {
     min-height: calc(var(--control) - 4px);
     border: 0;
     padding: 0 6px;
@@ -378,6 +376,11 @@ export const controls = css`
     border: 1px solid var(--line);
     background: var(--raised);
     font-size: var(--note);
+  }
+  .cards img {
+    width: 48px;
+    height: 48px;
+    object-fit: contain;
   }
   .cards label:has(:disabled) {
     color: var(--edge);

@@ -15,7 +15,7 @@ interface Found extends Mark {
   weight: number;
 }
 
-/** At most 200: what stays empty first, then the worst of the others, no two of a kind within three spacings. */
+/** At most 200: what was widened and what stays empty first, then the worst of the others, no two of a kind within three spacings. */
 export function findMarks(toolpath: Toolpath): Mark[] {
   const { cycles, spacing } = toolpath;
   const kept = new Sparse(oneEach * spacing);
@@ -30,7 +30,10 @@ export function findMarks(toolpath: Toolpath): Mark[] {
     }
   }
   found.sort((a, b) => b.weight - a.weight);
-  const marks = findGaps(toolpath, mostMarks / 2).filter(({ kind, x, y }) => kept.add(kind, x, y));
+  const widened = (toolpath.shape.kept ?? []).slice(0, mostMarks / 4);
+  const marks: Mark[] = widened.map(([x, y]) => ({ x, y, kind: 'kept' }));
+  const gaps = findGaps(toolpath, mostMarks / 2).filter(({ kind, x, y }) => kept.add(kind, x, y));
+  marks.push(...gaps);
   for (const { x, y, kind } of found) {
     if (marks.length === mostMarks) break;
     if (kept.add(kind, x, y)) marks.push({ x, y, kind });

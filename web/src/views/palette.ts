@@ -50,4 +50,5 @@ export const markColours = {
   wide: '#c8443a',
   gap: '#8b5fc0',
   lost: '#8b5fc0',
+  kept: '#3f9d6b',
 } as const;

@@ -162,6 +162,7 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.uniform2f(at('page'), ...scene.page);
     gl.uniform3f(at('feed'), scene.feed.speed, scene.feed.maxFlow, scene.feed.layerHeight);
     gl.uniform1f(at('progress'), scene.progress);
+    gl.uniform1f(at('blended'), scene.blended === true ? 1 : 0);
     gl.uniform1f(at('spacing'), beads.spacing);
     gl.uniform1i(at('view'), scene.view === 'appearance' ? 0 : scene.view === 'quality' ? 2 : 1);
     gl.uniform1i(at('colourBy'), colourModes[scene.colourBy]);
@@ -227,10 +228,19 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
       return;
     }
     if (scene.toolpath === undefined) return;
-    const wanted = scene.compare ? [scene.toolpath, zigzagOf(scene.toolpath)] : [scene.toolpath];
-    beadsOf(wanted).forEach((beads, k) => {
-      drawBeads(beads, scene, camera, k * scene.page[0] * 1.08);
+    const { compare, wipe, page } = scene;
+    const both = compare || wipe !== undefined;
+    const beads = beadsOf(both ? [scene.toolpath, zigzagOf(scene.toolpath)] : [scene.toolpath]);
+    const { drawingBufferWidth: columns, drawingBufferHeight: rows } = gl;
+    const edge = wipe === undefined ? 0 : Math.round(columns / 2 + (wipe * page[0] - camera.x) * camera.scale);
+    beads.forEach((one, k) => {
+      if (wipe !== undefined) {
+        gl.enable(gl.SCISSOR_TEST);
+        gl.scissor(k === 0 ? edge : 0, 0, Math.max(0, k === 0 ? columns - edge : edge), rows);
+      }
+      drawBeads(one, scene, camera, compare ? k * page[0] * 1.08 : 0);
     });
+    gl.disable(gl.SCISSOR_TEST);
   }
 
   return {

@@ -21,6 +21,10 @@ export interface Scene {
   progress: number;
   /** Beside the plate, the same shape under a plain 45° zigzag. */
   compare: boolean;
+  /** Over the plate's left, up to this share of the page, lies that zigzag; undefined: nothing does. */
+  wipe?: number | undefined;
+  /** No bead is told from its neighbours. */
+  blended?: boolean;
   light: Light;
   /** The slope of the surface that blurs a point as much as the lamp's size. */
   lampSlope: number;

@@ -107,6 +107,7 @@ uniform vec4 camera;
 uniform float spacing;
 uniform int view;
 uniform int colourBy;
+uniform float blended;  // 1: seen from too far away to tell beads apart
 uniform vec3 feed;  // speed, largest flow, layer height
 uniform sampler2D palette;
 out vec4 colour;
@@ -128,7 +129,7 @@ void main() {
   if (alpha <= 0.0) discard;
   vec2 along = normalize(mix(tangents.xy, tangents.zw, t));
   float side = clamp((along.x * off.y - along.y * off.x) / max(radius, 1e-6), -1.0, 1.0);
-  float relief = clamp((pixels - 0.75) / 1.5, 0.0, 1.0);
+  float relief = (1.0 - blended) * clamp((pixels - 0.75) / 1.5, 0.0, 1.0);
   if (view == 0) {
     colour = vec4(toned(look(p, along, side, relief)), alpha);
     return;

@@ -165,7 +165,7 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
     });
     await page.goto(address);
     if (settled !== undefined) await page.waitForFunction(settled);
-    await page.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.made?.measured);
+    await page.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.result?.measured);
     const made = await page.evaluate(async (project) => {
       const { studio } = document.querySelector('sillon-app');
       await studio.services.open([new File([JSON.stringify(project)], 'project.json')]);

@@ -236,7 +236,7 @@ test('a host reads nothing of what the visitor keeps in the studio itself', { sk
   const { page, context } = await hosts.open({ site: 'localhost' });
   const studio = await context.newPage();
   await studio.goto(`${hosts.studio}${smallPlate}`);
-  await studio.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.made !== undefined);
+  await studio.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.result !== undefined);
   await studio.evaluate(() =>
     document
       .querySelector('sillon-app')

@@ -71,6 +71,8 @@ test('methods give the plate that was loaded, as project, report and files', { s
   assert.deepEqual(made.told.shape, { builtin: 'disc', size: [16, 16] });
   assert.equal(made.told.print.base, 0);
   assert.equal(made.report.toolpaths, 1);
+  assert.ok(made.report.grams > 0.05 && made.report.grams < 1, String(made.report.grams)); // 16 mm, one layer
+  assert.ok(made.report.minutes > 0.1 && made.report.minutes < 10, String(made.report.minutes));
   assert.deepEqual(made.again, made.report);
   assert.deepEqual(JSON.parse(Buffer.from(unzipSync(Uint8Array.from(made.zip))['project.json'])), made.told);
   const { exportGcode, exportBody, exportSvg, exportProject, capture } = made.files;
@@ -239,7 +241,7 @@ test('no other plate is made while the one of the attributes is on its way', { s
   );
   await stateIs(frame, (state) => state.plate !== undefined);
   await new Promise((resolve) => setTimeout(resolve, 1500)); // else it would begin at once
-  assert.deepEqual(await state(frame, ({ made, progress }) => [made === undefined, progress === undefined]), [
+  assert.deepEqual(await state(frame, ({ result, progress }) => [result === undefined, progress === undefined]), [
     true,
     true,
   ]);
@@ -330,6 +332,76 @@ test('language, theme and units are the host’s choice, and are not kept', { sk
     }
   });
   assert.equal(kept, 0);
+});
+
+test('it wears the colour, corners and font of its page, and gives them back', { skip }, async () => {
+  const { page, frame } = await element({ accent: '#7a1fa2', radius: '12', font: 'Georgia, serif', theme: 'light' });
+  const look = () =>
+    frame.evaluate(() => {
+      const { style } = document.documentElement;
+      const { fontFamily } = getComputedStyle(document.body);
+      const probe = document.createElement('p');
+      probe.style.cssText = 'color: var(--accent); border-radius: var(--radius)';
+      document.body.append(probe);
+      const { color, borderRadius } = getComputedStyle(probe);
+      probe.remove();
+      return { color, borderRadius, fontFamily, own: style.length > 0 };
+    });
+  assert.deepEqual(await look(), {
+    color: 'rgb(122, 31, 162)',
+    borderRadius: '12px',
+    fontFamily: 'Georgia, serif, system-ui, sans-serif',
+    own: true,
+  });
+  await page.evaluate(async () => {
+    const { element } = globalThis;
+    for (const name of ['accent', 'radius', 'font']) element.removeAttribute(name);
+    await element.report(); // requests are answered in order
+  });
+  const plain = await look();
+  assert.deepEqual([plain.color, plain.borderRadius, plain.own], ['rgb(123, 84, 16)', '4px', false]);
+  await page.evaluate(() => (globalThis.element.accent = 'url(https://elsewhere.invalid/)'));
+  await page.waitForFunction(() => globalThis.heard.some(({ name }) => name === 'error'));
+  const { code, message } = await page.evaluate(() => globalThis.heard.find(({ name }) => name === 'error').detail);
+  assert.equal(code, 'GuestValue');
+  assert.match(message, /accent/);
+  assert.equal((await look()).own, false);
+});
+
+test('what runs can be asked before and after it is ready', { skip }, async () => {
+  const { page, ready } = await element();
+  assert.deepEqual(await page.evaluate(() => globalThis.element.info()), ready);
+  const early = await page.evaluate(async () => {
+    const another = document.createElement('sillon-studio');
+    another.style.marginTop = '3000px'; // out of sight: the question loads it, and no frame of it is ever drawn
+    document.body.append(another);
+    return another.info();
+  });
+  assert.equal(early.version, ready.version);
+});
+
+test('a video of what nobody sees is refused; one that is given up ends', { skip }, async () => {
+  const { page, frame } = await element();
+  await page.evaluate(() => Object.assign(globalThis.element.style, { width: '760px', height: '420px' }));
+  await load(page);
+  await page.evaluate(() => globalThis.element.generate());
+  const video = (given) =>
+    page.evaluate(async (given) => {
+      const { element } = globalThis;
+      const control = new AbortController();
+      element.style.marginTop = given.top;
+      element.scrollIntoView();
+      scrollTo(0, 0);
+      if (given.up) setTimeout(() => control.abort(), 500);
+      return element.capture({ type: 'video', seconds: 20, signal: control.signal }).then(
+        ({ name }) => name,
+        ({ name, code, message }) => (name === 'AbortError' ? name : `${code}: ${message}`),
+      );
+    }, given);
+  assert.match(await video({ top: '9000px' }), /^OutOfSight: The plate is out of sight/);
+  assert.equal(await video({ top: '0', up: true }), 'AbortError');
+  await stateIs(frame, (state) => !state.recording);
+  assert.match(await page.evaluate(async () => (await globalThis.element.capture({ width: 200 })).name), /\.png$/);
 });
 
 test('wrong attributes are told, with what is wrong', { skip }, async () => {

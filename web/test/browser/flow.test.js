@@ -62,8 +62,8 @@ test('a first visit shows a finished plate, isolated, without errors', { skip },
   await visit.idle();
   t.diagnostic(`plate after ${Date.now() - begun} ms`);
   assert.equal(await visit.page.evaluate(() => crossOriginIsolated), true);
-  assert.equal(await visit.state((state) => state.made.report.toolpaths), 1);
-  assert.match((await visit.status()).join(' '), /70\s×\s70\smm/);
+  assert.equal(await visit.state((state) => state.result.report.toolpaths), 1);
+  assert.match((await visit.status()).join(' '), /80\s×\s80\smm/);
   assert.deepEqual(visit.problems, []);
 });
 
@@ -99,7 +99,7 @@ test(
     const visit = await bench.open();
     await visit.idle();
     const { name, bytes } = await visit.download('G-code');
-    assert.match(name, /^plate_0\.4mm_PLA_(\d+h)?\d+m\.gcode$/);
+    assert.match(name, /^Sun and moon_0\.4mm_PLA_(\d+h)?\d+m\.gcode$/);
     const text = bytes.toString('utf8');
     const moves = await movesOf(text);
     assert.ok(moves.length > 1000, `only ${moves.length} moves`);
@@ -118,7 +118,7 @@ test(
     const [first, last] = [path[0].from, path.at(-1).to];
     assert.ok(Math.hypot(first.X - last.X, first.Y - last.Y) < 0.01, 'the path does not come back to its beginning');
     const project = await visit.download('Project with its files');
-    assert.equal(project.name, 'plate.sillon.zip');
+    assert.equal(project.name, 'Sun and moon.sillon.zip');
     assert.equal(firstDifference(text, natively(project.bytes, text)), undefined);
   },
 );
@@ -279,7 +279,7 @@ test('a short video of the light going round', { skip }, async () => {
 test('every example of the gallery makes one whole plate', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
-  await visit.view('Directions'); // no beads to draw in software
+  await visit.view('Flow'); // no beads to draw in software
   await visit.button('Examples').click();
   await visit.page.locator('sillon-gallery li').first().waitFor();
   const count = await visit.page.locator('sillon-gallery li button').count();
@@ -295,7 +295,7 @@ test('every example of the gallery makes one whole plate', { skip }, async () =>
       name,
     );
     await visit.idle();
-    const { toolpaths, parts, crossings } = await visit.state((state) => state.made.report);
+    const { toolpaths, parts, crossings } = await visit.state((state) => state.result.report);
     assert.equal(toolpaths, parts, name);
     assert.equal(crossings, 0, name);
   }

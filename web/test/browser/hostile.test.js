@@ -89,12 +89,12 @@ test('the page’s thread goes on while a plate is made', { skip }, async (t) =>
   const visit = await bench.open({ small: true });
   await visit.idle();
   // Another view draws no beads: graphics in software would hold the thread.
-  await visit.view('Directions');
+  await visit.view('Flow');
   await settled(visit.page);
   const turns = await visit.page.evaluate(async () => {
     const { studio } = document.querySelector('sillon-app');
-    const before = studio.store.state.made;
-    const written = ({ made, summary }) => made !== before && !made.coarse && summary !== undefined;
+    const before = studio.store.state.result;
+    const written = ({ result, summary }) => result !== before && !result.coarse && summary !== undefined;
     studio.change((plate) => ({ ...plate, width: 120, height: 120 }));
     let turns = 0; // of the thread between the stages of the work, as they are told
     const stages = new Set();
@@ -126,18 +126,19 @@ test('unsaved work survives a reload', { skip }, async () => {
 
 test('a link does not put away what was kept: it is offered', { skip }, async () => {
   const first = await bench.open({ small: true });
-  await first.until((state) => state.made !== undefined);
+  await first.until((state) => state.result !== undefined);
   await first.page.evaluate(() => {
     document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name: 'Kept' }));
   });
   await until(async () => (await keptPlate(first.page))?.name === 'Kept', 'the work in the storage');
+  await first.page.close(); // while its tab is there, it shows the plate itself
   const second = await bench.open({ small: true, keep: first.context });
   await second.button('Show it').click();
   await second.until((state) => state.plate.name === 'Kept');
 });
 
 test('without shared memory there is one thread, a reason, and the same plate', { skip }, async () => {
-  const digest = (state) => state.made.report.digest;
+  const digest = (state) => state.result.report.digest;
   const usual = await bench.open();
   await usual.idle();
   const threaded = await usual.state(digest);

@@ -6,6 +6,7 @@ import { test } from 'node:test';
 import { overlaps } from './support/covered.js';
 import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
+import { until } from './support/waits.js';
 import { settled } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
@@ -85,19 +86,26 @@ test('figures and values are whole in a narrow page in French, and so is a comma
   await visit.section('Trajet');
   await visit.page.locator('summary').first().click();
   const narrowest = visit.page.getByLabel('Cordon le plus étroit', { exact: true });
-  assert.equal(await narrowest.inputValue(), '0.5');
+  assert.equal(await narrowest.inputValue(), '0,5');
   assert.ok(await narrowest.evaluate((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 50));
 
-  const spacing = visit.page.locator('input[type=number]').first();
+  const spacing = visit.page.getByRole('spinbutton').first();
   await spacing.fill('');
   await spacing.pressSequentially('0,5');
-  assert.equal(await spacing.inputValue(), '0.5');
+  assert.equal(await spacing.inputValue(), '0,5');
   await visit.until('({ plate }) => plate.toolpath.spacing === 0.5');
-  await spacing.evaluate((one) => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData('text/plain', ' 0,75 ');
-    one.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
-  });
+  await spacing.fill(' 0.75 '); // as it is written elsewhere
   await visit.until('({ plate }) => plate.toolpath.spacing === 0.75');
+  await spacing.press('ArrowUp');
+  await visit.until('({ plate }) => plate.toolpath.spacing > 0.75');
+  // The name of a number is dragged to change it.
+  const name = visit.page.locator('label.scrubs').first();
+  const { x, y } = await name.boundingBox();
+  await visit.page.mouse.move(x + 5, y + 5);
+  await visit.page.mouse.down();
+  await until(async () => (await visit.page.locator('label.drags').count()) > 0, 'the drag');
+  await visit.page.mouse.move(x + 85, y + 5, { steps: 4 });
+  await visit.page.mouse.up();
+  await visit.until('({ plate, live }) => plate.toolpath.spacing > 0.77 && !live');
   await visit.close();
 });

@@ -25,7 +25,7 @@ for (const colorScheme of ['light', 'dark']) {
     const visit = await bench.open({ colorScheme, small: true });
     await visit.idle();
     const { page } = visit;
-    for (const view of ['Directions', 'Toolpath', 'Appearance', 'Quality']) {
+    for (const view of ['Flow', 'Beads', 'Appearance', 'Check']) {
       await visit.view(view);
       await settled(page);
       assert.deepEqual(await violations(page), [], view);
@@ -47,6 +47,23 @@ for (const colorScheme of ['light', 'dark']) {
       assert.deepEqual(await violations(page), [], dialog);
       await page.keyboard.press('Escape');
     }
+    const show = (dialog) =>
+      page.evaluate((dialog) => document.querySelector('sillon-app').studio.show(dialog), dialog);
+    await show('calibrate');
+    await page.getByRole('img', { name: 'Coupon, as it would look' }).waitFor();
+    for (const tab of ['Prints', 'Photograph', 'Spools']) {
+      await page.getByRole('radio', { name: tab, exact: true }).check({ force: true });
+      await settled(page);
+      assert.deepEqual(await violations(page), [], `calibrate, ${tab}`);
+    }
+    await page.keyboard.press('Escape');
+    await visit.until((state) => state.dialog === undefined);
+    await show('first');
+    await page.getByRole('dialog').waitFor();
+    await settled(page);
+    assert.deepEqual(await violations(page), [], 'first print');
+    await page.keyboard.press('Escape');
+    await visit.until((state) => state.dialog === undefined);
     await page.locator('[popovertarget=menu]').click();
     assert.deepEqual(await violations(page), [], 'menu');
   });
@@ -166,13 +183,13 @@ test('French, from the browser or from the menu, and it stays', { skip }, async 
 test('the light keeps still for people who ask for less motion, and moves for others', { skip }, async () => {
   const azimuth = (state) => state.light.azimuth;
   const calm = await bench.open({ small: true, reducedMotion: 'reduce' });
-  await calm.until((state) => state.made !== undefined);
+  await calm.until((state) => state.result !== undefined);
   const first = await calm.state(azimuth);
   await calm.page.waitForTimeout(900);
   assert.equal(await calm.state(azimuth), first);
   await calm.close();
   const lively = await bench.open({ small: true, reducedMotion: 'no-preference' });
-  await lively.until((state) => state.made !== undefined);
+  await lively.until((state) => state.result !== undefined);
   const before = await lively.state(azimuth);
   await until(async () => (await lively.state(azimuth)) !== before, 'the light’s move');
 });

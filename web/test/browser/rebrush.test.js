@@ -2,13 +2,16 @@
 // native program writes; and the plate is as it was.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { createRequire } from 'node:module';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { gunzipSync, gzipSync } from 'node:zlib';
+import { crc32, gunzipSync, gzipSync } from 'node:zlib';
+
+import * as fflate from 'fflate';
 
 import { overlaps } from './support/covered.js';
 import { sharedBench } from './support/shared.js';
@@ -43,6 +46,16 @@ async function downloaded(visit) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
+/** Changes a choice, and waits until other beads are laid for it: the button may be disabled for too short to be seen. */
+async function relaid(visit, change) {
+  const before = await view(visit).evaluateHandle(({ done }) => done);
+  await change();
+  await until(
+    () => view(visit).evaluate(({ done }, before) => done !== undefined && done !== before, before),
+    'new beads',
+  );
+}
+
 const plateOf = (visit) => visit.state(({ plate }) => JSON.stringify(plate));
 
 test(
@@ -67,8 +80,8 @@ test(
     assert.equal(first.name, 'part_brushed.gcode');
     assert.equal(first.bytes.compare(natively('part.gcode', text, '--angle', '30')), 0);
 
-    await view(visit).getByLabel('Angle', { exact: true }).and(visit.page.locator('input')).fill('75');
-    await until(async () => !(await saves(visit).isEnabled()), 'what was laid is out of date');
+    const angle = view(visit).getByLabel('Angle', { exact: true }).and(visit.page.locator('input'));
+    await relaid(visit, () => angle.fill('75'));
     const turned = await downloaded(visit);
     assert.equal(turned.bytes.compare(natively('part.gcode', text, '--angle', '75')), 0);
     assert.notEqual(turned.bytes.compare(first.bytes), 0);
@@ -121,6 +134,246 @@ test('a packed print becomes a packed print, under a picture or as the plate', {
   assert.deepEqual(visit.problems, []);
 });
 
+/** Another slicer's package around a text, as the native tests make it. */
+function repacked(text) {
+  const { zipSync, strToU8 } = fflate;
+  return Buffer.from(
+    zipSync({
+      '[Content_Types].xml': strToU8('<?xml version="1.0"?><Types/>'),
+      'Metadata/plate_1.gcode': new Uint8Array(text),
+      'Metadata/plate_1.gcode.md5': strToU8(createHash('md5').update(text).digest('hex').toUpperCase()),
+      'Metadata/slice_info.config': strToU8('<config><plate><metadata key="prediction" value="180"/></plate></config>'),
+    }),
+  );
+}
+
+/** A sliced print as binary G-code, without compression. */
+function binary(text) {
+  const block = (type, encoding, data, size = data.length) => {
+    const head = Buffer.alloc(8);
+    head.writeUInt16LE(type, 0);
+    head.writeUInt16LE(0, 2);
+    head.writeUInt32LE(size, 4);
+    const parameters = Buffer.alloc(2);
+    parameters.writeUInt16LE(encoding, 0);
+    const bytes = Buffer.concat([head, parameters, data]);
+    const sum = Buffer.alloc(4);
+    sum.writeUInt32LE(crc32(bytes));
+    return Buffer.concat([bytes, sum]);
+  };
+  const head = Buffer.from('GCDE\x01\0\0\0\x01\0', 'latin1'); // version 1, CRC-32
+  const settings = 'filament_diameter=1.75\nnozzle_diameter=0.4\n';
+  return Buffer.concat([
+    head,
+    block(3, 0, Buffer.from('printer_model=MK4\n')), // printer
+    block(4, 0, Buffer.from('estimated printing time (normal mode)=3m 0s\n')), // print
+    block(2, 0, Buffer.from(settings)), // slicer
+    ...[...Array(Math.ceil(text.length / 60000)).keys()].map((k) =>
+      block(1, 0, text.subarray(60000 * k, 60000 * (k + 1))),
+    ),
+  ]);
+}
+
+test(
+  'packages and binary files become files of their kind, with the bytes of the native program',
+  { skip },
+  async () => {
+    const text = sliced();
+    for (const [name, bytes] of [
+      ['part.gcode.3mf', repacked(text)],
+      ['part.bgcode', binary(text)],
+    ]) {
+      const visit = await bench.open({ small: true });
+      await visit.drop([fileOf(name, bytes)]);
+      const made = await downloaded(visit);
+      assert.equal(made.name, name.replace('part', 'part_brushed'));
+      assert.equal(made.bytes.compare(natively(name, bytes, '--angle', '30')), 0, name);
+      assert.equal(made.bytes.subarray(0, 4).compare(bytes.subarray(0, 4)), 0);
+      assert.deepEqual(visit.problems, []);
+    }
+  },
+);
+
+test('the bottom is re-brushed as by the native program, alone or with the tops', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const text = sliced();
+  await visit.drop([fileOf('part.gcode', text)]);
+  for (const [label, side] of [
+    ['Bottom', 'bottom'],
+    ['Both', 'both'],
+  ]) {
+    await until(() => saves(visit).isEnabled(), 'beads are laid');
+    await relaid(visit, () => view(visit).getByRole('radio', { name: label }).check({ force: true }));
+    const made = await downloaded(visit);
+    assert.equal(made.bytes.compare(natively('part.gcode', text, '--angle', '30', '--surfaces', side)), 0, side);
+  }
+  assert.match(await view(visit).locator('.faces').innerText(), /Layer 3[^]*Bottom, 0\.2 mm high/);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('the print is seen from aside: turned by pointer and keys, faces chosen on it, and back', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.drop([fileOf('part.gcode', sliced())]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await view(visit).getByRole('button', { name: 'See it from aside' }).click();
+  const print = view(visit).locator('sillon-rebrush-tilted');
+  const canvas = print.locator('canvas');
+  await canvas.waitFor();
+  const shot = async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return (await canvas.screenshot()).toString('base64');
+  };
+  const first = await shot();
+  assert.equal(await shot(), first, 'it stands still by itself');
+  await canvas.press('ArrowRight');
+  const turned = await shot();
+  assert.notEqual(turned, first);
+  const box = await canvas.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 80, y - 30, { steps: 3 });
+  await page.mouse.up();
+  assert.notEqual(await shot(), turned);
+  // The largest face, where it is seen.
+  const faces = view(visit).getByRole('checkbox');
+  assert.equal(await faces.first().isChecked(), true);
+  const places = await print.evaluate((element) => {
+    const { width, height } = element.getBoundingClientRect();
+    return [...Array(400).keys()].map((k) => [
+      ((k % 20) + 0.5) * (width / 20),
+      (Math.floor(k / 20) + 0.5) * (height / 20),
+    ]);
+  });
+  for (const [u, v] of places) {
+    await page.mouse.click(box.x + u, box.y + v);
+    if (!(await faces.first().isChecked())) break;
+  }
+  assert.equal(await faces.first().isChecked(), false, 'a click on the face leaves it');
+  await print.getByRole('button', { name: 'See it from above' }).click();
+  await view(visit).locator('sillon-rebrush-bench').waitFor();
+  assert.equal(await print.count(), 0);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('bottoms are seen from below: they glow, a click chooses, and their beads turn', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  const text = sliced({ sides: [24, 10] });
+  await visit.drop([fileOf('part.gcode', text)]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await view(visit).getByRole('radio', { name: 'Bottom' }).check({ force: true });
+  await until(() => saves(visit).isEnabled(), 'beads are laid on the bottoms');
+  await view(visit).getByRole('button', { name: 'See it from aside' }).click();
+  const print = view(visit).locator('sillon-rebrush-tilted');
+  const canvas = print.locator('canvas');
+  await canvas.waitFor();
+  const below = print.getByRole('button', { name: 'See it from below' });
+  assert.equal(await below.getAttribute('aria-pressed'), 'true', 'bottoms alone are first seen from below');
+  // Without the buttons, which look otherwise while they are pointed at.
+  const box = await canvas.boundingBox();
+  const clip = { ...box, height: box.height - 60 };
+  const shot = async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return createHash('sha256')
+      .update(await page.screenshot({ clip }))
+      .digest('hex');
+  };
+  const first = await shot();
+  if (process.env.SILLON_SHOTS) await page.screenshot({ path: join(process.env.SILLON_SHOTS, 'below.png') });
+  await below.click();
+  assert.equal(await below.getAttribute('aria-pressed'), 'false');
+  const above = await shot();
+  assert.notEqual(above, first);
+  await below.click();
+  assert.equal(await shot(), first, 'the same side again');
+  await canvas.press('0');
+  const home = await shot(); // with the mark of what has the focus
+  await canvas.press('ArrowRight');
+  assert.notEqual(await shot(), home, 'it turns');
+  await canvas.press('0');
+  assert.equal(await shot(), home, 'and back, still from below');
+
+  // A click on the larger bottom leaves it: its beads and its glow go.
+  const faces = view(visit).getByRole('checkbox');
+  assert.equal(await faces.first().isChecked(), true);
+  const place = await print.evaluate((element) => {
+    const { width, height } = element.getBoundingClientRect();
+    const [face] = element.faces;
+    for (let k = 0; k < 900; ++k) {
+      const [x, y] = [((k % 30) + 0.5) * (width / 30), (Math.floor(k / 30) + 0.5) * (height / 30)];
+      if (element.faceAt(x, y) === face.index) return [x, y];
+    }
+    return undefined;
+  });
+  assert.ok(place !== undefined, 'the bottom lies under some place');
+  await page.mouse.click(box.x + place[0], box.y + place[1]);
+  await until(async () => !(await faces.first().isChecked()), 'a click on the bottom leaves it');
+  assert.notEqual(await shot(), first);
+  await page.mouse.click(box.x + place[0], box.y + place[1]);
+  await until(() => faces.first().isChecked(), 'and takes it again');
+  // Another angle is seen on it.
+  await until(() => saves(visit).isEnabled());
+  const before = await shot();
+  await view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input')).fill('75');
+  await until(async () => !(await saves(visit).isEnabled()), 'what was laid is out of date');
+  await until(() => saves(visit).isEnabled(), 'beads are laid anew');
+  assert.notEqual(await shot(), before);
+  const made = await downloaded(visit);
+  assert.equal(made.bytes.compare(natively('part.gcode', text, '--angle', '75', '--surfaces', 'bottom')), 0);
+  // Tops are first seen from above.
+  await view(visit).getByRole('radio', { name: 'Tops' }).check({ force: true });
+  await until(async () => (await below.getAttribute('aria-pressed')) === 'false');
+  assert.deepEqual(visit.problems, []);
+});
+
+test('faces are combed from aside; with Shift the print moves and nothing is drawn', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.drop([fileOf('part.gcode', sliced({ sides: [24] }))]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await view(visit).getByRole('radio', { name: 'By hand' }).check({ force: true });
+  await view(visit).getByRole('button', { name: 'See it from aside' }).click();
+  const print = view(visit).locator('sillon-rebrush-tilted');
+  const canvas = print.locator('canvas');
+  await canvas.waitFor();
+  const box = await canvas.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const drag = async () => {
+    await page.mouse.move(x - 20, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 20, y, { steps: 5 });
+    await page.mouse.up();
+  };
+  const strokes = () => view(visit).evaluate(({ wish }) => wish.strokes);
+  const shot = async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return (await canvas.screenshot()).toString('base64');
+  };
+  const before = await shot();
+  await page.keyboard.down('Shift');
+  await drag();
+  await page.keyboard.up('Shift');
+  assert.deepEqual(await strokes(), []);
+  await until(async () => (await shot()) !== before, 'the print moves');
+  await canvas.press('0');
+  await until(() => saves(visit).isEnabled(), 'beads are laid at the angle');
+  await drag();
+  await until(async () => (await strokes()).length === 1, 'the drag is a stroke');
+  const [{ tool, points }] = await strokes();
+  const [corner, size] = await print.evaluate(({ faces }) => [faces[0].corner, faces[0].region.page]);
+  assert.equal(tool, 'comb');
+  assert.ok(points.length >= 6, `${points}`);
+  points.forEach((value, k) => {
+    const from = value - corner[k % 2];
+    assert.ok(from > -1 && from < size[k % 2] + 1, `${value} beside the face`);
+  });
+  await until(() => saves(visit).isEnabled(), 'beads follow the stroke');
+  assert.equal(await view(visit).getByRole('checkbox', { checked: true }).count(), 1);
+  assert.deepEqual(visit.problems, []);
+});
+
 test('what cannot be re-brushed is told in a sentence, and another file can be taken', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
@@ -165,6 +418,88 @@ test('long work can be stopped and begun again', { skip }, async () => {
   assert.deepEqual(visit.problems, []);
 });
 
+/** Where the middle of the largest face is seen before the view is moved [CSS pixels of the bench], and a millimetre's size. */
+const middleOfFirst = (canvas) =>
+  canvas.evaluate((element) => {
+    const [face] = element.faces;
+    const { corner, cell, columns, rows } = element.relief;
+    const size = [columns * cell, rows * cell];
+    const margin = (length) => length - 2 * Math.min(24, length * 0.06);
+    const { width, height } = element.getBoundingClientRect();
+    const scale = Math.min(margin(width) / size[0], margin(height) / size[1]);
+    const middle = [0, 1].map((k) => face.corner[k] + face.region.page[k] / 2 - corner[k]);
+    return [width / 2 + (middle[0] - size[0] / 2) * scale, height / 2 - (middle[1] - size[1] / 2) * scale, scale];
+  });
+
+/** How far the beads of the largest face lie from an angle [degrees], within or beyond a distance from the line y = middle [mm]. */
+const awayFrom = (canvas, degrees, [least, most]) =>
+  canvas.evaluate(
+    (element, { degrees, least, most }) => {
+      const [face] = element.faces;
+      const middle = face.region.page[1] / 2;
+      let [sum, length] = [0, 0];
+      for (const { points } of element.laid.get(face.index)) {
+        for (let k = 0; k + 3 < points.length; k += 2) {
+          const [x0, y0, x1, y1] = points.slice(k, k + 4);
+          const away = Math.abs((y0 + y1) / 2 - middle);
+          const inside = Math.min(x0, x1) > 2 && Math.max(x0, x1) < face.region.page[0] - 2;
+          if (!inside || away < least || away > most) continue;
+          const step = Math.hypot(x1 - x0, y1 - y0);
+          const turn = Math.atan2(y1 - y0, x1 - x0) - (degrees * Math.PI) / 180;
+          sum += step * Math.abs(Math.asin(Math.sin(turn)));
+          length += step;
+        }
+      }
+      return ((sum / length) * 180) / Math.PI;
+    },
+    { degrees, least, most },
+  );
+
+test('faces are combed by hand: beads follow the stroke, and lie at the angle elsewhere', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.drop([fileOf('part.gcode', sliced({ sides: [24, 8] }))]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  const canvas = view(visit).locator('sillon-rebrush-bench');
+  await view(visit).getByRole('radio', { name: 'By hand' }).check({ force: true });
+  const angle = view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input'));
+  await angle.fill('90');
+  const straight = await downloaded(visit);
+  assert.ok((await awayFrom(canvas, 90, [0, 99])) < 12);
+
+  const brush = view(visit).locator('#hand-across');
+  await brush.fill('5');
+  await brush.press('Tab');
+  const box = await canvas.boundingBox();
+  const [x, y, scale] = await middleOfFirst(canvas);
+  const wide = await canvas.evaluate((element) => element.faces[0].region.page[0]);
+  await relaid(visit, async () => {
+    await page.mouse.move(box.x + x - (wide / 2) * scale, box.y + y);
+    await page.mouse.down();
+    await page.mouse.move(box.x + x + (wide / 2) * scale, box.y + y, { steps: 6 });
+    await page.mouse.up();
+    assert.equal(await view(visit).evaluate(({ wish }) => wish.strokes.length), 1);
+  });
+  const combed = await downloaded(visit);
+  assert.notEqual(combed.bytes.compare(straight.bytes), 0);
+  assert.ok((await awayFrom(canvas, 0, [0, 1.5])) < 20, 'along the stroke');
+  assert.ok((await awayFrom(canvas, 90, [6, 10])) < 20, 'at the angle elsewhere');
+  // Nothing was chosen or left by it.
+  assert.equal(await view(visit).getByRole('checkbox', { checked: true }).count(), 2);
+
+  // By keys, too; and back again.
+  await canvas.locator('.overlay').focus();
+  await page.keyboard.press('Space');
+  for (let k = 0; k < 3; ++k) await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Space');
+  assert.equal(await view(visit).evaluate(({ wish }) => wish.strokes.length), 2);
+  await view(visit).getByRole('button', { name: 'Undo the last stroke' }).click();
+  assert.equal((await downloaded(visit)).bytes.compare(combed.bytes), 0);
+  await view(visit).getByRole('button', { name: 'Remove all strokes' }).click();
+  assert.equal((await downloaded(visit)).bytes.compare(straight.bytes), 0);
+  assert.deepEqual(visit.problems, []);
+});
+
 test('faces are chosen on the print itself, by pointer, and everything by keys', { skip }, async () => {
   const visit = await bench.open({ small: true });
   const { page } = visit;
@@ -173,16 +508,7 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
   await until(async () => (await faces.count()) === 2);
   const canvas = view(visit).locator('sillon-rebrush-bench');
   const box = await canvas.boundingBox();
-  const place = await canvas.evaluate((element) => {
-    const [face] = element.faces;
-    const { corner, cell, columns, rows } = element.relief;
-    const size = [columns * cell, rows * cell];
-    const margin = (length) => length - 2 * Math.min(24, length * 0.06);
-    const { width, height } = element.getBoundingClientRect();
-    const scale = Math.min(margin(width) / size[0], margin(height) / size[1]);
-    const middle = [0, 1].map((k) => face.corner[k] + face.region.page[k] / 2 - corner[k]);
-    return [width / 2 + (middle[0] - size[0] / 2) * scale, height / 2 - (middle[1] - size[1] / 2) * scale];
-  });
+  const place = await middleOfFirst(canvas);
   await page.mouse.click(box.x + place[0], box.y + place[1]);
   await until(async () => !(await faces.first().isChecked()), 'a click leaves the face');
   await page.mouse.click(box.x + place[0], box.y + place[1]);
@@ -201,7 +527,7 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'SILLON-APP');
 
-  for (const way of ['One angle', 'As the plate', 'Picture']) {
+  for (const way of ['One angle', 'By hand', 'As the plate', 'Picture']) {
     await view(visit).getByRole('radio', { name: way }).check({ force: true });
     const found = await page.evaluate(`(async () => {
       ${axe}
@@ -212,7 +538,7 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
   }
 });
 
-for (const language of ['en', 'fr']) {
+for (const language of ['en', 'fr', 'de']) {
   test(`no control of it is covered or cut, whatever the width, ${language}`, { skip }, async () => {
     const keep = await bench.browser.newContext({ reducedMotion: 'reduce', viewport: { width: 1000, height: 760 } });
     await keep.addInitScript(() => {
@@ -223,11 +549,14 @@ for (const language of ['en', 'fr']) {
     await visit.drop([fileOf('a_print_with_a_rather_long_name_for_a_button.gcode', sliced())]);
     const save = view(visit).locator('.foot button.main');
     await until(() => save.isEnabled());
-    await page.evaluate(() =>
-      document.querySelector('sillon-app').studio.store.set({ notices: [], problem: undefined }),
-    );
+    // Words about the page, which may come at any time, lie below this view.
+    await page.evaluate(() => {
+      const { studio } = document.querySelector('sillon-app');
+      studio.notify = () => undefined;
+      studio.store.set({ notices: [], problem: undefined });
+    });
     const wrong = [];
-    for (const way of [0, 1, 2]) {
+    for (const way of [0, 1, 2, 3]) {
       await view(visit).getByRole('radio').nth(way).check({ force: true });
       for (const [width, height] of [
         [320, 560],

@@ -77,21 +77,22 @@ test('the views look as they should', { skip }, async () => {
     viewport: { width: 1000, height: 700 },
     colorScheme: 'light',
     serviceWorkers: 'block',
+    visited: true,
   });
   await visit.idle();
   await visit.page.evaluate(() => {
     const { store } = document.querySelector('sillon-app').studio;
-    store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', panel: '', welcome: false });
+    store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', panel: '' });
   });
   const canvas = visit.page.locator('sillon-canvas');
-  for (const view of ['Directions', 'Toolpath', 'Appearance', 'Quality']) {
+  for (const view of ['Flow', 'Beads', 'Appearance', 'Check']) {
     await visit.view(view);
     await compare(view.toLowerCase(), () => canvas.screenshot(picture));
   }
   await visit.view('Appearance');
   await visit.button('Plain 45° zigzag').click();
   await compare('compared', () => canvas.screenshot(picture));
-  await visit.view('Toolpath');
+  await visit.view('Beads');
   await visit.page.locator('sillon-stage select').selectOption('width');
   await compare('widths', () => canvas.screenshot(picture));
 });
@@ -105,7 +106,7 @@ for (const [name, options] of [
     await visit.idle();
     await visit.page.evaluate(() => {
       const { store } = document.querySelector('sillon-app').studio;
-      store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', notices: [] });
+      store.set({ notices: [] });
     });
     await compare(name, () => visit.page.screenshot(picture));
   });

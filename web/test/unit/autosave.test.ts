@@ -1,9 +1,11 @@
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
-import { createAutosave, type Storage } from '../../src/files/autosave.js';
+import { createAutosave, type Autosave, type Kept, type Storage } from '../../src/files/autosave.js';
+import type { Locks } from '../../src/files/locks.js';
 import { newFileDirections, newPlate } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
+import type { Steps } from '../../src/model/store.js';
 import { fileOf } from './support/pictures.js';
 
 /** A browser's storage, as a Map that counts what is put into it. */
@@ -43,14 +45,64 @@ class Box implements Storage {
   }
 }
 
+/** A browser with tabs: each is told of what it lost. */
+class Browser {
+  readonly #holders = new Map<string, { tab: object; onLost: (id: string) => void }>();
+
+  tab(): Locks {
+    const tab = {};
+    return {
+      take: (id, { steal = false, onLost }) => {
+        const holder = this.#holders.get(id);
+        if (holder !== undefined && holder.tab !== tab && !steal) return Promise.resolve(false);
+        this.#holders.set(id, { tab, onLost });
+        if (holder !== undefined && holder.tab !== tab) holder.onLost(id);
+        return Promise.resolve(true);
+      },
+      held: () => Promise.resolve(new Set(this.#holders.keys())),
+      mine: (id) => this.#holders.get(id)?.tab === tab,
+    };
+  }
+  close(): void {
+    this.#holders.clear();
+  }
+}
+
 let box: Box;
+let browser: Browser;
 let problems: Problem[];
-const start = (): ReturnType<typeof createAutosave> =>
-  createAutosave({ onProblem: (problem) => problems.push(problem) }, box);
+let taken: number;
+
+/** A tab. @param session  what it remembers over a reload */
+function start(session: { id?: string } = {}): Autosave {
+  return createAutosave(
+    { onProblem: (problem) => problems.push(problem), onTaken: () => ++taken },
+    'test',
+    box,
+    browser.tab(),
+    {
+      get: () => session.id,
+      set: (id) => (session.id = id),
+    },
+  );
+}
+/** After all tabs were closed. */
+function later(): Autosave {
+  browser.close();
+  return start();
+}
+const steps = (plate: Plate): Steps => ({ past: [], plate, future: [] });
+const plateOf = (kept: Kept | undefined): Plate | undefined =>
+  kept === undefined || kept.state === 'elsewhere' ? undefined : kept.steps.plate;
+const records = (): string[] => [...box.kept.keys()].filter((key) => key.startsWith('plate/'));
+const fileKeys = (): string[] =>
+  [...box.kept.keys()].filter((key) => key.startsWith('file/')).map((key) => key.split('/').at(-1) ?? '');
 
 beforeEach(() => {
   box = new Box();
+  browser = new Browser();
   problems = [];
+  taken = 0;
   mock.timers.enable({ apis: ['setTimeout'] });
 });
 afterEach(() => {
@@ -67,6 +119,11 @@ const withFiles = (): Plate => ({
   modes: { base: 'smoothest', file: picture },
   strokes: [{ tool: 'mode', points: [0.1, 0.2, 0.3, 0.4], radius: 0.05, softness: 0.5, mode: 'parallel' }],
 });
+async function keep(autosave: Autosave, plate: Plate): Promise<Plate> {
+  autosave.save(steps(plate));
+  await autosave.flush();
+  return plate;
+}
 
 async function contents(plate: Plate | undefined): Promise<unknown> {
   assert.ok(plate?.shape.kind === 'file' && plate.directions.kind === 'tone');
@@ -77,102 +134,222 @@ async function contents(plate: Plate | undefined): Promise<unknown> {
 test('what was saved comes back after a reload, files and all', async () => {
   const first = start();
   assert.equal(await first.load(), undefined);
-  first.save(withFiles());
-  await first.flush();
-  const plate = await start().load();
+  await keep(first, withFiles());
+  const plate = plateOf(await later().load());
   assert.deepEqual(plate, withFiles());
   assert.deepEqual(await contents(plate), ['<svg/>', 'pixels', 'pixels']);
   assert.deepEqual(problems, []);
 });
 
+test('undo and redo come back with it, within bounds', async () => {
+  const first = start();
+  const plates = Array.from({ length: 200 }, (_, k) => ({ ...named(`step ${k}`), width: k + 1 }));
+  const at = 120;
+  first.save({ past: plates.slice(0, at), plate: plates[at] as Plate, future: plates.slice(at + 1).reverse() });
+  await first.flush();
+  const kept = await later().load();
+  assert.ok(kept !== undefined && kept.state !== 'elsewhere');
+  const { past, plate, future } = kept.steps;
+  assert.deepEqual(plate, plates[at]);
+  assert.deepEqual(past, plates.slice(at - 60, at));
+  assert.deepEqual(future, plates.slice(at + 1, at + 61).reverse());
+});
+
+test('strokes without end, and files that only earlier steps use, do not fill the storage', async () => {
+  const stroke = { tool: 'comb' as const, points: new Array<number>(200_000).fill(0), radius: 0.1, softness: 0 };
+  const long = (count: number): Plate => ({ ...named('long'), strokes: new Array<typeof stroke>(count).fill(stroke) });
+  const large = (id: string): Plate => ({
+    ...named('large'),
+    directions: newFileDirections('tone', { id, name: id, bytes: new Blob([new Uint8Array(20e6)]) }),
+  });
+  for (const [past, left] of [
+    [[long(1), long(1), long(1)], 2],
+    [[large('a'), large('b')], 1],
+  ] as const) {
+    box.kept.clear();
+    const autosave = start();
+    autosave.save({ past, plate: named('now'), future: [] });
+    await autosave.flush();
+    const kept = await later().load();
+    assert.ok(kept !== undefined && kept.state !== 'elsewhere');
+    assert.equal(kept.steps.past.length, left);
+  }
+});
+
 test('only the last of many changes is written, half a second after it', async () => {
   const autosave = start();
   for (const name of ['a', 'b', 'c']) {
-    autosave.save(named(name));
+    autosave.save(steps(named(name)));
     mock.timers.tick(499);
   }
   assert.deepEqual(box.puts, []);
   mock.timers.tick(1);
   await autosave.flush();
-  assert.deepEqual(box.puts, ['plate']);
-  assert.equal((await start().load())?.name, 'c');
+  assert.equal(records().length, 1);
+  assert.equal(plateOf(await later().load())?.name, 'c');
 });
 
 test('a file is written once, and thrown away with its last use', async () => {
   const autosave = start();
-  autosave.save(withFiles());
-  await autosave.flush();
-  autosave.save({ ...withFiles(), name: 'leaf 2' });
-  await autosave.flush();
-  const fileKeys = box.puts.filter((key) => key.startsWith('file/'));
-  assert.equal(fileKeys.length, 2); // the picture is used twice
-  autosave.save({ ...withFiles(), shape: { kind: 'disc' } });
-  await autosave.flush();
-  assert.deepEqual([...box.kept.keys()].sort(), [`file/${picture.id}`, 'plate']);
-  autosave.save(named('none'));
-  await autosave.flush();
-  assert.deepEqual([...box.kept.keys()], ['plate']);
-});
-
-test('files that another tab threw away are written again', async () => {
-  const autosave = start();
-  autosave.save(withFiles());
-  await autosave.flush();
-  const other = start();
-  other.save(named('other'));
-  await other.flush();
-  autosave.save({ ...withFiles(), name: 'again' });
-  await autosave.flush();
-  assert.equal((await start().load())?.name, 'again');
+  await keep(autosave, withFiles());
+  await keep(autosave, { ...withFiles(), name: 'leaf 2' });
+  assert.equal(box.puts.filter((key) => key.startsWith('file/')).length, 2); // the picture is used twice
+  await keep(autosave, { ...withFiles(), shape: { kind: 'disc' } });
+  assert.deepEqual(fileKeys(), [picture.id]);
+  await keep(autosave, named('none'));
+  assert.deepEqual(fileKeys(), []);
 });
 
 test('what has not changed is not written', async () => {
   const autosave = start();
-  const plate = named('same');
-  autosave.save(plate);
+  const plate = await keep(autosave, named('same'));
+  const puts = box.puts.length;
+  await keep(autosave, plate);
   await autosave.flush();
-  autosave.save(plate);
-  await autosave.flush();
-  await autosave.flush();
-  assert.deepEqual(box.puts, ['plate']);
+  assert.equal(box.puts.length, puts);
 });
 
-test('forgotten is forgotten, also what waited', async () => {
+test('two tabs never write the same plate', async () => {
+  const one = start();
+  const other = start();
+  await keep(one, named('one'));
+  assert.deepEqual(await other.load(), { state: 'elsewhere' });
+  await keep(other, named('other'));
+  await keep(one, named('one, changed'));
+  const names = (await later().list()).map(({ name }) => name);
+  assert.deepEqual(names.sort(), ['one, changed', 'other']);
+});
+
+test('each tab finds its own plate after a reload', async () => {
+  const sessions = [{}, {}];
+  for (const [k, session] of sessions.entries()) await keep(start(session), named(`tab ${k}`));
+  browser.close();
+  for (const [k, session] of sessions.entries()) {
+    assert.equal(plateOf(await start(session).load())?.name, `tab ${k}`);
+  }
+});
+
+test('a tab that was duplicated goes on with a copy', async () => {
+  const session: { id?: string } = {};
+  await keep(start(session), named('mine'));
+  const copy = start({ ...session });
+  const kept = await copy.load();
+  assert.equal(kept?.state, 'copy');
+  await keep(copy, { ...(plateOf(kept) as Plate), name: 'copied' });
+  assert.deepEqual((await later().list()).map(({ name }) => name).sort(), ['copied', 'mine']);
+});
+
+test('a plate of another tab is opened as a copy, or taken over: nothing is lost', async () => {
+  const one = start();
+  const mine = await keep(one, named('mine'));
+  const other = start();
+  const [listed] = await other.list();
+  assert.ok(listed?.elsewhere === true && !listed.here);
+  const copy = await other.open(listed.id);
+  assert.equal(copy?.state, 'copy');
+  other.begin(copy.steps.plate);
+  await keep(other, { ...copy.steps.plate, name: 'copied' });
+  assert.equal(taken, 0);
+  const own = await other.open(listed.id, true);
+  assert.equal(own?.state, 'own');
+  assert.equal(taken, 1);
+  other.begin(own.steps.plate);
+  await keep(other, { ...own.steps.plate, name: 'taken' });
+  await keep(one, { ...mine, name: 'went on' });
+  assert.deepEqual((await later().list()).map(({ name }) => name).sort(), ['copied', 'taken', 'went on']);
+});
+
+test('another plate has a record of its own, and undo leads back to the first one’s', async () => {
   const autosave = start();
-  autosave.save(withFiles());
+  const first = await keep(autosave, named('first'));
+  const second = named('second');
+  autosave.begin(second);
+  autosave.save({ past: [first], plate: second, future: [] });
   await autosave.flush();
-  autosave.save(named('later'));
-  await autosave.forget();
-  mock.timers.tick(1000);
-  await autosave.flush();
-  assert.equal(box.kept.size, 0);
-  autosave.save(named('new'));
-  await autosave.flush();
-  assert.equal((await start().load())?.name, 'new');
+  assert.equal(records().length, 2);
+  autosave.save({ past: [], plate: first, future: [second] });
+  await keep(autosave, { ...first, name: 'first again' });
+  const again = later();
+  const listed = await again.list();
+  assert.deepEqual(listed.map(({ name }) => name).sort(), ['first again', 'second']);
+  const kept = await again.open(listed.find(({ name }) => name === 'second')?.id ?? '');
+  assert.deepEqual(kept?.steps.past, []); // of another plate
 });
 
-test('a denied or full storage is told of once, and keeps nobody from going on', async () => {
+test('what nobody has changed goes with its tab', async () => {
+  const autosave = start();
+  const example = named('example');
+  autosave.begin(example, true);
+  await keep(autosave, example);
+  assert.equal((await autosave.list()).length, 1);
+  assert.deepEqual(await later().list(), []);
+  assert.equal(box.kept.size, 0);
+});
+
+test('plates are renamed, duplicated, deleted, and brought back', async () => {
+  const autosave = start();
+  await keep(autosave, withFiles());
+  await autosave.picture(await keep(autosave, { ...withFiles(), width: 33 }), new Blob(['small']));
+  const [{ id } = assert.fail()] = await autosave.list();
+  const other = later();
+  await other.rename(id, 'new name');
+  await other.duplicate(id, 'copy');
+  const undo = await other.remove(id);
+  assert.equal(await other.open(id), undefined);
+  const [copy] = await other.list();
+  assert.equal(copy?.name, 'copy');
+  assert.equal(await copy.picture?.text(), 'small');
+  const kept = await other.open(copy.id);
+  assert.deepEqual(await contents(kept?.steps.plate), ['<svg/>', 'pixels', 'pixels']);
+  await undo();
+  const back = await other.open(id);
+  assert.equal(back?.steps.plate.name, 'new name');
+  assert.deepEqual(await contents(back.steps.plate), ['<svg/>', 'pixels', 'pixels']);
+});
+
+test('the record of versions that knew one plate is found again, with its files', async () => {
+  const { shape: drawing, directions, modes, ...rest } = withFiles();
+  const told = ({ id, name }: { id: string; name: string }): object => ({ id, name });
+  box.kept.set('plate', {
+    version: 1,
+    files: [shape.id, picture.id],
+    plate: {
+      ...rest,
+      shape: { ...drawing, file: told(shape) },
+      directions: { ...directions, file: told(picture) },
+      modes: { ...modes, file: told(picture) },
+    },
+  });
+  box.kept.set(`file/${shape.id}`, shape.bytes);
+  box.kept.set(`file/${picture.id}`, picture.bytes);
+  const kept = await start().load();
+  assert.deepEqual(plateOf(kept), withFiles());
+  assert.deepEqual(await contents(plateOf(kept)), ['<svg/>', 'pixels', 'pixels']);
+  assert.ok(!box.kept.has('plate') && !box.kept.has(`file/${shape.id}`));
+  assert.deepEqual(plateOf(await later().load()), withFiles());
+});
+
+test('a denied or full storage is told of, once until it is mended, and keeps nobody from going on', async () => {
   box.failure = new DOMException('no room', 'QuotaExceededError');
   const autosave = start();
   assert.equal(await autosave.load(), undefined);
   assert.deepEqual(problems, []);
-  for (const name of ['a', 'b']) {
-    autosave.save(named(name));
-    await autosave.flush();
-  }
-  await autosave.forget();
-  assert.deepEqual(problems, [{ code: 'StorageFull', values: {}, detail: 'no room' }]);
+  for (const name of ['a', 'b']) await keep(autosave, named(name));
+  const told = { code: 'StorageFull', values: {}, detail: 'no room' };
+  assert.deepEqual(problems, [told]);
+  const { failure } = box;
   box.failure = undefined;
-  autosave.save(named('c'));
-  await autosave.flush();
-  assert.equal((await start().load())?.name, 'c');
+  await keep(autosave, named('c'));
+  assert.equal(plateOf(await later().load())?.name, 'c');
+  box.failure = failure;
+  await keep(autosave, named('d'));
+  assert.deepEqual(problems, [told, told]);
 });
 
 test('where the browser has no storage at all', async () => {
-  const autosave = createAutosave({ onProblem: (problem) => problems.push(problem) });
+  const autosave = createAutosave({ onProblem: (problem) => problems.push(problem) }, 'test', undefined, browser.tab());
   assert.equal(await autosave.load(), undefined);
-  autosave.save(named('a'));
-  await autosave.flush();
+  await keep(autosave, named('a'));
   assert.deepEqual(
     problems.map(({ code }) => code),
     ['StorageFull'],
@@ -183,7 +360,7 @@ test('a storage that never answers is told of', async () => {
   box.answers = new Promise(() => undefined);
   const autosave = start();
   void autosave.load();
-  autosave.save(named('a'));
+  autosave.save(steps(named('a')));
   const saving = autosave.flush();
   mock.timers.tick(10_000);
   await saving;
@@ -195,60 +372,48 @@ test('a page that is closed while an earlier plate is being written keeps the ne
   await autosave.load();
   box.answers = new Promise(() => undefined);
   for (const name of ['earlier', 'newest']) {
-    autosave.save(named(name));
+    autosave.save(steps(named(name)));
     void autosave.flush();
     await Promise.resolve(); // a closed page does what is ready, and hears no answers
   }
   box.answers = undefined;
-  assert.equal((await start().load())?.name, 'newest');
+  assert.equal(plateOf(await later().load())?.name, 'newest');
 });
 
-test('nothing is written over what was kept before that has been read', async () => {
-  const first = start();
-  first.save(named('kept'));
-  await first.flush();
-  let answer = (): void => undefined;
-  box.answers = new Promise(
-    (resolve) =>
-      (answer = () => {
-        resolve(undefined);
-      }),
-  );
+test('what is changed before what was kept has been read lies beside it', async () => {
+  await keep(start(), named('kept'));
+  browser.close();
   const autosave = start();
   const loading = autosave.load();
-  autosave.save(named('early'));
-  const saving = autosave.flush();
-  await Promise.resolve();
-  assert.deepEqual(box.puts, ['plate']);
-  answer();
-  assert.equal((await loading)?.name, 'kept');
-  await saving;
-  assert.equal((await start().load())?.name, 'early');
+  autosave.save(steps(named('early')));
+  await autosave.flush();
+  assert.equal(plateOf(await loading)?.name, 'kept');
+  assert.deepEqual((await later().list()).map(({ name }) => name).sort(), ['early', 'kept']);
 });
 
 test('an earlier plate does not throw away the files of a later one', async () => {
   const autosave = start();
-  autosave.save(withFiles());
-  await autosave.flush();
-  autosave.save(named('without'));
+  await keep(autosave, withFiles());
+  const asked = box.asked;
+  autosave.save(steps(named('without')));
   const saving = autosave.flush();
-  while (box.asked < 2) await Promise.resolve(); // it has been written, and asks what else is there
-  autosave.save(withFiles());
+  while (box.asked === asked) await Promise.resolve(); // it has been written, and asks what else is there
+  autosave.save(steps(withFiles()));
   await Promise.all([autosave.flush(), saving]);
-  assert.deepEqual(await contents(await start().load()), ['<svg/>', 'pixels', 'pixels']);
+  assert.deepEqual(await contents(plateOf(await later().load())), ['<svg/>', 'pixels', 'pixels']);
 });
 
 test('a record that cannot be one of ours is dropped', async () => {
-  const autosave = start();
-  autosave.save(withFiles());
-  await autosave.flush();
-  const good = structuredClone(box.kept.get('plate')) as Record<string, unknown>;
+  await keep(start(), withFiles());
+  const kept = structuredClone([...box.kept]);
+  const [key = ''] = records();
+  const good = box.kept.get(key) as Record<string, unknown>;
   const plate = good['plate'] as Record<string, unknown>;
-  const records: unknown[] = [
+  const wrong: unknown[] = [
     null,
     'text',
     {},
-    { ...good, version: 2 },
+    { ...good, version: 3 },
     { ...good, files: [] },
     { ...good, files: 'all' },
     { ...good, plate: undefined },
@@ -259,13 +424,20 @@ test('a record that cannot be one of ours is dropped', async () => {
     { ...good, plate: { ...plate, strokes: [{ tool: 'comb', points: [1], radius: 0.1, softness: 0 }] } },
     { ...good, plate: { ...plate, toolpath: { spacing: 1e9 } } },
   ];
-  for (const record of records) {
-    box.kept.set('plate', record);
-    assert.equal(await start().load(), undefined, JSON.stringify(record));
-    assert.ok(!box.kept.has('plate'), JSON.stringify(record));
+  for (const record of wrong) {
+    box.kept.clear();
+    for (const [name, value] of kept) box.kept.set(name, value);
+    box.kept.set(key, record);
+    assert.equal(await later().load(), undefined, JSON.stringify(record));
+    assert.equal(box.kept.size, 0, JSON.stringify(record));
   }
-  box.kept.set('plate', good);
-  box.kept.delete(`file/${shape.id}`);
-  assert.equal(await start().load(), undefined, 'a file is gone');
+  for (const [name, value] of kept) if (!name.endsWith(shape.id)) box.kept.set(name, value);
+  assert.equal(await later().load(), undefined, 'a file is gone');
+  // A step that cannot be one is left out, with all before it.
+  for (const [name, value] of kept) box.kept.set(name, value);
+  box.kept.set(key, { ...good, past: [plate, { ...plate, width: -1 }, plate] });
+  const found = await later().load();
+  assert.ok(found !== undefined && found.state !== 'elsewhere');
+  assert.equal(found.steps.past.length, 1);
   assert.deepEqual(problems, []);
 });

@@ -3,25 +3,27 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, test } from 'node:test';
 import type { Report, WarningCode } from 'sillon';
+import { c } from '../../src/i18n/calibrate.js';
+import { calibrateEn } from '../../src/i18n/calibrate-en.js';
+import { drawingEn } from '../../src/i18n/drawing-en.js';
 import { en, frame as english } from '../../src/i18n/en.js';
 import { languages, spoken } from '../../src/i18n/languages.js';
 import { r, type RebrushTextId } from '../../src/i18n/rebrush.js';
+import { rare, untoldText } from '../../src/i18n/rare.js';
+import { rareEn } from '../../src/i18n/rare-en.js';
+import { findingText, startLines, warningText } from '../../src/i18n/say-rare.js';
 import { rebrushEn } from '../../src/i18n/rebrush-en.js';
 import {
   choiceLabel,
-  findingText,
   nullLabel,
   printerLabel,
   problemWords,
   progressWords,
   settingHelp,
   settingLabel,
-  startLines,
   threadsWords,
-  untoldText,
   valueText,
   verdictText,
-  warningText,
 } from '../../src/i18n/say.js';
 import {
   formatBytes,
@@ -48,7 +50,10 @@ const placeholders = (text: string): string[] => [...new Set(text.match(/\{\w+\}
 
 /** English has words of rarely opened views in files of their own. */
 const wordsOf = async (tag: string): Promise<[string, string[]][]> =>
-  entries({ ...(tag === 'en' ? rebrushEn : {}), ...(await languages[tag]?.words()) });
+  entries({
+    ...(tag === 'en' ? { ...rareEn, ...rebrushEn, ...calibrateEn, ...drawingEn } : {}),
+    ...(await languages[tag]?.words()),
+  });
 
 test('every language has a line, a file, and words for where the studio is blocked', async () => {
   const files = readdirSync('web/src/i18n').filter((name) => /^..\.ts$/.test(name));
@@ -68,7 +73,7 @@ test('every language has a line, a file, and words for where the studio is block
 test('all languages have the same ids and placeholders, and no text is empty', async () => {
   for (const tag of spoken) {
     const own = new Map(await wordsOf(tag));
-    const english = entries({ ...en, ...rebrushEn });
+    const english = entries({ ...en, ...rareEn, ...rebrushEn, ...calibrateEn, ...drawingEn });
     assert.deepEqual([...own.keys()].sort(), english.map(([id]) => id).sort());
     for (const [id, texts] of english) {
       const said = own.get(id) ?? [];
@@ -110,6 +115,26 @@ test('no language has a straight apostrophe or quote', async () => {
     for (const [id, texts] of await wordsOf(tag)) for (const text of texts) assert.doesNotMatch(text, /['"]/, id);
 });
 
+test('what is rarely shown speaks every language, and all its words are shown', async () => {
+  const source = readdirSync('web/src', { recursive: true, encoding: 'utf8' })
+    .filter((file) => file.endsWith('.ts') && !/i18n.(\w\w|rare-en)\.ts$/.test(file))
+    .map((file) => readFileSync(join('web/src', file), 'utf8'))
+    .join('\n');
+  const built = [...source.matchAll(/`([a-z]+\.(?:[\w.]|\$\{[^}`]*\})*)`/gi)].map(
+    ([, template = '']) => new RegExp(`^${template.replace(/\$\{[^}]*\}/g, '.+')}$`),
+  );
+  for (const id of Object.keys(rareEn)) {
+    const name = id.replace('rare.', '');
+    assert.ok(source.includes(`'${name}'`) || built.some((names) => names.test(name)), `nothing shows ${id}`);
+  }
+  const said = new Set<string>();
+  for (const tag of spoken) {
+    await setLanguage(tag);
+    said.add(rare('plates.title'));
+  }
+  assert.equal(said.size, spoken.length);
+});
+
 /** What `lackOf` gives. */
 const lacks: string[] = ['nothing', 'noPicture'] satisfies RebrushTextId[];
 
@@ -131,10 +156,10 @@ test('texts that the sources name are there, and all texts are for something', (
 });
 
 test('the view that re-brushes prints speaks every language, and shows all its words', async () => {
-  const source = ['panels/rebrush-view.ts', 'panels/rebrush-bench.ts']
-    .map((file) => readFileSync(join('web/src', file), 'utf8'))
+  const source = ['view', 'foot', 'bench', 'tilted', 'faces', 'directions']
+    .map((part) => readFileSync(`web/src/panels/rebrush-${part}.ts`, 'utf8'))
     .join('\n');
-  const built = ['left', 'fit', 'way'].map((what) => `rebrush.${what}.`);
+  const built = ['left', 'fit', 'way', 'side'].map((what) => `rebrush.${what}.`);
   for (const id of Object.keys(rebrushEn)) {
     const name = id.replace('rebrush.', '');
     assert.ok(source.includes(`'${name}'`) || built.some((start) => id.startsWith(start)) || lacks.includes(name), id);
@@ -144,6 +169,27 @@ test('the view that re-brushes prints speaks every language, and shows all its w
     await setLanguage(tag);
     said.add(r('left', { n: 2 }));
     assert.doesNotMatch(r('chosen', { n: 1, all: 2, area: '3' }), /[{}]/, tag);
+  }
+  assert.equal(said.size, spoken.length);
+});
+
+test('the calibration page and the first print speak every language, and show all their words', async () => {
+  const source = readdirSync('web/src/panels')
+    .filter((name) => /^(calibrate-.*|spool-list|first-print|print-panel)\.ts$/.test(name))
+    .map((name) => readFileSync(join('web/src/panels', name), 'utf8'))
+    .join('\n');
+  const built = [...source.matchAll(/c\(`([\w.]+\.|[\w.]*)\$\{[^}`]*\}(\w*)`/g)].map(
+    ([, start = '', end = '']) => new RegExp(`^${start.replaceAll('.', '\\.')}[\\w-]+${end}$`),
+  );
+  for (const id of Object.keys(calibrateEn)) {
+    const name = id.replace('calibrate.', '');
+    assert.ok(source.includes(`'${name}'`) || built.some((names) => names.test(name)), `nothing shows ${id}`);
+  }
+  const said = new Set<string>();
+  for (const tag of spoken) {
+    await setLanguage(tag);
+    said.add(c('finds.coupon'));
+    assert.doesNotMatch(c('spools.imported', { n: 1 }), /[{}]/, tag);
   }
   assert.equal(said.size, spoken.length);
 });
@@ -270,7 +316,7 @@ test('every warning of the engine has words in every language, with its values',
           value === 'block' ? 'startGcode' : /^(field|what)$/.test(value) ? 'flow' : 12345 + k,
         ]),
       );
-      assert.ok(hasText(`warning.${code}`), `${tag} has no words for ${code}`);
+      assert.ok(`rare.warning.${code}` in rareEn, `${tag} has no words for ${code}`);
       const text = warningText({ code: code as WarningCode, values, message: '' });
       assert.doesNotMatch(text, /\{|NaN|undefined/, code);
     }
@@ -295,7 +341,6 @@ test('progress in words', () => {
   assert.deepEqual(words, {
     job: 'Laying beads',
     stage: 'Joining beads into one path',
-    percent: '99%',
     left: '1 min left',
   });
   assert.equal(progressWords({ job: 'making', stage: 'other', fraction: 0, secondsLeft: undefined }).stage, 'other');
@@ -326,10 +371,12 @@ const good: Report = {
   longestJointMm: 1,
   gapJoints: 0,
   unjoined: 0,
+  apart: [],
   time: {},
   peakBytes: 0,
   threads: 1,
   digest: '',
+  warnings: [],
   lengthMm: 24_000,
   alignment: -0.99,
   alignmentInterior: -0.99,
@@ -338,7 +385,7 @@ const good: Report = {
   overlap: 0.4,
   spill: 0,
   uTurns: 300,
-  dislocationBound: 250,
+  turnBound: 250,
   kinks: 1,
   crossings: 0,
   width: { p01: 0.8, median: 1, p99: 1.25, belowHalf: 0, clamped: 0 },
@@ -382,6 +429,7 @@ test('each measure is judged by itself, in every language', async () => {
     [{ lostAreaMm2: 1000 }, 'lost', 'poor'],
     [{ crossings: 1 }, 'crossings', 'poor'],
     [{ toolpaths: 3 }, 'path', 'good'],
+    [{ toolpaths: 3, parts: 2, unjoined: 1, apart: [[20, 9]] }, 'path', 'fair'],
   ];
   for (const tag of spoken) {
     await setLanguage(tag);

@@ -7,8 +7,8 @@ import { factsOf } from '../../src/files/guess.js';
 import { browserPicture } from '../../src/files/kind.js';
 import { hasUnits } from '../../src/files/open.js';
 import { newGenerator, newPlate } from '../../src/model/defaults.js';
-import { isOf } from '../../src/model/made.js';
-import type { Made } from '../../src/model/state.js';
+import { isOf } from '../../src/model/result.js';
+import type { PlateResult } from '../../src/model/state.js';
 import { fileOf, greyPicture } from './support/pictures.js';
 
 test('pictures that only browsers read are known by their first bytes', () => {
@@ -73,10 +73,10 @@ test('letters stay within the page, and within a disc', () => {
 
 test('figures belong to the plate that they were made of', () => {
   const plate = newPlate();
-  const made = { plate } as Made;
-  assert.ok(isOf(made, { ...plate, name: 'other', print: { ...plate.print }, printer: { ...plate.printer } }));
-  assert.ok(!isOf(made, { ...plate, width: 1000, height: 1000 }));
-  assert.ok(!isOf(made, { ...plate, toolpath: { ...plate.toolpath } }));
+  const result = { plate } as PlateResult;
+  assert.ok(isOf(result, { ...plate, name: 'other', print: { ...plate.print }, printer: { ...plate.printer } }));
+  assert.ok(!isOf(result, { ...plate, width: 1000, height: 1000 }));
+  assert.ok(!isOf(result, { ...plate, toolpath: { ...plate.toolpath } }));
   // The spool counts where pictures are made for it.
-  assert.ok(isOf(made, { ...plate, filament: 'bluePla' }));
+  assert.ok(isOf(result, { ...plate, filament: 'bluePla' }));
 });

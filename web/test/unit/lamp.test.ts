@@ -5,7 +5,7 @@ import { guessRoles } from '../../src/files/guess.js';
 import { newFileDirections, newGenerator, newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { withFilament } from '../../src/model/filaments.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
-import { greySteps, homeLight, lampFor, lampsOf, weaknessesOf } from '../../src/model/lamp.js';
+import { greySteps, homeLight, lampFor, lampsOf, leastSeen, weaknessesOf } from '../../src/model/lamp.js';
 import type { Plate } from '../../src/model/plate.js';
 import { between, near, swayed, turned } from '../../src/views/light.js';
 import { fileOf } from './support/pictures.js';
@@ -65,6 +65,7 @@ test('the engine is asked for the pictures under the spool of the plate', () => 
     lampSize: 0.1,
     smoothness: 0.05,
     localContrast: 0,
+    corrections: 0,
   });
   const same = (a: Plate, b: Plate): boolean =>
     sameToolpath({ plate: a, raster: undefined }, { plate: b, raster: undefined });
@@ -117,6 +118,9 @@ test('a spool or a lamp that shows little is told', () => {
   assert.deepEqual(weaknessesOf(blue, seen(15)), []);
   assert.deepEqual(weaknessesOf(blue, seen(3)), ['spool']);
   assert.deepEqual(weaknessesOf(blue, seen(15, 0.3)), ['unlike']);
+  const three = [...seen(15), ...seen(15, 0.57), ...seen(15, 0.8)];
+  assert.deepEqual(weaknessesOf(blue, three), ['crowded']);
+  assert.deepEqual(leastSeen(three), { n: 3, r: 0.57 });
   assert.deepEqual(weaknessesOf(withFilament(blue, 'goldPla'), undefined), ['spool']);
   const window = { ...blue, directions: { ...newLampDirections([{ file: cat, lamp: null }]), lampSize: 0.4 } };
   assert.deepEqual(weaknessesOf(window, seen(1.5)), ['window']);

@@ -8,11 +8,11 @@ import { kindOf } from '../../src/files/kind.js';
 import { identify, withFile, withFiles } from '../../src/files/open.js';
 import { encodeGreyPng } from '../../src/files/png16.js';
 import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-file.js';
-import { newFileDirections, newPlate, newShape } from '../../src/model/defaults.js';
+import { newFileDirections, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import type { Opened, Role } from '../../src/model/file-role.js';
-import { chances, fileOf, greyPicture } from './support/pictures.js';
+import { chances, colourPicture, fileOf, greyPicture } from './support/pictures.js';
 
 let engine: Engine;
 before(async () => {
@@ -97,11 +97,6 @@ const deepPicture = (width: number, height: number, at: (x: number, y: number) =
   channels: 1,
   samples: Uint16Array.from({ length: width * height }, (_, k) => 65535 * at(k % width, Math.floor(k / width))),
 });
-function colourPicture(width: number, height: number, at: (x: number, y: number) => readonly number[]): Picture {
-  const pixels = Array.from({ length: width * height }, (_, k) => at(k % width, Math.floor(k / width)));
-  return { width, height, channels: 3, samples: Uint8Array.from(pixels.flat(), (share) => Math.round(255 * share)) };
-}
-
 const chance = chances(5);
 const pictures = {
   ramp: greyPicture(64, 48, (x, y) => (x + y) / 110),
@@ -190,6 +185,19 @@ test('files that come together share the work', () => {
   assert.deepEqual(guessRoles(logo, plateWith({ directions: map, shape })), ['levels']);
 });
 
+test('a drawing of several colours tells directions, where nobody has chosen others', () => {
+  const drawing = { name: 'flag.svg', facts: undefined, colours: 3 };
+  const plain = plateWith({ directions: newGenerator('waves') });
+  assert.deepEqual(guessRoles([drawing], plain), ['colours']);
+  assert.deepEqual(guessRoles([{ ...drawing, colours: 1 }], plain), ['shape']);
+  const chosen = plateWith({ directions: newGenerator('text') });
+  assert.deepEqual(guessRoles([drawing], chosen), ['shape']);
+  const combed = { tool: 'comb', points: [0, 0, 1, 1], radius: 0.1, softness: 0 } as const;
+  assert.deepEqual(guessRoles([drawing], { ...plain, strokes: [combed] }), ['shape']);
+  const photo = { name: 'cat.png', facts: factsOf(pictures.ramp) };
+  assert.deepEqual(guessRoles([drawing, photo], plain), ['shape', 'lamp']);
+});
+
 test('every guess is allowed', () => {
   for (const picture of Object.values(pictures)) {
     for (const name of ['x', 'a_angle', 'a_rotation', 'a_tangent', 'a_mode', 'a_mask']) {
@@ -197,7 +205,7 @@ test('every guess is allowed', () => {
       assert.ok(allowedRoles(true).includes(role));
     }
   }
-  assert.deepEqual(allowedRoles(false), ['shape', 'none']);
+  assert.deepEqual(allowedRoles(false), ['shape', 'colours', 'none']);
 });
 
 // --- Into a plate ------------------------------------------------------------------------------------------------------------

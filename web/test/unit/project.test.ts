@@ -105,7 +105,7 @@ test('every kind of plate comes back as it went, with the bytes of its files', a
     {
       ...newPlate(),
       name: 'Épicéa ✨ “quoted”',
-      shape: { kind: 'file', file: leaf, unitless: 'mm' },
+      shape: { kind: 'file', file: leaf, unitless: 'mm', paint: 'shown', keepThin: true },
       directions: newFileDirections('tone', photo),
       modes: { base: 'smoothest', file: modeMap },
       strokes: [stroke, { ...stroke, tool: 'mode', mode: 'orthogonal' }, { ...stroke, tool: 'erase' }],

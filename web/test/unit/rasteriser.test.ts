@@ -6,7 +6,8 @@ import type { Picture } from 'sillon';
 
 import { createRasteriser, type Wanted } from '../../src/directions/rasteriser.js';
 import { rasterise } from '../../src/directions/rasterise.js';
-import { createServer, type Request } from '../../src/directions/serve.js';
+import type { Request } from '../../src/directions/request.js';
+import { createServer } from '../../src/directions/serve.js';
 import { newFileDirections, newGenerator } from '../../src/model/defaults.js';
 import type { SourceFile, Stroke } from '../../src/model/plate.js';
 import { fileOf, greyPicture } from './support/pictures.js';

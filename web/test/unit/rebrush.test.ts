@@ -1,11 +1,25 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { PrintRelief, SlicedSurface } from 'sillon';
+import { storeDegrees } from '../../src/directions/angle.js';
+import { handRaster } from '../../src/directions/hand.js';
 import { brushedName, seemsSliced } from '../../src/files/sliced.js';
 import { newPlate } from '../../src/model/defaults.js';
-import type { DirectionSource, SourceFile } from '../../src/model/plate.js';
-import { howOf, lackOf, topsOf, type Wish } from '../../src/model/rebrush.js';
+import type { DirectionSource, SourceFile, Stroke } from '../../src/model/plate.js';
+import { boxOf, facesOf, howOf, lackOf, type Wish } from '../../src/model/rebrush.js';
+import {
+  fitted,
+  isBelow,
+  magnified,
+  orbited,
+  placeUnder,
+  seenAt,
+  shifted,
+  steepest,
+  turnedOver,
+} from '../../src/views/orbit.js';
 import { shadedRelief } from '../../src/views/relief.js';
+import { seenCycles, seenRuns } from '../../src/views/seen-lines.js';
 
 const surface = (side: 'top' | 'bottom', areaMm2: number, left = ''): SlicedSurface => ({
   side,
@@ -26,13 +40,16 @@ const surface = (side: 'top' | 'bottom', areaMm2: number, left = ''): SlicedSurf
 });
 const picture: SourceFile = { id: 'p', name: 'p.png', bytes: new Blob(['p']) };
 const wish = (change: Partial<Wish>): Wish => ({
+  side: 'top',
   chosen: new Set([1, 3]),
   way: 'angle',
   angle: 40,
   picture: undefined,
   lamp: [60, 35],
   spool: 'bluePla',
+  own: undefined,
   fit: 'object',
+  strokes: [],
   ...change,
 });
 
@@ -57,7 +74,10 @@ test('the new file is called after the old one, and is of the same kind', () => 
 });
 
 test('top faces come largest first, each with its place in the list', () => {
-  const faces = topsOf([surface('bottom', 9), surface('top', 1), surface('top', 5, 'it is narrow'), surface('top', 3)]);
+  const faces = facesOf(
+    [surface('bottom', 9), surface('top', 1), surface('top', 5, 'it is narrow'), surface('top', 3)],
+    'top',
+  );
   assert.deepEqual(
     faces.map(({ index, areaMm2 }) => [index, areaMm2]),
     [
@@ -69,11 +89,25 @@ test('top faces come largest first, each with its place in the list', () => {
 });
 
 test('the engine is asked for what was chosen, and for no list where all are', () => {
-  const all = topsOf([surface('bottom', 9), surface('top', 1), surface('bottom', 2), surface('top', 3)]);
-  const more = topsOf([surface('bottom', 9), surface('top', 1), surface('top', 2), surface('top', 3)]);
+  const all = facesOf([surface('bottom', 9), surface('top', 1), surface('bottom', 2), surface('top', 3)], 'top');
+  const more = facesOf([surface('bottom', 9), surface('top', 1), surface('top', 2), surface('top', 3)], 'top');
   const plate = newPlate();
   assert.deepEqual(howOf(wish({}), all, plate, undefined), { directions: { angle: 40 } });
   assert.deepEqual(howOf(wish({ chosen: new Set([3, 1]) }), more, plate, undefined).only, [1, 3]);
+
+  // Bottoms are asked for by their side, or by their places.
+  const surfaces = [surface('bottom', 9), surface('top', 1), surface('bottom', 2)];
+  const bottoms = facesOf(surfaces, 'bottom');
+  const chosen = new Set([0, 2]);
+  assert.deepEqual(
+    bottoms.map(({ index }) => index),
+    [0, 2],
+  );
+  assert.equal(howOf(wish({ side: 'bottom', chosen }), bottoms, plate, undefined).sides, 'bottom');
+  const both = facesOf(surfaces, 'both');
+  assert.equal(howOf(wish({ side: 'both', chosen: new Set([0, 1, 2]) }), both, plate, undefined).sides, 'both');
+  const some = howOf(wish({ side: 'both', chosen }), both, plate, undefined);
+  assert.deepEqual([some.sides, some.only], [undefined, [0, 2]]);
 
   const lit = howOf(wish({ way: 'picture', picture }), all, plate, undefined);
   assert.deepEqual(lit, {
@@ -116,4 +150,130 @@ test('a relief is lit from the upper left, darker where it is low, and clear bes
   const flat = { ...relief, heights: heights.map((_, k) => (k % side < 4 ? 1 : 10)) };
   const lit = shadedRelief(flat, [200, 200, 200]);
   assert.ok((lit[4 * (4 * side + 1)] ?? 0) < (lit[4 * (4 * side + 7)] ?? 0));
+});
+
+test('strokes lie where they were drawn on the bed, and the angle everywhere else', () => {
+  const stroke: Stroke = { tool: 'comb', points: [110, 60, 130, 60], radius: 3, softness: 0 };
+  const box = { corner: [100, 50], size: [40, 20] } as const;
+  const { width, height, angle, mode } = handRaster([stroke], box, 90, 400);
+  assert.deepEqual([width, height], [400, 200]);
+  for (let row = 0; row < height; ++row) {
+    for (let column = 0; column < width; ++column) {
+      const [x, y] = [100 + (column + 0.5) / 10, 60 + (100 - row - 0.5) / 10];
+      const away = Math.hypot(x - Math.min(130, Math.max(110, x)), y - 60);
+      const k = row * width + column;
+      assert.equal(mode[k], 3);
+      if (away < 2.9) assert.equal(angle[k], storeDegrees(0), `${x} ${y}`);
+      if (away > 3.1) assert.equal(angle[k], storeDegrees(90), `${x} ${y}`);
+    }
+  }
+  // A mode is painted, and the eraser brings back what was there.
+  const painted = handRaster([{ ...stroke, tool: 'mode', mode: 'parallel' }], box, 90, 400);
+  assert.equal(painted.mode[100 * 400 + 200], 0);
+  const erased = handRaster([stroke, { ...stroke, tool: 'erase', radius: 4 }], box, 90, 400);
+  assert.ok(erased.angle.every((value) => value === storeDegrees(90)));
+});
+
+test('a hand draws on the box of what is chosen and free, which the engine is told to stretch it over', () => {
+  const at = (x: number, y: number, left = ''): SlicedSurface => ({
+    ...surface('top', 9, left),
+    region: { page: [10, 5], paths: [] },
+    corner: [x, y],
+  });
+  const faces = facesOf([at(0, 0), at(20, 40), at(50, 10), at(90, 90, 'it is narrow')], 'top');
+  const chosen = wish({ way: 'hand', chosen: new Set([1, 2, 3]) });
+  assert.deepEqual(boxOf(chosen, faces), { corner: [20, 10], size: [40, 35] });
+  const raster = handRaster([], boxOf(chosen, faces), 40, 64);
+  const how = howOf(chosen, faces, newPlate(), raster);
+  assert.equal(how.fit, 'all');
+  assert.equal((how.directions as { encoding: string }).encoding, 'angle');
+  assert.deepEqual(how.only, [1, 2, 3]);
+});
+
+test('of a line that passes under something its visible stretches are left', () => {
+  const right = (x: number): boolean => x > 0;
+  const square = [-1, -1, 1, -1, 1, 1, -1, 1];
+  assert.deepEqual(seenRuns(square, right), [[1, -1, 1, 1]]);
+  assert.deepEqual(
+    seenRuns(square, () => true),
+    [[...square, -1, -1]],
+  );
+  assert.deepEqual(
+    seenRuns(square, () => false),
+    [],
+  );
+  const cycle = { points: Float32Array.from(square), widths: Float32Array.of(0.4, 0.4, 0.4, 0.4) };
+  assert.deepEqual(
+    seenCycles(cycle, 0.1, () => true),
+    [cycle],
+  );
+  const [half, ...others] = seenCycles(cycle, 0.1, right);
+  assert.equal(others.length, 0);
+  // There and back: it ends beside its beginning, and no point of it is hidden.
+  assert.ok(half);
+  const { points } = half;
+  for (let k = 0; k < points.length; k += 2) assert.ok((points[k] as number) > 0);
+  const least = Math.min(...points.filter((_, k) => k % 2 === 0));
+  assert.ok(least < 0.11);
+});
+
+test('a print that is turned and tilted is found under the pointer where it is seen', () => {
+  const [columns, rows, cell] = [60, 40, 0.5];
+  const heights = new Float32Array(columns * rows).fill(2);
+  // A block 6 mm high on the left half, which hides what lies behind it.
+  for (let row = 0; row < rows; ++row) heights.fill(6, row * columns, row * columns + columns / 2);
+  const relief: PrintRelief = { corner: [0, 0], cell, columns, rows, heights };
+  for (const turn of [0, 0.7, 2, 4]) {
+    for (const tilt of [0, 0.5, 1]) {
+      const orbit = fitted({ turn, tilt }, [30, 20, 6], [800, 600], 24);
+      // The middle of the block's top, and its corners fit on the screen.
+      const at = seenAt(orbit, [-7.5, 2, 6]);
+      const place = placeUnder(orbit, relief, ...at);
+      assert.ok(place && Math.hypot(place[0] - 7.5, place[1] - 12) < 0.6, `${turn} ${tilt}: ${String(place)}`);
+      for (const [x, y] of [
+        [-15, -10],
+        [15, -10],
+        [15, 10],
+        [-15, 10],
+      ] as const) {
+        for (const z of [0, 6]) {
+          const [u, v] = seenAt(orbit, [x, y, z]);
+          assert.ok(u >= 0 && u <= 800 && v >= 0 && v <= 600, `${u} ${v}`);
+        }
+      }
+      assert.equal(placeUnder(orbit, relief, -500, -500), undefined);
+      // Nearer, and the same place stays under the pointer.
+      const near = magnified(orbit, 3, ...at, 0.1, 1000);
+      assert.deepEqual(seenAt(near, [-7.5, 2, 6]).map(Math.round), at.map(Math.round));
+    }
+  }
+  // From below it is the bottom that lies under the pointer, and left is right once the print is turned over.
+  for (const turn of [0, 0.7, 2, 4]) {
+    for (const tilt of [Math.PI, 2.6, 2]) {
+      const orbit = fitted({ turn, tilt }, [30, 20, 6], [800, 600], 24);
+      const at = seenAt(orbit, [-7.5, 2, 0]);
+      const place = placeUnder(orbit, relief, ...at);
+      assert.ok(place && Math.hypot(place[0] - 7.5, place[1] - 12) < 1e-6, `${turn} ${tilt}: ${String(place)}`);
+      assert.equal(placeUnder(orbit, relief, -500, -500), undefined);
+      const seen = [
+        [0, 0],
+        [1, 0],
+        [0, 1],
+      ].map(([x = 0, y = 0]) => seenAt(orbit, [x, y, 0]));
+      const [[x0, y0], [x1, y1], [x2, y2]] = seen as [[number, number], [number, number], [number, number]];
+      assert.ok((x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0) > 0, 'mirrored'); // y is down on the screen
+    }
+  }
+  const above = { turn: 6, tilt: 1, scale: 1, x: 0, y: 0 };
+  assert.deepEqual([isBelow(above), isBelow(turnedOver(above))], [false, true]);
+  assert.deepEqual(turnedOver(turnedOver(above)), above);
+  // A hand turns it on its side of the bed only.
+  assert.equal(orbited(turnedOver(above), 0, -9).tilt, Math.PI - steepest);
+  assert.equal(orbited(turnedOver(above), 0, 9).tilt, Math.PI);
+  assert.equal(orbited({ turn: 6, tilt: 1, scale: 1, x: 0, y: 0 }, 1, 9).tilt, steepest);
+  assert.ok(Math.abs(orbited({ turn: 6, tilt: 1, scale: 1, x: 0, y: 0 }, 1, -9).turn - (7 - 2 * Math.PI)) < 1e-9);
+  // Moved, and never out of sight.
+  const still = { turn: 1, tilt: 1, scale: 2, x: 400, y: 300 };
+  assert.deepEqual(shifted(still, 30, -20, [800, 600]), { ...still, x: 430, y: 280 });
+  assert.deepEqual(shifted(still, 900, -900, [800, 600]), { ...still, x: 800, y: 0 });
 });

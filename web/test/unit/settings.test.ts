@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { newPlate, printDefaults, printerDefaults, toolpathDefaults } from '../../src/model/defaults.js';
 import { filamentOf, filaments, lookOf, withFilament } from '../../src/model/filaments.js';
+import type { Plate } from '../../src/model/plate.js';
 import { printers, profileOf, withPrinter } from '../../src/model/printers.js';
 import {
   accepts,
@@ -202,6 +203,20 @@ test('every printer has values that the engine takes, a bed, and a name of its o
   }
   assert.equal(names.size, printers.length);
   assert.equal(profileOf({ ...printerDefaults, name: 'Mine' }), undefined);
+});
+
+test('pressure advance is the maker’s for printer, filament and nozzle, unless it is one’s own', () => {
+  const of = (plate: Plate): number | undefined =>
+    plate.printer.setPressureAdvance ? plate.printer.pressureAdvance : undefined;
+  const mk4s = withPrinter(newPlate(), 'prusa-mk4s');
+  assert.equal(of(newPlate()), undefined);
+  assert.equal(of(mk4s), 0.036);
+  assert.equal(of(withFilament(mk4s, 'redPetg')), 0.053);
+  assert.equal(of(withNozzle(withFilament(mk4s, 'redPetg'), 0.6)), 0.032);
+  assert.equal(of(withPrinter(withNozzle(newPlate(), 0.6), 'prusa-mini')), 0.17);
+  assert.equal(of(withPrinter(mk4s, 'creality-ender-3-v2')), undefined);
+  const own = { ...mk4s, printer: { ...mk4s.printer, pressureAdvance: 0.044 } };
+  assert.equal(of(withNozzle(withFilament(own, 'redPetg'), 0.6)), 0.044);
 });
 
 test('printers share no lists that a change of one could spoil', () => {

@@ -4,7 +4,7 @@ import type {
   Engine,
   EngineInfo,
   GenerateOptions,
-  Plate as MadePlate,
+  ToolpathResult,
   PlateInput,
   Report,
   Toolpath,
@@ -18,7 +18,7 @@ import { TimeLeft } from '../../src/model/time-left.js';
 import { newGenerator, newPlate } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
-import type { Made, Progress } from '../../src/model/state.js';
+import type { PlateResult, Progress } from '../../src/model/state.js';
 
 const turn = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
 
@@ -47,8 +47,8 @@ class Bench {
   loadError: Error | undefined;
   disposed = 0;
   calls: Call[] = [];
-  written: { toolpath: Toolpath; printer: unknown }[] = [];
-  made: Made[] = [];
+  written: { toolpath: Toolpath; printer: unknown; below: Toolpath | undefined }[] = [];
+  results: PlateResult[] = [];
   progress: (Progress | undefined)[] = [];
   problems: (Problem | undefined)[] = [];
   info: EngineInfo[] = [];
@@ -64,7 +64,7 @@ class Bench {
       now: () => this.time,
     },
     {
-      onMade: (made) => this.made.push(made),
+      onResult: (result) => this.results.push(result),
       onProgress: (progress) => this.progress.push(progress),
       onProblem: (problem) => this.problems.push(problem),
       onInfo: (info) => this.info.push(info),
@@ -73,7 +73,7 @@ class Bench {
 
   readonly engine = {
     info: { version: '1', variant: 'st', threads: 1, reason: '' },
-    generateToolpath: (input: PlateInput, params: ToolpathParams, options: GenerateOptions): Promise<MadePlate> =>
+    generateToolpath: (input: PlateInput, params: ToolpathParams, options: GenerateOptions): Promise<ToolpathResult> =>
       new Promise((resolve, reject) => {
         this.mostRunning = Math.max(this.mostRunning, ++this.running);
         const end = (): void => {
@@ -106,9 +106,14 @@ class Bench {
           },
         });
       }),
-    writeGcode: (toolpath: Toolpath, printer: unknown, _print: unknown, { signal }: { signal: AbortSignal }) =>
+    writeGcode: (
+      toolpath: Toolpath,
+      printer: unknown,
+      _print: unknown,
+      { signal, below }: { signal: AbortSignal; below?: Toolpath },
+    ) =>
       new Promise((resolve, reject) => {
-        this.written.push({ toolpath, printer });
+        this.written.push({ toolpath, printer, below });
         signal.addEventListener('abort', () => {
           reject(signal.reason as Error);
         });
@@ -166,13 +171,13 @@ test('a resting plate is made whole, shown, then measured; the measured one has 
   assert.equal(bench.call.options.measure, false);
   assert.equal(bench.call.params.spacing, plate.toolpath.spacing);
   await bench.call.finish();
-  assert.equal(bench.made.length, 1);
-  assert.deepEqual([bench.made[0]?.coarse, bench.made[0]?.measured], [false, false]);
+  assert.equal(bench.results.length, 1);
+  assert.deepEqual([bench.results[0]?.coarse, bench.results[0]?.measured], [false, false]);
   assert.equal(bench.call.options.measure, true);
   await bench.call.finish();
-  assert.equal(bench.made[1]?.measured, true);
-  assert.equal(bench.made[1].toolpath.cycles, bench.made[0]?.toolpath.cycles);
-  assert.deepEqual(bench.made[1].toolpath.notes, ['measured']);
+  assert.equal(bench.results[1]?.measured, true);
+  assert.equal(bench.results[1].toolpath.cycles, bench.results[0]?.toolpath.cycles);
+  assert.deepEqual(bench.results[1].toolpath.notes, ['measured']);
   assert.equal(bench.progress.at(-1), undefined);
   assert.equal(bench.running, 0);
 });
@@ -183,7 +188,7 @@ test('while a hand moves there are previews, the whole plate comes when it rests
   assert.ok((bench.call.params.spacing ?? 0) > 0.4, 'the preview is as fine as the plate');
   assert.equal(bench.call.options.measure, false);
   await bench.call.finish();
-  assert.equal(bench.made.at(-1)?.coarse, true);
+  assert.equal(bench.results.at(-1)?.coarse, true);
   assert.equal(bench.running, 0, 'the whole plate was begun under a moving hand');
   mock.timers.tick(249);
   await turn();
@@ -192,7 +197,7 @@ test('while a hand moves there are previews, the whole plate comes when it rests
   await turn();
   assert.equal(bench.call.params.spacing, 0.4);
   await bench.finishAll();
-  assert.equal(bench.made.at(-1)?.measured, true);
+  assert.equal(bench.results.at(-1)?.measured, true);
 });
 
 test('of updates under a running preview only the newest is made, and none is starved', async () => {
@@ -204,12 +209,12 @@ test('of updates under a running preview only the newest is made, and none is st
   await bench.call.finish();
   assert.equal(bench.calls.length, 2);
   assert.deepEqual(
-    bench.made.map(({ plate }) => plate.width),
+    bench.results.map(({ plate }) => plate.width),
     [200],
   );
   await bench.call.finish();
   assert.deepEqual(
-    bench.made.map(({ plate }) => plate.width),
+    bench.results.map(({ plate }) => plate.width),
     [200, 209],
   );
   assert.equal(bench.mostRunning, 1);
@@ -222,7 +227,7 @@ test('small plates need no preview, and are not restarted by every move', async 
   bench.studio.update(plateOf(21), raster, { live: true });
   assert.equal(bench.call.options.signal?.aborted, false);
   await bench.call.finish();
-  assert.equal(bench.made.at(-1)?.coarse, false);
+  assert.equal(bench.results.at(-1)?.coarse, false);
   await bench.call.finish();
   // When the hand rests nothing has to be made again.
   mock.timers.tick(250);
@@ -237,14 +242,14 @@ test('a change stops the whole plate and its measures at once', async () => {
   bench.studio.update(plateOf(51), raster);
   assert.equal(first.options.signal?.aborted, true);
   await turn();
-  assert.equal(bench.made.length, 0);
+  assert.equal(bench.results.length, 0);
   await bench.call.finish();
   assert.equal(bench.call.options.measure, true);
   const measuring = bench.call;
   bench.studio.update(plateOf(52), raster);
   assert.equal(measuring.options.signal?.aborted, true);
   await bench.finishAll();
-  assert.equal(bench.made.at(-1)?.plate.width, 52);
+  assert.equal(bench.results.at(-1)?.plate.width, 52);
   assert.equal(bench.mostRunning, 1);
 });
 
@@ -273,7 +278,7 @@ test('cancel stops the job and waits for the next change', async () => {
   await turn();
   assert.equal(bench.calls.length, 2);
   await bench.finishAll();
-  assert.equal(bench.made.at(-1)?.measured, true);
+  assert.equal(bench.results.at(-1)?.measured, true);
 });
 
 test('cancel under a hand that moves does not let the whole plate come', async () => {
@@ -344,10 +349,33 @@ test('G-code waits for the whole, measured path and takes the printer of now', a
   assert.equal(bench.written[0].printer, printing.printer);
   assert.equal(bench.progress.at(-1)?.job, 'writing');
   mock.timers.tick(50);
-  const { gcode, made } = await done;
+  const { gcode, result } = await done;
   assert.equal(await gcode.blob.text(), 'G28');
-  assert.equal(made.measured, true);
+  assert.equal(result.measured, true);
   assert.equal(bench.progress.at(-1), undefined);
+});
+
+test('a base layer across the beads has a path of its own, made for the G-code alone', async () => {
+  const plate = plateOf(200);
+  bench.studio.update(plate, raster);
+  const printing: Plate = { ...plate, print: { ...plate.print, basePattern: 'across' } };
+  const done = bench.studio.gcode(printing);
+  await bench.finishAll();
+  assert.deepEqual(bench.calls.at(-1)?.options.across, true);
+  assert.deepEqual(bench.calls.at(-1)?.input, bench.calls[0]?.input);
+  mock.timers.tick(50);
+  await done;
+  const [file] = bench.written;
+  assert.deepEqual(file?.toolpath.notes, ['measured']);
+  assert.deepEqual(file.below?.notes, []);
+  // Without base layers there is nothing to cross.
+  const plain = bench.studio.gcode({ ...printing, print: { ...printing.print, base: 0 } });
+  const before = bench.calls.length;
+  await bench.finishAll();
+  mock.timers.tick(50);
+  await plain;
+  assert.equal(bench.calls.length, before);
+  assert.equal(bench.written[1]?.below, undefined);
 });
 
 test('the base body is of the shape that is filled, and takes the layers of now', async () => {
@@ -454,6 +482,14 @@ test('a file is handed over with the width of its page', () => {
     pageWidth: 70,
     unitless: 'mm',
     paint: 'ignore',
+  });
+  const read = (shape: object): unknown =>
+    engineInput({ plate: { ...plate, shape: { ...plate.shape, ...shape } }, raster }).input.shape;
+  assert.deepEqual(read({ paint: 'shown', keepThin: true }), {
+    file: bytes,
+    pageWidth: 70,
+    unitless: 'mm',
+    keepThin: true,
   });
 });
 

@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import type { Toolpath } from 'sillon';
 import { widthHistogram } from '../../src/panels/histogram.js';
 import { panned, zoomed } from '../../src/views/camera.js';
+import { conflictPixels } from '../../src/views/conflict.js';
 import { findGaps } from '../../src/views/gaps.js';
 import { findMarks } from '../../src/views/marks.js';
 import { directionPalette, rampColour } from '../../src/views/palette.js';
@@ -57,6 +58,13 @@ test('an empty square is one place, where it is; a filled one is none', () => {
   const places = findGaps(toolpath(short, widths), 100);
   assert.equal(places[0]?.kind, 'lost');
   assert.ok(Math.abs(places[0].x - 17) < 0.3 && Math.abs(places[0].y - 5) < 0.3, `${places[0].x}, ${places[0].y}`);
+});
+
+test('what was widened to a bead is marked first', () => {
+  const all = toolpath([], []);
+  const [first, second] = findMarks({ ...all, shape: { ...all.shape, kept: [[3, 4, 1.5, 0.3]] } });
+  assert.deepEqual(first, { x: 3, y: 4, kind: 'kept' });
+  assert.equal(second?.kind, 'lost'); // the shape, all empty
 });
 
 test('what is outside of the shape, and in its holes, does not count as empty', () => {
@@ -208,4 +216,13 @@ test('a drag moves the page with the hand, and not out of sight', () => {
   assert.deepEqual(panned(camera, 8, 4, [30, 40], 0.5), { x: 8, y: 21, scale: 4 });
   assert.deepEqual(panned(camera, 1e6, 1e6, [30, 40], 0.5), { x: -15, y: 60, scale: 4 });
   assert.deepEqual(panned(camera, -1e6, -1e6, [30, 40], 0.5), { x: 45, y: -20, scale: 4 });
+});
+
+test('where light is missing is amber, where there is too much teal, and what nobody sees is clear', () => {
+  const pixels = conflictPixels(Int8Array.of(0, 3, 60, -60, 22));
+  const alpha = (cell: number): number => pixels[4 * cell + 3] as number;
+  assert.deepEqual([alpha(0), alpha(1), alpha(2), alpha(3)], [0, 0, 230, 230]);
+  assert.equal(alpha(4), 115);
+  assert.ok((pixels[8] as number) > 200 && (pixels[10] as number) < 60, 'amber');
+  assert.ok((pixels[12] as number) < 60 && (pixels[14] as number) > 190, 'teal');
 });

@@ -31,9 +31,17 @@ export async function start() {
   return {
     browser,
     origin: site.origin,
-    /** @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `keep`: a
-     * context to open it in */
-    async open({ small = false, path = small ? `/${smallPlate}` : '/', keep, ...options } = {}) {
+    /** @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `visited`: the
+     * visitor has been here before, so that it begins with a new plate; `keep`: a context to open it in; `places`: it may ask
+     * for files that can be saved in their place */
+    async open({
+      small = false,
+      visited = false,
+      path = small ? `/${smallPlate}` : '/',
+      keep,
+      places = false,
+      ...options
+    } = {}) {
       const context =
         keep ??
         (await browser.newContext({
@@ -43,6 +51,13 @@ export async function start() {
           acceptDownloads: true,
           ...options,
         }));
+      // Playwright answers inputs alone; files in their place have a test of their own.
+      if (!places) await context.addInitScript(() => delete globalThis.showOpenFilePicker);
+      if (visited) {
+        await context.addInitScript(() => {
+          localStorage.setItem('sillon.welcomed', 'yes');
+        });
+      }
       const page = await context.newPage();
       page.setDefaultTimeout(patience);
       const problems = [];
@@ -71,8 +86,8 @@ class Visit {
     await this.page.waitForFunction(() => {
       const state = document.querySelector('sillon-app')?.studio.store.state;
       return (
-        state?.made?.measured === true &&
-        !state.made.coarse &&
+        state?.result?.measured === true &&
+        !state.result.coarse &&
         state.summary !== undefined &&
         state.progress === undefined
       );
@@ -84,8 +99,9 @@ class Visit {
     return this.page.evaluate(`(${read})(document.querySelector('sillon-app').studio.store.state)`);
   }
 
-  /** Waits until a function of the state gives true. */
+  /** Waits until a function of the state gives true: the page's language comes before the studio does. */
   async until(read) {
+    await this.page.waitForFunction(() => document.querySelector('sillon-app')?.studio !== undefined);
     await until(() => this.state(read), read);
   }
 
@@ -125,6 +141,7 @@ class Visit {
   }
 
   async #hand(way, files, text) {
+    await this.page.locator('sillon-app').waitFor({ state: 'attached' });
     await this.page.evaluate(
       ({ way, files, text }) => {
         const transfer = new DataTransfer();

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 /** For what must come [ms]: far more than a slow machine that is busy with other things takes. */
 export const patience = 180_000;
 
-/** The record that the studio keeps of work in a frame or page, or null: as it stands in the browser's storage now.
+/** The plate of a frame or page that the studio kept last, or null: as it stands in the browser's storage now.
  * @param host  a site's origin and the name that it gave the work; '': the studio's own */
 export const keptPlate = (frame, host = '') =>
   frame.evaluate(async (name) => {
@@ -16,8 +16,11 @@ export const keptPlate = (frame, host = '') =>
     if (!(await indexedDB.databases()).some((one) => one.name === name)) return null;
     const database = await answered(indexedDB.open(name));
     try {
-      const record = await answered(database.transaction('work').objectStore('work').get('plate'));
-      return record?.plate ?? null;
+      const work = database.transaction('work').objectStore('work');
+      const ids = (await answered(work.getAllKeys())).flatMap((key) => /^about\/(.+)$/.exec(key)?.[1] ?? []);
+      const abouts = await Promise.all(ids.map((id) => answered(work.get(`about/${id}`))));
+      const last = ids.toSorted((a, b) => abouts[ids.indexOf(b)].changed - abouts[ids.indexOf(a)].changed)[0];
+      return last === undefined ? null : (await answered(work.get(`plate/${last}`))).plate;
     } finally {
       database.close();
     }

@@ -9,6 +9,12 @@ export function greyPicture(width: number, height: number, at: (x: number, y: nu
   return { width, height, channels: 1, samples };
 }
 
+/** A picture of red, green and blue by a formula. @param at  0..1 each at a texel */
+export function colourPicture(width: number, height: number, at: (x: number, y: number) => readonly number[]): Picture {
+  const pixels = Array.from({ length: width * height }, (_, k) => at(k % width, Math.floor(k / width)));
+  return { width, height, channels: 3, samples: Uint8Array.from(pixels.flat(), (share) => Math.round(255 * share)) };
+}
+
 export const fileOf = (name: string, content: BlobPart = name): SourceFile => ({
   id: `id of ${name}`,
   name,

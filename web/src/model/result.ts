@@ -1,22 +1,29 @@
 // What of a plate is the same in another.
 import { sameSpool } from './lamp.js';
 import type { Plate } from './plate.js';
-import type { Made } from './state.js';
+import type { PlateResult } from './state.js';
 
 /** Whether codes and letters must stay within the ellipse of the page. */
 export const isRound = ({ shape, directions }: Plate): boolean =>
   shape.kind === 'disc' && (directions.kind === 'qr' || directions.kind === 'text');
+
+/** The shape that codes and letters must stay within, where it is neither its page nor the ellipse of that. */
+export const roomShape = ({ shape, directions }: Plate): Plate['shape'] | undefined =>
+  (shape.kind === 'file' || shape.kind === 'rounded') && (directions.kind === 'qr' || directions.kind === 'text')
+    ? shape
+    : undefined;
 
 export const sameSource = (a: Plate, b: Plate): boolean =>
   a.directions === b.directions &&
   a.modes === b.modes &&
   a.width === b.width &&
   a.height === b.height &&
-  isRound(a) === isRound(b);
+  isRound(a) === isRound(b) &&
+  roomShape(a) === roomShape(b);
 
 export const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.strokes && sameSource(a, b);
 
 /** Whether it is the plate's path: all but printer, print and looks are the same. Asked for the file of another, the engine
  * would begin it, also where it has just been cancelled. */
-export const isOf = ({ plate: of }: Made, plate: Plate): boolean =>
+export const isOf = ({ plate: of }: Pick<PlateResult, 'plate'>, plate: Plate): boolean =>
   sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath && sameSpool(of, plate);

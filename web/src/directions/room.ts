@@ -1,0 +1,67 @@
+// Where a box of letters or modules lies whole inside a shape.
+import type { Size } from './texels.js';
+
+/** What of the page is inside the shape: rows from the top, 1 inside. */
+export interface Room extends Size {
+  /** Equal keys, equal rooms. */
+  key: number;
+  inside: Uint8Array;
+}
+
+export interface Place {
+  /** 0..1: how much smaller the box must be. */
+  scale: number;
+  /** Of its middle, shares of the page, from the left and from the top. */
+  x: number;
+  y: number;
+}
+
+/** The largest box of these proportions that lies inside, no larger than wanted; where there are several, nearest to the middle
+ * of the page. @param wide, tall  as wanted, shares of the page; one texel is left around it */
+export function placeIn(wide: number, tall: number, { width, height, inside }: Room): Place {
+  // Sums over all texels above and to the left: a box is inside where its sum is its area.
+  const stride = width + 1;
+  const sums = new Uint32Array(stride * (height + 1));
+  for (let row = 0; row < height; ++row) {
+    for (let column = 0, line = 0; column < width; ++column) {
+      line += inside[row * width + column] as number;
+      sums[(row + 1) * stride + column + 1] = (sums[row * stride + column + 1] as number) + line;
+    }
+  }
+  const find = (scale: number): Place | undefined => {
+    const [columns, rows] = [Math.ceil(wide * scale * width) + 2, Math.ceil(tall * scale * height) + 2];
+    let best: Place | undefined;
+    let nearest = Infinity;
+    for (let row = 0; row + rows <= height; ++row) {
+      for (let column = 0; column + columns <= width; ++column) {
+        const [top, low] = [row * stride + column, (row + rows) * stride + column];
+        const sum =
+          (sums[low + columns] as number) -
+          (sums[low] as number) -
+          (sums[top + columns] as number) +
+          (sums[top] as number);
+        if (sum < rows * columns) continue;
+        const [x, y] = [(column + columns / 2) / width, (row + rows / 2) / height];
+        const away = Math.hypot(x - 0.5, ((y - 0.5) * height) / width);
+        if (away >= nearest) continue;
+        nearest = away;
+        best = { scale, x, y };
+      }
+    }
+    return best;
+  };
+  let found: Place | undefined = find(1);
+  if (found !== undefined) return found;
+  let low = 0;
+  let high = 1;
+  for (let k = 0; k < 9; ++k) {
+    const scale: number = (low + high) / 2;
+    const place: Place | undefined = find(scale);
+    if (place === undefined) high = scale;
+    else {
+      low = scale;
+      found = place;
+    }
+  }
+  return found ?? { scale: 1, x: 0.5, y: 0.5 }; // nothing fits: it is cut wherever it lies
+}

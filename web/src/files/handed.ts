@@ -1,0 +1,42 @@
+// Files that the system hands to the installed page: shared from another app, or opened with it.
+
+/** As service-worker/sw.ts names it. */
+const cacheName = (): string => `sillon-shared ${new URL('./', document.baseURI).href}`;
+
+/** What was shared last; once. */
+export async function sharedFiles(): Promise<File[]> {
+  const cache = await caches.open(cacheName());
+  const files: File[] = [];
+  for (const request of await cache.keys()) {
+    const response = await cache.match(request);
+    if (response === undefined) continue;
+    const name = decodeURIComponent(new URL(request.url).searchParams.get('name') ?? '');
+    const blob = await response.blob();
+    files.push(new File([blob], name || 'file', { type: blob.type }));
+  }
+  await caches.delete(cacheName());
+  return files;
+}
+
+interface Launch {
+  files?: readonly FileSystemFileHandle[];
+}
+interface Queue {
+  setConsumer(consume: (launch: Launch) => void): void;
+}
+
+/** Files that the page was started with. @param handles  gets theirs */
+export function onLaunched(open: (files: File[]) => void, handles: WeakMap<File, FileSystemHandle>): void {
+  const { launchQueue } = window as { launchQueue?: Queue };
+  launchQueue?.setConsumer(({ files = [] }) => {
+    void Promise.all(
+      files.map(async (handle) => {
+        const file = await handle.getFile();
+        handles.set(file, handle);
+        return file;
+      }),
+    ).then((opened) => {
+      if (opened.length > 0) open(opened);
+    });
+  });
+}

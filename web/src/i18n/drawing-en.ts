@@ -1,0 +1,15 @@
+// The English words for how a drawing is read, loaded with its fields; other languages have them in their own file.
+import type { Text } from './text.js';
+
+export const drawingEn = {
+  'drawing.unitless': 'Lengths without a unit are',
+  'drawing.unitless.px': 'pixels (1/96 inch)',
+  'drawing.unitless.mm': 'millimetres',
+  'drawing.paint': 'The drawing is read',
+  'drawing.paint.shown': 'as it appears',
+  'drawing.paint.ignore': 'by its outlines',
+  'drawing.paint.help': 'By its outlines: whatever they are painted with, also what is not filled at all.',
+  'drawing.keepThin': 'Keep thin places',
+  'drawing.keepThin.help':
+    'What is at least half a bead wide is widened to one bead. Otherwise it stays empty; the quality view marks it.',
+} as const satisfies Record<`drawing.${string}`, Text>;

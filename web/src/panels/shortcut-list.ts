@@ -1,0 +1,37 @@
+// The keys of shortcuts.ts, as people read them.
+import { rare, type RareTextId } from '../i18n/rare.js';
+
+interface Shortcut {
+  /** As the help sheet shows them; several are alternatives. */
+  shown: readonly string[];
+  text: RareTextId;
+}
+
+export const shortcuts: readonly Shortcut[] = [
+  { shown: ['?'], text: 'keys.help' },
+  { shown: ['Ctrl K'], text: 'keys.palette' },
+  { shown: ['Ctrl O'], text: 'keys.open' },
+  { shown: ['Ctrl S'], text: 'keys.save' },
+  { shown: ['Ctrl Shift S'], text: 'keys.file' },
+  { shown: ['Ctrl Z'], text: 'keys.undo' },
+  { shown: ['Ctrl Shift Z', 'Ctrl Y'], text: 'keys.redo' },
+  { shown: ['1', '2', '3', '4'], text: 'keys.views' },
+  { shown: ['← ↑ → ↓'], text: 'keys.move' },
+  { shown: ['+', '-'], text: 'keys.zoom' },
+  { shown: ['0'], text: 'keys.fit' },
+  { shown: ['V', 'B', 'M', 'E'], text: 'keys.tools' },
+  { shown: ['[', ']'], text: 'keys.radius' },
+  { shown: [',', '.'], text: 'keys.light' },
+  { shown: ['C'], text: 'keys.compare' },
+  { shown: ['P'], text: 'keys.play' },
+  { shown: ['Esc'], text: 'keys.cancel' },
+];
+
+const keyNames = { Ctrl: 'key.ctrl', Shift: 'key.shift', Esc: 'key.escape' } as const;
+
+/** "Ctrl Shift Z", as the keyboard says it. */
+export const keysText = (keys: string): string =>
+  keys
+    .split(' ')
+    .map((key) => (key in keyNames ? rare(keyNames[key as keyof typeof keyNames]) : key))
+    .join(' ');

@@ -1,0 +1,38 @@
+// Choices as cards: a radio button lies, unseen, over the whole of its label.
+import { css } from 'lit';
+
+export const choiceCards = css`
+  .card {
+    position: relative;
+    display: grid;
+    align-items: center;
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--raised);
+    cursor: pointer;
+  }
+  .card:has(:checked) {
+    border-color: var(--accent);
+    background: var(--tint);
+    box-shadow: inset 0 0 0 1px var(--accent);
+  }
+  .card:has(:focus-visible) {
+    outline: 2px solid var(--accent);
+    outline-offset: 2px;
+  }
+  .card input {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+    margin: 0;
+    opacity: 0;
+    cursor: pointer;
+  }
+  .drawing {
+    color: var(--soft);
+  }
+  :checked ~ .drawing {
+    color: var(--accent);
+  }
+`;

@@ -1,0 +1,173 @@
+// What the page does is said and can be stopped; tools work where one looks; phones leave the plate free.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { sharedBench } from './support/shared.js';
+import { inputs, skip, start } from './support/studio.js';
+import { until } from './support/waits.js';
+
+const bench = sharedBench(skip, start);
+const plate = (state) => JSON.stringify(state.plate);
+
+test('a picture that is being read is said, and reading can be cancelled', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const before = await visit.state(plate);
+  await visit.page.evaluate(() => {
+    // A picture that never comes: nobody need wait for it.
+    globalThis.createImageBitmap = () => new Promise(() => undefined);
+  });
+  const webp = Buffer.concat([Buffer.from('RIFF\0\0\0\0WEBP'), Buffer.alloc(40)]);
+  const dropped = visit.drop([{ name: 'cat.webp', type: '', data: webp.toString('base64') }]);
+  const status = visit.page.locator('sillon-status');
+  await status.getByText('Reading cat.webp').waitFor();
+  assert.doesNotMatch((await visit.status()).join(' '), /mm|min/); // no figures of another plate beside it
+  await status.getByRole('button', { name: 'Cancel' }).click();
+  await dropped;
+  await visit.until((state) => state.reading === undefined);
+  assert.equal(await visit.state(plate), before);
+  assert.equal(await visit.state((state) => state.notices.filter(({ problem }) => problem).length), 0);
+});
+
+test('an alarm is told once', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  await visit.page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    const problem = { code: 'NoVideo', values: {}, detail: '' };
+    studio.fail(problem);
+    studio.store.set({ problem });
+  });
+  const alarms = visit.page.locator('sillon-notices .problem');
+  await alarms.first().waitFor();
+  assert.equal(await alarms.count(), 1);
+});
+
+test('combing in the shimmer stays there, under a light that keeps still', { skip }, async () => {
+  const visit = await bench.open({ small: true, reducedMotion: 'no-preference' });
+  await visit.idle();
+  await visit.page.keyboard.press('b');
+  await visit.until((state) => state.tool === 'comb');
+  assert.equal(await visit.state((state) => state.view), 'appearance');
+  const light = await visit.state((state) => JSON.stringify(state.light));
+  await visit.stroke([0.5, 0.45], [0.6, 0.55]);
+  await visit.until((state) => state.plate.strokes.length === 1);
+  assert.equal(await visit.state((state) => JSON.stringify(state.light)), light);
+  assert.equal(await visit.page.locator('sillon-directions-panel').getByText('Comb', { exact: true }).count(), 0);
+});
+
+test('every action is found by its name', { skip }, async () => {
+  const visit = await bench.open({ small: true, viewport: { width: 1024, height: 720 } });
+  await visit.idle();
+  await visit.page.keyboard.press('Control+k');
+  const field = visit.page.getByRole('combobox', { name: 'All actions' });
+  await field.fill('check');
+  await field.press('Enter');
+  await visit.until((state) => state.view === 'quality' && state.dialog === undefined);
+  await visit.page.keyboard.press('Control+k');
+  await field.fill('your pla');
+  await field.press('Enter');
+  await visit.page.locator('sillon-plates dialog').waitFor();
+  await visit.page.keyboard.press('Escape');
+  await visit.until((state) => state.dialog === undefined); // it goes later than the key
+  await visit.page.keyboard.press('Control+k');
+  await field.fill('nothing like it');
+  await visit.page.getByText('No action has such a name.').waitFor();
+});
+
+test('rail and tabs share no name', { skip }, async () => {
+  for (const lang of ['en', 'fr', 'de']) {
+    const visit = await bench.open({ small: true, locale: lang });
+    await visit.until((state) => state.result !== undefined);
+    const words = async (selector) => (await visit.page.locator(selector).allInnerTexts()).map((text) => text.trim());
+    const rail = await words('nav button');
+    const tabs = await words('[role=tab]');
+    assert.ok(rail.length === 5 && tabs.length === 4);
+    assert.deepEqual(
+      rail.filter((name) => tabs.includes(name)),
+      [],
+      lang,
+    );
+    await visit.close();
+  }
+});
+
+test('on a phone buttons leave the plate free, are large enough, and a finger leads no light', { skip }, async () => {
+  const visit = await bench.open({
+    small: true,
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await visit.idle();
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.setPanel(''));
+  const look = () =>
+    visit.page.evaluate(async () => {
+      for (let n = 0; n < 3; ++n) await new Promise((resolve) => requestAnimationFrame(resolve));
+      const stage = document.querySelector('sillon-app').shadowRoot.querySelector('sillon-stage').shadowRoot;
+      const canvas = stage.querySelector('sillon-canvas');
+      const { x, y, width, height } = canvas.getBoundingClientRect();
+      const plate = canvas.plateBox();
+      const [left, top] = [x + plate.left, y + plate.top];
+      const over = [...stage.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')]
+        .map((one) => ({ name: one.className || one.tagName, box: one.getBoundingClientRect() }))
+        .filter(({ box }) => box.width > 0)
+        .filter(
+          ({ box }) =>
+            box.left < left + plate.width - 1 &&
+            box.right > left + 1 &&
+            box.top < top + plate.height - 1 &&
+            box.bottom > top + 1,
+        )
+        .map(({ name }) => name);
+      return {
+        over,
+        share: plate.width / width,
+        inside: plate.left >= 0 && plate.left + plate.width <= width + 1,
+        height,
+      };
+    });
+  // Words of what has happened push buttons up for a moment.
+  const covered = await until(async () => {
+    const seen = await look();
+    return seen.over.length === 0 && seen;
+  }, 'a plate without buttons over it');
+  assert.deepEqual(covered.over, []);
+  assert.ok(covered.inside && covered.share > 0.5, JSON.stringify(covered));
+  const small = await visit.page.evaluate(() => {
+    const all = (root) =>
+      [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+    return all(document)
+      .filter((one) => one.matches('button, select') && one.checkVisibility({ visibilityProperty: true }))
+      .filter((one) => !one.closest('[popover], aside') && getComputedStyle(one).clipPath === 'none')
+      .map((one) => [one.ariaLabel ?? one.textContent.trim(), one.getBoundingClientRect()])
+      .filter(([, { width, height }]) => width > 0 && Math.min(width, height) < 43.5)
+      .map(([name, { width, height }]) => `${name} ${width}x${height}`);
+  });
+  assert.deepEqual(small, []);
+  const light = await visit.state((state) => JSON.stringify(state.light));
+  const box = await visit.canvas();
+  await visit.page.touchscreen.tap(box.x + box.width * 0.7, box.y + box.height * 0.5);
+  assert.equal(await visit.state((state) => JSON.stringify(state.light)), light);
+});
+
+test('a photo that another app shares is opened', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  await visit.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  // As the system does it: a page's own forms are not let out.
+  const app = await visit.context.newPage();
+  await app.setContent(
+    `<form method="post" enctype="multipart/form-data" action="${bench.origin}/"><input type="file" name="files"><button>`,
+  );
+  await app.locator('input').setInputFiles(join(inputs, 'photo.png'));
+  await app.locator('button').click();
+  await app.waitForFunction(
+    () => document.querySelector('sillon-app')?.studio.store.state.plate.directions.kind === 'lamp',
+  );
+  assert.equal(new URL(app.url()).hash, '');
+  const manifest = JSON.parse(readFileSync(new URL('../../public/manifest.webmanifest', import.meta.url), 'utf8'));
+  assert.equal(manifest.share_target.params.files[0].name, 'files');
+});

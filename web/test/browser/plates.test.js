@@ -1,0 +1,208 @@
+// Nothing is lost: several plates side by side, in several tabs, with their steps; links with pictures; files in their place.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { sharedBench } from './support/shared.js';
+import { linkOf } from './support/small.js';
+import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
+import { keptPlate, until } from './support/waits.js';
+
+const bench = sharedBench(skip, start);
+
+const rename = (visit, name) =>
+  visit.page.evaluate((name) => {
+    document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name }));
+  }, name);
+const kept = (visit, name) => until(async () => (await keptPlate(visit.page))?.name === name, `${name} in the storage`);
+const list = (visit) =>
+  visit.page.evaluate(async () => {
+    const plates = await document.querySelector('sillon-app').studio.services.plates().list();
+    return plates.map(({ name, here, elsewhere, picture }) => ({ name, here, elsewhere, picture: picture?.size ?? 0 }));
+  });
+const names = async (visit) => (await list(visit)).map(({ name }) => name).sort();
+async function showPlates(visit) {
+  await visit.page.getByRole('button', { name: 'Menu' }).click();
+  await visit.page.getByRole('button', { name: 'Your plates…' }).click();
+  return visit.page.locator('sillon-plates dialog');
+}
+
+test('plates lie side by side: opened, renamed, duplicated, deleted, brought back', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  await rename(visit, 'First');
+  await until(
+    async () => (await list(visit)).some(({ name, picture }) => name === 'First' && picture > 300),
+    'a picture',
+  );
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
+  await rename(visit, 'Second');
+  await kept(visit, 'Second');
+  const dialog = await showPlates(visit);
+  await dialog.getByRole('button', { name: 'Open First' }).waitFor();
+  assert.equal(await dialog.locator('.here input').inputValue(), 'Second');
+  await dialog.getByRole('button', { name: 'Duplicate First' }).click();
+  await dialog.getByRole('button', { name: 'Open First, copy' }).waitFor();
+  const field = dialog.getByRole('textbox', { name: 'Name of First, copy' });
+  await field.fill('Third');
+  await field.press('Tab');
+  await dialog.getByRole('button', { name: 'Open Third' }).waitFor();
+  await dialog.getByRole('button', { name: 'Delete Third' }).click();
+  await until(async () => !(await names(visit)).includes('Third'), 'the deletion');
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await dialog.getByRole('button', { name: 'Open Third' }).waitFor();
+  await dialog.getByRole('button', { name: 'Open First', exact: true }).click();
+  await visit.until((state) => state.plate.name === 'First' && state.dialog === undefined);
+  assert.deepEqual(await names(visit), ['First', 'Second', 'Third']);
+  assert.deepEqual(visit.problems, []);
+});
+
+/** Names the plate of the first tab, opens a second one, and asks for the first one's plate there. @returns the second tab */
+async function takenOver(one) {
+  await one.until((state) => state.result !== undefined);
+  await rename(one, 'One');
+  await kept(one, 'One');
+  const two = await bench.open({ keep: one.context, path: '/' });
+  await two.page.getByText('Your last plate is open in another tab').waitFor();
+  await rename(two, 'Two');
+  await kept(two, 'Two');
+  await rename(one, 'One again');
+  await kept(one, 'One again');
+  await two.page.reload();
+  await two.until((state) => state.plate.name === 'Two');
+  assert.deepEqual(await names(two), ['One again', 'Two']);
+  // Asked for in the second tab, it is taken from the first, which says so and goes on with a copy.
+  const dialog = await showPlates(two);
+  await dialog.getByRole('button', { name: 'Open One again' }).click();
+  await dialog.getByRole('button', { name: 'Go on here' }).click();
+  await two.until((state) => state.plate.name === 'One again');
+  await one.page.getByText('Another tab goes on with this plate').waitFor();
+  return two;
+}
+
+test('two tabs never overwrite each other, and a plate may change hands', { skip }, async () => {
+  const one = await bench.open({ small: true });
+  const two = await takenOver(one);
+  await rename(one, 'Copy');
+  await rename(two, 'Original');
+  await until(async () => (await names(two)).join() === 'Copy,Original,Two', 'all three');
+});
+
+test('undo and redo survive a reload', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until((state) => state.result !== undefined);
+  for (const name of ['a', 'b', 'c']) await rename(visit, name);
+  await visit.page.keyboard.press('Control+z');
+  await visit.until((state) => state.plate.name === 'b');
+  await kept(visit, 'b');
+  await visit.page.reload();
+  await visit.until((state) => state.plate.name === 'b');
+  await visit.page.keyboard.press('Control+Shift+z');
+  await visit.until((state) => state.plate.name === 'c');
+  for (const name of ['b', 'a']) {
+    await visit.page.keyboard.press('Control+z');
+    await visit.until(`(state) => state.plate.name === '${name}'`);
+  }
+});
+
+test('the one plate of earlier versions is found', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until((state) => state.result !== undefined);
+  await rename(visit, 'Old');
+  await kept(visit, 'Old');
+  await visit.page.evaluate(async () => {
+    const answered = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const database = await answered(indexedDB.open('sillon-studio'));
+    const work = database.transaction('work', 'readwrite').objectStore('work');
+    const key = (await answered(work.getAllKeys())).find((one) => one.startsWith('plate/'));
+    const { plate } = await answered(work.get(key));
+    await answered(work.clear());
+    await answered(work.put({ version: 1, files: [], plate: { ...plate, name: 'Older' } }, 'plate'));
+    database.close();
+    sessionStorage.clear();
+  });
+  await visit.page.reload();
+  await visit.until((state) => state.plate.name === 'Older');
+  assert.deepEqual(await names(visit), ['Older']);
+});
+
+test('a full storage is told', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until((state) => state.result !== undefined);
+  await visit.page.evaluate(() => {
+    IDBObjectStore.prototype.put = () => {
+      throw new DOMException('no room', 'QuotaExceededError');
+    };
+  });
+  await rename(visit, 'Lost');
+  const alert = visit.page.locator('sillon-notices .problem').first();
+  await alert.waitFor();
+  assert.match(await alert.innerText(), /no space left[^]*Save the project/);
+});
+
+test('a link carries a photo made small, and tells who opens it what it lacks', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until((state) => state.result !== undefined);
+  await visit.drop([fileAt(join(inputs, 'photo.png'))]);
+  await visit.until((state) => state.plate.directions.kind === 'lamp');
+  const url = await visit.page.evaluate(async () => {
+    const { studio } = document.querySelector('sillon-app');
+    const { directions } = studio.store.state.plate;
+    const { file } = directions.pictures[0];
+    studio.change((plate) => ({
+      ...plate,
+      directions: { kind: 'tone', file, from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },
+      strokes: [{ tool: 'comb', points: [0.2, 0.2, 0.8, 0.8], radius: 0.1, softness: 0.5 }],
+    }));
+    return (await studio.services.link(studio.store.state.plate)).url;
+  });
+  const hash = new URL(url).hash;
+  assert.ok(hash.length < 16_000, `${hash.length} characters`);
+  const other = await bench.open({ path: `/${hash}` });
+  await other.until((state) => state.plate.directions.kind === 'tone');
+  assert.ok((await other.state((state) => state.plate.directions.file.bytes.size)) <= 8000);
+  await other.page.getByText(/could not carry .*your strokes/).waitFor();
+  await other.idle();
+  const plain = await bench.open({ path: `/${linkOf({ width: 22 })}` });
+  await plain.page.getByText('Opened from a link.', { exact: true }).waitFor();
+});
+
+test('a project that was opened is saved back in its place', { skip }, async () => {
+  const visit = await bench.open({ small: true, places: true });
+  await visit.idle();
+  await rename(visit, 'Before');
+  const { bytes } = await visit.download('Project with its files');
+  const project = fileOf('mine.sillon.zip', bytes);
+  await visit.page.evaluate(async ({ name, data }) => {
+    const folder = await navigator.storage.getDirectory();
+    const handle = await folder.getFileHandle(name, { create: true });
+    const stream = await handle.createWritable();
+    await stream.write(Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0)));
+    await stream.close();
+    globalThis.showOpenFilePicker = async () => [handle];
+  }, project);
+  await visit.page.keyboard.press('Control+o');
+  await visit.until((state) => state.plate.name === 'Before' && state.notices.length === 0);
+  await rename(visit, 'After');
+  await visit.page.keyboard.press('Control+s');
+  await visit.page.getByText('Saved to mine.sillon.zip.').waitFor();
+  const written = await visit.page.evaluate(async () => {
+    const handle = await (await navigator.storage.getDirectory()).getFileHandle('mine.sillon.zip');
+    return (await (await handle.getFile()).text()).length;
+  });
+  assert.ok(written > 1000);
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
+  const [download] = await Promise.all([visit.page.waitForEvent('download'), visit.page.keyboard.press('Control+s')]);
+  assert.match(download.suggestedFilename(), /\.sillon\.zip$/); // another plate is not that file
+});
+
+test('where the browser lends no locks, tabs ask each other and overwrite nothing', { skip }, async () => {
+  const keep = await bench.browser.newContext({ reducedMotion: 'reduce', locale: 'en-US' });
+  // As on pages without TLS.
+  await keep.addInitScript(() => {
+    delete Navigator.prototype.locks;
+  });
+  const one = await bench.open({ keep, small: true });
+  assert.equal(await one.page.evaluate(() => navigator.locks), undefined);
+  await takenOver(one);
+});

@@ -1,0 +1,155 @@
+// Own spools: the page reads the same files as the native program, and whatever is drawn or solved takes them.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { kinds, answerOf, offsetCommand, spacingBetween, withFound, withWidths } from '../../src/model/calibrate.js';
+import { plateFrom, Unfit } from '../../src/model/check-plate.js';
+import { newLampDirections, newPlate } from '../../src/model/defaults.js';
+import { lookOf, slopesOf, viewLook, withFilament, withSpool } from '../../src/model/filaments.js';
+import { pictureInput, sameSpool, type LampSource } from '../../src/model/lamp.js';
+import type { OwnSpool, Plate, SourceFile } from '../../src/model/plate.js';
+import { howOf } from '../../src/model/rebrush.js';
+import { readLink, writeLink } from '../../src/model/share.js';
+import { readSpools, spoolKey, spoolsText, withOne } from '../../src/model/spools.js';
+
+const spool: OwnSpool = {
+  key: 'mySilk',
+  colour: [10, 20, 30],
+  fine: { nozzleSide: [3, 14], bedSide: [2, 9] },
+  source: 'a photograph',
+};
+const entry = { colour: [10, 20, 30], fine: { nozzleSide: [3, 14], bedSide: [2, 9] } };
+const fileWith = (change: object, key = 'mySilk'): string =>
+  JSON.stringify({ version: 1, spools: { [key]: { ...entry, ...change } } });
+const picture: SourceFile = { id: 'a', name: 'a.png', bytes: new Blob(['x']) };
+const refuse = (): SourceFile => {
+  throw new Error('no file');
+};
+
+test('a file of spools comes back as it was written', () => {
+  const wide: OwnSpool = { ...spool, key: 'other', wide: spool.fine };
+  assert.deepEqual(readSpools(spoolsText([spool, wide])), [spool, wide]);
+  assert.deepEqual(readSpools(spoolsText([])), []);
+});
+
+test('the page takes and refuses the files that the native program takes and refuses', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
+  const sides = { nozzleSide: [3, 14], bedSide: [2, 9] };
+  const texts = [
+    ...[fileWith({}), fileWith({ wide: sides }), fileWith({ source: 'x' }), fileWith({}, 'a-b_9'), spoolsText([spool])],
+    ...[
+      fileWith({}, ''),
+      fileWith({}, 'a b'),
+      fileWith({}, 'x'.repeat(41)),
+      fileWith({}, 'bluePla'),
+      fileWith({}, 'é'),
+    ],
+    ...[fileWith({ colour: [1, 2] }), fileWith({ colour: [1, 2, 256] }), fileWith({ colour: [1, 2, 0.5] })],
+    ...[fileWith({ colour: undefined }), fileWith({ fine: undefined }), fileWith({ fine: { nozzleSide: [3, 14] } })],
+    ...[fileWith({ fine: { ...sides, nozzleSide: [0.05, 14] } }), fileWith({ fine: { ...sides, bedSide: [3, 46] } })],
+    ...[fileWith({ fine: { ...sides, bedSide: ['3', 4] } }), fileWith({ fine: { ...sides, top: [3, 4] } })],
+    ...[fileWith({ wide: 3 }), fileWith({ source: 3 }), fileWith({ gloss: 3 }), '[]', '{', '', 'null'],
+    ...['{"version": 2, "spools": {}}', '{"version": 1}', '{"version": 1, "spools": [], "a": 1}'],
+  ];
+  try {
+    const verdicts = texts.map((text) => {
+      writeFileSync(join(folder, 'mine.json'), text);
+      const { status } = spawnSync('build/release/sillon', ['spools', '--spools', join(folder, 'mine.json')]);
+      let taken = true;
+      try {
+        readSpools(text);
+      } catch (error) {
+        assert.ok(error instanceof Unfit, `${text}: ${String(error)}`);
+        taken = false;
+      }
+      assert.equal(taken, status === 0, text);
+      return taken;
+    });
+    assert.equal(verdicts.filter((taken) => taken).length, 5);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('names are made to fit, and taken once', () => {
+  assert.equal(spoolKey('Seide é 9', []), 'Seide-e-9');
+  assert.equal(spoolKey('  ', ['mySpool']), 'mySpool-2');
+  assert.equal(spoolKey('bluePla', []), 'bluePla-2');
+  assert.deepEqual(
+    withOne([spool], { ...spool, key: 'a' }).map(({ key }) => key),
+    ['a', 'mySilk'],
+  );
+  assert.equal(withOne([spool], { ...spool, colour: [1, 1, 1] }).length, 1);
+});
+
+test('whatever is drawn or solved takes the spool', () => {
+  const plain = newPlate();
+  const own = withSpool(plain, spool);
+  assert.deepEqual(viewLook(own), { colour: [10, 20, 30], slopes: [3, 14] });
+  assert.equal(lookOf(own).along, 3);
+  assert.deepEqual(slopesOf({ ...own, print: { ...own.print, mirror: true } }), [2, 9]);
+  const wide = { ...spool, wide: { nozzleSide: [5, 18] as [number, number], bedSide: [2, 9] as [number, number] } };
+  assert.deepEqual(slopesOf({ ...withSpool(plain, wide), printer: { ...plain.printer, nozzle: 0.6 } }), [4, 16]);
+
+  const directions: LampSource = newLampDirections([{ file: picture, lamp: null }]);
+  assert.deepEqual(pictureInput({ ...own, directions }, directions, ({ name }) => name).slopes, [3, 14]);
+  assert.ok(!sameSpool({ ...own, directions }, { ...plain, directions }));
+  const wish = {
+    ...{ side: 'bottom' as const, chosen: new Set([0]), way: 'picture' as const, angle: 0, picture },
+    ...{ lamp: [60, 35] as const, spool: 'bluePla', own: spool, fit: 'face' as const, strokes: [] },
+  };
+  assert.deepEqual(howOf(wish, [], plain, undefined).pictures?.slopes, [2, 9]);
+  assert.deepEqual(
+    howOf({ ...wish, side: 'top', way: 'plate' }, [], { ...own, directions }, undefined).pictures?.slopes,
+    [3, 14],
+  );
+
+  assert.equal(withFilament(own, 'greyPla').spool, undefined);
+  assert.ok(!('spool' in withSpool(own, undefined)));
+});
+
+test('a plate carries its spool, into projects and links', async () => {
+  const own: Plate = withSpool(newPlate(), spool);
+  assert.deepEqual(plateFrom(JSON.parse(JSON.stringify(own)), refuse).spool, spool);
+  assert.deepEqual((await readLink((await writeLink(own)).hash))?.spool, spool);
+  for (const wrong of [{ ...spool, key: 'bluePla' }, { ...spool, fine: undefined }, { ...spool, more: 1 }, 'mySilk']) {
+    assert.throws(() => plateFrom({ ...own, spool: wrong }, refuse), Unfit);
+  }
+});
+
+// --- Calibration ----------------------------------------------------------------------------------------------------------
+
+test('what a print has found goes to its setting', () => {
+  const plate = newPlate();
+  const settings = kinds.flatMap((kind) => {
+    const answer = answerOf(kind);
+    return answer.kind === 'setting' ? [`${kind} ${answer.setting}`] : [];
+  });
+  assert.deepEqual(settings, [
+    ...['coupon print.flow', 'flow print.flow', 'advance printer.pressureAdvance', 'speed printer.showSpeed'],
+    ...['temperature printer.nozzleTemperature', 'fan printer.showFan'],
+  ]);
+  assert.equal(withFound(plate, 'coupon', 0.93, false).print.flow, 0.93);
+  const { pressureAdvance, setPressureAdvance } = withFound(plate, 'advance', 0.06, false).printer;
+  assert.deepEqual([pressureAdvance, setPressureAdvance], [0.06, true]);
+  const hot = withFound(plate, 'temperature', 225, false).printer;
+  assert.deepEqual([hot.nozzleTemperature, hot.firstLayerNozzleTemperature], [225, 230]);
+  const fast = withFound(plate, 'speed', 30, true);
+  assert.deepEqual([fast.printer.showSpeed, fast.print.constantFlow], [30, true]);
+  assert.equal(withFound(plate, 'fan', 500, false), plate); // no control could have set it
+});
+
+test('two widths give a spacing between them and how far beads may depart from it', () => {
+  assert.deepEqual(spacingBetween(0.32, 0.5), { spacing: 0.4, variation: 0.22 }); // as the guide says
+  const { spacing, spacingVariation } = withWidths(newPlate(), 0.32, 0.5).toolpath;
+  assert.deepEqual([spacing, spacingVariation], [0.4, 0.22]);
+});
+
+test('an offset becomes the command of the firmware, where there is one', () => {
+  assert.equal(offsetCommand('klipper', -0.02), 'SET_GCODE_OFFSET Z_ADJUST=-0.02 MOVE=1');
+  assert.equal(offsetCommand('reprap', 0.04), 'M290 S0.04');
+  assert.equal(offsetCommand('marlin', 0.04), '');
+});
