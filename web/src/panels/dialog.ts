@@ -16,7 +16,8 @@ export abstract class DialogElement extends StudioElement {
     return html`<dialog
       aria-labelledby="title"
       @close=${() => {
-        this.studio.show(undefined);
+        // The event comes late: what was opened meanwhile has taken this sheet's place, and stays.
+        if (this.isConnected) this.studio.show(undefined);
         this.#afterwards?.();
       }}
       @click=${(event: MouseEvent) => {

@@ -325,7 +325,7 @@ export class RebrushView extends StudioElement {
     return html`<dialog
       aria-labelledby="title"
       @close=${() => {
-        this.studio.store.set({ dialog: undefined, sliced: undefined });
+        if (this.isConnected) this.studio.store.set({ dialog: undefined, sliced: undefined });
       }}
     >
       <div class="head">
