@@ -49,7 +49,7 @@ function triedValues(
   return html`<div class="tried" role="radiogroup" aria-label=${c('best.value')}>
     ${calibration.values.map(
       ({ label, value }) =>
-        html`<label
+        html`<label class="card"
           ><input
             type="radio"
             name="tried"

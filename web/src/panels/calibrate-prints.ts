@@ -14,6 +14,7 @@ import { answerFields, type Found } from './calibrate-answer.js';
 import { drawing } from './calibrate-drawings.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
+import { choiceCards } from '../style/cards.js';
 import { printStyle } from './calibrate-style.js';
 import type { Shown } from './shown.js';
 import { gcodeMark, isPacked, type Studio } from './studio.js';
@@ -26,7 +27,7 @@ type Made = { calibration: Calibration } | { problem: Problem };
 @customElement('sillon-calibrate-prints')
 export class CalibratePrints extends StudioElement {
   static override reads = ['plate'] as const;
-  static override styles = [...StudioElement.styles, printStyle];
+  static override styles = [...StudioElement.styles, choiceCards, printStyle];
 
   @state() private kind: CalibrationKind = 'coupon';
   @state() private made: ReadonlyMap<CalibrationKind, Made> = new Map<CalibrationKind, Made>();
@@ -126,7 +127,7 @@ export class CalibratePrints extends StudioElement {
   #card(kind: CalibrationKind): TemplateResult {
     const made = this.made.get(kind);
     const cost = made === undefined ? '–' : 'problem' in made ? c('cannot') : costText(made.calibration);
-    return html`<label>
+    return html`<label class="card">
       <input
         type="radio"
         name="kind"

@@ -5,6 +5,7 @@ import { customElement, state } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
 import { t } from '../i18n/text.js';
 import { isAbort } from '../model/problem.js';
+import { choiceCards } from '../style/cards.js';
 import { calibrationOf, costText, saveCalibration } from './calibrate-prints.js';
 import { drawing } from './calibrate-drawings.js';
 import { DialogElement } from './dialog.js';
@@ -21,6 +22,7 @@ export class FirstPrint extends DialogElement {
 
   static override styles = [
     ...DialogElement.styles,
+    choiceCards,
     css`
       dialog {
         width: min(720px, calc(100vw - 24px));
@@ -218,7 +220,7 @@ export class FirstPrint extends DialogElement {
   }
 
   #choice(value: First): TemplateResult {
-    return html`<label>
+    return html`<label class="card">
       <input
         type="radio"
         name="first"

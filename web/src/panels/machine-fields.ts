@@ -7,6 +7,7 @@ import { countLines } from '../model/brought.js';
 import { filaments, withFilament, withSpool } from '../model/filaments.js';
 import type { OwnSpool } from '../model/plate.js';
 import { printers, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
+import { spoolColour } from '../style/spool.js';
 import { select } from './fields.js';
 import type { Studio } from './studio.js';
 
@@ -30,16 +31,7 @@ export const swatchStyle = css`
     height: 36px;
     border-radius: 50%;
     box-shadow: inset 0 0 0 1px var(--edge);
-    background:
-      conic-gradient(
-        from 20deg,
-        rgb(255 255 255 / 0.5),
-        transparent 50deg 150deg,
-        rgb(255 255 255 / 0.35) 190deg,
-        transparent 230deg 320deg,
-        rgb(255 255 255 / 0.5)
-      ),
-      var(--colour);
+    background: ${spoolColour};
   }
   .swatches label:has(:checked) {
     outline: 2px solid var(--accent);

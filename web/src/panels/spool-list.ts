@@ -9,6 +9,7 @@ import { formatNumber, t } from '../i18n/text.js';
 import { filaments, withSpool } from '../model/filaments.js';
 import type { OwnSpool } from '../model/plate.js';
 import { readSpools, spoolKey, spoolsText, withOne } from '../model/spools.js';
+import { spoolColour } from '../style/spool.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 
@@ -47,16 +48,7 @@ export class Spools extends StudioElement {
         width: 36px;
         height: 36px;
         border-radius: 50%;
-        background:
-          conic-gradient(
-            from 20deg,
-            rgb(255 255 255 / 0.5),
-            transparent 50deg 150deg,
-            rgb(255 255 255 / 0.35) 190deg,
-            transparent 230deg 320deg,
-            rgb(255 255 255 / 0.5)
-          ),
-          var(--colour);
+        background: ${spoolColour};
         box-shadow: inset 0 0 0 1px var(--edge);
       }
       .words {

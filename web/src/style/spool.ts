@@ -1,0 +1,14 @@
+// A spool as a round swatch: its colour, `--colour`, under the shine of what is wound on it.
+import { css } from 'lit';
+
+export const spoolColour = css`
+  conic-gradient(
+    from 20deg,
+    rgb(255 255 255 / 0.5),
+    transparent 50deg 150deg,
+    rgb(255 255 255 / 0.35) 190deg,
+    transparent 230deg 320deg,
+    rgb(255 255 255 / 0.5)
+  ),
+  var(--colour)
+`;
