@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sillon/geometry/outline.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 
@@ -103,6 +104,13 @@ BeadArea byDefinition(const Toolpath& toolpath, Vec2 low, Vec2 high, double pixe
   return area;
 }
 
+BeadArea counted(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
+  const RunContext run(2);
+  const Outline outline = resolveOutline(shape).value();
+  const BorderIndex border = buildBorderIndex(outline, makeGrid(box, toolpath.spacing), run).value();
+  return beadArea(toolpath, shape, border, box, run);
+}
+
 // [mm²]
 struct Areas {
   double covered;
@@ -113,7 +121,7 @@ Areas measured(const Toolpath& toolpath, const Shape& shape, Vec2 low, Vec2 high
   Bounds box;
   box.add(low);
   box.add(high);
-  const BeadArea area = beadArea(toolpath, shape, box, RunContext(2));
+  const BeadArea area = counted(toolpath, shape, box);
   const double pixel = toolpath.spacing / 20;
   return {static_cast<double>(area.covered + area.spilled) * pixel * pixel,
           static_cast<double>(area.overlapped) * pixel * pixel};
@@ -165,7 +173,7 @@ TEST_CASE("a bead over the whole plate and far beyond it covers each pixel once"
   Bounds box;
   box.add({0, 0});
   box.add({10, 10});
-  const BeadArea area = beadArea(toolpath, shape, box, RunContext(1));
+  const BeadArea area = counted(toolpath, shape, box);
   CHECK(area.shape == about(500.0 * 500, 1e-3));
   CHECK(area.covered == area.shape);
   CHECK(area.overlapped == area.covered + area.spilled);  // there and back

@@ -61,6 +61,25 @@ TEST_CASE("coverage and spill of a bead that hangs half over the border") {
   CHECK(m.spill == about(40 * 0.2 + std::numbers::pi * 0.04, 5e-3));
 }
 
+TEST_CASE("a bead that is rounded over the border spills nothing, wherever the pixels lie") {
+  // All but the bead's round ends of 10 mm: it reaches over the upper border by `over`.
+  const auto spillOf = [](double height, double over) {
+    const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {10, height})}, {10, height});
+    const auto y = static_cast<float>(height - 0.2);
+    Toolpath path = toolpathOf({{0.5f, y}, {9.5f, y}, {9.5f, 2}, {0.5f, 2}}, 0.4f);
+    path.cycles[0].widths = {static_cast<float>(0.4 + 2 * over), static_cast<float>(0.4 + 2 * over), 0.4f, 0.4f};
+    return measured(path, shape).spill * height * 10 / 100;  // [mm²]
+  };
+  // Pixels of 0.02 mm: from somewhere on a row of their centres lies just over the border.
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    CHECK(spillOf(4 + 0.0001 * k, 0.0004) == 0);
+  }
+  double mean = 0;
+  for (int k = 0; k < 20; ++k) mean += spillOf(4 + 0.001 * k, 0.01) / 20;
+  CHECK(mean == about(9 * 0.01, 0.15));
+}
+
 TEST_CASE("a bead that widens is as wide in between as it should be") {
   const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 10})}, {20, 10});
   Toolpath path = toolpathOf({{2, 3}, {18, 3}, {18, 7}, {2, 7}}, 0.4f);

@@ -22,6 +22,7 @@ constexpr int kTileHeight = 256;    ///< pixels; what one tile needs stays in th
 constexpr double kApart = 3;        ///< [tau] along a cycle: further apart are two passes
 constexpr int kNear = 6;            ///< stretches before one that belong to its pass: 6 to 7 of them are kApart
 constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
+constexpr float kRounding = 1e-3f;  ///< of a toolpath's numbers [mm]
 
 // Pixels of one row of a tile, one bit each.
 struct Row {
@@ -185,8 +186,8 @@ class TilePasses {
   }
 
   // Counts what lies on the first `rows` rows and `columns` pixels of them, and begins anew.
-  template <class InsideRow>
-  BeadArea take(int rows, int columns, const InsideRow& insideRow) {
+  template <class InsideRow, class SpilledOf>
+  BeadArea take(int rows, int columns, const InsideRow& insideRow, const SpilledOf& spilledOf) {
     close();
     coverAll();
     used_ = 0;
@@ -198,7 +199,7 @@ class TilePasses {
       const Row covered = covered_[static_cast<std::size_t>(y)] & tile;
       count.shape += in.count();
       count.covered += (covered & in).count();
-      count.spilled += (covered & ~in).count();
+      count.spilled += spilledOf(y, covered & ~in);
       count.overlapped += (again_[static_cast<std::size_t>(y)] & tile).count();
     }
     covered_.fill({});
@@ -354,9 +355,24 @@ Row insideRow(const Scene& scene, const Tile& tile, int y) {
   return inside;
 }
 
+// How many of these pixels outside the shape lie off its border. Beads touch a straight border over its whole length:
+// where a row of pixels happens to lie on it too, rounding would decide for all of them.
+int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, Row outside) {
+  int count = 0;
+  for (int word = 0; word < 2; ++word) {
+    for (std::uint64_t bits = word == 0 ? outside.low : outside.high; bits != 0; bits &= bits - 1) {
+      const Vec2 p = scene.raster.centre(tile.left + 64 * word + std::countr_zero(bits), tile.bottom + y);
+      const bool off = border.blockDistance(p) > kRounding || std::abs(border.nearest(p).distance) > kRounding;
+      count += off ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
-BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const Bounds& box, const RunContext& run) {
+BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
+                  const RunContext& run) {
   const Scene scene = sceneOf(toolpath, shape, box);
   std::vector<BeadArea> counts(static_cast<std::size_t>(scene.tiles));
   const auto countTiles = [&](int firstTile, int lastTile) {
@@ -367,8 +383,10 @@ BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const Bounds& bo
       for (std::size_t at = scene.begin[static_cast<std::size_t>(t)]; at < end; ++at) {
         lay(scene, scene.beads[static_cast<std::size_t>(scene.beadOf[at])], tile, passes);
       }
-      counts[static_cast<std::size_t>(t)] = passes.take(tile.top - tile.bottom, tile.right - tile.left,
-                                                        [&](int y) { return insideRow(scene, tile, tile.bottom + y); });
+      counts[static_cast<std::size_t>(t)] = passes.take(
+          tile.top - tile.bottom, tile.right - tile.left,
+          [&](int y) { return insideRow(scene, tile, tile.bottom + y); },
+          [&](int y, Row outside) { return offBorder(scene, border, tile, y, outside); });
     }
   };
   const int step = (scene.tiles - 1) / 24 + 1;  // between reports of progress

@@ -273,7 +273,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.alignmentInterior = alignment.interior.value();
   out.alignmentConstrained = alignment.constrained.value();
 
-  const BeadArea area = beadArea(toolpath, shape, box, run);
+  const BeadArea area = beadArea(toolpath, shape, border.value(), box, run);
   const double pixels = std::max<double>(1, static_cast<double>(area.shape));
   out.coverage = 100 * static_cast<double>(area.covered) / pixels;
   out.spill = 100 * static_cast<double>(area.spilled) / pixels;
