@@ -52,7 +52,7 @@ inline scenes::RandomPlate benchPlate(std::uint64_t seed, const std::vector<std:
 
 struct RandomSums {
   std::uint64_t made = 0, empty = 0, crossing = 0, parted = 0, inPieces = 0, joinable = 0, laborious = 0;
-  std::uint64_t spilling = 0, spillingAnyhow = 0, kinked = 0, kinkedMore = 0;
+  std::uint64_t spilling = 0, spillingAnyhow = 0, straying = 0, kinked = 0, kinkedMore = 0;
   std::uint64_t refused = 0, writtenCrossing = 0, writtenSpilling = 0, writtenKinked = 0;
   std::vector<double> coverage, overlap;
 };
@@ -78,6 +78,8 @@ inline void addPlate(std::uint64_t seed, const scenes::RandomPlate& plate, doubl
   const bool crosses = m.crossings > 0;
   const bool parts = static_cast<int>(made.toolpath.cycles.size()) != made.parts + made.unjoined;
   const bool spills = m.spill > scenes::spillAllowed(plate, made);
+  const double outside = scenes::farthestOutside(plate.input.shape, made.toolpath, run);
+  const bool strays = outside > scenes::outsideAllowed(plate.params);
   const bool toils = static_cast<double>(made.stitchWork) > scenes::kMostWork * made.nx * made.ny;
   sums.crossing += crosses ? 1 : 0;
   sums.parted += parts ? 1 : 0;
@@ -86,6 +88,7 @@ inline void addPlate(std::uint64_t seed, const scenes::RandomPlate& plate, doubl
       made.unjoined > 0 ? scenes::joinablePaths(plate.input.shape, plate.params, made.toolpath, run) : 0;
   sums.joinable += joinable > 0 ? 1 : 0;
   sums.spilling += spills ? 1 : 0;
+  sums.straying += strays ? 1 : 0;
   sums.laborious += toils ? 1 : 0;
   const double kinksOver = static_cast<double>(m.kinks) - 0.05 * static_cast<double>(m.uTurns);
   sums.kinked += kinksOver > 0 ? 1 : 0;
@@ -106,11 +109,12 @@ inline void addPlate(std::uint64_t seed, const scenes::RandomPlate& plate, doubl
     sums.writtenKinked +=
         static_cast<double>(path.value().kinks) > 0.05 * static_cast<double>(path.value().uTurns) ? 1 : 0;
   }
-  if (crosses || parts || spills || toils || made.unjoined > 0) {
+  if (crosses || parts || spills || strays || toils || made.unjoined > 0) {
     std::printf(
-        "%llu: %s: crossings %d, paths %d of %d parts, %d unjoined (%d joinable), spill %.3f %%, work %.0f a cell\n",
+        "%llu: %s: crossings %d, paths %d of %d parts, %d unjoined (%d joinable), spill %.3f %%, %.3f mm outside, work "
+        "%.0f a cell\n",
         id, plate.name.c_str(), static_cast<int>(m.crossings), static_cast<int>(made.toolpath.cycles.size()),
-        static_cast<int>(made.parts), made.unjoined, joinable, m.spill,
+        static_cast<int>(made.parts), made.unjoined, joinable, m.spill, outside,
         static_cast<double>(made.stitchWork) / (static_cast<double>(made.nx) * made.ny));
     std::fflush(stdout);
   }
@@ -135,10 +139,10 @@ inline void randomPlates(std::uint64_t count, std::uint64_t seed, double nozzle)
   std::printf(
       "with crossings %llu, other than one path per part and piece %llu, in pieces %llu (joinable ones %llu), above "
       "%.0f joints a cell %llu\n"
-      "spill above 0.05 %% %llu (besides threads across gaps %llu)\n"
+      "spill above 0.05 %% %llu (besides threads across gaps %llu), threads too far outside %llu\n"
       "with kinks above 5 %% of U-turns %llu (by more than one kink %llu)\n",
       n(sums.crossing), n(sums.parted), n(sums.inPieces), n(sums.joinable), scenes::kMostWork, n(sums.laborious),
-      n(sums.spillingAnyhow), n(sums.spilling), n(sums.kinked), n(sums.kinkedMore));
+      n(sums.spillingAnyhow), n(sums.spilling), n(sums.straying), n(sums.kinked), n(sums.kinkedMore));
   std::printf(
       "in the G-code: with crossings %llu, spill above 0.05 %% %llu, kinks above 5 %% of U-turns %llu, not written "
       "%llu\n",

@@ -58,6 +58,7 @@ bool keepsPromises(const scenes::RandomPlate& plate, const RunContext& run, Meas
   CHECK(m.crossings == 0);
   CHECK(static_cast<std::int64_t>(made.toolpath.cycles.size()) == made.parts + made.unjoined);
   CHECK(m.spill <= scenes::spillAllowed(plate, made));
+  CHECK(scenes::farthestOutside(plate.input.shape, made.toolpath, run) <= scenes::outsideAllowed(plate.params));
   CHECK(m.coverage > 0);
   CHECK(m.coverage <= 100);
   // Pieces are no defect where what would join them is too thin for a bead.

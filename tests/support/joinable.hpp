@@ -1,6 +1,7 @@
 // Which of a plate's paths could have been one, told by the shape alone and not as the core joins them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -72,6 +73,28 @@ inline int joinablePaths(const sillon::Shape& shape, const sillon::ToolpathParam
     joinable += shared ? 1 : 0;
   }
   return joinable;
+}
+
+/// How far the path's middle leaves the shape at most [mm]: threads across gaps and beside necks do.
+inline double farthestOutside(const sillon::Shape& shape, const sillon::Toolpath& toolpath,
+                              const sillon::RunContext& run) {
+  const sillon::Outline outline = sillon::resolveOutline(shape).value();
+  const sillon::Grid grid = sillon::makeGrid(outline.bounds, toolpath.spacing);
+  const sillon::BorderIndex border = sillon::buildBorderIndex(outline, grid, run).value();
+  double farthest = 0;
+  for (const auto& cycle : toolpath.cycles) {
+    for (std::size_t k = 0; k < cycle.points.size(); ++k) {
+      const sillon::Vec2f a = cycle.points[k];
+      const sillon::Vec2f step = cycle.points[(k + 1) % cycle.points.size()] - a;
+      const int samples = static_cast<int>(16 * static_cast<double>(length(step)) / toolpath.spacing) + 1;
+      for (int n = 0; n < samples; ++n) {
+        const sillon::Vec2f q = a + step * (static_cast<float>(n) / static_cast<float>(samples));
+        const sillon::Vec2 p{static_cast<double>(q.x), static_cast<double>(q.y)};
+        if (border.outside(p)) farthest = std::max(farthest, std::abs(static_cast<double>(border.nearest(p).distance)));
+      }
+    }
+  }
+  return farthest;
 }
 
 }  // namespace scenes

@@ -137,6 +137,34 @@ TEST_CASE("a neck too narrow for a bead still joins its two sides, inside the sh
   CHECK(s.after.longestJoint > 2);
 }
 
+TEST_CASE("a joint leaves the shape by half a bridge and half a bead at most") {
+  // Two teeth on a bar too thin for a bead, hollow below them: only across the room between them, over the bar, can
+  // they be joined. A thread at the height of their middles would lie 0.6 mm from it.
+  ToolpathParams params;
+  params.bridge = 0.2;
+  const double bar = 0.37;
+  const double from = 3, to = 5.1;
+  const Shape shape =
+      scenes::shapeOf({scenes::rectangle({0, 0}, {12, bar}), scenes::rectangle({1, bar - 0.12}, {from, bar + 1.2}),
+                       scenes::rectangle({to, bar - 0.12}, {to + 2, bar + 1.2})},
+                      {12, bar + 1.2});
+  for (const double angle : {0.0, 0.5 * std::numbers::pi}) {
+    CAPTURE(angle);
+    const Stitching s =
+        stitchingOf(scenes::plate(shape, scenes::mapOf(1, [&](double, double) { return angle; })), params);
+    CHECK(s.after.parts == 1);
+    CHECK(s.after.curves.count() == 1);
+    double farthest = 0;
+    const ClosedCurves fine = resampled(s.after.curves, 0.01f, RunContext(1));
+    for (const Vec2f q : fine.points) {
+      const Vec2 p{static_cast<double>(q.x), static_cast<double>(q.y)};
+      farthest = std::max(farthest, std::min({p.y - bar, p.x - from, to - p.x}));
+    }
+    CHECK(farthest > 0.05);
+    CHECK(farthest < 0.31);
+  }
+}
+
 TEST_CASE("solids of one part that nothing can join stay apart after bounded work, and are counted") {
   // A frame too thin for a bead makes the two squares one part; a wall of another part stands between them.
   using scenes::rectangle;

@@ -26,6 +26,7 @@ Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineFi
       border_(border),
       spacing_(static_cast<float>(params.spacing)),
       alignmentCost_(static_cast<float>(params.stitchAlignment)),
+      farthest_(static_cast<float>(0.5 * (params.bridge.value_or(params.spacing) + params.spacing))),
       curveOf_(curveOfPoints(curves)),
       next_(curves.points.size()),
       used_(curves.points.size(), kFree),
@@ -237,8 +238,9 @@ float Joining::outsideLength(const Edge& edge, float enough) const {
   for (int n = 1; n < samples && outside <= enough; ++n) {
     const int k = samples / 2 + (n % 2 == 0 ? n / 2 : -(n / 2));
     const Vec2 p = a + (b - a) * (static_cast<double>(k) / samples);
-    count += border_.outside(p) ? 1 : 0;
-    outside = static_cast<float>(count * size / samples);
+    if (!border_.outside(p)) continue;
+    if (std::abs(border_.nearest(p).distance) > farthest_) return std::numeric_limits<float>::infinity();
+    outside = static_cast<float>(++count * size / samples);
   }
   return outside;
 }
