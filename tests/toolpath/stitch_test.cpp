@@ -313,6 +313,22 @@ TEST_CASE("a joint does not turn a tiny cycle inside out") {
   }
 }
 
+TEST_CASE("two strands in one cell are joined to what lies beyond the outer one") {
+  // A path as thin as a thread, out of reach of a square on its right: the cells know the strand that comes first, here
+  // the left one, and no joint gets from it across the other.
+  const ByHand page;
+  for (const float left : {10.02f, 10.1f, 10.16f}) {
+    CAPTURE(left);
+    const float right = left + 0.02f;
+    const ClosedCurves curves = resampled(
+        scenes::closed({{{right, 30}, {left, 30}, {left, 10}, {right, 10}}, {{13, 19}, {15, 19}, {15, 21}, {13, 21}}}),
+        0.1f, RunContext(1));
+    const Stitched s = page.stitch(curves);
+    CHECK(s.curves.count() == 1);
+    CHECK(findCrossings(s.curves, RunContext(1)).empty());
+  }
+}
+
 TEST_CASE("where solids have no gaps no joint leaves the shape") {
   // Teeth on a back, as far apart as beads may be joined; and what all scenes of one solid are.
   std::vector<Ring> comb = {scenes::rectangle({0, 0}, {16, 2})};

@@ -29,7 +29,7 @@ enum class Search {
   AcrossGaps,      ///< the same, and joints may leave the shape by the width of a bridged gap
   AcrossWideGaps,  ///< from twice as far: facing tips are nearer to each other than the beads in them
   Facing,          ///< points that face each other, however far, and joints may leave the shape for some spacings
-  AroundFacing,    ///< the same, and their neighbours: a tip may be too sharp for a joint right at it
+  AroundFacing,    ///< the same, and what lies near: a tip may be too sharp, or another strand be the outer one
 };
 
 Search wider(Search search) { return static_cast<Search>(static_cast<int>(search) + 1); }
@@ -185,23 +185,38 @@ std::vector<Candidate> nearCandidates(const Scene& scene, const Joining& joining
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-// The neighbours of both points of each of the nearest pairs, each with each.
-Pairs neighboursOf(Pairs pairs, const ClosedCurves& curves, const Joining& joining) {
+// The neighbours of both points of each of the nearest pairs, each with each: along the curve, and on strands of the
+// same set beside it, of which only one faces the other set.
+Pairs neighboursOf(Pairs pairs, const Scene& scene, const Joining& joining, const SetsToJoin& sets, float spacing) {
   constexpr std::size_t kNearest = 16;  ///< pairs: bounds the work
   constexpr int kAround = 4;            ///< points on either side: one spacing
   std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
     return length(joining.at(a.first) - joining.at(a.second)) < length(joining.at(b.first) - joining.at(b.second));
   });
   pairs.resize(std::min(pairs.size(), kNearest));
-  const auto neighbour = [&](int point, int steps) {
-    const std::size_t c = static_cast<std::size_t>(joining.curveOf(point));
-    const int size = curves.size(static_cast<int>(c));
-    return curves.begin[c] + ((point - curves.begin[c] + steps) % size + size) % size;
+  const auto neighbours = [&](int point) {
+    const int curve = joining.curveOf(point);
+    const std::size_t c = static_cast<std::size_t>(curve);
+    const int begin = scene.curves.begin[c];
+    const int size = scene.curves.size(curve);
+    std::vector<int> found;
+    for (int k = -kAround; k <= kAround; ++k) found.push_back(begin + ((point - begin + k) % size + size) % size);
+    const float reach = 0.5f * spacing;
+    scene.grid.around(joining.at(point), reach, [&](int first, int last) {
+      for (int k = first; k < last; ++k) {
+        const std::size_t s = static_cast<std::size_t>(k);
+        const int id = scene.grid.id[s];
+        const bool sameSet = sets.ofCurve[static_cast<std::size_t>(scene.curveAt[s])] == sets.ofCurve[c];
+        if (sameSet && length(joining.at(id) - joining.at(point)) <= reach) found.push_back(id);
+      }
+    });
+    return found;
   };
   Pairs around;
   for (const auto& [i, j] : pairs) {
-    for (int di = -kAround; di <= kAround; ++di) {
-      for (int dj = -kAround; dj <= kAround; ++dj) around.emplace_back(neighbour(i, di), neighbour(j, dj));
+    const std::vector<int> besideJ = neighbours(j);
+    for (const int a : neighbours(i)) {
+      for (const int b : besideJ) around.emplace_back(a, b);
     }
   }
   std::sort(around.begin(), around.end());
@@ -211,14 +226,14 @@ Pairs neighboursOf(Pairs pairs, const ClosedCurves& curves, const Joining& joini
 
 // Joints between points that face each other: inside the shape if they can be.
 std::vector<Candidate> facingCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
-                                        bool andNeighbours, const RunContext& run) {
+                                        bool andNeighbours, float spacing, const RunContext& run) {
   std::vector<int> setOfPoint(scene.curves.points.size(), -1);
   for (std::size_t i = 0; i < setOfPoint.size(); ++i) {
     const std::size_t c = static_cast<std::size_t>(joining.curveOf(static_cast<int>(i)));
     if (sets.open[c] && !joining.used(static_cast<int>(i))) setOfPoint[i] = sets.ofCurve[c];
   }
   Pairs pairs = facingPoints(scene.parts, scene.curves.points, setOfPoint);
-  if (andNeighbours) pairs = neighboursOf(std::move(pairs), scene.curves, joining);
+  if (andNeighbours) pairs = neighboursOf(std::move(pairs), scene, joining, sets, spacing);
   const int count = static_cast<int>(pairs.size());
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     for (int k = begin; k < end; ++k) {
@@ -272,7 +287,8 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
     if (!sets.any) break;
     const Limits limits = limitsOf(search, params);
     const std::vector<Candidate> candidates =
-        search >= Search::Facing ? facingCandidates(scene, joining, sets, search == Search::AroundFacing, run)
+        search >= Search::Facing ? facingCandidates(scene, joining, sets, search == Search::AroundFacing,
+                                                    static_cast<float>(params.spacing), run)
                                  : nearCandidates(scene, joining, sets, limits, search == Search::Nearest,
                                                   round == 0 ? kFirstStride : 1, run);
     stitched.work += workOf(candidates, joining, params.spacing);
