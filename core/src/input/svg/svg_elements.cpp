@@ -306,12 +306,13 @@ class Drawing {
 
   // As DrawingFacts says. Shadows on or along what is painted firmly are no second tone.
   double faintArea() const {
+    const auto faint = std::count_if(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.faint; });
+    if (faint == 0 || faint == std::ssize(layers_)) return 0;
     Shape all, firm;
     for (const Layer& layer : layers_) {
       all.paths.push_back(layer.path);
       if (!layer.faint) firm.paths.push_back(layer.path);
     }
-    if (firm.paths.empty() || firm.paths.size() == all.paths.size()) return 0;
     const Result<Outline> whole = resolveOutline(all), without = resolveOutline(firm);
     if (!whole || !without) return 0;
     const double area = whole.value().area - without.value().area;
