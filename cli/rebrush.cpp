@@ -393,7 +393,7 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
   }
   const std::string& gcode = container.value().gcode;
   if (arguments.list) {
-    const Result<SlicedFile> file = sillon::readSlicedFile(gcode);
+    const Result<SlicedFile> file = sillon::readSlicedFile(gcode, run);
     if (!file) return named(file.error());
     return arguments.json ? listJson(file.value()) : listText(file.value());
   }
@@ -416,10 +416,10 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
   if (!done) return named(done.error());
   std::vector<OutputFile> files;
   const std::string& out = arguments.out.empty() ? arguments.file : arguments.out;
+  std::string brushed = sillon::withEdits(gcode, done.value().edits);
   // In place the kind of file stays, whatever its name.
-  Result<std::string> file = arguments.out.empty()
-                                 ? sillon::writeGcodeContainer(container.value(), std::move(done.value().gcode))
-                                 : packed(container.value(), std::move(done.value().gcode), out);
+  Result<std::string> file = arguments.out.empty() ? sillon::writeGcodeContainer(container.value(), std::move(brushed))
+                                                   : packed(container.value(), std::move(brushed), out);
   if (!file) return file.error();
   files.push_back({out, std::move(file).value()});
   std::size_t drawn = 0;

@@ -24,7 +24,6 @@
 #include "sillon/look/view_file.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/rebrush/relief.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace {
@@ -153,23 +152,6 @@ val checkGcode(const std::string& projectJson) {
   });
 }
 
-/// \param side  most cells of the longer side.
-val printRelief(int side) {
-  return guarded([&](sillon::RunContext&) {
-    const auto gcode = sillon::unpackGcode(call::takenFile());
-    if (!gcode) return failure(gcode.error());
-    const auto relief = sillon::printRelief(gcode.value(), side);
-    if (!relief) return failure(relief.error());
-    val out = val::object();
-    out.set("corner", convert::toJs(relief.value().corner));
-    out.set("cell", relief.value().cell);
-    out.set("columns", relief.value().columns);
-    out.set("rows", relief.value().rows);
-    out.set("heights", convert::copied(relief.value().heights.data(), relief.value().heights.size()));
-    return success(out);
-  });
-}
-
 val packGcode() {
   return guarded([&](sillon::RunContext&) {
     const auto archive = sillon::packGcode(call::takenFile());
@@ -189,5 +171,4 @@ EMSCRIPTEN_BINDINGS(files) {
   emscripten::function("importPrinter", &importPrinter);
   emscripten::function("checkGcode", &checkGcode);
   emscripten::function("packGcode", &packGcode);
-  emscripten::function("printRelief", &printRelief);
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/rebrush/rebrush.hpp"
+#include "sillon/rebrush/relief.hpp"
 
 namespace {
 
@@ -57,13 +59,56 @@ val fileOf(const sillon::SlicedFile& file) {
   return out;
 }
 
-val listSurfaces() {
+// That the calls below are about, and what was found in it.
+std::optional<sillon::GcodeContainer> print;
+std::optional<sillon::SlicedFile> sliced;
+
+/// Makes room for another.
+void forgetPrint() {
+  print.reset();
+  sliced.reset();
+}
+
+/// What is wrong with it, if anything.
+std::optional<sillon::Error> findSurfaces(const sillon::RunContext& run) {
+  if (sliced) return std::nullopt;
+  auto read = sillon::readSlicedFile(print->gcode, run);
+  if (!read) return read.error();
+  sliced = std::move(read).value();
+  return std::nullopt;
+}
+
+/// Takes the file that came last.
+val readPrint() {
   return guarded([&](sillon::RunContext&) {
-    const auto gcode = sillon::unpackGcode(call::takenFile());
-    if (!gcode) return failure(gcode.error());
-    const auto read = sillon::readSlicedFile(gcode.value());
-    if (!read) return failure(read.error());
-    return success(fileOf(read.value()));
+    auto container = sillon::readGcodeContainer(call::takenFile());
+    if (!container) return failure(container.error());
+    print = std::move(container).value();
+    return success(val::undefined());
+  });
+}
+
+val listSurfaces(const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress, 0, 1);
+    if (const auto problem = findSurfaces(run)) return failure(*problem);
+    return success(fileOf(*sliced));
+  });
+}
+
+/// \param side  most cells of the longer side.
+val printRelief(int side, const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress, 0, 1);
+    const auto relief = sillon::printRelief(print->gcode, side, run);
+    if (!relief) return failure(relief.error());
+    val out = val::object();
+    out.set("corner", convert::toJs(relief.value().corner));
+    out.set("cell", relief.value().cell);
+    out.set("columns", relief.value().columns);
+    out.set("rows", relief.value().rows);
+    out.set("heights", convert::copied(relief.value().heights.data(), relief.value().heights.size()));
+    return success(out);
   });
 }
 
@@ -91,10 +136,8 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
     if (!field) return failure(field.error());
     auto pictures = sillon::readPictures(asked, convert::reader(files));
     if (!pictures) return failure(pictures.error());
-    const auto container = sillon::readGcodeContainer(call::takenFile());
-    if (!container) return failure(container.error());
-    if (container.value().plates > 1) {
-      return failure("InvalidFile", "file holds " + std::to_string(container.value().plates) +
+    if (print->plates > 1) {
+      return failure("InvalidFile", "file holds " + std::to_string(print->plates) +
                                         " plates; export them one by one, so that none is forgotten");
     }
     sillon::RebrushOptions options;
@@ -121,10 +164,10 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
       const double share = 1.0 / static_cast<double>(all);
       tell(run, onProgress, static_cast<double>(done) * share, static_cast<double>(done + 1) * share);
     };
-    auto done = sillon::rebrush(container.value().gcode, options, run);
+    tell(run, onProgress, 0, 0);
+    if (const auto problem = findSurfaces(run)) return failure(*problem);
+    const auto done = sillon::rebrush(print->gcode, *sliced, options, run);
     if (!done) return failure(done.error());
-    const auto packed = sillon::writeGcodeContainer(container.value(), std::move(done.value().gcode));
-    if (!packed) return failure(packed.error());
     val surfaces = val::array();
     for (const sillon::RebrushedSurface& made : done.value().surfaces) {
       val out = surfaceOf(done.value().file.surfaces[made.surface]);
@@ -141,10 +184,15 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
       surfaces.call<void>("push", out);
     }
     constexpr std::size_t kPiece = std::size_t{4} << 20;
-    const std::string_view bytes = packed.value();
-    for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
-      const std::string_view piece = bytes.substr(at, kPiece);
+    const auto give = [&](std::string_view piece) {
       onPiece(convert::copied(reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size()));
+    };
+    if (print->kind == sillon::GcodeContainerKind::Text) {
+      sillon::forEachPiece(print->gcode, done.value().edits, kPiece, give);
+    } else {
+      const auto packed = sillon::writeGcodeContainer(*print, sillon::withEdits(print->gcode, done.value().edits));
+      if (!packed) return failure(packed.error());
+      sillon::forEachPiece(packed.value(), {}, kPiece, give);
     }
     val out = val::object();
     out.set("seconds", done.value().seconds);
@@ -156,6 +204,9 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(rebrush) {
+  emscripten::function("forgetPrint", &forgetPrint);
+  emscripten::function("readPrint", &readPrint);
   emscripten::function("listSurfaces", &listSurfaces);
+  emscripten::function("printRelief", &printRelief);
   emscripten::function("rebrush", &rebrush);
 }

@@ -141,7 +141,8 @@ export interface Engine {
   packGcode(file: Bytes, options?: RunOptions): Promise<Blob>;
 
   /** The top and bottom surfaces of a file that PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura sliced:
-   * G-code, .gcode.3mf, .bgcode or .gz. @throws `InvalidFile`, `TooLarge`. */
+   * G-code, .gcode.3mf, .bgcode or .gz. The engine keeps the print for the next call with the same Blob, as do printRelief and
+   * rebrush: hand it over again, and it is read once. @throws `InvalidFile`, `TooLarge`. */
   listSurfaces(file: Bytes, options?: RunOptions): Promise<SlicedFile>;
   /** What such a print looks like from above: the highest bead at each place.
    * @param side  most cells of the longer side, 16..4096, default 1024. @throws `InvalidFile`, `InvalidArgument`. */

@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const sillon::RunContext run(1);
   const auto done = sillon::rebrush(text, options, run);
   if (!done) return 0;
-  const auto again = sillon::readSlicedFile(done.value().gcode);
+  const auto again = sillon::readSlicedFile(sillon::withEdits(text, done.value().edits));
   if (!again || again.value().layers != done.value().file.layers) std::abort();
   return 0;
 }

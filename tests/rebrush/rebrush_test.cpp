@@ -49,6 +49,7 @@
 #include "rebrush/totals.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/outline.hpp"
+#include "sillon/rebrush/relief.hpp"
 #include "support/damaged.hpp"
 #include "support/rebrushed.hpp"
 
@@ -290,9 +291,9 @@ TEST_CASE("a top is replaced in every dialect and variant, and nothing else chan
       checkKept(text, done.value());
       CHECK(done.value().surfaces.size() == 1);
       CHECK(done.value().surfaces.front().alignment < -0.9);
-      if (variant.crlf) CHECK(done.value().gcode.find("\r\n") != std::string::npos);
+      if (variant.crlf) CHECK(withEdits(text, done.value().edits).find("\r\n") != std::string::npos);
       if (!variant.inside.empty())
-        CHECK(done.value().gcode.find("M204 S500\nM106 S128\nM73 P50 R1\n") != std::string::npos);
+        CHECK(withEdits(text, done.value().edits).find("M204 S500\nM106 S128\nM73 P50 R1\n") != std::string::npos);
     }
   }
 }
@@ -357,19 +358,72 @@ TEST_CASE("times and progress change by what the print takes longer, and nothing
       "; estimated printing time (silent mode) = 1d 0h 59m 58s\n; estimated first layer printing time (normal mode) = "
       "30s\n; model printing time: 9m 50s; total estimated time: 10m 0s\n; a time of 5m\n";
   std::int64_t told = 0;
-  const std::string after = withTotals(text, {{text.find("G1 X2"), 120.0, false}}, told);
+  const auto with = [&](const std::vector<TimeChange>& changes) {
+    std::vector<Edit> edits;
+    told = changeTotals(text, changes, edits);
+    return withEdits(text, edits);
+  };
+  const std::string after = with({{text.find("G1 X2"), 120.0, false}});
   CHECK(after ==
         ";TIME:720\nM73 P0 R12\nM73 Q0 S14\n;TIME_ELAPSED:60.500000\nG1 X1\nM73 P42 R7 ; half\nG1 X2\n"
         ";TIME_ELAPSED:719.000000\nM73 P100 R0\nM73 L3\n; estimated printing time (normal mode) = 12m 0s\n"
         "; estimated printing time (silent mode) = 1d 1h 1m 58s\n; estimated first layer printing time (normal mode) = "
         "30s\n; model printing time: 11m 50s; total estimated time: 12m 0s\n; a time of 5m\n");
   CHECK(told == 8);
-  CHECK(withTotals(text, {}, told) == text);
-  for (const std::string& other : {std::string(), std::string("abc"), std::string("0123456789")}) {
-    CHECK(withEdits("--ab--cd--", {{2, 4, other}, {6, 8, "x"}}) == std::string("--").append(other).append("--x--"));
-  }
+  CHECK(with({}) == text);
   CHECK(told == 0);
-  CHECK(withTotals(text, {{0, 30.0, true}}, told).find("(normal mode) = 1m 0s") != std::string::npos);
+  CHECK(with({{0, 30.0, true}}).find("(normal mode) = 1m 0s") != std::string::npos);
+}
+
+TEST_CASE("progress within replaced lines counts what lies before them alone") {
+  const std::string text = "M73 R10\nG1 X1\nG1 X2\nM73 R5\nG1 X3\nG1 X4\nM73 R1\n";
+  const std::size_t first = text.find("G1 X1");
+  const std::size_t second = text.find("G1 X3");
+  std::vector<Edit> edits{{first, first + 12, "G1 Y1\nM73 R8\n"}, {second, second + 12, "M73 R3\nG1 Y3\n"}};
+  CHECK(changeTotals(text, {{first + 12, 120.0, false}, {second + 12, 60.0, false}}, edits) == 4);
+  CHECK(withEdits(text, edits) == "M73 R13\nG1 Y1\nM73 R11\nM73 R6\nM73 R4\nG1 Y3\nM73 R1\n");
+  for (std::size_t k = 1; k < edits.size(); ++k) CHECK(edits[k - 1].end <= edits[k].begin);
+}
+
+TEST_CASE("edits change their bytes alone, at once and in pieces of any size") {
+  const std::string text = "--ab--cd--";
+  for (const std::string& other : {std::string(), std::string("abc"), std::string("0123456789")}) {
+    const std::vector<Edit> edits{{2, 4, other}, {6, 8, "x"}};
+    const std::string expected = "--" + other + "--x--";
+    CHECK(withEdits(text, edits) == expected);
+    for (const std::size_t size : {1u, 3u, 64u}) {
+      std::string all;
+      std::vector<std::size_t> sizes;
+      forEachPiece(text, edits, size, [&](std::string_view piece) {
+        all += piece;
+        sizes.push_back(piece.size());
+      });
+      CHECK(all == expected);
+      CHECK(sizes.size() == (expected.size() + size - 1) / size);
+      for (std::size_t k = 0; k + 1 < sizes.size(); ++k) CHECK(sizes[k] == size);
+    }
+  }
+  CHECK(withEdits("", {}).empty());
+}
+
+TEST_CASE("reading and drawing a print tell how far they are, and stop when asked") {
+  const std::string text = Slices(kDialects[0], {}).text() + std::string(3 << 20, '\n');
+  const auto watched = [&](const auto& work) {
+    RunContext watch(1);
+    std::vector<double> told;
+    watch.onProgress([&](std::string_view, double fraction) { told.push_back(fraction); });
+    CHECK(work(watch));
+    CHECK(told.size() >= 4);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.back() > 0.6);
+    CHECK(told.back() <= 1);
+    watch.requestCancel();
+    const auto stopped = work(watch);
+    REQUIRE_FALSE(stopped);
+    CHECK(stopped.error().code == ErrorCode::Cancelled);
+  };
+  watched([&](const RunContext& watch) { return readSlicedFile(text, watch); });
+  watched([&](const RunContext& watch) { return printRelief(text, 64, watch); });
 }
 
 TEST_CASE("the slicer's own lines in the place of the new ones give the original file") {
@@ -383,7 +437,7 @@ TEST_CASE("the slicer's own lines in the place of the new ones give the original
       edits.push_back({begin, end, text.substr(begin, end - begin)});
       CHECK(stateDifference(std::string_view(text).substr(begin), std::string_view(text).substr(begin), block).empty());
     }
-    CHECK(applyEdits(text, edits) == text);
+    CHECK(withEdits(text, edits) == text);
   }
 }
 
@@ -474,7 +528,7 @@ TEST_CASE("any bytes are refused, or become a file that keeps its promises") {
       continue;
     }
     ++made;
-    CHECK(done.value().gcode.size() > 0);
+    CHECK(!done.value().edits.empty());
   }
   CHECK(made > 0);
 }
@@ -589,7 +643,8 @@ TEST_CASE("chosen faces alone are replaced, and share their picture with no othe
   CHECK(done.value().surfaces.front().surface == tops[1]);
   // The other face keeps its bytes; this one has the whole map.
   const SlicedSurface& other = listed.value().surfaces[tops[0]];
-  CHECK(done.value().gcode.find(text.substr(other.begin, other.end - other.begin)) != std::string::npos);
+  CHECK(withEdits(text, done.value().edits).find(text.substr(other.begin, other.end - other.begin)) !=
+        std::string::npos);
   const Vec2 page = done.value().file.surfaces[tops[1]].region.page;
   CHECK(leanings(done.value().surfaces.front(), page).first > 0.5);
   CHECK(leanings(done.value().surfaces.front(), page).second < -0.5);
@@ -600,6 +655,24 @@ TEST_CASE("chosen faces alone are replaced, and share their picture with no othe
   CHECK(rebrush(text, how, run));
   how.only = {listed.value().surfaces.size()};
   CHECK(why(text, how).find("is chosen; the file has") != std::string::npos);
+}
+
+TEST_CASE("a file that was read once is brushed as often as wanted, with the same bytes") {
+  const std::string text = twoFaces(kDialects[0]);
+  const auto file = readSlicedFile(text);
+  REQUIRE(file);
+  const RunContext run(1);
+  for (const double angle : {30.0, 75.0}) {
+    const auto once = rebrush(text, file.value(), options(angle), run);
+    const auto anew = rebrush(text, options(angle), run);
+    REQUIRE(once);
+    REQUIRE(anew);
+    CHECK(withEdits(text, once.value().edits) == withEdits(text, anew.value().edits));
+    CHECK(once.value().file.surfaces.size() == file.value().surfaces.size());
+  }
+  const auto unread = rebrush(text, SlicedFile{}, options(30), run);
+  REQUIRE_FALSE(unread);
+  CHECK(unread.error().code == ErrorCode::InvalidArgument);
 }
 
 TEST_CASE("maps are cut where they lie over faces that share them") {

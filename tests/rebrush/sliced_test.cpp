@@ -225,7 +225,7 @@ void checkSliced(const std::string& text, const char* slicer, const std::string&
     CHECK(stateDifference(rest, rest, block).empty());
   }
   CHECK(edits.size() >= tops);
-  CHECK(applyEdits(text, edits) == text);
+  CHECK(withEdits(text, edits) == text);
 }
 
 struct Variant {

@@ -108,7 +108,7 @@ inline std::string withoutPlace(const std::string& line) {
 /// Everything that a rewritten file promises, seen from outside.
 /// \param travels  a travel follows the last surface: else nothing tells where the nozzle must be.
 inline void checkKept(const std::string& before, const Rebrushed& done, bool travels = true) {
-  const std::string& after = done.gcode;
+  const std::string after = withEdits(before, done.edits);
   // Lines outside the replaced ones are the same, but for X and Y of wipes.
   const std::vector<std::string> old = lines(before);
   const std::vector<std::string> fresh = lines(after);

@@ -3,7 +3,7 @@ import type * as api from '../sillon.js';
 import { invalid } from './errors.js';
 import * as input from './input.js';
 import type { Platform } from './platform.js';
-import type { CalibrateCall, FileCall, PhotoCall, PlateCall, RebrushCall } from './protocol.js';
+import type { CalibrateCall, FileCall, PhotoCall, PlateCall, Print, RebrushCall } from './protocol.js';
 import { Queue, type Threads } from './queue.js';
 
 const mostAutoThreads = 8;
@@ -32,6 +32,15 @@ export async function startEngine(platform: Platform, options: unknown): Promise
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
   const run = (call: PlateCall, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
+  const numbers = new WeakMap<Blob, number>();
+  let lastNumber = 0;
+  const printOf = (given: unknown): Print => {
+    const file = input.bytesFile(given);
+    if (!(file instanceof Blob)) return { file, number: 0 };
+    const number = numbers.get(file) ?? ++lastNumber;
+    numbers.set(file, number);
+    return { file, number };
+  };
   const runOnFile = (call: FileCall, options: input.CallOptions): Promise<unknown> => files.run(call, options);
   return {
     get info() {
@@ -164,23 +173,22 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     },
 
     async listSurfaces(file, options) {
-      const call: RebrushCall = { name: 'listSurfaces', file: input.bytesFile(file) };
+      const call: RebrushCall = { name: 'listSurfaces', print: printOf(file) };
       return (await prints.run(call, input.callOptions(options))) as api.SlicedFile;
     },
 
     async printRelief(file, side, options) {
       const checked = input.callOptions(options);
-      const call: FileCall = { name: 'printRelief', file: input.bytesFile(file), side: input.cells(side) };
-      return (await runOnFile(call, checked)) as api.PrintRelief;
+      const call: RebrushCall = { name: 'printRelief', print: printOf(file), side: input.cells(side) };
+      return (await prints.run(call, checked)) as api.PrintRelief;
     },
 
     async rebrush(file, how, options) {
       const checked = input.callOptions(options);
       const { sides, fit, only, sections, files: given } = input.rebrushOptions(how);
-      const content = input.bytesFile(file);
       const call: RebrushCall = {
         name: 'rebrush',
-        file: content,
+        print: printOf(file),
         project: input.projectText(sections),
         files: given,
         sides,

@@ -56,15 +56,21 @@ export type FileCall =
   | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
   /** `project`: whose printer counts; empty: what the file's own settings say. */
   | { name: 'checkGcode'; file: Uint8Array | Blob; project: string }
-  | { name: 'packGcode'; file: Uint8Array | Blob }
-  | { name: 'printRelief'; file: Uint8Array | Blob; side: number };
+  | { name: 'packGcode'; file: Uint8Array | Blob };
+
+/** A sliced file. `number`: the same for the same Blob, whose text the module keeps for the next call; 0: none. */
+export interface Print {
+  file: Uint8Array | Blob;
+  number: number;
+}
 
 /** Of the module that lays plates on other people's prints. */
 export type RebrushCall =
-  | { name: 'listSurfaces'; file: Uint8Array | Blob }
+  | { name: 'listSurfaces'; print: Print }
+  | { name: 'printRelief'; print: Print; side: number }
   | {
       name: 'rebrush';
-      file: Uint8Array | Blob;
+      print: Print;
       project: string;
       files: Files;
       sides: api.RebrushOptions['sides'];

@@ -119,7 +119,7 @@ export class Queue {
       if (job.settled) return; // while the session started
       job.started = true;
       kept = session.keeps;
-      session.keeps ||= call.name === 'generateToolpath';
+      session.keeps ||= call.name === 'generateToolpath' || 'print' in call;
       const value = await session.run(call, (message) => {
         this.#tell(job, message);
       });
@@ -129,7 +129,7 @@ export class Queue {
       const error = problem instanceof SillonError ? problem : new SillonError('Internal', messageOf(problem));
       if (fatal.includes(error.code)) this.#closeSession();
       // One thread cannot wait for another in vain, and has more memory: what threads share has a lower limit. A worker
-      // that keeps fields of the last plate has less than a new one.
+      // that keeps fields of the last plate, or the last print, has less than a new one.
       const silent = threads > 1 && session?.silent === true;
       if (silent) this.#useOneThread(error.message);
       const again = silent || ((threads > 1 || kept) && error.code === 'OutOfMemory');

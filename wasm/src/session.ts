@@ -21,7 +21,7 @@ export class Session {
   version = '';
   /** Ended because it did not answer in time. */
   silent = false;
-  /** Has made a plate, and keeps fields of it for the next. */
+  /** Has made a plate, and keeps fields of it for the next, or has read a print. */
   keeps = false;
   #end: SillonError | undefined;
   #worker: EngineWorker | undefined;

@@ -48,7 +48,21 @@ before(async () => {
   assert.equal(type, 'started', message);
 });
 
-const list = (file) => ask({ type: 'call', call: { name: 'listSurfaces', file }, wanted: undefined });
+const call = (call) => ask({ type: 'call', call, wanted: undefined });
+const list = (file, number = 0) => call({ name: 'listSurfaces', print: { file, number } });
+const sample = readFileSync(join(root, 'tests/fuzz/seeds/rebrush/prusa.gcode'));
+
+/** A file whose pieces are told, by their sizes. */
+function watched(bytes, sizes) {
+  const file = new Blob([bytes]);
+  const slice = file.slice.bind(file);
+  file.slice = (from, to) => {
+    const piece = slice(from, to);
+    sizes.push(piece.size);
+    return piece;
+  };
+  return file;
+}
 
 test('a file that no memory holds is refused before a byte of it is read', async () => {
   for (const gib of [0.5, 4, 5, 1e6, Infinity]) {
@@ -64,17 +78,9 @@ test('a file that no memory holds is refused before a byte of it is read', async
 });
 
 test('after a refusal the next file is read, and it comes in pieces', async () => {
-  const text = readFileSync(join(root, 'tests/fuzz/seeds/rebrush/prusa.gcode'));
-  const long = Buffer.concat([text, Buffer.alloc(9 << 20, '; a comment\n')]);
+  const long = Buffer.concat([sample, Buffer.alloc(9 << 20, '; a comment\n')]);
   const sizes = [];
-  const file = new Blob([long]);
-  const slice = file.slice.bind(file);
-  file.slice = (from, to) => {
-    const piece = slice(from, to);
-    sizes.push(piece.size);
-    return piece;
-  };
-  const { type, value } = await list(file);
+  const { type, value } = await list(watched(long, sizes));
   assert.equal(type, 'done');
   assert.deepEqual(
     sizes.slice(0, -1),
@@ -84,7 +90,36 @@ test('after a refusal the next file is read, and it comes in pieces', async () =
     sizes.reduce((sum, size) => sum + size, 0),
     long.length,
   );
-  const { value: whole } = await list(new Uint8Array(text));
+  const { value: whole } = await list(new Uint8Array(sample));
   assert.deepEqual(value.surfaces, whole.surfaces);
   assert.equal(whole.surfaces.length, 2);
+});
+
+test('a print that is called for again is read once, until another takes its place or is refused', async () => {
+  const sizes = [];
+  const print = { file: watched(sample, sizes), number: 1 };
+  const relief = () => call({ name: 'printRelief', print, side: 64 });
+  const { value: listed } = await list(print.file, 1);
+  const { value: drawn } = await relief();
+  assert.deepEqual(sizes, [sample.length]);
+  const shorter = sample.subarray(0, sample.lastIndexOf(';LAYER_CHANGE'));
+  const { value: other } = await list(new Blob([shorter]), 2);
+  assert.ok(other.layers < listed.layers);
+  assert.deepEqual((await relief()).value, drawn);
+  assert.deepEqual(sizes, [sample.length, sample.length]);
+  assert.equal((await list(fileOf(2 ** 40), 3)).code, 'TooLarge');
+  assert.deepEqual((await list(print.file, 1)).value, listed);
+  assert.equal(sizes.length, 3);
+  // What is no print is none the second time either.
+  for (let k = 0; k < 2; ++k) assert.equal((await list(new Blob(['G28\n']), 4)).code, 'InvalidFile');
+  assert.deepEqual((await relief()).value, drawn);
+});
+
+test('reading a print tells how far it is', async () => {
+  const long = Buffer.concat([sample, Buffer.alloc(9 << 20, '; a comment\n')]);
+  assert.equal((await list(new Uint8Array(long))).type, 'done');
+  const told = answers.filter(({ type }) => type === 'progress');
+  assert.ok(told.length > 0);
+  assert.deepEqual([...new Set(told.map(({ stage }) => stage))], ['reading']);
+  assert.ok(told.every(({ fraction }) => fraction >= 0 && fraction <= 1));
 });

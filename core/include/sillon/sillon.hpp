@@ -68,6 +68,7 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/gcode_reader/examine.hpp"
 #include "sillon/gcode_reader/finding.hpp"
+#include "sillon/rebrush/edits.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 #include "sillon/rebrush/relief.hpp"
 #include "sillon/rebrush/surfaces.hpp"

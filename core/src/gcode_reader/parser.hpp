@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/lines.hpp"
+#include "sillon/base/run_context.hpp"
 
 namespace sillon {
 
@@ -100,6 +101,20 @@ void forEachLine(std::string_view text, Take&& take) {
   GcodeParser parser;
   parser.feed(text, take);
   parser.finish(take);
+}
+
+/// The same of a large text: tells the run the share of its stage that is done. \return false: it was asked to stop.
+template <class Take>
+bool forEachLine(std::string_view text, const RunContext& run, Take&& take) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  GcodeParser parser;
+  for (std::size_t at = 0; at < text.size(); at += kPiece) {
+    if (run.poll()) return false;
+    run.report(static_cast<double>(at) / static_cast<double>(text.size()));
+    parser.feed(text.substr(at, kPiece), take);
+  }
+  parser.finish(take);
+  return true;
 }
 
 /// What a firmware runs of a line, without comment, a host's line number and checksum; and the comment.

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <utility>
 
-#include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/parser.hpp"
 #include "rebrush/marks.hpp"
 #include "rebrush/region.hpp"
@@ -128,6 +127,7 @@ class Reader {
     area_ = std::numbers::pi * settings.filamentDiameter * settings.filamentDiameter / 4;
     volumetric_ = settings.volumetric;
     diameterKnown_ = settings.diameterTold;
+    out_.settings = settings;
   }
 
   void line(const GcodeLine& line);
@@ -608,7 +608,7 @@ Result<SlicedBlocks> Reader::finish() {
 
 }  // namespace
 
-Result<SlicedBlocks> readBlocks(std::string_view gcode) {
+Result<SlicedBlocks> readBlocks(std::string_view gcode, const RunContext& run) {
   if (gcode.starts_with("GCDE")) {
     return Error{
         ErrorCode::InvalidFile,
@@ -616,7 +616,10 @@ Result<SlicedBlocks> readBlocks(std::string_view gcode) {
         "printer supports it\", and export again"};
   }
   Reader reader(gcode, readFileSettings(gcode, {}));
-  forEachLine(gcode, [&](const GcodeLine& line) { reader.line(line); });
+  run.beginStage("reading", 0, 1);
+  if (!forEachLine(gcode, run, [&](const GcodeLine& line) { reader.line(line); })) {
+    return Error{ErrorCode::Cancelled, "cancelled"};
+  }
   return reader.finish();
 }
 

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/machine.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/rebrush/surfaces.hpp"
 
 namespace sillon {
@@ -36,9 +38,10 @@ struct SlicedBlocks {
   SlicedFile file;  ///< without its surfaces
   std::vector<SurfaceBlock> blocks;
   double filamentArea = 0;  ///< section of the filament that E counts [mm²]
+  FileSettings settings;
 };
 
 /// See readSlicedFile.
-Result<SlicedBlocks> readBlocks(std::string_view gcode);
+Result<SlicedBlocks> readBlocks(std::string_view gcode, const RunContext& run = RunContext());
 
 }  // namespace sillon

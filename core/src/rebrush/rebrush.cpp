@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
-#include "gcode_reader/file_settings.hpp"
 #include "rebrush/blocks.hpp"
 #include "rebrush/replace.hpp"
 #include "rebrush/totals.hpp"
@@ -94,13 +93,13 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
 
 }  // namespace
 
-Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options, const RunContext& run) {
+Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
+                          const RunContext& run) {
   if (std::string problem = invalidSettings(options.toolpath); !problem.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(problem)};
   }
-  Result<SlicedBlocks> read = readBlocks(gcode);
-  if (!read) return read.error();
-  const std::vector<SurfaceBlock>& blocks = read.value().blocks;
+  if (file.blocks == nullptr) return Error{ErrorCode::InvalidArgument, "the file was not read by readSlicedFile"};
+  const std::vector<SurfaceBlock>& blocks = file.blocks->blocks;
   std::vector<std::size_t> chosen;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (isChosen(blocks[k].surface, k, options)) chosen.push_back(k);
@@ -110,11 +109,10 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
     return Error{ErrorCode::InvalidArgument,
                  "surface " + std::to_string(k + 1) + " is chosen; the file has " + std::to_string(blocks.size())};
   }
-  const FileSettings settings = readFileSettings(gcode, {});
-  const double area = read.value().filamentArea;
+  const double area = file.blocks->filamentArea;
 
   Rebrushed out;
-  DirectionSource source(options, settings, blocks);
+  DirectionSource source(options, file.blocks->settings, blocks);
   std::vector<Edit> edits;
   std::vector<TimeChange> changes;
   std::string reason;  // why the first was left
@@ -164,7 +162,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
     }
     const std::uint64_t last = local.back().end;
     const std::string_view old = gcode.substr(surface.begin, last + kBehind);
-    const std::string fresh = applyEdits(old, local);
+    const std::string fresh = withEdits(old, local);
     if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
       leave(differs + " would be another behind it");
       continue;
@@ -190,15 +188,13 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
     const std::string_view relaid = std::string_view(fresh).substr(0, fresh.size() - (old.size() - last));
     made.seconds = secondsOfMoves(relaid, block.before, block.acceleration) -
                    secondsOfMoves(oldMoves, block.before, block.acceleration);
-    changes.push_back({replacement.edits.front().begin, made.seconds, surface.layer == 1});
+    changes.push_back({replacement.edits.front().end, made.seconds, surface.layer == 1});
     made.toolpath = std::move(toolpath);
     made.replaced = true;
     made.volumeMm3 = replacement.volumeMm3;
     made.moves = replacement.moves;
     edits.insert(edits.end(), replacement.edits.begin(), replacement.edits.end());
   }
-  out.file = std::move(read.value().file);
-  for (const SurfaceBlock& block : blocks) out.file.surfaces.push_back(block.surface);
   if (edits.empty()) {
     return Error{ErrorCode::InvalidArgument, out.surfaces.empty()
                                                  ? "the file has no surface of the kind that was asked for"
@@ -208,18 +204,18 @@ Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options,
   for (std::size_t k = 1; k < edits.size(); ++k) {
     if (edits[k].begin < edits[k - 1].end) return Error{ErrorCode::Internal, "two surfaces share a line of the file"};
   }
-  // Where changes end in the new file; edits are those of surfaces, and of wipes between them.
-  std::int64_t grown = 0;
-  std::size_t change = 0;
-  std::sort(changes.begin(), changes.end(), [](const TimeChange& a, const TimeChange& b) { return a.at < b.at; });
-  for (const Edit& edit : edits) {
-    const bool beads = change < changes.size() && changes[change].at == edit.begin;
-    grown += static_cast<std::int64_t>(edit.text.size()) - static_cast<std::int64_t>(edit.end - edit.begin);
-    if (beads) changes[change++].at = static_cast<std::uint64_t>(static_cast<std::int64_t>(edit.end) + grown);
-  }
   for (const TimeChange& entry : changes) out.seconds += entry.seconds;
-  out.gcode = withTotals(applyEdits(gcode, edits), changes, out.totals);
+  std::sort(changes.begin(), changes.end(), [](const TimeChange& a, const TimeChange& b) { return a.at < b.at; });
+  out.totals = changeTotals(gcode, changes, edits);
+  out.edits = std::move(edits);
+  out.file = std::move(file);
   return out;
+}
+
+Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options, const RunContext& run) {
+  Result<SlicedFile> file = readSlicedFile(gcode, run);
+  if (!file) return file.error();
+  return rebrush(gcode, std::move(file).value(), options, run);
 }
 
 }  // namespace sillon

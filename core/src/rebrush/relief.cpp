@@ -168,14 +168,18 @@ void draw(const Bead& bead, PrintRelief& relief) {
 
 }  // namespace
 
-Result<PrintRelief> printRelief(std::string_view gcode, int side) {
+Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunContext& run) {
   if (side < 16 || side > 4096) {
     return Error{ErrorCode::InvalidArgument, "side is " + std::to_string(side) + "; it must be 16 to 4096"};
   }
   const FileSettings settings = readFileSettings(gcode, {});
   Box around;
   Beads beads(settings, [&](const Bead& bead) { around.add(bead); });
-  forEachLine(gcode, [&](const GcodeLine& line) { beads.line(line); });
+  run.beginJob();
+  run.beginStage("reading", 0, 0.5);
+  if (!forEachLine(gcode, run, [&](const GcodeLine& line) { beads.line(line); })) {
+    return Error{ErrorCode::Cancelled, "cancelled"};
+  }
   if (beads.beyond) {
     return Error{ErrorCode::InvalidFile, "a bead lies more than 10 m away from the bed's origin"};
   }
@@ -192,7 +196,10 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side) {
   relief.rows = std::clamp(static_cast<int>(std::ceil(size.y / relief.cell)), 1, side);
   relief.heights.assign(static_cast<std::size_t>(relief.columns) * static_cast<std::size_t>(relief.rows), 0);
   Beads again(settings, [&](const Bead& bead) { draw(bead, relief); });
-  forEachLine(gcode, [&](const GcodeLine& line) { again.line(line); });
+  run.beginStage("drawing", 0.5, 1);
+  if (!forEachLine(gcode, run, [&](const GcodeLine& line) { again.line(line); })) {
+    return Error{ErrorCode::Cancelled, "cancelled"};
+  }
   return relief;
 }
 

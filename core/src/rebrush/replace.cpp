@@ -14,9 +14,8 @@ constexpr double kWidthError = 0.03;  // [mm] that its width may be off
 constexpr double kLongestMove = 5;    // [mm] over which widths are merged
 constexpr double kLeastFlow = 0.85;   // of the slicer's plastic over ours
 constexpr double kMostFlow = 1.18;
-constexpr double kFarEntry = 2;                 // [mm] from the slicer's entry to the cycle
-constexpr double kShortTravel = 2;              // [mm] without retraction, as slicers allow
-constexpr std::size_t kRoomForTotals = 65'536;  // bytes by which times and progress may grow in place
+constexpr double kFarEntry = 2;     // [mm] from the slicer's entry to the cycle
+constexpr double kShortTravel = 2;  // [mm] without retraction, as slicers allow
 
 struct Bead {
   Vec2 to;
@@ -209,43 +208,6 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
     out.edits.push_back({wipe.begin, wipe.end, withPlace(line, rounded(place))});
   }
   return out;
-}
-
-std::string applyEdits(std::string_view gcode, const std::vector<Edit>& edits) {
-  std::size_t size = gcode.size() + kRoomForTotals;
-  for (const Edit& edit : edits) size += edit.text.size();
-  std::string out;
-  out.reserve(size);
-  out = gcode;
-  return withEdits(std::move(out), edits);
-}
-
-std::string withEdits(std::string gcode, const std::vector<Edit>& edits) {
-  // All of it moves back by what the edits add; then each piece moves forward to its place, never beyond what is read.
-  const std::size_t size = gcode.size();
-  std::size_t more = 0;
-  for (const Edit& edit : edits) {
-    const std::size_t before = edit.end - edit.begin;
-    more += edit.text.size() > before ? edit.text.size() - before : 0;
-  }
-  using Chars = std::char_traits<char>;
-  gcode.resize(size + more);
-  Chars::move(gcode.data() + more, gcode.data(), size);
-  std::size_t to = 0;
-  std::size_t at = 0;
-  const auto move = [&](std::size_t end) {
-    Chars::move(gcode.data() + to, gcode.data() + more + at, end - at);
-    to += end - at;
-  };
-  for (const Edit& edit : edits) {
-    move(edit.begin);
-    Chars::copy(gcode.data() + to, edit.text.data(), edit.text.size());
-    to += edit.text.size();
-    at = edit.end;
-  }
-  move(size);
-  gcode.resize(to);
-  return gcode;
 }
 
 std::string stateDifference(std::string_view before, std::string_view after, const SurfaceBlock& block) {

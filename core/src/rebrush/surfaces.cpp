@@ -70,11 +70,13 @@ const char* surfaceReasonName(LeftBecause reason) {
   return "";
 }
 
-Result<SlicedFile> readSlicedFile(std::string_view gcode) {
-  Result<SlicedBlocks> blocks = readBlocks(gcode);
+Result<SlicedFile> readSlicedFile(std::string_view gcode, const RunContext& run) {
+  run.beginJob();
+  Result<SlicedBlocks> blocks = readBlocks(gcode, run);
   if (!blocks) return blocks.error();
   SlicedFile file = std::move(blocks.value().file);
-  for (SurfaceBlock& block : blocks.value().blocks) file.surfaces.push_back(std::move(block.surface));
+  for (const SurfaceBlock& block : blocks.value().blocks) file.surfaces.push_back(block.surface);
+  file.blocks = std::make_shared<const SlicedBlocks>(std::move(blocks).value());
   return file;
 }
 

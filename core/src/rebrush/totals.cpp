@@ -8,7 +8,6 @@
 
 #include "base/decimal_text.hpp"
 #include "gcode_reader/parser.hpp"
-#include "rebrush/replace.hpp"
 
 namespace sillon {
 namespace {
@@ -160,9 +159,8 @@ double secondsOfMoves(std::string_view text, const MachineState& before, double 
   return seconds;
 }
 
-std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes, std::int64_t& told) {
-  told = 0;
-  if (changes.empty()) return gcode;
+std::int64_t changeTotals(std::string_view gcode, const std::vector<TimeChange>& changes, std::vector<Edit>& edits) {
+  if (changes.empty()) return 0;
   double all = 0;
   double first = 0;
   for (const TimeChange& change : changes) {
@@ -170,7 +168,6 @@ std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes
     if (change.firstLayer) first += change.seconds;
   }
   const Whole whole = wholeOf(gcode);
-  std::vector<Edit> edits;
   double before = 0;  // of the changes that are behind us
   std::size_t next = 0;
   std::array<double, 2> least{0, 0};  // progress never goes back
@@ -221,13 +218,13 @@ std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes
     }
     return fresh;
   };
-  forEachLine(gcode, [&](const GcodeLine& line) {
-    for (; next < changes.size() && changes[next].at <= line.offset; ++next) before += changes[next].seconds;
-    const bool comment = line.text.starts_with(';');
-    if (!comment && !line.text.starts_with("M73 ")) return;
-    std::string text(line.text);
+  // The line as it becomes, if another.
+  const auto changed = [&](std::string_view line) -> std::optional<std::string> {
+    const bool comment = line.starts_with(';');
+    if (!comment && !line.starts_with("M73 ")) return std::nullopt;
+    std::string text(line);
     if (!comment) {
-      text = progress(line.text);
+      text = progress(line);
     } else if (text.find("ime") != std::string::npos || text.find("TIME") != std::string::npos) {
       duration(text, "estimated first layer printing time (normal mode) =", first);
       duration(text, "estimated first layer printing time (silent mode) =", first);
@@ -239,10 +236,40 @@ std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes
       seconds(text, ";PRINT.TIME:", all);
       seconds(text, ";TIME_ELAPSED:", before);
     }
-    if (text != line.text) edits.push_back({line.offset, line.offset + line.text.size(), std::move(text)});
-  });
-  told = static_cast<std::int64_t>(edits.size());
-  return withEdits(std::move(gcode), edits);
+    return text == line ? std::nullopt : std::optional(std::move(text));
+  };
+  // What changes of one part of the file, at its place there.
+  const auto changesOf = [&](std::string_view text, std::uint64_t offset, bool edited) {
+    std::vector<Edit> found;
+    forEachLine(text, [&](const GcodeLine& line) {
+      const std::uint64_t at = edited ? offset : offset + line.offset;
+      for (; next < changes.size() && changes[next].at <= at; ++next) before += changes[next].seconds;
+      if (auto fresh = changed(line.text)) {
+        found.push_back({line.offset, line.offset + line.text.size(), std::move(*fresh)});
+      }
+    });
+    return found;
+  };
+  std::vector<Edit> out;
+  std::int64_t told = 0;
+  std::uint64_t at = 0;
+  const auto keep = [&](std::uint64_t end) {
+    for (Edit& edit : changesOf(gcode.substr(at, end - at), at, false)) {
+      out.push_back({edit.begin + at, edit.end + at, std::move(edit.text)});
+      ++told;
+    }
+  };
+  for (Edit& edit : edits) {
+    keep(edit.begin);
+    const std::vector<Edit> inside = changesOf(edit.text, edit.begin, true);
+    told += static_cast<std::int64_t>(inside.size());
+    if (!inside.empty()) edit.text = withEdits(edit.text, inside);
+    at = edit.end;
+    out.push_back(std::move(edit));
+  }
+  keep(gcode.size());
+  edits = std::move(out);
+  return told;
 }
 
 }  // namespace sillon

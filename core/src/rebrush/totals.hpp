@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "gcode_reader/machine.hpp"
+#include "sillon/rebrush/edits.hpp"
 
 namespace sillon {
 
 /// Somewhere the print takes longer, or shorter.
 struct TimeChange {
-  std::uint64_t at = 0;  ///< behind it [bytes]
+  std::uint64_t at = 0;  ///< behind it [bytes of the file as it was]
   double seconds = 0;
   bool firstLayer = false;
 };
@@ -24,9 +24,10 @@ double secondsOfMoves(std::string_view text, const MachineState& before, double 
 /// What an acceleration command sets for beads [mm/s²]; 0: it is none.
 double accelerationOf(std::string_view code);
 
-/// The file with its times changed: "estimated printing time", "model printing time", "total estimated time", TIME,
-/// TIME_ELAPSED, and P, R, Q, S of M73. Everything else keeps its bytes. \param changes  in the order of the file.
-/// \param told  receives the number of lines that have changed.
-std::string withTotals(std::string gcode, const std::vector<TimeChange>& changes, std::int64_t& told);
+/// Changes the times of the file: "estimated printing time", "model printing time", "total estimated time", TIME,
+/// TIME_ELAPSED, and P, R, Q, S of M73. Everything else keeps its bytes. \param edits  what else becomes of the file,
+/// in its order, whole lines; receives the lines that change. \param changes  in the order of the file, none within an
+/// edit. \return the number of lines that have changed.
+std::int64_t changeTotals(std::string_view gcode, const std::vector<TimeChange>& changes, std::vector<Edit>& edits);
 
 }  // namespace sillon

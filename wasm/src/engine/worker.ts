@@ -1,6 +1,6 @@
 // Runs the engine in a worker of its own. One file that imports only types, since bundlers copy it as it stands.
 import type * as api from '../../sillon.js';
-import type { Call, Failure, Files, FromWorker, StartMessage, ToWorker, Wanted } from '../protocol.js';
+import type { Call, Failure, Files, FromWorker, Print, StartMessage, ToWorker, Wanted } from '../protocol.js';
 
 type Outcome<T> = { value: T; error?: undefined } | { error: Failure };
 type OnProgress = (stage: string, fraction: number) => void;
@@ -46,8 +46,10 @@ interface SillonModule {
   checkGcode(project: string): Outcome<api.GcodeCheck>;
   examineBlock(block: string, project: string): Outcome<api.GcodeFinding[]>;
   packGcode(): Outcome<CopiedBytes>;
-  printRelief(side: number): Outcome<api.PrintRelief>;
-  listSurfaces(): Outcome<api.SlicedFile>;
+  forgetPrint(): void;
+  readPrint(): Outcome<undefined>;
+  listSurfaces(onProgress: OnProgress): Outcome<api.SlicedFile>;
+  printRelief(side: number, onProgress: OnProgress): Outcome<api.PrintRelief>;
   rebrush(
     project: string,
     files: Inputs,
@@ -305,6 +307,18 @@ async function bringIn(file: Blob | Uint8Array, module: SillonModule): Promise<v
   }
 }
 
+let printInside = 0; // number of the print whose text the module keeps
+
+/** Lists, pictures and new beads of one print read it once: bringing and unpacking it takes as long as they do. */
+async function bringPrint({ file, number }: Print, module: SillonModule): Promise<void> {
+  if (number !== 0 && number === printInside) return;
+  printInside = 0;
+  module.forgetPrint();
+  await bringIn(file, module);
+  valueOf(module.readPrint());
+  printInside = number;
+}
+
 async function inputsOf(files: Files): Promise<Inputs> {
   const inputs: Inputs = {};
   for (const [name, file] of Object.entries(files)) {
@@ -415,15 +429,15 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       await bringIn(call.file, module);
       return new Blob([valueOf(module.packGcode())], { type: 'model/3mf' });
     case 'printRelief':
-      await bringIn(call.file, module);
-      return valueOf(module.printRelief(call.side));
+      await bringPrint(call.print, module);
+      return valueOf(module.printRelief(call.side, onProgress));
     case 'listSurfaces':
-      await bringIn(call.file, module);
-      return valueOf(module.listSurfaces());
+      await bringPrint(call.print, module);
+      return valueOf(module.listSurfaces(onProgress));
     case 'rebrush': {
       completed(call.project, module);
       const files = await inputsOf(call.files);
-      await bringIn(call.file, module);
+      await bringPrint(call.print, module);
       const only = Float64Array.from(call.only);
       const pieces: Blob[] = []; // each out of this worker's memory as soon as it is there
       const made = valueOf(

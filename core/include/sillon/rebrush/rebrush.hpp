@@ -14,6 +14,7 @@
 #include "sillon/look/inversion.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/quality/picture_measures.hpp"
+#include "sillon/rebrush/edits.hpp"
 #include "sillon/rebrush/surfaces.hpp"
 #include "sillon/settings/toolpath_params.hpp"
 
@@ -61,10 +62,10 @@ struct RebrushedSurface {
 };
 
 struct Rebrushed {
-  std::string gcode;
+  std::vector<Edit> edits;                 ///< of the file, for withEdits: all that becomes other
   double seconds = 0;                      ///< by which the print takes longer, as estimated
   std::int64_t totals = 0;                 ///< lines of times and progress that tell it
-  SlicedFile file;                         ///< as it was read
+  SlicedFile file;                         ///< as it was given
   std::vector<RebrushedSurface> surfaces;  ///< those that were asked for, in the order of the file
 };
 
@@ -73,9 +74,13 @@ struct Rebrushed {
 /// it takes the slicer's line spacing, speed and volume. Every byte outside the replaced lines, and the wipes
 /// behind them, stays; place after the next travel, E, retraction, modes, speed and what the block set are as
 /// before. Times and progress that the file tells of itself (see rebrush/totals.hpp) change by the estimated
-/// difference; filament stays as it is. A surface that cannot be replaced so is left, with the reason. \return
-/// InvalidFile as readSlicedFile; InvalidArgument if no surface is left to replace, one is chosen that the file does
-/// not have, or a parameter is out of its range; Cancelled.
+/// difference; filament stays as it is. A surface that cannot be replaced so is left, with the reason. \param file
+/// readSlicedFile's of this text. \return InvalidArgument if no surface is left to replace, one is chosen that the file
+/// does not have, or a parameter is out of its range; Cancelled.
+Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
+                          const RunContext& run);
+
+/// Reads the file first. \return also InvalidFile, as readSlicedFile.
 Result<Rebrushed> rebrush(std::string_view gcode, const RebrushOptions& options, const RunContext& run);
 
 }  // namespace sillon

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
@@ -20,7 +21,7 @@ struct PrintRelief {
 
 /// Draws all beads from the first layer mark on. What lies more than 1 mm beside the box around all higher beads is
 /// left out: purge lines, skirts, brims. \param side  most cells of the longer side, 16 to 4096. \return
-/// InvalidArgument for another side; InvalidFile if there is no bead, or one lies where no bed reaches.
-Result<PrintRelief> printRelief(std::string_view gcode, int side);
+/// InvalidArgument for another side; InvalidFile if there is no bead, or one lies where no bed reaches; Cancelled.
+Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunContext& run = RunContext());
 
 }  // namespace sillon

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
 
@@ -67,17 +69,20 @@ struct SlicedSurface {
   LeftBecause left = LeftBecause::None;
 };
 
+struct SlicedBlocks;
+
 struct SlicedFile {
   Slicer slicer = Slicer::PrusaSlicer;
   std::string program;  ///< as the file says: "PrusaSlicer 2.5.0"
   int layers = 0;
   std::int64_t lines = 0;
-  std::vector<SlicedSurface> surfaces;  ///< in the order of the file
+  std::vector<SlicedSurface> surfaces;         ///< in the order of the file
+  std::shared_ptr<const SlicedBlocks> blocks;  ///< the moves of each, for rebrush
 };
 
 /// Finds the surfaces of a file by PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura. Bottoms are those of the
 /// first layer. Memory: one layer of moves and the regions, beside the text.
-/// \return InvalidFile with what is missing: no marks of a known slicer, line numbers, binary G-code.
-Result<SlicedFile> readSlicedFile(std::string_view gcode);
+/// \return InvalidFile with what is missing: no marks of a known slicer, line numbers, binary G-code; Cancelled.
+Result<SlicedFile> readSlicedFile(std::string_view gcode, const RunContext& run = RunContext());
 
 }  // namespace sillon
