@@ -200,7 +200,8 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
             rounded(direction * kShare + asColour(kBackground) * empty));
       }
       // Mixed after tone mapping: edges stay smooth against the dark page.
-      Colour shown = shadowed(scene, x, y) * empty;
+      Colour shown;
+      if (empty > 0) shown = shadowed(scene, x, y) * empty;
       if (covered > 0) {
         const Colour mean = look * (1 / static_cast<float>(covered));
         const Rgb plate{toneMapped(mean.red), toneMapped(mean.green), toneMapped(mean.blue)};

@@ -8,14 +8,20 @@
 namespace sillon {
 namespace {
 
+constexpr float kBeyond = 0.49f;  // of the way to a sample's middle; a hundredth less, for rounding
+
+struct Piece {
+  Vec2f along;  // unit
+  float length;
+};
+
 /// Direction at the joint of two pieces: their mean, so that curves look round. A piece keeps its own direction at
 /// sharp turns and where it is long against its width: a straight bead is straight up to its end, and a short neighbour
 /// begins with its direction.
-Vec2f jointTangent(Vec2f own, Vec2f other, float width) {
+Vec2f jointTangent(const Piece& own, const Piece& other, float width) {
   constexpr float kLong = 4;  // [widths]
-  const Vec2f ownUnit = unit(own), otherUnit = unit(other);
-  if (dot(ownUnit, otherUnit) < 0.5f || length(own) > kLong * width) return ownUnit;
-  return length(other) > kLong * width ? otherUnit : unit(ownUnit + otherUnit);
+  if (dot(own.along, other.along) < 0.5f || own.length > kLong * width) return own.along;
+  return other.length > kLong * width ? other.along : unit(own.along + other.along);
 }
 
 }  // namespace
@@ -25,6 +31,7 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wan
   std::size_t total = 0;
   for (const Cycle& cycle : toolpath.cycles) total += cycle.points.size();
   beads.reserve(total);
+  std::vector<Piece> pieces;
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t count = cycle.points.size();
     const auto around = [&](std::size_t k) { return k < count ? k : (k - count) % count; };  // mostly no division
@@ -33,6 +40,11 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wan
       return Vec2f{static_cast<float>(at(k).x * scale), static_cast<float>((page.y - at(k).y) * scale)};
     };
     const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[around(k)] * scale / 2); };
+    pieces.clear();
+    for (std::size_t k = 0; k < count && wanted != Wanted::Outlines; ++k) {
+      const Vec2f step = at(k + 1) - at(k);
+      pieces.push_back({unit(step), length(step)});
+    }
     for (std::size_t k = 0; k < count; ++k) {
       Bead& bead = beads.emplace_back();
       bead.a = sampleAt(k);
@@ -40,9 +52,8 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wan
       bead.radiusA = radiusAt(k);
       bead.radiusB = radiusAt(k + 1);
       if (wanted == Wanted::Outlines) continue;
-      const Vec2f own = at(k + 1) - at(k);
-      bead.tangentA = jointTangent(own, at(k) - at(k > 0 ? k - 1 : count - 1), cycle.widths[k]);
-      bead.tangentB = jointTangent(own, at(k + 2) - at(k + 1), cycle.widths[around(k + 1)]);
+      bead.tangentA = jointTangent(pieces[k], pieces[k > 0 ? k - 1 : count - 1], cycle.widths[k]);
+      bead.tangentB = jointTangent(pieces[k], pieces[around(k + 1)], cycle.widths[around(k + 1)]);
       if (wanted == Wanted::Look) continue;
       const double colourA = directionColourPlace(bead.tangentA.x, bead.tangentA.y);
       const double turned = (directionColourPlace(bead.tangentB.x, bead.tangentB.y) - colourA) / kDirectionColours;
@@ -80,8 +91,9 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
   const float perSquared = squared > 0 ? 1 / squared : 0;
   const float reach = std::max(bead.radiusA, bead.radiusB);
   const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
-  const int rowBegin = std::max(firstRow, static_cast<int>(std::max(top - 0.5f, 0.0f)));
-  const int rowEnd = std::min(firstRow + rows, static_cast<int>(std::min(bottom, 1e6f)) + 1);
+  // Rows and columns whose middles are within reach: few on small pictures.
+  const int rowBegin = std::max(firstRow, static_cast<int>(std::max(top + kBeyond, 0.0f)));
+  const int rowEnd = std::min(firstRow + rows, static_cast<int>(std::clamp(bottom + 1 - kBeyond, 0.0f, 1e6f)));
   const I4 own = splatInt(static_cast<std::int32_t>(index));
   for (int row = rowBegin; row < rowEnd; ++row) {
     const float y = static_cast<float>(row) + 0.5f;
@@ -94,8 +106,8 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
     }
     const float x0 = bead.a.x + t0 * d.x, x1 = bead.a.x + t1 * d.x;
     const float left = std::min(x0, x1) - reach, right = std::max(x0, x1) + reach;
-    const int begin = static_cast<int>(std::clamp(left - 0.5f, 0.0f, static_cast<float>(width)));
-    const int end = static_cast<int>(std::clamp(right + 1.5f, 0.0f, static_cast<float>(width)));
+    const int begin = static_cast<int>(std::clamp(left + kBeyond, 0.0f, static_cast<float>(width)));
+    const int end = static_cast<int>(std::clamp(right + 1 - kBeyond, 0.0f, static_cast<float>(width)));
     const std::size_t line = static_cast<std::size_t>(row - firstRow) * static_cast<std::size_t>(width);
     const F4 fromY = splat(y - bead.a.y);
     for (int column = begin; column < end; column += 4) {
