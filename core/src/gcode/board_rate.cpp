@@ -23,12 +23,22 @@ struct Tolerance {
 };
 constexpr Tolerance kTolerances[] = {{1, 0.01}, {2, 0.02}, {4, 0.04}, {6, 0.06}, {8, 0.07}, {10, 0.08}};
 
-double distanceToLine(PointUm p, PointUm a, PointUm b) {
-  const Vec2 d{static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)};
-  const Vec2 q{static_cast<double>(p.x - a.x), static_cast<double>(p.y - a.y)};
-  const double square = dot(d, d);
-  const double along = square > 0 ? std::clamp(dot(q, d) / square, 0.0, 1.0) : 0;
-  return length(q - along * d);
+Vec2 fromTo(PointUm a, PointUm b) { return {static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)}; }
+
+// Whether all points between the first and the last one are at most so far from the line from one to the other.
+bool nearLine(const PointUm* first, const PointUm* last, double most) {
+  const Vec2 line = fromTo(*first, *last);
+  const double square = dot(line, line);
+  const double surely = most * most * square * (1 - 1e-9);
+  for (const PointUm* p = first + 1; p < last; ++p) {
+    const Vec2 q = fromTo(*first, *p);
+    const double along = dot(q, line);
+    const double across = cross(q, line);
+    // Nearly all points are told without a division and a root.
+    if (along > 0 && along < square && across * across < surely) continue;
+    if (length(q - std::clamp(along / square, 0.0, 1.0) * line) > most) return false;
+  }
+  return true;
 }
 
 // Highest speed of each segment such that no window of moves passes faster than the limit.
@@ -81,11 +91,8 @@ Motion joined(const Motion& motion, const Tolerance& tolerance) {
       const double nextHigh = std::max(high, motion.widths[to + 1]);
       const double mean = nextArea / nextAlong;
       if (nextAlong > kLongest || nextHigh - mean > tolerance.width || mean - nextLow > tolerance.width) break;
-      bool straight = motion.points[to + 1] != motion.points[from];
-      for (std::size_t k = from + 1; k <= to && straight; ++k) {
-        straight = distanceToLine(motion.points[k], motion.points[from], motion.points[to + 1]) <= tolerance.position;
-      }
-      if (!straight) break;
+      if (motion.points[to + 1] == motion.points[from]) break;
+      if (!nearLine(&motion.points[from], &motion.points[to + 1], tolerance.position)) break;
       area = nextArea;
       along = nextAlong;
       low = nextLow;
