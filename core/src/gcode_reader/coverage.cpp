@@ -23,6 +23,7 @@ struct Raster {
     const Vec2 size = box.size();
     cell = std::max(kFinest, std::sqrt(size.x * size.y / kMostCells));
     cell = std::max({cell, size.x / kMostCells, size.y / kMostCells});
+    perMm = 1 / cell;
     columns = static_cast<int>(size.x / cell) + 1;
     rows = static_cast<int>(size.y / cell) + 1;
     rowWords = static_cast<std::size_t>(columns - 1) / 64 + 1;
@@ -33,10 +34,10 @@ struct Raster {
   /// \return how many cells it has looked at
   std::int64_t draw(const LaidBead& bead) {
     const auto onRaster = [&](Vec2f p) {
-      return Vec2f{static_cast<float>((static_cast<double>(p.x) - min.x) / cell - 0.5),
-                   static_cast<float>((static_cast<double>(p.y) - min.y) / cell - 0.5)};
+      return Vec2f{static_cast<float>((static_cast<double>(p.x) - min.x) * perMm - 0.5),
+                   static_cast<float>((static_cast<double>(p.y) - min.y) * perMm - 0.5)};
     };
-    const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 / cell);
+    const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 * perMm);
     const CapsuleRows capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
     Bits& bits = bead.base ? base : oriented;
     std::int64_t visits = 0;
@@ -69,16 +70,19 @@ struct Raster {
 
  private:
   static void fill(std::uint64_t* row, int first, int last) {
-    for (int word = first / 64; word <= last / 64; ++word) {
-      std::uint64_t mask = ~std::uint64_t{0};
-      if (word == first / 64) mask <<= first % 64;
-      if (word == last / 64) mask &= ~std::uint64_t{0} >> (63 - last % 64);
-      row[word] |= mask;
+    std::uint64_t* word = row + first / 64;
+    std::uint64_t* const end = row + last / 64;
+    std::uint64_t mask = ~std::uint64_t{0} << first % 64;
+    for (; word != end; ++word) {
+      *word |= mask;
+      mask = ~std::uint64_t{0};
     }
+    *word |= mask & ~std::uint64_t{0} >> (63 - last % 64);
   }
 
   Vec2 min;
   double cell = 0;
+  double perMm = 0;  ///< cells
   int columns = 0;
   int rows = 0;
   std::size_t rowWords = 0;
