@@ -102,9 +102,13 @@ inline F4 sqrt4(F4 v) {
 #endif
 }
 
+// Of two equal ones, and where either is no number, b.
 #if defined(__wasm_simd128__)
 inline F4 max4(F4 a, F4 b) { return (F4)wasm_f32x4_pmax((v128_t)b, (v128_t)a); }
 inline F4 min4(F4 a, F4 b) { return (F4)wasm_f32x4_pmin((v128_t)b, (v128_t)a); }
+#elif defined(__SSE2__) && (defined(__GNUC__) || defined(__clang__))
+inline F4 max4(F4 a, F4 b) { return (F4)_mm_max_ps((__m128)a, (__m128)b); }
+inline F4 min4(F4 a, F4 b) { return (F4)_mm_min_ps((__m128)a, (__m128)b); }
 #else
 inline F4 max4(F4 a, F4 b) { return select4(a > b, a, b); }
 inline F4 min4(F4 a, F4 b) { return select4(a < b, a, b); }
