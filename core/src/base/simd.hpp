@@ -20,6 +20,7 @@ namespace sillon {
 
 using F4 = float __attribute__((vector_size(16)));
 using I4 = std::int32_t __attribute__((vector_size(16)));
+using U2 = std::uint64_t __attribute__((vector_size(16)));
 
 inline F4 splat(float v) { return F4{v, v, v, v}; }
 inline I4 splatInt(std::int32_t v) { return I4{v, v, v, v}; }
@@ -43,6 +44,13 @@ struct F4 {
   float operator[](int k) const { return lane[k]; }
   float& operator[](int k) { return lane[k]; }
 };
+struct U2 {
+  std::uint64_t lane[2];
+  std::uint64_t operator[](int k) const { return lane[k]; }
+};
+inline U2 operator|(U2 a, U2 b) { return {{a.lane[0] | b.lane[0], a.lane[1] | b.lane[1]}}; }
+inline U2 operator&(U2 a, U2 b) { return {{a.lane[0] & b.lane[0], a.lane[1] & b.lane[1]}}; }
+inline U2 operator~(U2 a) { return {{~a.lane[0], ~a.lane[1]}}; }
 #define SILLON_LANES(Out, expression)                     \
   Out out;                                                \
   for (int k = 0; k < 4; ++k) out.lane[k] = (expression); \

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "base/capsule_rows.hpp"
@@ -25,29 +26,28 @@ constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
 constexpr float kRounding = 1e-3f;  ///< of a toolpath's numbers [mm]
 
 // Pixels of one row of a tile, one bit each.
-struct Row {
-  std::uint64_t low = 0;
-  std::uint64_t high = 0;
+using Row = U2;
 
-  friend constexpr Row operator|(Row a, Row b) { return {a.low | b.low, a.high | b.high}; }
-  friend constexpr Row operator&(Row a, Row b) { return {a.low & b.low, a.high & b.high}; }
-  friend constexpr Row operator~(Row a) { return {~a.low, ~a.high}; }
-  [[nodiscard]] int count() const { return std::popcount(low) + std::popcount(high); }
-};
+bool any(Row row) { return (row[0] | row[1]) != 0; }
+int countOf(Row row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
 
 // The first n pixels, for n from 0 to all of them.
-constexpr std::array<Row, kTileWidth + 1> kFirst = [] {
-  std::array<Row, kTileWidth + 1> first{};
+alignas(Row) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> kFirst = [] {
+  std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> first{};
   for (std::size_t n = 1; n < first.size(); ++n) {
     first[n] = first[n - 1];
-    (n <= 64 ? first[n].low : first[n].high) |= std::uint64_t{1} << ((n - 1) % 64);
+    first[n][n <= 64 ? 0 : 1] |= std::uint64_t{1} << ((n - 1) % 64);
   }
   return first;
 }();
 
-Row rowOf(int begin, int end) {
-  return kFirst[static_cast<std::size_t>(end)] & ~kFirst[static_cast<std::size_t>(begin)];
+Row firstPixels(int n) {
+  Row row;
+  std::memcpy(&row, &kFirst[static_cast<std::size_t>(n)], sizeof row);
+  return row;
 }
+
+Row rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
 
 // A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
 struct Bead {
@@ -69,6 +69,7 @@ struct Stretches {
 // The raster and what lies on it: made once, read by all tiles.
 struct Scene {
   Grid raster;
+  double perMm = 0;  ///< pixels
   int tilesAcross = 0;
   int tiles = 0;
   float pieceLength = 0;               ///< of beads, as they are laid [mm]
@@ -112,9 +113,10 @@ struct Reach {
   int x0, x1, y0, y1;
 };
 
-Reach reachOf(const Bead& bead, const Grid& raster) {
+Reach reachOf(const Bead& bead, const Scene& scene) {
+  const Grid& raster = scene.raster;
   const auto tileOf = [&](double v, double origin, int count, int size) {
-    return static_cast<int>(std::clamp((v - origin) / raster.cell, 0.0, static_cast<double>(count - 1))) / size;
+    return static_cast<int>(std::clamp((v - origin) * scene.perMm, 0.0, static_cast<double>(count - 1))) / size;
   };
   const double r = static_cast<double>(std::max(bead.ra, bead.rb));
   const auto [x0, x1] = std::minmax({static_cast<double>(bead.a.x), static_cast<double>(bead.b.x)});
@@ -127,7 +129,7 @@ Reach reachOf(const Bead& bead, const Grid& raster) {
 // Counting sort: within a tile the beads stay in order, as TilePasses needs them.
 void sortIntoTiles(Scene& scene) {
   const auto forTiles = [&](const Bead& bead, const auto& visit) {
-    const Reach r = reachOf(bead, scene.raster);
+    const Reach r = reachOf(bead, scene);
     for (int y = r.y0; y <= r.y1; ++y) {
       for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * scene.tilesAcross + x));
     }
@@ -147,6 +149,7 @@ Scene sceneOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
   Scene scene;
   scene.raster = rasterOf(box, toolpath.spacing);
   const Grid& raster = scene.raster;
+  scene.perMm = 1 / raster.cell;
   scene.tilesAcross = (raster.nx - 1) / kTileWidth + 1;
   scene.tiles = scene.tilesAcross * ((raster.ny - 1) / kTileHeight + 1);
   addBeads(toolpath, scene);
@@ -197,13 +200,13 @@ class TilePasses {
       const Row tile = rowOf(0, columns);
       const Row in = insideRow(y) & tile;
       const Row covered = covered_[static_cast<std::size_t>(y)] & tile;
-      count.shape += in.count();
-      count.covered += (covered & in).count();
+      count.shape += countOf(in);
+      count.covered += countOf(covered & in);
       count.spilled += spilledOf(y, covered & ~in);
-      count.overlapped += (again_[static_cast<std::size_t>(y)] & tile).count();
+      count.overlapped += countOf(again_[static_cast<std::size_t>(y)] & tile);
     }
-    covered_.fill({});
-    again_.fill({});
+    covered_.fill(Row{});
+    again_.fill(Row{});
     return count;
   }
 
@@ -216,7 +219,7 @@ class TilePasses {
     std::array<Row, kTileHeight + 3> rows{};  ///< four at a time
 
     void clear() {
-      for (int y = begin; y < end; ++y) rows[static_cast<std::size_t>(y)] = {};
+      for (int y = begin; y < end; ++y) rows[static_cast<std::size_t>(y)] = Row{};
       begin = kTileHeight;
       end = 0;
       covers = false;
@@ -239,17 +242,17 @@ class TilePasses {
     for (std::size_t k = 0; k < std::min(used_, masks_.size()); ++k) cover(masks_[k]);
   }
 
+  [[nodiscard]] bool isNear(const Mask& mask, int stretch) const {
+    const int apart = stretch - mask.stretch;
+    return apart <= kNear || stretches_ - apart <= kNear;
+  }
+
   // The first ones of a cycle are kept to its end, which meets them.
   void open(int stretch, int stretches) {
+    stretches_ = stretches;
     current_ = used_ < kNear ? used_ : kNear + (used_ - kNear) % (kNear + 1);
-    near_.clear();
     for (std::size_t k = 0; k < std::min(used_, masks_.size()); ++k) {
-      const int apart = stretch - masks_[k].stretch;
-      if (k != current_ && (apart <= kNear || stretches - apart <= kNear)) {
-        near_.push_back(&masks_[k]);
-      } else {
-        cover(masks_[k]);
-      }
+      if (k == current_ || !isNear(masks_[k], stretch)) cover(masks_[k]);
     }
     masks_[current_].clear();
     masks_[current_].stretch = stretch;
@@ -261,12 +264,21 @@ class TilePasses {
     if (!open_) return;
     open_ = false;
     const Mask& mask = masks_[current_];
+    Row met{};
+    for (int y = mask.begin; y < mask.end; ++y) {
+      met = met | (mask.rows[static_cast<std::size_t>(y)] & covered_[static_cast<std::size_t>(y)]);
+    }
+    if (any(met)) countTwice(mask);
+  }
+
+  void countTwice(const Mask& mask) {
     for (int y = mask.begin; y < mask.end; ++y) {
       const auto row = static_cast<std::size_t>(y);
       Row twice = mask.rows[row] & covered_[row];
-      if ((twice.low | twice.high) == 0) continue;
-      for (const Mask* near : near_) {
-        if (y >= near->begin && y < near->end) twice = twice & ~near->rows[row];
+      for (std::size_t k = 0; k < std::min(used_, masks_.size()) && any(twice); ++k) {
+        const Mask& near = masks_[k];
+        if (k == current_ || y < near.begin || y >= near.end || !isNear(near, mask.stretch)) continue;
+        twice = twice & ~near.rows[row];
       }
       again_[row] = again_[row] | twice;
     }
@@ -278,8 +290,8 @@ class TilePasses {
   std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
   std::size_t used_ = 0;                   ///< by how many stretches so far
   std::size_t current_ = 0;
+  int stretches_ = 0;  ///< of this cycle
   bool open_ = false;
-  std::vector<const Mask*> near_;  ///< of the same pass as the current one
 };
 
 struct Tile {
@@ -310,17 +322,16 @@ std::pair<float, float> withinTile(Vec2f a, Vec2f b, float reach) {
 
 // Long beads go over several stretches and tiles: they are laid in pieces.
 void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& passes) {
-  const Grid& raster = scene.raster;
-  const Vec2 origin = raster.centre(tile.left, tile.bottom);
+  const Vec2 origin = scene.raster.centre(tile.left, tile.bottom);
   const auto onTile = [&](Vec2f p) {
-    return Vec2f{static_cast<float>((static_cast<double>(p.x) - origin.x) / raster.cell),
-                 static_cast<float>((static_cast<double>(p.y) - origin.y) / raster.cell)};
+    return Vec2f{static_cast<float>((static_cast<double>(p.x) - origin.x) * scene.perMm),
+                 static_cast<float>((static_cast<double>(p.y) - origin.y) * scene.perMm)};
   };
-  const float perPixel = static_cast<float>(1 / raster.cell);
+  const auto perMm = static_cast<float>(scene.perMm);
   const Vec2f a = onTile(bead.a);
   const Vec2f b = onTile(bead.b);
-  const float ra = bead.ra * perPixel;
-  const float rb = bead.rb * perPixel;
+  const float ra = bead.ra * perMm;
+  const float rb = bead.rb * perMm;
   const Stretches& stretches = scene.stretchesOf[static_cast<std::size_t>(bead.cycle)];
   const int count = std::max(1, static_cast<int>(std::ceil(bead.length / scene.pieceLength)));
   const auto pieces = static_cast<float>(count);
@@ -348,7 +359,7 @@ Row insideRow(const Scene& scene, const Tile& tile, int y) {
   const auto pixelFrom = [&](double x) {
     return static_cast<int>(std::clamp(std::ceil((x - x0) / raster.cell), 0.0, static_cast<double>(kTileWidth)));
   };
-  Row inside;
+  Row inside{};
   for (const Interval& interval : scene.inside[static_cast<std::size_t>(y)]) {
     inside = inside | rowOf(pixelFrom(interval.begin), pixelFrom(interval.end));
   }
@@ -360,7 +371,7 @@ Row insideRow(const Scene& scene, const Tile& tile, int y) {
 int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, Row outside) {
   int count = 0;
   for (int word = 0; word < 2; ++word) {
-    for (std::uint64_t bits = word == 0 ? outside.low : outside.high; bits != 0; bits &= bits - 1) {
+    for (std::uint64_t bits = outside[word]; bits != 0; bits &= bits - 1) {
       const Vec2 p = scene.raster.centre(tile.left + 64 * word + std::countr_zero(bits), tile.bottom + y);
       const bool off = border.blockDistance(p) > kRounding || std::abs(border.nearest(p).distance) > kRounding;
       count += off ? 1 : 0;
