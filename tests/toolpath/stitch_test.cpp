@@ -354,7 +354,8 @@ TEST_CASE("where solids have no gaps no joint leaves the shape") {
 
 TEST_CASE("misaligned length is avoided when it costs more") {
   // Alignment of the joined path with the map, with and without a price on it.
-  const auto misaligned = [](double price) {
+  const std::vector<Vec2f> lines = beadLines();
+  const auto misaligned = [&](double price) {
     ToolpathParams params;
     params.stitchAlignment = price;
     const PlateInput input =
@@ -368,7 +369,7 @@ TEST_CASE("misaligned length is avoided when it costs more") {
         const Vec2f b = s.after.curves.points[static_cast<std::size_t>(nextOf(s.after.curves, c, i))];
         const Vec2 p{static_cast<double>(0.5f * (a.x + b.x)), static_cast<double>(0.5f * (a.y + b.y))};
         const TexelIndex t = texelAt(p, input.shape.page, 96, 96);
-        const Vec2f z = beadLine(input.directions.angle[static_cast<std::size_t>(t.y * 96 + t.x)]);
+        const Vec2f z = lines[input.directions.angle[static_cast<std::size_t>(t.y * 96 + t.x)]];
         const Vec2f e = b - a;
         const float size = length(e);
         if (size > 0)

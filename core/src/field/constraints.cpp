@@ -40,16 +40,16 @@ std::vector<Footprint> footprints(int count, double origin, double cell, double 
 
 }  // namespace
 
-Vec2f beadLine(std::uint16_t angle) {
-  // 2 (angle / 65535 pi - pi/2)
-  const SinCos v = sinCos(static_cast<float>(angle) * (2 * kPi / 65535) - kPi);
-  return {v.cos, v.sin};
-}
-
-TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height) {
-  const double u = std::clamp(p.x / page.x * width, 0.0, width - 1.0);
-  const double v = std::clamp((page.y - p.y) / page.y * height, 0.0, height - 1.0);
-  return {static_cast<int>(u), static_cast<int>(v)};
+std::vector<Vec2f> beadLines() {
+  std::vector<Vec2f> lines;
+  lines.reserve(65536);
+  for (int angle = 0; angle < 65536; angle += 4) {
+    // 2 (angle / 65535 pi - pi/2)
+    const F4 four = toFloat(splatInt(angle) + I4{0, 1, 2, 3});
+    const SinCos4 v = sinCos(four * splat(2 * kPi / 65535) - splat(kPi));
+    for (int k = 0; k < 4; ++k) lines.push_back({v.cos[k], v.sin[k]});
+  }
+  return lines;
 }
 
 Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
@@ -62,9 +62,8 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
   const float shellDepth =
       params.perimeterMode == PerimeterMode::Count ? static_cast<float>(params.perimeters) * spacing : 0;
 
-  std::vector<Vec2f> lineOf(65536);
-  for (int k = 0; k < 65536; ++k)
-    lineOf[static_cast<std::size_t>(k)] = acrossBead(beadLine(static_cast<std::uint16_t>(k)));
+  std::vector<Vec2f> lineOf = beadLines();
+  for (Vec2f& line : lineOf) line = acrossBead(line);
   const auto columns = footprints(grid.nx, grid.origin.x, grid.cell, page.x, directions.width, false);
   const auto rows = footprints(grid.ny, grid.origin.y, grid.cell, page.y, directions.height, true);
   const auto texel = [&](int x, int y) {

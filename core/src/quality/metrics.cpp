@@ -55,12 +55,19 @@ struct Alignment {
 };
 
 // Eq. 17 over pieces of at most tau/8, against the nearest texel of the map as stored.
+// \param lines  as beadLines.
 Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, const DirectionMap& directions,
-                      const ModeMap& modes, const ToolpathParams& params) {
+                      const std::vector<Vec2f>& lines, const ModeMap& modes, const ToolpathParams& params) {
   Alignment sums;
   const double spacing = params.spacing;
   TexelIndex last{-1, -1};
   Vec2f z;  // of the last texel
+  const auto modeAt = [&](Vec2 p) {
+    if (modes.mode.size() == 1) return modes.mode.front();
+    const TexelIndex at = texelAt(p, page, modes.width, modes.height);
+    return modes
+        .mode[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(modes.width) + static_cast<std::size_t>(at.x)];
+  };
   const double shell = params.perimeterMode == PerimeterMode::Count ? std::max(params.perimeters, 1) : 1;
   for (std::size_t k = 0; k < cycle.points.size(); ++k) {
     const Vec2 a = wide(cycle.points[k]);
@@ -79,8 +86,8 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
       const TexelIndex at = texelAt(p, page, directions.width, directions.height);
       if (at.x != last.x || at.y != last.y) {
         last = at;
-        z = beadLine(directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
-                                      static_cast<std::size_t>(at.x)]);
+        z = lines[directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
+                                   static_cast<std::size_t>(at.x)]];
         cos2 = cos2Of();
       }
       sums.all.add(share, cos2);
@@ -88,12 +95,8 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
                                ? 1e9
                                : -static_cast<double>(border.nearest(p).distance);
       if (depth > 1.05 * spacing) sums.interior.add(share, cos2);
-      if (depth > (shell + 0.05) * spacing) {
-        const TexelIndex m = texelAt(p, page, modes.width, modes.height);
-        if (modes.mode[static_cast<std::size_t>(m.y) * static_cast<std::size_t>(modes.width) +
-                       static_cast<std::size_t>(m.x)] == DirectionMode::Constrained) {
-          sums.constrained.add(share, cos2);
-        }
+      if (depth > (shell + 0.05) * spacing && modeAt(p) == DirectionMode::Constrained) {
+        sums.constrained.add(share, cos2);
       }
     }
   }
@@ -253,6 +256,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.dislocationBound = dislocations.value().bound;
   out.turnBound = dislocations.value().bound + dislocations.value().borderTurns;
   Alignment alignment;
+  const std::vector<Vec2f> lines = beadLines();
   double laidArea = 0;
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t n = cycle.points.size();
@@ -261,7 +265,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
       out.lengthMm += size;
       laidArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[(k + 1) % n]);
     }
-    const Alignment sums = alignmentOf(cycle, border.value(), shape.page, directions, modes, params);
+    const Alignment sums = alignmentOf(cycle, border.value(), shape.page, directions, lines, modes, params);
     for (const auto& [total, part] :
          {std::pair{&alignment.all, &sums.all}, std::pair{&alignment.interior, &sums.interior},
           std::pair{&alignment.constrained, &sums.constrained}}) {

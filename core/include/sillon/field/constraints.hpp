@@ -1,6 +1,7 @@
 // What each cell is asked for: its zone, its mode and the line of the direction map (Sec. 4, 5).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -38,8 +39,8 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
                                         const ModeMap& modes, Vec2 page, const ToolpathParams& params,
                                         const RunContext& run);
 
-/// z of the bead direction of a texel. \param angle  as in DirectionMap.
-Vec2f beadLine(std::uint16_t angle);
+/// z of the bead direction for each of the 65536 angles of a DirectionMap.
+std::vector<Vec2f> beadLines();
 
 /// A texel of a map; row 0 on top.
 struct TexelIndex {
@@ -47,6 +48,10 @@ struct TexelIndex {
   int y = 0;
 };
 /// The texel under a point of the page [mm], clamped at the edges. \param width, height  of the map [texels].
-TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height);
+inline TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height) {
+  const double u = std::clamp(p.x / page.x * width, 0.0, width - 1.0);
+  const double v = std::clamp((page.y - p.y) / page.y * height, 0.0, height - 1.0);
+  return {static_cast<int>(u), static_cast<int>(v)};
+}
 
 }  // namespace sillon
