@@ -40,15 +40,21 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
       const std::size_t rowEnd = row + static_cast<std::size_t>(grid.nx);
       const float* const line = &sd[row];
       char* const marks = &lost[row];
+      int deepX = 0;  // where the last sample had a deep one: mostly so has the next
+      int deepY = 0;
       for (int x = 0; x < grid.nx; ++x) marks[x] = static_cast<char>((line[x] <= 0) & (line[x] > deep));
       for (std::size_t i = nextMarked(lost, row, rowEnd); i < rowEnd; i = nextMarked(lost, i + 1, rowEnd)) {
         const int x = static_cast<int>(i - row);
-        bool reached = false;
+        const auto isDeep = [&](int dx, int dy) {
+          if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
+            return false;
+          return sd[grid.index(x + dx, y + dy)] <= deep;
+        };
+        bool reached = isDeep(deepX, deepY);
         for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
           for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
-            if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
-              continue;
-            reached = sd[grid.index(x + dx, y + dy)] <= deep;
+            reached = isDeep(dx, dy);
+            if (reached) deepX = dx, deepY = dy;
           }
         }
         lost[i] = reached ? 0 : 1;

@@ -45,9 +45,10 @@ struct Block {
 };
 
 // The segments of `list` that can be nearest to some point of the square with this centre and half diagonal.
+// \param squared  scratch.
 std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, const std::vector<int>& list,
-                                   Vec2 centre, double halfDiagonal, double& lowest) {
-  std::vector<double> squared(list.size());
+                                   Vec2 centre, double halfDiagonal, double& lowest, std::vector<double>& squared) {
+  squared.resize(list.size());
   double least = 1e300;
   for (std::size_t k = 0; k < list.size(); ++k) {
     squared[k] = squaredDistance(segments[static_cast<std::size_t>(list[k])], centre);
@@ -70,24 +71,28 @@ class Subdivision {
   // Calls visit(block, lowest distance) for every block of side `leaf` under `block`.
   template <class Visit>
   void descend(const Block& block, int leaf, const Visit& visit) const {
-    descend(block.x, block.y, block.side, block.candidates, leaf, visit);
+    std::vector<double> scratch;
+    descend(block.x, block.y, block.side, block.candidates, leaf, visit, scratch);
   }
 
  private:
   template <class Visit>
-  void descend(int x, int y, int size, const std::vector<int>& list, int leaf, const Visit& visit) const {
+  void descend(int x, int y, int size, const std::vector<int>& list, int leaf, const Visit& visit,
+               std::vector<double>& scratch) const {
     if (x >= blocks_.nx || y >= blocks_.ny) return;
     const double side = size * blocks_.cell;
     const Vec2 centre{blocks_.origin.x + x * blocks_.cell + 0.5 * side,
                       blocks_.origin.y + y * blocks_.cell + 0.5 * side};
     double lowest = 0;
-    std::vector<int> candidates = nearestCandidates(segments_, list, centre, side * 0.70710678118654757, lowest);
+    std::vector<int> candidates =
+        nearestCandidates(segments_, list, centre, side * 0.70710678118654757, lowest, scratch);
     if (size <= leaf) {
       visit(Block{x, y, size, std::move(candidates)}, lowest);
       return;
     }
     const int half = size / 2;
-    for (int k = 0; k < 4; ++k) descend(x + (k & 1) * half, y + (k >> 1) * half, half, candidates, leaf, visit);
+    for (int k = 0; k < 4; ++k)
+      descend(x + (k & 1) * half, y + (k >> 1) * half, half, candidates, leaf, visit, scratch);
   }
 
   const std::vector<BorderSegment>& segments_;
@@ -106,8 +111,9 @@ class TileDistances {
 
   explicit TileDistances(const std::vector<BorderSegment>& segments) : segments_(segments) {}
 
-  /// \param candidates  at least one. Sets `squared`, exact.
-  void measure(std::span<const int> candidates) {
+  /// Sets `squared`, exact, or where all distances are above `band` one lower bound above it.
+  /// \param candidates  at least one.
+  void measure(std::span<const int> candidates, double band) {
     const Vec2 centre{0.5 * (x.front() + x.back()), 0.5 * (y.front() + y.back())};
     const double halfDiagonal = 0.5 * length(Vec2{x.back() - x.front(), y.back() - y.front()});
     toCentre_.resize(candidates.size());
@@ -115,6 +121,11 @@ class TileDistances {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       toCentre_[k] = squaredDistance(segments_[static_cast<std::size_t>(candidates[k])], centre);
       least = std::min(least, toCentre_[k]);
+    }
+    const double lowest = std::sqrt(least) - halfDiagonal;
+    if (lowest > band * (1 + 1e-6)) {
+      squared.fill(lowest * lowest);
+      return;
     }
     const double limit = (std::sqrt(least) + 2 * halfDiagonal) * (1 + 1e-9) + 1e-9;
     squared.fill(1e300);
@@ -371,7 +382,8 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
             tile.x[k] = p.x;
             tile.y[k] = p.y;
           }
-          tile.measure({candidates + index.begin_[block], candidates + index.begin_[block + 1]});
+          tile.measure({candidates + index.begin_[block], candidates + index.begin_[block + 1]},
+                       static_cast<double>(band));
           for (int y = top; y < bottom; ++y) {
             for (int x = left; x < std::min(left + kTile, last); ++x) {
               distance[lattice.index(x, y)] =
