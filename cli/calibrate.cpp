@@ -190,9 +190,9 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
       ->group(photograph);
 }
 
-Result<std::string> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
-                                 const sillon::Project& project, const std::string& scene, const std::string& date,
-                                 const sillon::RunContext& run) {
+Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
+                             const sillon::Project& project, const std::string& scene, const std::string& date,
+                             const sillon::RunContext& run) {
   if (arguments.out.empty()) return Error{ErrorCode::InvalidArgument, "--output is required; it names the G-code"};
   if (!arguments.lampSize.empty() || arguments.lampElevation) {
     return Error{ErrorCode::InvalidArgument,
@@ -238,23 +238,21 @@ Result<std::string> runCalibrate(const CalibrateArguments& arguments, const Pict
     params.look = look;
     const auto picture = sillon::renderPreview(shown, page, params, run);
     if (!picture) return picture.error();
-    const sillon::RgbImage& image = picture.value();
-    const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
-    files.push_back({arguments.preview, std::string(png.begin(), png.end())});
+    Result<std::string> png = pngFile(picture.value());
+    if (!png) return png.error();
+    files.push_back({arguments.preview, std::move(png).value()});
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
-  if (const auto problem = writeTogether(files)) return *problem;
-  if (arguments.json) return tableJson(arguments.kind, plate, summary.value(), findings);
+  if (arguments.json) return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings)};
   std::string out = table(plate, summary.value());
   for (const sillon::GcodeWarning& warning : summary.value().warnings) {
     out += "note     " + sillon::warningSentence(warning) + "\n";
   }
   for (const sillon::GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
-  return out;
+  return Outcome{std::move(files), std::move(out)};
 }
 
-Result<std::string> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
-                                      const sillon::Project& project, const sillon::RunContext& run) {
+Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
+                                  const sillon::Project& project, const sillon::RunContext& run) {
   if (photograph.empty()) {
     return Error{ErrorCode::InvalidArgument, "no photograph is given; sillon calibrate read PHOTO reads one"};
   }
@@ -279,16 +277,16 @@ Result<std::string> runReadPhotograph(const CalibrateArguments& arguments, const
   if (!image) return image.error();
   const Result<sillon::CouponReading> reading = sillon::readCouponPhoto(image.value(), request, run);
   if (!reading) return Error{reading.error().code, "\"" + photograph + "\": " + reading.error().message};
-  const std::string file =
+  std::string file =
       sillon::spoolFile(reading.value(), arguments.name, "photograph of a coupon; only the nozzle's side was measured");
   const auto spools = sillon::readSpools(file);
   if (!spools) return spools.error();  // the name
-  if (!arguments.out.empty()) {
-    if (const auto problem = writeTogether({{arguments.out, file}})) return *problem;
-  }
+  Outcome outcome;
+  if (!arguments.out.empty()) outcome.files.push_back({arguments.out, std::move(file)});
   const double asked = project.printer.nozzle * project.print.flow;
-  return arguments.json ? readingJson(reading.value(), asked, arguments.name)
-                        : readingText(reading.value(), asked, arguments.name);
+  outcome.text = arguments.json ? readingJson(reading.value(), asked, arguments.name)
+                                : readingText(reading.value(), asked, arguments.name);
+  return outcome;
 }
 
 }  // namespace cli

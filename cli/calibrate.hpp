@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "files.hpp"
 #include "pictures.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
@@ -34,16 +35,15 @@ inline constexpr const char* kReadPhotograph = "read";
 /// Adds what only calibrations have; \param command  gets the options of the print elsewhere.
 void addCalibrate(CLI::App& command, CalibrateArguments& arguments);
 
-/// What the command prints, once its files are written.
 /// \param options  of which the spool counts. \param scene  the file that the project is of; empty: none. \param date
 /// for line 1 of the G-code.
-sillon::Result<std::string> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
-                                         const sillon::Project& project, const std::string& scene,
-                                         const std::string& date, const sillon::RunContext& run);
+sillon::Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
+                                     const sillon::Project& project, const std::string& scene, const std::string& date,
+                                     const sillon::RunContext& run);
 
-/// What is printed of a photograph of a coupon, once the file of spools is written, if one is asked for.
+/// What is told of a photograph of a coupon, and the file of spools, if one is asked for.
 /// \param photograph  a picture's file. \param project  as the coupon was made.
-sillon::Result<std::string> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
-                                              const sillon::Project& project, const sillon::RunContext& run);
+sillon::Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
+                                          const sillon::Project& project, const sillon::RunContext& run);
 
 }  // namespace cli

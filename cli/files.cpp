@@ -52,7 +52,8 @@ std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, co
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const bool flushed = std::fflush(file.get()) == 0;
-  if (!written || !flushed) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
+  const bool closed = std::fclose(file.release()) == 0;  // where a file system over the network tells that it is full
+  if (!written || !flushed || !closed) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   return std::nullopt;
 }
 

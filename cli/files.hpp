@@ -22,6 +22,12 @@ struct OutputFile {
   std::string bytes;
 };
 
+/// What a command has made. Nothing of it is written yet, so that nothing can go wrong once something is.
+struct Outcome {
+  std::vector<OutputFile> files;
+  std::string text;  ///< for stdout, once the files are there
+};
+
 /// What can be known before the work begins: folders exist, names are files, no name is used twice or read from.
 std::optional<sillon::Error> checkOutputs(const std::vector<std::string>& outputs,
                                           const std::vector<std::string>& inputs);

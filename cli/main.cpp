@@ -117,8 +117,7 @@ int endWithoutMemory() {
 }
 
 /// Everything up to the first byte on the disk.
-sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& arguments, cli::Job& job,
-                                                     sillon::RunContext& run) {
+sillon::Result<cli::Outcome> prepare(const cli::Arguments& arguments, cli::Job& job, sillon::RunContext& run) {
   cli::ProgressBar bar(!arguments.quiet);
   run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
 
@@ -157,7 +156,9 @@ sillon::Result<std::vector<cli::OutputFile>> prepare(const cli::Arguments& argum
 
   auto files = cli::makeOutputs(job, arguments.outputs, run);
   run.onProgress({});
-  return files;
+  if (!files) return files.error();
+  std::string summary = arguments.quiet ? "" : cli::summary(job, run.threads(), files.value());
+  return cli::Outcome{std::move(files).value(), std::move(summary)};
 }
 
 /// What a command is asked for goes to stdout; a full disk or a closed pipe loses it.
@@ -183,8 +184,8 @@ int importFrom(const cli::Arguments& arguments) {
   const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.importName);
   if (!imported) return fail(imported.error());
   const sillon::ImportedPrinter& printer = imported.value();
-  if (const int code = answer(sillon::writePrinter(printer.printer), 0); code != 0) return code;
   const std::string under = printer.profile.empty() ? "" : ", the rest from the profile " + printer.profile;
+  if (const int code = answer(sillon::writePrinter(printer.printer), 0); code != 0) return code;
   std::fprintf(stderr, "sillon: read %zu settings as %s%s\n", printer.read.size(), printer.source.c_str(),
                under.c_str());
   for (const sillon::ImportNote& note : printer.notRead)
@@ -192,12 +193,25 @@ int importFrom(const cli::Arguments& arguments) {
   return 0;
 }
 
+/// The one place where files are written, after all that can fail. They are what was asked for: once they are there, a
+/// summary that gets lost is no failure.
+int commit(const sillon::Result<cli::Outcome>& made, const sillon::RunContext& run) {
+  if (!run.cancelled() && !made) return fail(made.error());
+  // From here on it is faster to finish than to stop.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  if (run.cancelled()) return fail({ErrorCode::Cancelled, kCancelled});
+  if (made.value().files.empty()) return answer(made.value().text, 0);
+  if (const std::optional<Error> problem = cli::writeTogether(made.value().files)) return fail(*problem);
+  std::fputs(made.value().text.c_str(), stdout);
+  return 0;
+}
+
 int rebrush(const cli::RebrushArguments& arguments) {
   sillon::RunContext run(cli::threadsHere(arguments.threads));
   run.limitMemory(cli::memoryForPlates());
   const CancelOnSignal cancelOnSignal(run);
-  const sillon::Result<std::string> text = cli::runRebrush(arguments, run);
-  return text ? answer(text.value(), 0) : fail(text.error());
+  return commit(cli::runRebrush(arguments, run), run);
 }
 
 int zones(const cli::Arguments& arguments) {
@@ -206,8 +220,7 @@ int zones(const cli::Arguments& arguments) {
   const CancelOnSignal cancelOnSignal(run);
   sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
-  const sillon::Result<std::string> text = cli::runZones(arguments.zones, std::move(project).value(), run);
-  return text ? answer(text.value(), 0) : fail(text.error());
+  return commit(cli::runZones(arguments.zones, std::move(project).value(), run), run);
 }
 
 int readPhotograph(cli::Arguments arguments) {
@@ -219,9 +232,7 @@ int readPhotograph(cli::Arguments arguments) {
   const CancelOnSignal cancelOnSignal(run);
   const sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
-  const sillon::Result<std::string> text =
-      cli::runReadPhotograph(arguments.calibrate, photograph, project.value(), run);
-  return text ? answer(text.value(), 0) : fail(text.error());
+  return commit(cli::runReadPhotograph(arguments.calibrate, photograph, project.value(), run), run);
 }
 
 int calibrate(const cli::Arguments& arguments) {
@@ -236,9 +247,9 @@ int calibrate(const cli::Arguments& arguments) {
   if (!date) return fail(date.error());
   const sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
-  const sillon::Result<std::string> text =
-      cli::runCalibrate(arguments.calibrate, arguments.pictures, project.value(), arguments.scene, date.value(), run);
-  return text ? answer(text.value(), 0) : fail(text.error());
+  return commit(
+      cli::runCalibrate(arguments.calibrate, arguments.pictures, project.value(), arguments.scene, date.value(), run),
+      run);
 }
 
 int generate(const cli::Arguments& arguments) {
@@ -270,17 +281,10 @@ int generate(const cli::Arguments& arguments) {
                  "--conflict is \"" + arguments.outputs.conflict + "\"; it must go with two pictures or more"});
   }
 
-  const auto files = prepare(arguments, job, run);
-  if (!files) return fail(run.cancelled() ? Error{ErrorCode::Cancelled, kCancelled} : files.error());
-  // From here on it is faster to finish than to stop.
-  std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGTERM, SIG_IGN);
-  if (run.cancelled()) return fail({ErrorCode::Cancelled, kCancelled});
-  if (files.value().empty() && job.bodyRefused) return fail(*job.bodyRefused);
-  const std::string summary = arguments.quiet ? "" : cli::summary(job, run.threads(), files.value());
-  if (const std::optional<Error> problem = cli::writeTogether(files.value())) return fail(*problem);
-  std::fputs(summary.c_str(), stdout);
-  return job.bodyRefused ? fail(*job.bodyRefused) : 0;
+  const sillon::Result<cli::Outcome> made = prepare(arguments, job, run);
+  if (made && made.value().files.empty() && job.bodyRefused) return fail(*job.bodyRefused);
+  const int code = commit(made, run);
+  return code == 0 && job.bodyRefused ? fail(*job.bodyRefused) : code;
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
 #include "sillon/gcode/read_back.hpp"
-#include "sillon/input/image_io.hpp"
 #include "sillon/look/conflict.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/thumbnails.hpp"
@@ -126,21 +125,20 @@ Result<std::string> previewPng(const Job& job, int width, std::size_t shown, con
   params.look = previewLook(job.pictureOptions, job.project, job.pictures, shown);
   const auto picture = sillon::renderPreview(job.plate.toolpath, job.input.shape.page, params, run);
   if (!picture) return picture.error();
-  const sillon::RgbImage& image = picture.value();
-  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
-  return std::string(png.begin(), png.end());
+  return pngFile(picture.value());
 }
 
-void addConflicts(const Job& job, const std::string& path, std::vector<OutputFile>& files) {
+std::optional<Error> addConflicts(const Job& job, const std::string& path, std::vector<OutputFile>& files) {
   constexpr int kSide = 800;  // [pixels]
   const sillon::PlatePictures& pictures = job.pictures;
   const sillon::PictureConflict conflict =
       sillon::conflictOf(job.input.directions, pictures.shown, pictures.roughness, pictures.level);
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
-    const sillon::RgbImage image = sillon::conflictImage(conflict, k, pictures.shown[k].tones, kSide);
-    const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
-    files.push_back({previewName(path, k), std::string(png.begin(), png.end())});
+    Result<std::string> png = pngFile(sillon::conflictImage(conflict, k, pictures.shown[k].tones, kSide));
+    if (!png) return png.error();
+    files.push_back({previewName(path, k), std::move(png).value()});
   }
+  return std::nullopt;
 }
 
 std::string durationText(double seconds) {
@@ -266,7 +264,9 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
       files.push_back({previewName(paths.preview, k), std::move(png).value()});
     }
   }
-  if (!paths.conflict.empty()) addConflicts(job, paths.conflict, files);
+  if (!paths.conflict.empty()) {
+    if (const auto error = addConflicts(job, paths.conflict, files)) return *error;
+  }
   if (!paths.view.empty()) {
     const sillon::LookParams look = previewLook(job.pictureOptions, job.project, job.pictures, 0);
     const auto view = sillon::viewFile(job.plate.toolpath, job.input.shape.page, {look.colour, look.roughness});

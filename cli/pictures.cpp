@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "files.hpp"
+#include "sillon/input/image_io.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/settings/table.hpp"
 
@@ -171,6 +172,12 @@ sillon::LookParams previewLook(const PictureOptions& options, const sillon::Proj
   look.lamp.azimuth = lamp.x;
   look.lamp.elevation = lamp.y;
   return look;
+}
+
+sillon::Result<std::string> pngFile(const sillon::RgbImage& image) {
+  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+  if (png.empty()) return sillon::Error{sillon::ErrorCode::TooLarge, "a picture needs more memory than there is"};
+  return std::string(png.begin(), png.end());
 }
 
 std::string previewName(const std::string& path, std::size_t picture) {

@@ -279,9 +279,7 @@ Result<std::string> previewPng(const RebrushArguments& arguments, const sillon::
   }
   const auto picture = sillon::renderPreview(made.toolpath, surface.region.page, params, run);
   if (!picture) return picture.error();
-  const sillon::RgbImage& image = picture.value();
-  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
-  return std::string(png.begin(), png.end());
+  return pngFile(picture.value());
 }
 
 }  // namespace
@@ -378,7 +376,7 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
       ->check(CLI::Range(1, 256));
 }
 
-Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run) {
+Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run) {
   const Result<sillon::Project> project = pictureProject(arguments.pictures);
   if (!project) return project.error();
   const sillon::PictureParams& pictures = project.value().pictures;
@@ -395,7 +393,7 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
   if (arguments.list) {
     const Result<SlicedFile> file = sillon::readSlicedFile(gcode, run);
     if (!file) return named(file.error());
-    return arguments.json ? listJson(file.value()) : listText(file.value());
+    return Outcome{{}, arguments.json ? listJson(file.value()) : listText(file.value())};
   }
   if (container.value().plates > 1) {
     return named({ErrorCode::InvalidFile, "it holds " + std::to_string(container.value().plates) +
@@ -432,9 +430,7 @@ Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::
     files.push_back({previewName(arguments.preview, drawn++), std::move(png).value()});
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
-  if (const auto problem = writeTogether(files)) return *problem;
-  return summaryText(done.value());
+  return Outcome{std::move(files), summaryText(done.value())};
 }
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "files.hpp"
 #include "pictures.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
@@ -35,7 +36,6 @@ struct RebrushArguments {
 /// Adds the command with its options.
 void addRebrush(CLI::App& app, RebrushArguments& arguments);
 
-/// What the command prints, once its files are written.
-sillon::Result<std::string> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run);
+sillon::Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run);
 
 }  // namespace cli

@@ -48,7 +48,7 @@ void addZones(CLI::App& command, ZonesArguments& arguments) {
       ->group(group);
 }
 
-Result<std::string> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
+Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
   if (!arguments.out.ends_with(".3mf")) {
     return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
   }
@@ -93,8 +93,6 @@ Result<std::string> runZones(const ZonesArguments& arguments, sillon::Project pr
   if (!zones) return zones.error();
   Result<std::string> package = sillon::zones3mf(body, zones.value(), corner, arguments.layers);
   if (!package) return package.error();
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
-  if (const auto problem = writeTogether({{arguments.out, std::move(package).value()}})) return *problem;
 
   std::string out;
   char line[160];
@@ -104,7 +102,7 @@ Result<std::string> runZones(const ZonesArguments& arguments, sillon::Project pr
   }
   std::snprintf(line, sizeof line, "error  %.1f degrees in the mean against the directions that were given\n",
                 zones.value().error);
-  return out + line;
+  return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
 }
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "files.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/export/zones.hpp"
@@ -25,8 +26,7 @@ struct ZonesArguments {
 /// Adds what only zones have; \param command  gets the options of shape, directions and pictures elsewhere.
 void addZones(CLI::App& command, ZonesArguments& arguments);
 
-/// What the command prints, once its file is written.
-sillon::Result<std::string> runZones(const ZonesArguments& arguments, sillon::Project project,
-                                     const sillon::RunContext& run);
+sillon::Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project project,
+                                 const sillon::RunContext& run);
 
 }  // namespace cli

@@ -1,6 +1,6 @@
 // The command line with a memory and a disk that fail at a given call: SILLON_FAIL=new:N or SILLON_FAIL=write:N lets
-// the N-th allocation, or the N-th opening, writing or flushing of an output, fail once. Without it both are counted
-// and told on stderr at the end. Linked with --wrap for main, fopen, fwrite and fflush.
+// the N-th allocation, or the N-th opening, writing, flushing or closing of an output, fail once. Without it both are
+// counted and told on stderr at the end. Linked with --wrap for main, fopen, fwrite, fflush and fclose.
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -15,6 +15,7 @@ std::atomic<long> allocations{0};
 std::atomic<long> writes{0};
 long failingAllocation = 0;
 long failingWrite = 0;
+std::FILE* output = nullptr;  // outputs are open one at a time; what is read does not count
 
 bool writeFails() {
   if (!counting || ++writes != failingWrite) return false;
@@ -44,18 +45,27 @@ int __real_main(int argc, char** argv);
 std::FILE* __real_fopen(const char* name, const char* mode);
 std::size_t __real_fwrite(const void* data, std::size_t size, std::size_t count, std::FILE* file);
 int __real_fflush(std::FILE* file);
+int __real_fclose(std::FILE* file);
 
 std::FILE* __wrap_fopen(const char* name, const char* mode) {
-  return std::strchr(mode, 'w') != nullptr && writeFails() ? nullptr : __real_fopen(name, mode);
+  const bool writes = std::strchr(mode, 'w') != nullptr;
+  if (writes && writeFails()) return nullptr;
+  std::FILE* const file = __real_fopen(name, mode);
+  if (writes) output = file;
+  return file;
 }
 
 std::size_t __wrap_fwrite(const void* data, std::size_t size, std::size_t count, std::FILE* file) {
-  if (file == stdout || file == stderr || !writeFails()) return __real_fwrite(data, size, count, file);
+  if (file != output || !writeFails()) return __real_fwrite(data, size, count, file);
   return __real_fwrite(data, size, count / 2, file);  // half of it is there
 }
 
-int __wrap_fflush(std::FILE* file) {
-  return file != stdout && file != stderr && writeFails() ? EOF : __real_fflush(file);
+int __wrap_fflush(std::FILE* file) { return file == output && writeFails() ? EOF : __real_fflush(file); }
+
+int __wrap_fclose(std::FILE* file) {
+  const bool fails = file == output && writeFails();
+  if (file == output) output = nullptr;
+  return __real_fclose(file) != 0 || fails ? EOF : 0;
 }
 
 int __wrap_main(int argc, char** argv) {
