@@ -36,13 +36,13 @@ fs::path target(const std::string& path) {
 }
 
 /// A free name in the same folder: renaming is atomic only within one file system.
-fs::path temporaryName(const fs::path& path, std::size_t index) {
+fs::path temporaryName(const fs::path& path, std::size_t index, const char* ending) {
 #if defined(__unix__) || defined(__APPLE__)
   const auto process = static_cast<long>(::getpid());
 #else
   const long process = 0;
 #endif
-  const std::string name = ".sillon-" + std::to_string(process) + "-" + std::to_string(index) + ".tmp";
+  const std::string name = ".sillon-" + std::to_string(process) + "-" + std::to_string(index) + ending;
   return path.parent_path() / name;
 }
 
@@ -64,12 +64,16 @@ class TemporaryFiles {
   explicit TemporaryFiles(const std::vector<OutputFile>& files) {
     for (const OutputFile& file : files) {
       const fs::path to = target(file.path);
-      files_.push_back({file.path, temporaryName(to, files_.size()), to});
+      const std::size_t k = files_.size();
+      files_.push_back({file.path, temporaryName(to, k, ".tmp"), temporaryName(to, k, ".old"), to});
     }
   }
   ~TemporaryFiles() {
     std::error_code ignored;
-    for (std::size_t k = kept_; k < files_.size(); ++k) fs::remove(files_[k].from, ignored);
+    for (std::size_t k = 0; k < files_.size(); ++k) {
+      if (k >= kept_) fs::remove(files_[k].from, ignored);
+      if (files_[k].saved) fs::remove(files_[k].old, ignored);
+    }
   }
   TemporaryFiles(const TemporaryFiles&) = delete;
   TemporaryFiles& operator=(const TemporaryFiles&) = delete;
@@ -78,9 +82,18 @@ class TemporaryFiles {
 
   std::optional<Error> keep() {
     for (; kept_ < files_.size(); ++kept_) {
+      Names& file = files_[kept_];
       std::error_code error;
-      fs::rename(files_[kept_].from, files_[kept_].to, error);
-      if (error) return invalid("\"" + files_[kept_].wanted + "\" cannot be written: " + error.message());
+      file.isNew = !fs::exists(file.to, error);
+      // Of several files one may be refused after others are in place: another person's in a folder of all.
+      if (files_.size() > 1) {
+        fs::create_hard_link(file.to, file.old, error);
+        file.saved = !error;
+      }
+      fs::rename(file.from, file.to, error);
+      if (!error) continue;
+      giveBack();
+      return invalid("\"" + file.wanted + "\" cannot be written: " + error.message());
     }
     return std::nullopt;
   }
@@ -89,8 +102,22 @@ class TemporaryFiles {
   struct Names {
     std::string wanted;
     fs::path from;
+    fs::path old;  ///< for what was there before
     fs::path to;
+    bool isNew = false;  ///< nothing was there
+    bool saved = false;  ///< it has the name `old` too; not on disks without hard links
   };
+
+  // Everything as it was.
+  void giveBack() {
+    std::error_code ignored;
+    for (std::size_t k = 0; k < kept_; ++k) {
+      const Names& file = files_[k];
+      if (file.isNew) fs::remove(file.to, ignored);
+      if (file.saved) fs::rename(file.old, file.to, ignored);
+    }
+  }
+
   std::vector<Names> files_;
   std::size_t kept_ = 0;
 };

@@ -1,6 +1,8 @@
 // The command line with a memory and a disk that fail at a given call: SILLON_FAIL=new:N or SILLON_FAIL=write:N lets
-// the N-th allocation, or the N-th opening, writing, flushing or closing of an output, fail once. Without it both are
-// counted and told on stderr at the end. Linked with --wrap for main, fopen, fwrite, fflush and fclose.
+// the N-th allocation, or the N-th opening, writing, flushing, closing or renaming of an output, fail once. Without it
+// both are counted and told on stderr at the end. Linked with --wrap for main, fopen, fwrite, fflush and fclose.
+#include <fcntl.h>
+
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -66,6 +68,11 @@ int __wrap_fclose(std::FILE* file) {
   const bool fails = file == output && writeFails();
   if (file == output) output = nullptr;
   return __real_fclose(file) != 0 || fails ? EOF : 0;
+}
+
+// The C++ library's own calls come here too.
+int rename(const char* from, const char* to) noexcept {
+  return writeFails() ? -1 : renameat(AT_FDCWD, from, AT_FDCWD, to);
 }
 
 int __wrap_main(int argc, char** argv) {
