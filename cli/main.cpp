@@ -135,8 +135,7 @@ sillon::Result<cli::Outcome> prepare(const cli::Arguments& arguments, cli::Job& 
   if (!pictures) return pictures.error();
   job.pictures = std::move(pictures).value();
 
-  // Measuring takes up to two fifths as long as making: only if the report, the header of the G-code or the summary
-  // shows it.
+  // Measuring takes its time: only if the report, the header of the G-code or the summary shows it.
   const bool measure = !arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet;
   const auto make = [&](const sillon::PlateInput& input, int /*round*/, int /*rounds*/) {
     return sillon::generateToolpath(input, job.project.toolpath, run, measure);

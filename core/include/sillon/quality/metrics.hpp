@@ -53,7 +53,7 @@ struct Measures {
   std::string digest;  ///< 16 hex digits of the toolpath on a grid of 1 µm
 };
 
-/// Judges a toolpath as delivered. Takes up to two fifths as long as making it.
+/// Judges a toolpath as delivered. Takes a fifth to two fifths as long as making it.
 /// An error names what of the toolpath or the parameters is out of range.
 /// \param dislocations  of the waves that these arguments make, where they are known (ToolpathResult::dislocations).
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
