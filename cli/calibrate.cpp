@@ -109,9 +109,9 @@ std::string readingText(const sillon::CouponReading& r, double closest, const st
   if (r.flow) {
     add("flow     %.3f +- %.3f is the lowest that closes the surface\n", r.flow->value, r.flow->error);
   } else if (r.flowIsLower) {
-    add("flow     all discs are closed; print a coupon with lower values (--from, --to)\n");
+    out += "flow     all discs are closed; print a coupon with lower values (--from, --to)\n";
   } else {
-    add("flow     no disc is closed; print a coupon with higher values (--from, --to)\n");
+    out += "flow     no disc is closed; print a coupon with higher values (--from, --to)\n";
   }
   add("width    %.3f +- %.3f mm for a bead of %.3f mm\n", r.width.value, r.width.error, closest);
   add("lamp     at %.0f +- %.0f degrees, %.0f +- %.0f degrees high\n", r.azimuth.value, r.azimuth.error,
