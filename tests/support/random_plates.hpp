@@ -252,7 +252,7 @@ inline double spillAllowed(const RandomPlate& plate, const sillon::ToolpathResul
 
 /// How far a path may leave the shape [mm]: by half a bridge and half a bead when it is joined, and what relaxing adds.
 inline double outsideAllowed(const sillon::ToolpathParams& params) {
-  return 0.5 * (params.bridge.value_or(params.spacing) + params.spacing) + 0.125 * params.spacing;
+  return 0.5 * (params.bridge.value_or(params.spacing) + params.spacing) + 0.3 * params.spacing;
 }
 
 }  // namespace scenes
