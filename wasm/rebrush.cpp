@@ -183,17 +183,23 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
       out.set("cycles", convert::toJs(made.toolpath)["cycles"]);
       surfaces.call<void>("push", out);
     }
-    constexpr std::size_t kPiece = std::size_t{4} << 20;
-    const auto give = [&](std::string_view piece) {
+    constexpr std::size_t kPiece = std::size_t{4} << 20;  // bytes
+    std::string piece;
+    const auto give = [&] {
       onPiece(convert::copied(reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size()));
+      piece.clear();
     };
-    if (print->kind == sillon::GcodeContainerKind::Text) {
-      sillon::forEachPiece(print->gcode, done.value().edits, kPiece, give);
-    } else {
-      const auto packed = sillon::writeGcodeContainer(*print, sillon::withEdits(print->gcode, done.value().edits));
-      if (!packed) return failure(packed.error());
-      sillon::forEachPiece(packed.value(), {}, kPiece, give);
-    }
+    const auto take = [&](std::string_view bytes) {
+      while (!bytes.empty()) {
+        const std::string_view more = bytes.substr(0, kPiece - piece.size());
+        piece += more;
+        bytes.remove_prefix(more.size());
+        if (piece.size() == kPiece) give();
+      }
+    };
+    const auto parts = sillon::partsOf(print->gcode, done.value().edits);
+    if (const auto problem = sillon::writeGcodeContainer(*print, parts, take)) return failure(*problem);
+    give();
     val out = val::object();
     out.set("seconds", done.value().seconds);
     out.set("surfaces", surfaces);

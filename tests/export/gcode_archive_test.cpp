@@ -182,6 +182,43 @@ TEST_CASE("a donor's archive keeps every other entry and the order; plate, MD5, 
   CHECK(entry(other, "Metadata/plate_1.png").ends_with("\x01"));
 }
 
+TEST_CASE("a text in parts gives the bytes of the whole, in every kind of file") {
+  std::string text = kPlate;
+  while (text.size() < 3'000'000) text.insert(text.find("G1 X30"), "G1 X10 Y20 F3000\nG1 X20.5 Y20 E0.25\nG92 E0\n");
+  text.replace(text.find("7.25"), 4, "9.5");
+  text.replace(text.find("1m 3s"), 5, "2m 0s");
+  const std::size_t lines[] = {0, text.find("G28"), text.find("G1 X30"), text.find("; total"), text.size()};
+  std::vector<std::string_view> parts{""};
+  for (std::size_t k = 1; k < std::size(lines); ++k) {
+    parts.push_back(std::string_view(text).substr(lines[k - 1], lines[k] - lines[k - 1]));
+  }
+  for (const std::string& donor :
+       {std::string(kPlate), packed(kPlate), gzipGcode(kPlate).value(), packBinaryGcode(kPlate).value()}) {
+    const GcodeContainer container = readGcodeContainer(donor).value();
+    std::string pieces;
+    CHECK_FALSE(writeGcodeContainer(container, parts, [&](std::string_view piece) { pieces += piece; }));
+    CHECK(pieces == writeGcodeContainer(container, text).value());
+    if (container.kind == GcodeContainerKind::Package3mf) {
+      CHECK(unpackGcode(pieces).value() == text);
+      CHECK(entry(pieces, "Metadata/slice_info.config").find("value=\"120\"") != std::string::npos);
+      CHECK(entry(pieces, "Metadata/slice_info.config").find("used_g=\"9.5\"") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("the MD5 of parts is that of the whole, wherever it is cut") {
+  std::string text;
+  for (int k = 0; k < 200; ++k) text += static_cast<char>('a' + k % 26);
+  for (const std::size_t size : {0u, 1u, 55u, 56u, 63u, 64u, 65u, 128u, 200u}) {
+    const std::string_view whole = std::string_view(text).substr(0, size);
+    for (std::size_t cut = 0; cut <= size; cut += 7) {
+      const std::size_t next = std::min(size, cut + 5);
+      CHECK(md5({whole.substr(0, cut), whole.substr(cut, next - cut), whole.substr(next)}) == md5(whole));
+    }
+  }
+  CHECK(md5("abc") == "900150983CD24FB0D6963F7D28E17F72");  // RFC 1321, A.5
+}
+
 TEST_CASE("a plate that lies otherwise by a hair keeps its box") {
   const GcodeContainer container = readGcodeContainer(packed(kPlate)).value();
   std::string text = kPlate;

@@ -25,8 +25,9 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPacked = std::size_t{1} << 30;
 constexpr std::size_t kMostMetadata = std::size_t{64} << 20;
-constexpr double kMoved = 0.5;      // [mm] by which a box is another
-constexpr int kSmallPicture = 128;  // [pixels], of plate_1_small.png
+constexpr std::size_t kMostRecords = std::size_t{1} << 16;  // [bytes] by which all but the G-code grows
+constexpr double kMoved = 0.5;                              // [mm] by which a box is another
+constexpr int kSmallPicture = 128;                          // [pixels], of plate_1_small.png
 
 Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gcode.3mf ") + what}; }
 
@@ -76,7 +77,7 @@ OrderedJson corners(const Bounds& box) {
 // What the printer's screen and the slicers read of a plate: where it lies.
 std::string plateInfo(std::string_view gcode) {
   OrderedJson object = OrderedJson::object();
-  const Bounds box = printedBox(gcode);
+  const Bounds box = printedBox({gcode});
   const Bounds shown = box.empty() ? Bounds{{0, 0}, {0, 0}} : box;
   object["bbox"] = corners(shown);
   object["id"] = 1;
@@ -158,9 +159,8 @@ std::string newSliceInfo(std::string xml, std::string_view plate, std::string_vi
   return xml;
 }
 
-std::string newPlateInfo(const std::string& text, std::string_view gcode) {
+std::string newPlateInfo(const std::string& text, const Bounds& box) {
   OrderedJson root = OrderedJson::parse(text, nullptr, false);
-  const Bounds box = printedBox(gcode);
   if (!root.is_object() || box.empty()) return text;
   root["bbox_all"] = corners(box);
   if (root.contains("bbox_objects") && root["bbox_objects"].is_array() && !root["bbox_objects"].empty() &&
@@ -170,6 +170,30 @@ std::string newPlateInfo(const std::string& text, std::string_view gcode) {
     root["bbox_objects"] = OrderedJson::array({object});
   }
   return root.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+// The first bytes of a text in parts.
+std::string firstOf(const std::vector<std::string_view>& parts, std::size_t size) {
+  std::string out;
+  out.reserve(size);
+  for (const std::string_view part : parts) {
+    out += part.substr(0, size - out.size());
+    if (out.size() == size) break;
+  }
+  return out;
+}
+
+// What toldValue and toldPictures read of it.
+std::string toldPart(const std::vector<std::string_view>& parts, std::size_t size) {
+  if (size <= 2 * kTold) return firstOf(parts, size);
+  std::vector<std::string_view> ending;
+  std::size_t rest = kTold;
+  for (auto part = parts.rbegin(); rest > 0; ++part) {
+    const std::size_t more = std::min(rest, part->size());
+    ending.insert(ending.begin(), part->substr(part->size() - more));
+    rest -= more;
+  }
+  return firstOf(parts, kTold) + firstOf(ending, kTold);
 }
 
 }  // namespace
@@ -252,12 +276,40 @@ Result<GcodeContainer> readGcodeContainer(std::string file) {
 }
 
 Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string gcode) {
-  if (container.kind == GcodeContainerKind::Text) return gcode;
-  if (container.kind == GcodeContainerKind::Binary) return binaryWithText(container.file, gcode);
-  if (container.kind == GcodeContainerKind::Gzip) return zippedLike(container.file, gcode);
-  if (gcode.size() > kMostPacked) {
-    return Error{ErrorCode::TooLarge, "the G-code is " + std::to_string(gcode.size() >> 20) +
-                                          " MiB; in a .gcode.3mf it must be at most 1024"};
+  switch (container.kind) {
+    case GcodeContainerKind::Text:
+      return gcode;
+    case GcodeContainerKind::Binary:
+      return binaryWithText(container.file, gcode);
+    case GcodeContainerKind::Gzip:
+      return zippedLike(container.file, gcode);
+    case GcodeContainerKind::Package3mf:
+      break;
+  }
+  std::string file;
+  file.reserve(container.file.size() + gcode.size() + kMostRecords);  // grown step by step, it would be held twice
+  const auto problem = writeGcodeContainer(container, {gcode}, [&](std::string_view piece) { file += piece; });
+  if (problem) return *problem;
+  return file;
+}
+
+std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const std::vector<std::string_view>& gcode,
+                                         const std::function<void(std::string_view)>& take) {
+  if (container.kind == GcodeContainerKind::Text) {
+    for (const std::string_view part : gcode) take(part);
+    return std::nullopt;
+  }
+  std::size_t size = 0;
+  for (const std::string_view part : gcode) size += part.size();
+  if (container.kind != GcodeContainerKind::Package3mf) {
+    const Result<std::string> whole = writeGcodeContainer(container, firstOf(gcode, size));
+    if (!whole) return whole.error();
+    take(whole.value());
+    return std::nullopt;
+  }
+  if (size > kMostPacked) {
+    return Error{ErrorCode::TooLarge,
+                 "the G-code is " + std::to_string(size >> 20) + " MiB; in a .gcode.3mf it must be at most 1024"};
   }
   const std::string_view file = container.file;
   const Result<ZipDirectory> directory = readZip(file);
@@ -268,10 +320,11 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
   const std::string_view path = plate->name.substr(0, plate->name.size() - 6);          // Metadata/plate_1
   const std::string_view folder = path.substr(0, path.rfind('/') + 1);                  // Metadata/
   const std::string_view index = path.substr(path.find_last_not_of("0123456789") + 1);  // 1
-  const std::vector<ToldPicture> pictures = toldPictures(gcode);
+  const std::string told = toldPart(gcode, size);
+  const std::vector<ToldPicture> pictures = toldPictures(told);
   const bool newPictures =
       !pictures.empty() && nearestPng(pictures, 4096) != nearestPng(toldPictures(container.gcode), 4096);
-  const Bounds before = printedBox(container.gcode);
+  const Bounds before = printedBox({container.gcode});
   const Bounds after = printedBox(gcode);
   // A bead that lies otherwise by a hair is no other place; objects keep the boxes that their slicer gave them.
   const bool moved =
@@ -279,7 +332,7 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
       (!after.empty() && std::max(length(before.min - after.min), length(before.max - after.max)) > kMoved);
 
   std::vector<std::string> made(directory.value().entries.size());
-  std::vector<const std::string*> contents(made.size(), nullptr);
+  std::vector<std::vector<std::string_view>> contents(made.size());
   for (std::size_t k = 0; k < made.size(); ++k) {
     const ZipEntry& entry = directory.value().entries[k];
     const auto is = [&](std::string_view head, std::string_view tail) {
@@ -288,7 +341,7 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
     const std::string noLight = std::string(folder) + "plate_no_light_" + std::string(index);
     std::optional<std::string> other;
     if (&entry == plate) {
-      contents[k] = &gcode;
+      contents[k] = gcode;
     } else if (is(plate->name, ".md5")) {
       other = md5(gcode);
     } else if (newPictures && (is(path, ".png") || is(path, "_small.png") || is(noLight, ".png"))) {
@@ -298,15 +351,16 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
     } else if (is(folder, "slice_info.config") || (moved && is(path, ".json"))) {
       const Result<std::string> old = unpackEntry(file, entry, kMostMetadata);
       if (!old) return old.error();
-      other = entry.name.ends_with(".json") ? newPlateInfo(old.value(), gcode)
-                                            : newSliceInfo(old.value(), index, container.gcode, gcode);
+      other = entry.name.ends_with(".json") ? newPlateInfo(old.value(), after)
+                                            : newSliceInfo(old.value(), index, container.gcode, told);
       if (*other == old.value()) other.reset();
     }
     if (!other) continue;
     made[k] = std::move(*other);
-    contents[k] = &made[k];
+    contents[k] = {made[k]};
   }
-  return withContents(file, directory.value(), contents);
+  withContents(file, directory.value(), contents, take);
+  return std::nullopt;
 }
 
 Result<std::string> gzipGcode(std::string_view gcode) { return zipped(gcode); }

@@ -13,8 +13,6 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kPart = std::size_t{1} << 20;
-
 bool isPlain(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '.' || c == ' ' ||
          c == '-' || c == '+' || c == '#';
@@ -63,7 +61,7 @@ std::optional<double> word(std::string_view line, char letter) {
 }  // namespace
 
 std::string toldValue(std::string_view gcode, std::string_view key) {
-  const std::string_view parts[] = {gcode.substr(gcode.size() - std::min(gcode.size(), kPart)), gcode.substr(0, kPart)};
+  const std::string_view parts[] = {gcode.substr(gcode.size() - std::min(gcode.size(), kTold)), gcode.substr(0, kTold)};
   for (const std::string_view part : parts) {
     for (const char* joint : {" = ", " : ", ": "}) {
       const std::string wanted = "\n; " + std::string(key) + joint;
@@ -107,7 +105,7 @@ std::vector<ToldPicture> toldPictures(std::string_view gcode) {
   constexpr std::string_view kBegin = "\n; thumbnail";
   constexpr std::string_view kEnd = " end";
   std::vector<ToldPicture> pictures;
-  std::string_view rest = gcode.substr(0, kPart);
+  std::string_view rest = gcode.substr(0, kTold);
   for (std::size_t at = rest.find(kBegin); at != std::string_view::npos; at = rest.find(kBegin)) {
     rest.remove_prefix(at);
     const auto* kind =
@@ -129,13 +127,12 @@ std::vector<ToldPicture> toldPictures(std::string_view gcode) {
   return pictures;
 }
 
-Bounds printedBox(std::string_view gcode) {
+Bounds printedBox(const std::vector<std::string_view>& gcode) {
   Bounds box;
   Vec2 at;
   bool layer = false;
   bool custom = false;
-  while (!gcode.empty()) {
-    const std::string_view line = nextLine(gcode);
+  const auto run = [&](std::string_view line) {
     if (line.starts_with(";")) {
       layer = layer || line.starts_with(";LAYER_CHANGE") || line.starts_with("; CHANGE_LAYER") ||
               line.starts_with(";LAYER:0");
@@ -143,17 +140,20 @@ Bounds printedBox(std::string_view gcode) {
       if (line.starts_with("; FEATURE: ")) custom = line.starts_with("; FEATURE: Custom");
     }
     if (!line.starts_with("G0 ") && !line.starts_with("G1 ") && !line.starts_with("G2 ") && !line.starts_with("G3 ")) {
-      continue;
+      return;
     }
     const auto x = word(line, 'X');
     const auto y = word(line, 'Y');
-    if (!x && !y) continue;
+    if (!x && !y) return;
     const Vec2 from = at;
     at = {x.value_or(at.x), y.value_or(at.y)};
     const auto e = word(line, 'E');
-    if (!layer || custom || !e || !(*e > 0)) continue;
+    if (!layer || custom || !e || !(*e > 0)) return;
     box.add(from);
     box.add(at);
+  };
+  for (std::string_view part : gcode) {
+    while (!part.empty()) run(nextLine(part));
   }
   return box;
 }

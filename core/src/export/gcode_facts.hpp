@@ -1,6 +1,7 @@
 // What a G-code file tells of itself in its comments: figures, pictures, settings; and the box of its beads.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 #include "sillon/base/types.hpp"
 
 namespace sillon {
+
+/// What is read of figures and pictures: so many bytes at the beginning, and at the end.
+inline constexpr std::size_t kTold = std::size_t{1} << 20;
 
 /// The value of "; key = value" or "; key: value" in the first or the last MiB of a file, the last one there; letters,
 /// digits, blanks and ".+-#" of it, at most 60. Empty: there is none.
@@ -32,6 +36,7 @@ struct ToldPicture {
 std::vector<ToldPicture> toldPictures(std::string_view gcode);
 
 /// Around the ends of all beads after the first layer mark, start and end blocks left out; empty without any.
-Bounds printedBox(std::string_view gcode);
+/// \param gcode  in parts of whole lines.
+Bounds printedBox(const std::vector<std::string_view>& gcode);
 
 }  // namespace sillon

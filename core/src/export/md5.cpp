@@ -8,7 +8,9 @@
 
 namespace sillon {
 
-std::string md5(std::string_view text) {
+std::string md5(std::string_view text) { return md5(std::vector<std::string_view>{text}); }
+
+std::string md5(const std::vector<std::string_view>& parts) {
   constexpr std::array<std::uint32_t, 64> kSines = {
       0xd76aa478, 0xe8c7b756, 0x242070db, 0xc1bdceee, 0xf57c0faf, 0x4787c62a, 0xa8304613, 0xfd469501,
       0x698098d8, 0x8b44f7af, 0xffff5bb1, 0x895cd7be, 0x6b901122, 0xfd987193, 0xa679438e, 0x49b40821,
@@ -19,11 +21,6 @@ std::string md5(std::string_view text) {
       0xf4292244, 0x432aff97, 0xab9423a7, 0xfc93a039, 0x655b59c3, 0x8f0ccc92, 0xffeff47d, 0x85845dd1,
       0x6fa87e4f, 0xfe2ce6e0, 0xa3014314, 0x4e0811a1, 0xf7537e82, 0xbd3af235, 0x2ad7d2bb, 0xeb86d391};
   constexpr int kTurns[4][4] = {{7, 12, 17, 22}, {5, 9, 14, 20}, {4, 11, 16, 23}, {6, 10, 15, 21}};
-  std::string end(text.substr(text.size() / 64 * 64));
-  end += '\x80';
-  while (end.size() % 64 != 56) end += '\0';
-  append(end, 8 * static_cast<std::uint64_t>(text.size()), 8);
-
   std::uint32_t sum[4] = {0x67452301, 0xefcdab89, 0x98badcfe, 0x10325476};
   const auto add = [&](const char* block) {
     std::uint32_t words[16];
@@ -54,8 +51,25 @@ std::string md5(std::string_view text) {
     sum[2] += c;
     sum[3] += d;
   };
-  for (std::size_t at = 0; at + 64 <= text.size(); at += 64) add(text.data() + at);
-  for (std::size_t at = 0; at < end.size(); at += 64) add(end.data() + at);
+  std::string kept;  // less than a block, or the last ones
+  std::uint64_t size = 0;
+  for (std::string_view part : parts) {
+    size += part.size();
+    if (!kept.empty()) {
+      const std::string_view more = part.substr(0, 64 - kept.size());
+      kept += more;
+      part.remove_prefix(more.size());
+      if (kept.size() < 64) continue;
+      add(kept.data());
+      kept.clear();
+    }
+    for (; part.size() >= 64; part.remove_prefix(64)) add(part.data());
+    kept = part;
+  }
+  kept += '\x80';
+  while (kept.size() % 64 != 56) kept += '\0';
+  append(kept, 8 * size, 8);
+  for (std::size_t at = 0; at < kept.size(); at += 64) add(kept.data() + at);
   std::string hex;
   for (const std::uint32_t word : sum) {
     for (int byte = 0; byte < 4; ++byte) {

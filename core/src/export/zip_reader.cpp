@@ -86,43 +86,55 @@ Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std
   return std::move(*out);
 }
 
-std::string withContents(std::string_view zip, const ZipDirectory& directory,
-                         const std::vector<const std::string*>& contents) {
+void withContents(std::string_view zip, const ZipDirectory& directory,
+                  const std::vector<std::vector<std::string_view>>& contents,
+                  const std::function<void(std::string_view)>& take) {
   // In the order of the file, which need not be that of the directory.
   std::vector<std::size_t> order(directory.entries.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return directory.entries[a].begin < directory.entries[b].begin;
   });
-  constexpr std::size_t kMostRecord = kLocalSize + kListedSize;
-  std::size_t most = zip.size();
-  for (std::size_t k = 0; k < contents.size(); ++k) {
-    if (contents[k] != nullptr) most += kMostRecord + directory.entries[k].name.size() + contents[k]->size();
-  }
-  std::string out;
-  out.reserve(most);  // grown step by step, it would be held twice
-  std::vector<std::size_t> begins(order.size());
+  struct Stored {
+    std::uint64_t begin = 0;
+    std::uint64_t size = 0;
+    std::uint32_t crc = 0;
+  };
+  std::vector<Stored> stored(order.size());
+  std::uint64_t written = 0;
+  const auto give = [&](std::string_view bytes) {
+    take(bytes);
+    written += bytes.size();
+  };
   for (const std::size_t k : order) {
     const ZipEntry& entry = directory.entries[k];
-    begins[k] = out.size();
-    if (contents[k] == nullptr) {
-      out += zip.substr(entry.begin, entry.end - entry.begin);
+    stored[k].begin = written;
+    if (contents[k].empty()) {
+      give(zip.substr(entry.begin, entry.end - entry.begin));
       continue;
     }
-    append(out, 0x04034b50, 4);
-    append(out, 10, 2);  // version 1.0
-    append(out, entry.flags & kUtf8Names, 2);
-    append(out, 0, 2);                        // stored
-    out += zip.substr(entry.listed + 12, 4);  // date and time
-    append(out, crc32(*contents[k]), 4);
-    append(out, contents[k]->size(), 4);
-    append(out, contents[k]->size(), 4);
-    append(out, entry.name.size(), 2);
-    append(out, 0, 2);
-    out += entry.name;
-    out += *contents[k];
+    Crc32 crc;
+    for (const std::string_view part : contents[k]) {
+      crc.add(part);
+      stored[k].size += part.size();
+    }
+    stored[k].crc = crc.value();
+    std::string head;
+    append(head, 0x04034b50, 4);
+    append(head, 10, 2);  // version 1.0
+    append(head, entry.flags & kUtf8Names, 2);
+    append(head, 0, 2);                        // stored
+    head += zip.substr(entry.listed + 12, 4);  // date and time
+    append(head, stored[k].crc, 4);
+    append(head, stored[k].size, 4);
+    append(head, stored[k].size, 4);
+    append(head, entry.name.size(), 2);
+    append(head, 0, 2);
+    head += entry.name;
+    give(head);
+    for (const std::string_view part : contents[k]) give(part);
   }
-  const std::size_t begin = out.size();
+  const std::uint64_t begin = written;
   for (std::size_t k = 0; k < directory.entries.size(); ++k) {
     const ZipEntry& entry = directory.entries[k];
     const std::size_t next = k + 1 < directory.entries.size() ? directory.entries[k + 1].listed : directory.end;
@@ -132,24 +144,23 @@ std::string withContents(std::string_view zip, const ZipDirectory& directory,
       append(digits, value, bytes);
       record.replace(at, digits.size(), digits);
     };
-    put(42, begins[k], 4);
-    if (contents[k] != nullptr) {
+    put(42, stored[k].begin, 4);
+    if (!contents[k].empty()) {
       put(6, 10, 2);
       put(8, entry.flags & kUtf8Names, 2);
       put(10, 0, 2);
-      put(16, crc32(*contents[k]), 4);
-      put(20, contents[k]->size(), 4);
-      put(24, contents[k]->size(), 4);
+      put(16, stored[k].crc, 4);
+      put(20, stored[k].size, 4);
+      put(24, stored[k].size, 4);
     }
-    out += record;
+    give(record);
   }
   std::string tail(zip.substr(directory.end));
   std::string size;
-  append(size, out.size() - begin, 4);
+  append(size, written - begin, 4);
   append(size, begin, 4);
   tail.replace(12, 8, size);
-  out += tail;
-  return out;
+  give(tail);
 }
 
 }  // namespace sillon

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,8 +39,10 @@ Result<ZipDirectory> readZip(std::string_view zip);
 Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std::size_t most);
 
 /// The zip with other contents in some entries, which are stored. All other entries keep their bytes and place.
-/// \param contents  by index of the directory; empty views keep theirs. As long as the directory.
-std::string withContents(std::string_view zip, const ZipDirectory& directory,
-                         const std::vector<const std::string*>& contents);
+/// \param contents  in parts, by index of the directory, as long as it; no part: the entry keeps its own.
+/// \param take  is given the zip in pieces.
+void withContents(std::string_view zip, const ZipDirectory& directory,
+                  const std::vector<std::vector<std::string_view>>& contents,
+                  const std::function<void(std::string_view)>& take);
 
 }  // namespace sillon

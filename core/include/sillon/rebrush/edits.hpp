@@ -1,9 +1,7 @@
 // A text with some of its bytes changed and all others kept.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,10 +15,9 @@ struct Edit {
   std::string text;
 };
 
-/// The text with its edits, piece by piece: a large one need not be held twice. \param edits  in the order of the text,
-/// disjoint. \param size  of each piece but the last [bytes], > 0. \param take  may keep nothing of what it is given.
-void forEachPiece(std::string_view text, const std::vector<Edit>& edits, std::size_t size,
-                  const std::function<void(std::string_view)>& take);
+/// The text with its edits, in parts that point into both: a large one need not be held twice. \param edits  in the
+/// order of the text, disjoint.
+std::vector<std::string_view> partsOf(std::string_view text, const std::vector<Edit>& edits);
 
 /// The same at once.
 std::string withEdits(std::string_view text, const std::vector<Edit>& edits);
