@@ -330,7 +330,7 @@ Stitched slowlyStitched(const Page& page, const ClosedCurves& curves, const Part
         if (largest.count(partAt(i)) > 0 && !joining.used(i)) sets[static_cast<std::size_t>(i)] = setAt(i);
       }
       std::vector<std::pair<int, int>> pairs = facingPoints(parts, curves.points, sets);
-      if (search == 5) {  // all neighbours of the nearest 16
+      if (search == 5) {  // all that lies around the nearest 16
         std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
           return length(joining.at(a.first) - joining.at(a.second)) <
                  length(joining.at(b.first) - joining.at(b.second));
@@ -344,6 +344,10 @@ Stitched slowlyStitched(const Page& page, const ClosedCurves& curves, const Part
             const int n = curves.size(joining.curveOf(p));
             std::vector<int> some;
             for (int k = -4; k <= 4; ++k) some.push_back(first + ((p - first + k) % n + n) % n);
+            for (int q = 0; q < count; ++q) {  // strands beside it
+              const Vec2f to = joining.at(q) - joining.at(p);
+              if (setAt(q) == setAt(p) && static_cast<double>(length(to)) <= 0.5 * spacing) some.push_back(q);
+            }
             return some;
           };
           for (const int a : walk(i)) {
