@@ -72,9 +72,10 @@ class Fitter {
     Eigen::Matrix3d normal = 1e-6 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
-      const Basis basis = model_.basisOf(k, globals, state.offsets[k]);
+      const auto [weight, seen] = model_.lightOf(k, globals[9]);
+      const Basis basis = basisOf(k, globals, state.offsets[k], weight);
       normal += basis.transpose() * basis;
-      right += basis.transpose() * model_.lightOf(k, globals[9]).seen;
+      right += basis.transpose() * seen;
     }
     const Eigen::Vector3d gains = normal.ldlt().solve(right);
     state.light.setZero();
@@ -91,16 +92,25 @@ class Fitter {
     right = Eigen::VectorXd::Zero(size);
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const Eigen::Vector3d gains = gainsOf(k, state);
-      const Basis basis = model_.basisOf(k, state.globals, state.offsets[k]);
-      const Rows seen = model_.lightOf(k, state.globals[9]).seen;
+      const auto [weight, seen] = model_.lightOf(k, state.globals[9]);
+      const SpiralModel::Shape shape = model_.shapeOf(k, state.globals);
+      const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k], weight);
       const Rows base = basis * gains - seen;
       Eigen::Matrix<double, kRows, kShared + 2> jacobian;
       for (int p = 0; p < kNumeric; ++p) {
         Globals other = state.globals;
         other[p] += kStep;
-        jacobian.col(p) = (model_.basisOf(k, other, state.offsets[k]) * gains -
-                           (p == 9 ? model_.lightOf(k, other[9]).seen : seen) - base) /
-                          kStep;
+        const bool idle = p == (spirals_[k].kind == SpiralKind::Loose ? 5 : 6);  // the others' width
+        if (idle) {
+          jacobian.col(p).setZero();
+        } else if (p == 9) {  // as the weights know it, too
+          const auto [weightThen, seenThen] = model_.lightOf(k, other[p]);
+          jacobian.col(p) =
+              (model_.basisOf(k, shape, other, state.offsets[k], weightThen) * gains - seenThen - base) / kStep;
+        } else {
+          const SpiralModel::Shape bent = p == 4 ? shape : model_.shapeOf(k, other);
+          jacobian.col(p) = (model_.basisOf(k, bent, other, state.offsets[k], weight) * gains - seen - base) / kStep;
+        }
       }
       jacobian.col(kGlobals) = basis.col(0);
       jacobian.col(kGlobals + 1) = spirals_[k].fromAxis * basis.col(0);
@@ -111,7 +121,8 @@ class Fitter {
       for (int p = 0; p < 2; ++p) {
         Eigen::Vector2d off = state.offsets[k];
         off[p] += kStep;
-        jacobian.col(kShared + p) = (model_.basisOf(k, state.globals, off) * gains - seen - base) / kStep;
+        jacobian.col(kShared + p) =
+            (model_.basisOf(k, shape, state.globals, off, weight) * gains - seen - base) / kStep;
         jacobian.col(kNumeric + p) = jacobian.col(kShared + p);
       }
       const Eigen::Matrix<double, kShared + 2, kShared + 2> square = jacobian.transpose() * jacobian;
@@ -171,6 +182,10 @@ class Fitter {
     return w;
   }
 
+  Basis basisOf(std::size_t which, const Globals& g, const Eigen::Vector2d& off, const Rows& weight) const {
+    return model_.basisOf(which, model_.shapeOf(which, g), g, off, weight);
+  }
+
   Eigen::Vector3d gainsOf(std::size_t which, const State& state) const {
     const double r = spirals_[which].fromAxis;
     return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1],
@@ -180,9 +195,8 @@ class Fitter {
   double cost(const State& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
-      sum += (model_.basisOf(k, state.globals, state.offsets[k]) * gainsOf(k, state) -
-              model_.lightOf(k, state.globals[9]).seen)
-                 .squaredNorm();
+      const auto [weight, seen] = model_.lightOf(k, state.globals[9]);
+      sum += (basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state) - seen).squaredNorm();
       sum += together_ * state.offsets[k].squaredNorm();
     }
     const Globals usual = usualOnes(), width = priorWidths();

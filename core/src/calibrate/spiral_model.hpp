@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -35,10 +36,26 @@ class SpiralModel {
   /// The light that a camera of this contrast has seen, weighted so that equal steps of codes count alike.
   [[nodiscard]] Light lightOf(std::size_t which, double contrast) const;
 
+  static constexpr int kHarmonics = 4;  ///< of the pattern across a pitch; lenses leave no more
+  struct Wave {
+    double re = 0, im = 0;
+  };
+  using Pattern = std::array<Wave, kHarmonics>;
+
+  /// What a spiral sends, before lens and shift. The globals for blur, contrast and offset do not matter to it.
+  struct Shape {
+    double light = 1;                        ///< by the distance of the lamp
+    Pattern body;                            ///< at every angle
+    std::array<Pattern, 2 * kAngles> shine;  ///< at two points of each angle
+    std::array<Pattern, 2 * kAngles> floor;  ///< of loose spirals
+  };
+  [[nodiscard]] Shape shapeOf(std::size_t which, const Globals& g) const;
+
   /// What a spiral shows for a highlight of 1, for a body of 1, and for gaps of 1 between loose turns where
-  /// no bead stands before the lamp or the camera, weighted.
-  /// \param off  of the spiral from where it was folded about [mm].
-  [[nodiscard]] Basis basisOf(std::size_t which, const Globals& g, const Eigen::Vector2d& off) const;
+  /// no bead stands before the lamp or the camera.
+  /// \param off  of the spiral from where it was folded about [mm]. \param weights  that rows are multiplied by.
+  [[nodiscard]] Basis basisOf(std::size_t which, const Shape& shape, const Globals& g, const Eigen::Vector2d& off,
+                              const Rows& weights) const;
 
  private:
   const std::vector<LitSpiral>& spirals_;
