@@ -19,10 +19,12 @@ constexpr int kTerms = 2;  // of the light over the coupon: even, and by the dis
 constexpr int kGaps = kLooseSpirals;  // the base shines differently under each
 constexpr int kLight = 2 * kTerms + kGaps;
 constexpr int kRounds = 30;
-constexpr int kLaterRounds = 12;     // from a fit of the same spirals
-constexpr double kTogether = 30;     // bins that are off alike: a guess, see docs/internals/photographs.md
-constexpr int kFirstRounds = 5;      // for each beginning, to see which is the best
-constexpr double kUsualLobe = 0.15;  // [radians]
+constexpr int kLaterRounds = 12;      // from a fit of the same spirals
+constexpr double kTogether = 40;      // bins that are off alike: a guess, see docs/internals/photographs.md
+constexpr int kFirstRounds = 5;       // for each beginning, to see which is the best
+constexpr double kDoubt = 4;          // bins off by so many medians count half,
+constexpr double kLeastDoubt = 0.05;  // or by this of the brightest, which is the more
+constexpr double kUsualLobe = 0.15;   // [radians]
 
 struct State {
   Globals globals;
@@ -33,10 +35,35 @@ struct State {
 class Fitter {
  public:
   Fitter(const std::vector<LitSpiral>& spirals, const SeenFrom& camera, const Elevation& elevation)
-      : spirals_(spirals), camera_(camera), elevation_(elevation), model_(spirals, camera) {}
+      : spirals_(spirals),
+        camera_(camera),
+        elevation_(elevation),
+        model_(spirals, camera),
+        trust_(spirals.size(), Rows::Ones()) {}
 
   /// Lets spirals move by themselves, by about so much [mm].
   void loosen(double reach) { together_ = kPriorWeight / (reach * reach); }
+
+  /// Lets bins count less that are off by far: base between loose turns, dirt, whatever the model does not know.
+  void doubt(const State& state) {
+    for (Rows& trust : trust_) trust.setOnes();
+    std::vector<double> all;
+    std::vector<Rows> off;
+    for (std::size_t k = 0; k < spirals_.size(); ++k) {
+      const auto [weight, seen] = lightOf(k, state.globals[9]);
+      off.push_back((basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state) - seen).cwiseAbs());
+      for (int row = 0; row < kRows; ++row) {
+        if (weight[row] > 0) all.push_back(off.back()[row]);
+      }
+    }
+    if (all.empty()) return;
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    const double usual = std::max(kLeastDoubt, kDoubt * *middle);
+    for (std::size_t k = 0; k < spirals_.size(); ++k) {
+      trust_[k] = (1 + (off[k] / usual).array().square()).rsqrt().matrix();
+    }
+  }
 
   /// Levenberg-Marquardt. \return the cost.
   double descend(State& state, int rounds, const RunContext& run) const {
@@ -72,7 +99,7 @@ class Fitter {
     Eigen::Matrix3d normal = 1e-6 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
-      const auto [weight, seen] = model_.lightOf(k, globals[9]);
+      const auto [weight, seen] = lightOf(k, globals[9]);
       const Basis basis = basisOf(k, globals, state.offsets[k], weight);
       normal += basis.transpose() * basis;
       right += basis.transpose() * seen;
@@ -92,7 +119,7 @@ class Fitter {
     right = Eigen::VectorXd::Zero(size);
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const Eigen::Vector3d gains = gainsOf(k, state);
-      const auto [weight, seen] = model_.lightOf(k, state.globals[9]);
+      const auto [weight, seen] = lightOf(k, state.globals[9]);
       const SpiralModel::Shape shape = model_.shapeOf(k, state.globals);
       const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k], weight);
       const Rows base = basis * gains - seen;
@@ -104,7 +131,7 @@ class Fitter {
         if (idle) {
           jacobian.col(p).setZero();
         } else if (p == 9) {  // as the weights know it, too
-          const auto [weightThen, seenThen] = model_.lightOf(k, other[p]);
+          const auto [weightThen, seenThen] = lightOf(k, other[p]);
           jacobian.col(p) =
               (model_.basisOf(k, shape, other, state.offsets[k], weightThen) * gains - seenThen - base) / kStep;
         } else {
@@ -178,8 +205,15 @@ class Fitter {
 
   [[nodiscard]] Globals priorWidths() const {
     Globals w;
-    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceKnown ? 0.03 : 0.5, 1, 0.07, 0.15, 0.15;
+    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceKnown ? 0.03 : 0.5, 1, 0.1, 0.15, 0.15;
     return w;
+  }
+
+  [[nodiscard]] SpiralModel::Light lightOf(std::size_t which, double contrast) const {
+    SpiralModel::Light light = model_.lightOf(which, contrast);
+    light.weight = light.weight.cwiseProduct(trust_[which]);
+    light.seen = light.seen.cwiseProduct(trust_[which]);
+    return light;
   }
 
   Basis basisOf(std::size_t which, const Globals& g, const Eigen::Vector2d& off, const Rows& weight) const {
@@ -195,7 +229,7 @@ class Fitter {
   double cost(const State& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
-      const auto [weight, seen] = model_.lightOf(k, state.globals[9]);
+      const auto [weight, seen] = lightOf(k, state.globals[9]);
       sum += (basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state) - seen).squaredNorm();
       sum += together_ * state.offsets[k].squaredNorm();
     }
@@ -233,6 +267,7 @@ class Fitter {
   SeenFrom camera_;
   Elevation elevation_;
   SpiralModel model_;
+  std::vector<Rows> trust_;                         // in each bin
   double together_ = kPriorWeight / (0.05 * 0.05);  // what holds spirals where the map has them [1/mm²]
 };
 
@@ -286,6 +321,10 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   }
   fitter.loosen(0.05);
   least = fitter.descend(best, before == nullptr ? kRounds : kLaterRounds, run);
+  for (int k = 0; before != nullptr && k < 2; ++k) {
+    fitter.doubt(best);
+    least = fitter.descend(best, kLaterRounds, run);
+  }
   const Globals& found = best.globals;
   fit.globals = found;
   for (const Eigen::Vector2d& off : best.offsets) fit.offsets.emplace_back(off + found.tail<2>());

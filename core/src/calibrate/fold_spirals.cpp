@@ -8,6 +8,11 @@
 #include <numbers>
 
 namespace sillon {
+namespace {
+
+constexpr double kMostBurnt = 0.1;  // of a bin's pixels
+
+}  // namespace
 
 FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, const Image& photograph,
                         const Tones& tones) {
@@ -46,11 +51,16 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
       bool burnt = false;
       for (int c = 0; c < colours; ++c) burnt = burnt || photograph.at(x, y, c) >= kFull;
       out.burnt += burnt ? 1 : 0;
+      bin.burnt += burnt ? 1 : 0;
     }
   }
   for (auto& row : out.bins) {
     for (FoldedSpiral::Bin& bin : row) {
       if (bin.count == 0) continue;
+      if (bin.burnt > kMostBurnt * bin.count) {  // who knows how bright it was
+        bin = {};
+        continue;
+      }
       bin.light /= bin.count;
       bin.spread = std::max(0.0, bin.spread / bin.count - bin.light * bin.light) / bin.count;
     }

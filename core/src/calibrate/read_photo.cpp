@@ -13,6 +13,7 @@
 #include "base/json.hpp"
 #include "calibrate/find_coupon.hpp"
 #include "calibrate/fit_spirals.hpp"
+#include "calibrate/lamp_part.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/tones.hpp"
@@ -30,6 +31,7 @@ constexpr double kLeastContrast = 1.5;
 constexpr double kMostMisfit = 0.07;
 constexpr double kMostOff = 0.1;    // of beads, by their width
 constexpr double kMostError = 0.4;  // of a slope
+constexpr double kBentTilt = 1.6;   // the elevation's error by that of the fit, as rendered photographs have it
 constexpr Vec2 kMiddle{kCouponSide / 2, kCouponSide / 2};
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
@@ -97,15 +99,29 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
   return {place, known};
 }
 
+/// Codes as they are mixed for JPEG, which keeps this one sharp and blurs what colours differ by.
+Tones lumaOf(const Image& image) {
+  Tones tones{image.width, image.height, {}};
+  tones.value.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
+      const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
+      const float code =
+          image.channels < 3 ? channel(0) : 0.299f * channel(0) + 0.587f * channel(1) + 0.114f * channel(2);
+      tones.value.push_back(code * solid);
+    }
+  }
+  return tones;
+}
+
 double errorOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
 /// Degrees of a surface whose slopes and the lamp's together have this variance.
-Measured slopeOf(double variance, double relativeError, double lampVariance, double lampError) {
-  const double own = std::max(1e-6, variance - lampVariance);
-  const double slope = std::sqrt(own);
-  // d(own) of both, then d(atan(sqrt(own))).
-  const double error = std::hypot(variance * relativeError, lampError) / (2 * slope) / (1 + own);
-  return {std::atan(slope) * kDegrees, error * kDegrees};
+Measured slopeOf(double variance, double relativeError, const LampPart& lamp) {
+  const double degrees = std::atan(std::sqrt(std::max(1e-6, variance - lamp.variance))) * kDegrees;
+  return {degrees,
+          std::hypot(slopeErrorOf(degrees, std::hypot(variance * relativeError, lamp.error)), kModelShare * degrees)};
 }
 
 }  // namespace
@@ -141,7 +157,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   std::vector<CouponSpiral> places;
   for (const LitSpiral& s : spirals) places.push_back(s.spiral);
 
-  const Tones tones = tonesOf(photograph);
+  const Tones tones = lumaOf(photograph);
   const Result<FoundCoupon> found = findCoupon(photograph, tones, places, run);
   if (!found) return found.error();
   const FoundCoupon& coupon = found.value();
@@ -202,13 +218,9 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
         "light shows the beads too poorly: move the lamp around the coupon");
   }
 
-  // Rough surfaces and large lamps add up; of an unknown lamp only the range is known.
-  const double lamp = request.lampSlope.value_or(0);
-  const double most = kUnknownLampSlope * kUnknownLampSlope;
-  const double lampVariance = request.lampSlope ? lamp * lamp : most / 3;  // mean of s² for s even in its range
-  const double lampError = request.lampSlope ? 0.1 * lamp * lamp : most * std::sqrt(4.0 / 45);
-  out.along = slopeOf(fit.alongVariance, errorOf(fit.covariance(2, 2)), lampVariance, lampError);
-  out.across = slopeOf(fit.acrossVariance, errorOf(fit.covariance(3, 3)), lampVariance, lampError);
+  const LampPart lamp = lampPartOf(request.lampSlope);
+  out.along = slopeOf(fit.alongVariance, errorOf(fit.covariance(2, 2)), lamp);
+  out.across = slopeOf(fit.acrossVariance, errorOf(fit.covariance(3, 3)), lamp);
   for (const Measured* slope : {&out.along, &out.across}) {
     const bool lost = slope->error > kMostError * slope->value;
     if (!lost) continue;
@@ -224,7 +236,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   if (azimuth < 0) azimuth += 360;
   const double tiltError = std::sqrt(0.5 * (fit.covariance(0, 0) + fit.covariance(1, 1)));
   out.azimuth = {azimuth, std::min(180.0, tiltError * (1 + to[2]) / flat * kDegrees)};
-  out.elevation = {std::asin(std::clamp(to[2], -1.0, 1.0)) * kDegrees, tiltError * (1 + to[2]) * kDegrees};
+  out.elevation = {std::asin(std::clamp(to[2], -1.0, 1.0)) * kDegrees, kBentTilt * tiltError * (1 + to[2]) * kDegrees};
 
   out.width = {nozzle * plate.value().print.flow * fit.lone,
                nozzle * plate.value().print.flow * errorOf(fit.covariance(6, 6))};
