@@ -23,7 +23,8 @@ constexpr int kLaterRounds = 12;      // from a fit of the same spirals
 constexpr double kTogether = 40;      // bins that are off alike: a guess, see docs/internals/photographs.md
 constexpr int kFirstRounds = 5;       // for each beginning, to see which is the best
 constexpr double kDoubt = 4;          // bins off by so many medians count half,
-constexpr double kLeastDoubt = 0.05;  // or by this of the brightest, which is the more
+constexpr double kLeastDoubt = 0.05;  // or by this of the brightest, or in closed spirals, whose highlights may be
+constexpr double kDoubtShare = 0.1;   // narrower than a bin, by this of their own brightness, which is the most
 constexpr double kUsualLobe = 0.15;   // [radians]
 
 struct State {
@@ -48,10 +49,12 @@ class Fitter {
   void doubt(const State& state) {
     for (Rows& trust : trust_) trust.setOnes();
     std::vector<double> all;
-    std::vector<Rows> off;
+    std::vector<Rows> off, bright;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, state.globals[9]);
-      off.push_back((basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state) - seen).cwiseAbs());
+      const Rows model = basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state);
+      off.push_back((model - seen).cwiseAbs());
+      bright.push_back(model.cwiseMax(seen));
       for (int row = 0; row < kRows; ++row) {
         if (weight[row] > 0) all.push_back(off.back()[row]);
       }
@@ -61,7 +64,9 @@ class Fitter {
     std::nth_element(all.begin(), middle, all.end());
     const double usual = std::max(kLeastDoubt, kDoubt * *middle);
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
-      trust_[k] = (1 + (off[k] / usual).array().square()).rsqrt().matrix();
+      const double share = spirals_[k].kind == SpiralKind::Loose ? 0 : kDoubtShare;
+      const Rows by = off[k].cwiseQuotient((share * bright[k]).cwiseMax(usual));
+      trust_[k] = (1 + by.array().square()).rsqrt().matrix();
     }
   }
 
@@ -205,7 +210,7 @@ class Fitter {
 
   [[nodiscard]] Globals priorWidths() const {
     Globals w;
-    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceKnown ? 0.03 : 0.5, 1, 0.1, 0.15, 0.15;
+    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceKnown ? 0.03 : 0.5, 1, 0.15, 0.15, 0.15;
     return w;
   }
 
