@@ -623,6 +623,8 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addCalibrate(*calibrate, arguments.calibrate);
   calibrate->add_option("project", arguments.scene, "project file to begin with; of read, the photograph")
       ->option_text("PROJECT.json|PHOTO");
+  calibrate->add_option("further", arguments.calibrate.further, "of read, more photographs of the same coupon")
+      ->option_text("PHOTO...");
   addSpools(*calibrate, arguments.pictures, "Calibration");
   Options calibrateOptions(*calibrate, arguments);
   addPrinter(calibrateOptions);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,7 @@ constexpr const char* kExamples =
     "  sillon calibrate flow mine.json -o flow.gcode --preview flow.png\n"
     "  sillon calibrate advance mine.json --from 0.2 --to 0.6 -o advance.gcode --json\n"
     "  sillon calibrate read photograph.jpg --name mySilk -o mine.json   (a photograph of the coupon)\n"
+    "  sillon calibrate read left.jpg right.jpg back.jpg    (several of one coupon, the lamp elsewhere in each)\n"
     "\n"
     "docs/guide/calibrate.md shows what to look for on each, and what to type back.";
 
@@ -97,7 +99,10 @@ sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& 
 double hundredths(double value) { return std::round(value * 100) / 100; }
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
-std::string readingText(const sillon::CouponReading& r, double closest, const std::string& name) {
+std::string readingText(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
+                        const std::vector<std::string>& refused, bool lampKnown, double closest,
+                        const std::string& name) {
+  constexpr double kUnsure = 0.1;
   std::string out;
   const auto add = [&](const char* format, auto... values) {
     char line[240];
@@ -114,14 +119,21 @@ std::string readingText(const sillon::CouponReading& r, double closest, const st
     out += "flow     no disc is closed; print a coupon with higher values (--from, --to)\n";
   }
   add("width    %.3f +- %.3f mm for a bead of %.3f mm\n", r.width.value, r.width.error, closest);
-  add("lamp     at %.0f +- %.0f degrees, %.0f +- %.0f degrees high\n", r.azimuth.value, r.azimuth.error,
-      r.elevation.value, r.elevation.error);
-  add("picture  %.1f pixels per mm, blurred by %.2f mm, camera tilted by %.0f degrees\n", r.pixelsPerMm, r.blur,
-      r.tilt);
+  for (const sillon::CouponReading& one : each) {
+    add("lamp     at %.0f +- %.0f degrees, %.0f +- %.0f degrees high\n", one.azimuth.value, one.azimuth.error,
+        one.elevation.value, one.elevation.error);
+    add("picture  %.1f pixels per mm, blurred by %.2f mm, camera tilted by %.0f degrees\n", one.pixelsPerMm, one.blur,
+        one.tilt);
+  }
+  for (const std::string& sentence : refused) out += "refused  " + sentence + "\n";
+  if (!lampKnown && r.along.error > kUnsure * r.along.value) {
+    out += "note     the slope along the beads is unsure as the lamp may be large; --lamp-size makes it surer\n";
+  }
   return out + "spool    " + name + "; keep it with -o FILE, and use it with --spools FILE --spool " + name + "\n";
 }
 
-std::string readingJson(const sillon::CouponReading& r, double asked, const std::string& name) {
+std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
+                        const std::vector<std::string>& refused, double asked, const std::string& name) {
   const auto measured = [](const sillon::Measured& m, double (*round)(double)) {
     return nlohmann::ordered_json{{"value", round(m.value)}, {"error", round(m.error)}};
   };
@@ -133,6 +145,8 @@ std::string readingJson(const sillon::CouponReading& r, double asked, const std:
   root["width"] = measured(r.width, thousandths);
   root["width"]["asked"] = thousandths(asked);
   root["lamp"] = {{"azimuth", measured(r.azimuth, hundredths)}, {"elevation", measured(r.elevation, hundredths)}};
+  root["photographs"] = each.size();
+  root["refused"] = refused;
   root["colour"] = r.colour;
   root["camera"] = {
       {"tilt", hundredths(r.tilt)}, {"pixelsPerMm", hundredths(r.pixelsPerMm)}, {"blur", thousandths(r.blur)}};
@@ -194,6 +208,10 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
                              const sillon::Project& project, const std::string& scene, const std::string& date,
                              const sillon::RunContext& run) {
   if (arguments.out.empty()) return Error{ErrorCode::InvalidArgument, "--output is required; it names the G-code"};
+  if (!arguments.further.empty()) {
+    return Error{ErrorCode::InvalidArgument,
+                 "\"" + arguments.further.front() + "\" is one file too many; only calibrate read takes several"};
+  }
   if (!arguments.lampSize.empty() || arguments.lampElevation) {
     return Error{ErrorCode::InvalidArgument,
                  "--lamp-size and --lamp-elevation are of a photograph; only calibrate read has them"};
@@ -251,9 +269,9 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
   return Outcome{std::move(files), std::move(out)};
 }
 
-Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
-                                  const sillon::Project& project, const sillon::RunContext& run) {
-  if (photograph.empty()) {
+Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const std::vector<std::string>& photographs,
+                                   const sillon::Project& project, const sillon::RunContext& run) {
+  if (photographs.empty()) {
     return Error{ErrorCode::InvalidArgument, "no photograph is given; sillon calibrate read PHOTO reads one"};
   }
   if (!arguments.preview.empty()) {
@@ -261,7 +279,7 @@ Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std
   }
   std::vector<std::string> outputs;
   if (!arguments.out.empty()) outputs.push_back(arguments.out);
-  if (const auto problem = checkOutputs(outputs, {photograph})) return *problem;
+  if (const auto problem = checkOutputs(outputs, photographs)) return *problem;
   sillon::PhotoRequest request{project, arguments.from, arguments.to, {}, arguments.lampElevation};
   if (!arguments.lampSize.empty()) {
     request.lampSlope = lampSlopeOf(arguments.lampSize);
@@ -270,13 +288,28 @@ Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std
                                                    "\"; it must be bulb, softbox, window or a slope from 0 to 2"};
     }
   }
-  const Result<std::string> bytes = readFile(photograph, "photograph", kMaxInputBytes);
-  if (!bytes) return bytes.error();
-  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.value().data());
-  const Result<sillon::Image> image = sillon::decodeImage({data, bytes.value().size()}, photograph);
-  if (!image) return image.error();
-  const Result<sillon::CouponReading> reading = sillon::readCouponPhoto(image.value(), request, run);
-  if (!reading) return Error{reading.error().code, "\"" + photograph + "\": " + reading.error().message};
+  std::vector<sillon::CouponReading> readings;
+  std::vector<std::string> refused;
+  std::optional<Error> first;
+  for (const std::string& photograph : photographs) {
+    const Result<std::string> bytes = readFile(photograph, "photograph", kMaxInputBytes);
+    if (!bytes) return bytes.error();
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.value().data());
+    const Result<sillon::Image> image = sillon::decodeImage({data, bytes.value().size()}, photograph);
+    if (!image) return image.error();
+    const Result<sillon::CouponReading> reading = sillon::readCouponPhoto(image.value(), request, run);
+    if (reading) {
+      readings.push_back(reading.value());
+      continue;
+    }
+    const Error error{reading.error().code, "\"" + photograph + "\": " + reading.error().message};
+    if (error.code != ErrorCode::InvalidFile) return error;
+    if (!first) first = error;
+    refused.push_back(error.message);
+  }
+  if (readings.empty()) return *first;
+  const Result<sillon::CouponReading> reading = sillon::joinReadings(readings, request);
+  if (!reading) return reading.error();
   std::string file =
       sillon::spoolFile(reading.value(), arguments.name, "photograph of a coupon; only the nozzle's side was measured");
   const auto spools = sillon::readSpools(file);
@@ -284,8 +317,9 @@ Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std
   Outcome outcome;
   if (!arguments.out.empty()) outcome.files.push_back({arguments.out, std::move(file)});
   const double asked = project.printer.nozzle * project.print.flow;
-  outcome.text = arguments.json ? readingJson(reading.value(), asked, arguments.name)
-                                : readingText(reading.value(), asked, arguments.name);
+  outcome.text = arguments.json ? readingJson(reading.value(), readings, refused, asked, arguments.name)
+                                : readingText(reading.value(), readings, refused, request.lampSlope.has_value(), asked,
+                                              arguments.name);
   return outcome;
 }
 

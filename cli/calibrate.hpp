@@ -25,6 +25,7 @@ struct CalibrateArguments {
   std::string preview;      ///< PNG
   int previewWidth = 1600;  ///< [pixels], as that of generate
   bool json = false;
+  std::vector<std::string> further;     ///< photographs of the same coupon
   std::string name = "mySpool";         ///< of the spool in a photograph
   std::optional<double> lampElevation;  ///< [degrees]
   std::string lampSize;                 ///< of the photograph's lamp; empty: unknown
@@ -41,9 +42,11 @@ sillon::Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const 
                                      const sillon::Project& project, const std::string& scene, const std::string& date,
                                      const sillon::RunContext& run);
 
-/// What is told of a photograph of a coupon, and the file of spools, if one is asked for.
-/// \param photograph  a picture's file. \param project  as the coupon was made.
-sillon::Result<Outcome> runReadPhotograph(const CalibrateArguments& arguments, const std::string& photograph,
-                                          const sillon::Project& project, const sillon::RunContext& run);
+/// What is told of photographs of one coupon, and the file of spools, if one is asked for.
+/// \param photographs  pictures' files; those that cannot be read are told of, if one can. \param project  as the
+/// coupon was made.
+sillon::Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments,
+                                           const std::vector<std::string>& photographs, const sillon::Project& project,
+                                           const sillon::RunContext& run);
 
 }  // namespace cli

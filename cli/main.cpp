@@ -222,16 +222,17 @@ int zones(const cli::Arguments& arguments) {
   return commit(cli::runZones(arguments.zones, std::move(project).value(), run), run);
 }
 
-int readPhotograph(cli::Arguments arguments) {
-  std::string photograph = arguments.scene;
-  if (!arguments.pictures.files.empty()) photograph = arguments.pictures.files.front();
+int readPhotographs(cli::Arguments arguments) {
+  std::vector<std::string> photographs = arguments.pictures.files;
+  if (!arguments.scene.empty()) photographs.push_back(arguments.scene);
+  photographs.insert(photographs.end(), arguments.calibrate.further.begin(), arguments.calibrate.further.end());
   arguments.scene.clear();
   arguments.pictures.files.clear();
   sillon::RunContext run(cli::threadsHere(arguments.threads));
   const CancelOnSignal cancelOnSignal(run);
   const sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
-  return commit(cli::runReadPhotograph(arguments.calibrate, photograph, project.value(), run), run);
+  return commit(cli::runReadPhotographs(arguments.calibrate, photographs, project.value(), run), run);
 }
 
 int calibrate(const cli::Arguments& arguments) {
@@ -304,7 +305,7 @@ int main(int argc, char** argv) {
     if (!arguments.value().check.empty()) return check(arguments.value());
     if (!arguments.value().rebrush.file.empty()) return rebrush(arguments.value().rebrush);
     if (!arguments.value().zones.out.empty()) return zones(arguments.value());
-    if (arguments.value().calibrate.kind == cli::kReadPhotograph) return readPhotograph(arguments.value());
+    if (arguments.value().calibrate.kind == cli::kReadPhotograph) return readPhotographs(arguments.value());
     if (!arguments.value().calibrate.kind.empty()) return calibrate(arguments.value());
     if (!arguments.value().shape.files.empty()) {
       const cli::ShapeAnswer shapes = cli::describeShapes(arguments.value().shape);

@@ -5,7 +5,7 @@
 //                                                         measures and the G-code file add, in processor time
 //   sillon_bench live [SCENE.json ...]                    edits of a kept session against runs from nothing
 //   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
-//   sillon_bench photo [N [SEED]] [elevation]             rendered photographs of coupons, read back
+//   sillon_bench photo [N [SEED]] [elevation] [lamp] [x3]  rendered photographs of coupons, read back
 //   sillon_bench photograph FILE.jpg                      one of them
 //   sillon_bench look [PICTURE[+PICTURE] ...]             what the G-code shows of pictures, solved for and straight
 //   sillon_bench random [N [SEED [NOZZLE]]]               promises on random shapes, fields and parameters (2000 from
@@ -490,12 +490,25 @@ int main(int argc, char** argv) {
   }
   if (what == "photograph" && rest.size() == 1) return bench::photograph(rest[0]) ? 0 : 1;
   if (what == "photo") {
-    const bool known = !rest.empty() && rest.back() == "elevation";
-    if (known) rest.pop_back();
-    const auto number = [&](std::size_t k) {
-      return rest.size() > k ? std::strtoull(rest[k].c_str(), nullptr, 10) : 0;
+    bench::PhotoBench asked;
+    std::vector<std::string> numbers;
+    for (const std::string& word : rest) {
+      if (word == "elevation") {
+        asked.elevationKnown = true;
+      } else if (word == "lamp") {
+        asked.lampKnown = true;
+      } else if (word.starts_with("x")) {
+        asked.together = std::clamp(std::atoi(word.c_str() + 1), 1, 100);
+      } else {
+        numbers.push_back(word);
+      }
+    }
+    const auto number = [&](std::size_t k, std::uint64_t otherwise) {
+      return numbers.size() > k ? std::strtoull(numbers[k].c_str(), nullptr, 10) : otherwise;
     };
-    bench::photographs(rest.empty() ? 100 : static_cast<int>(std::min(number(0), 100000ull)), number(1), known);
+    asked.count = static_cast<int>(std::min<std::uint64_t>(number(0, 100), 100000));
+    asked.seed = number(1, 0);
+    bench::photographs(asked);
     return 0;
   }
   double mostMillions = 16;
@@ -533,7 +546,8 @@ int main(int argc, char** argv) {
     std::printf(
         "sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...] | time [SCENE.json ...] | live [SCENE.json ...] | "
         "roof "
-        "| look [PICTURE ...] | photo [N [SEED]] [elevation] | photograph FILE | growth [MILLIONS] | random [N "
+        "| look [PICTURE ...] | photo [N [SEED]] [elevation] [lamp] [xN] | photograph FILE | growth [MILLIONS] | "
+        "random [N "
         "[SEED]]\n");
     return 2;
   }

@@ -46,23 +46,50 @@ struct PhotoErrors {
   }
 };
 
-/// \param count  of photographs. \param elevationKnown  as one measures a lamp's elevation: within 1.5 degrees.
-inline void photographs(int count, std::uint64_t seed, bool elevationKnown) {
+struct PhotoBench {
+  int count = 100;  ///< of coupons
+  std::uint64_t seed = 0;
+  bool elevationKnown = false;  ///< as one measures it: within 1.5 degrees
+  bool lampKnown = false;       ///< its size
+  int together = 1;             ///< photographs of each coupon, lamp and hand elsewhere
+};
+
+/// The same spool and coupon under the same lamp, taken again.
+inline photo::Truth again(const photo::Truth& of, scenes::Random& random) {
+  photo::Truth truth = photo::randomTruth(random);
+  truth.slopes = of.slopes;
+  truth.extrusion = of.extrusion;
+  truth.filament = of.filament;
+  truth.diffuse = of.diffuse;
+  truth.lamp.slope = of.lamp.slope;
+  truth.curve = of.curve;
+  return truth;
+}
+
+inline void photographs(const PhotoBench& bench) {
   const sillon::RunContext run(1);
   const auto plate = sillon::makeCalibration({sillon::CalibrationKind::Coupon, {}, {}, {}}, run);
   if (!plate) return;
   PhotoErrors along, across, flow, width, azimuth, elevation;
   std::map<std::string, int> refused;
   int read = 0, noFlow = 0;
-  scenes::Random random(seed);
-  for (int k = 0; k < count; ++k) {
+  scenes::Random random(bench.seed);
+  for (int k = 0; k < bench.count; ++k) {
     const photo::Truth truth = photo::randomTruth(random);
-    const auto bytes = photo::taken(plate.value(), truth);
-    const auto image = sillon::decodeImage(bytes, "photograph");
-    if (!image) continue;
+    std::vector<sillon::CouponReading> readings;
     sillon::PhotoRequest request;
-    if (elevationKnown) request.lampElevation = truth.lamp.elevation + 1.5 * photo::gauss(random);
-    const auto reading = sillon::readCouponPhoto(image.value(), request, run);
+    if (bench.lampKnown) request.lampSlope = truth.lamp.slope;
+    for (int shot = 0; shot < bench.together; ++shot) {
+      const photo::Truth taken = shot == 0 ? truth : again(truth, random);
+      const auto bytes = photo::taken(plate.value(), taken);
+      const auto image = sillon::decodeImage(bytes, "photograph");
+      if (!image) continue;
+      if (bench.elevationKnown) request.lampElevation = taken.lamp.elevation + 1.5 * photo::gauss(random);
+      const auto one = sillon::readCouponPhoto(image.value(), request, run);
+      one ? readings.push_back(one.value()) : void(++refused[one.error().message.substr(0, 60)]);
+    }
+    if (readings.empty()) continue;
+    const auto reading = sillon::joinReadings(readings, request);
     if (!reading) {
       ++refused[reading.error().message.substr(0, 60)];
       continue;
@@ -75,7 +102,8 @@ inline void photographs(int count, std::uint64_t seed, bool elevationKnown) {
     const double bead = truth.extrusion * plate.value().print.flow * plate.value().printer.nozzle;
     width.add(r.width.value, r.width.error, bead, 1);
     const double turn = r.azimuth.value - truth.lamp.azimuth;
-    azimuth.add(turn - 360 * std::round(turn / 360), r.azimuth.error, 0, 1);
+    if (bench.together == 1) azimuth.add(turn - 360 * std::round(turn / 360), r.azimuth.error, 0, 1);
+    if (bench.together > 1) continue;  // the lamp is another in each
     elevation.add(r.elevation.value, r.elevation.error, truth.lamp.elevation, 1);
     if (std::getenv("SILLON_PHOTO_ALL") != nullptr) {
       std::printf(
@@ -84,7 +112,7 @@ inline void photographs(int count, std::uint64_t seed, bool elevationKnown) {
           static_cast<int>(truth.curve), truth.lamp.slope, r.elevation.value, truth.lamp.elevation);
     }
   }
-  std::printf("%d photographs, %d read\n", count, read);
+  std::printf("%d coupons, %d read, of %d photographs each\n", bench.count, read, bench.together);
   std::printf("%-14s %8s %8s %8s %8s   %6s %7s   %7s %7s\n", "error of", "median", "|median|", "|90 %|", "|most|",
               "asked", "within", "1 bar", "2 bars");
   along.print("along [%]", 10);

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -33,11 +34,12 @@ Image decoded(const std::vector<std::uint8_t>& bytes) {
   return std::move(image).value();
 }
 
-/// The same, developed otherwise.
-Image goodOne(const Truth& truth) {
+/// The good photograph, developed otherwise.
+std::vector<std::uint8_t> goodFile(const Truth& truth) {
   static const photo::Exposed film = photo::exposed(coupon(), good());
-  return decoded(photo::developed(film, truth));
+  return photo::developed(film, truth);
 }
+Image goodOne(const Truth& truth) { return decoded(goodFile(truth)); }
 
 Result<CouponReading> readBack(const Truth& truth, const PhotoRequest& request = {}) {
   return readCouponPhoto(decoded(photo::taken(coupon(), truth)), request, RunContext(1));
@@ -105,19 +107,117 @@ TEST_CASE("slopes, flow, width and lamp are read from photographs of different s
               << ", flow " << (r.flow ? r.flow->value : -1) << " of " << 1 / truth.extrusion << ", lamp "
               << r.azimuth.value << ", " << r.elevation.value << " +- " << r.elevation.error << " of "
               << truth.lamp.azimuth << ", " << truth.lamp.elevation);
-    CHECK(std::abs(r.along.value / truth.slopes.along - 1) < 0.12);
-    CHECK(std::abs(r.across.value / truth.slopes.across - 1) < 0.15);
+    CHECK(std::abs(r.along.value / truth.slopes.along - 1) < 0.11);
+    CHECK(std::abs(r.across.value / truth.slopes.across - 1) < 0.08);
     // Noise hides the beads' edges, and the error bars say so.
     CHECK(std::abs(r.width.value - 0.4 * coupon().print.flow * truth.extrusion) < std::max(0.01, 2 * r.width.error));
     CHECK(r.width.error < 0.015);
     CHECK((r.flow.has_value() || truth.noise > 0.01));
-    if (r.flow) CHECK(std::abs(r.flow->value - 1 / truth.extrusion) < 0.015);
+    if (r.flow) CHECK(std::abs(r.flow->value - 1 / truth.extrusion) < (truth.noise > 0.01 ? 0.015 : 0.01));
     const double turn = (r.azimuth.value - truth.lamp.azimuth) / 360;
     CHECK(std::abs(turn - std::round(turn)) * 360 < 3);
     CHECK(std::abs(r.elevation.value - truth.lamp.elevation) < 7);
     CHECK(std::abs(r.tilt - truth.tilt) < 3);
     for (const Measured& m : {r.along, r.across, r.width, r.azimuth, r.elevation}) CHECK(m.error > 0);
   }
+}
+
+TEST_CASE("however a telephone develops a photograph, the same is read, and more surely from all together") {
+  std::vector<Truth> ways(8, good());
+  ways[0].quality = 0;
+  ways[0].noise = 0.003;
+  ways[1].curve = photo::ToneCurve::Soft;
+  ways[2].curve = photo::ToneCurve::Vivid;
+  ways[3].curve = photo::ToneCurve::Lifted;
+  ways[4].quality = 55;
+  ways[5].noise = 0.015;
+  ways[6].blur = 1;
+  ways[7].exposure = 0.45;
+  ways[7].curve = photo::ToneCurve::Soft;
+  std::vector<CouponReading> all;
+  double farthest = 0;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    CAPTURE(k);
+    const auto read = readCouponPhoto(goodOne(ways[k]), {}, RunContext(1));
+    REQUIRE(read.ok());
+    const CouponReading& r = read.value();
+    MESSAGE(k << ": along " << r.along.value << " +- " << r.along.error << ", across " << r.across.value << " +- "
+              << r.across.error << ", width " << r.width.value << ", flow " << (r.flow ? r.flow->value : -1)
+              << ", lamp " << r.elevation.value);
+    CHECK(std::abs(r.along.value / ways[k].slopes.along - 1) < 0.12);
+    CHECK(std::abs(r.across.value / ways[k].slopes.across - 1) < 0.1);
+    CHECK(std::abs(r.width.value - 0.38) < 0.008);
+    REQUIRE(r.flow.has_value());
+    CHECK(std::abs(r.flow->value - 1) < 0.015);
+    farthest = std::max(farthest, std::abs(r.flow->value - 1));
+    all.push_back(r);
+  }
+  const auto together = joinReadings(all, {});
+  REQUIRE(together.ok());
+  const CouponReading& r = together.value();
+  MESSAGE("together: along " << r.along.value << " +- " << r.along.error << ", across " << r.across.value << " +- "
+                             << r.across.error << ", width " << r.width.value << ", flow " << r.flow->value << " +- "
+                             << r.flow->error);
+  CHECK(std::abs(r.across.value / good().slopes.across - 1) < 0.05);
+  CHECK(std::abs(r.flow->value - 1) < std::max(0.005, farthest));
+  CHECK(r.across.error < all[0].across.error);
+}
+
+TEST_CASE("anybody's photographs are read as well as their error bars say") {
+  photo::Random random(20);
+  int read = 0;
+  for (int k = 0; k < 7; ++k) {
+    CAPTURE(k);
+    const Truth truth = photo::randomTruth(random);
+    const auto reading = readBack(truth);
+    if (!reading) {
+      MESSAGE(k << ": " << reading.error().message);
+      continue;
+    }
+    ++read;
+    const CouponReading& r = reading.value();
+    MESSAGE(k << ": along " << r.along.value << " +- " << r.along.error << " of " << truth.slopes.along << ", across "
+              << r.across.value << " +- " << r.across.error << " of " << truth.slopes.across << ", width "
+              << r.width.value << " +- " << r.width.error << " of " << 0.38 * truth.extrusion << ", flow "
+              << (r.flow ? r.flow->value : -1) << " of " << 1 / truth.extrusion);
+    CHECK(std::abs(r.along.value - truth.slopes.along) < 3 * r.along.error + 0.1 * truth.slopes.along);
+    CHECK(std::abs(r.across.value - truth.slopes.across) < 3 * r.across.error);
+    CHECK(std::abs(r.width.value - 0.38 * truth.extrusion) < 0.02);
+    if (r.flow) CHECK(std::abs(r.flow->value - 1 / truth.extrusion) < 3 * r.flow->error);
+  }
+  CHECK(read >= 5);
+}
+
+TEST_CASE("readings of one coupon are joined by their error bars") {
+  const auto reading = [](double along, double error, double flow) {
+    CouponReading r;
+    r.along = {along, error};
+    r.across = {15, 0.5};
+    if (flow > 0) r.flow = Measured{flow, 0.01};
+    r.width = {0.38, 0.004};
+    return r;
+  };
+  PhotoRequest point;
+  point.lampSlope = 0;
+  // A bar of a third counts nine times as much; 3 % of a slope all photographs are off by alike.
+  const auto two = joinReadings(
+      {reading(4, 4 * std::hypot(0.1, 0.03), 0.99), reading(4.4, 4.4 * std::hypot(0.1 / 3, 0.03), 1.01)}, point);
+  REQUIRE(two.ok());
+  CHECK(two.value().along.value == doctest::Approx(4.358).epsilon(0.001));
+  CHECK(two.value().along.error == doctest::Approx(4.358 * std::hypot(0.1 / std::sqrt(10), 0.03)).epsilon(0.01));
+  CHECK(two.value().flow->value == doctest::Approx(1));
+  // What the lamp hides, it hides in all of them.
+  const std::vector<CouponReading> many(50, reading(2, 0.3, 0));
+  CHECK(joinReadings(many, {}).value().along.error > 0.2);
+  CHECK(joinReadings(many, point).value().along.error < 0.08);
+  CHECK(!joinReadings(many, {}).value().flow.has_value());
+  // Farther apart than their bars: less sure.
+  CHECK(joinReadings({reading(4, 0.1, 1), reading(5, 0.1, 1)}, point).value().along.error > 0.4);
+  const auto other = joinReadings({reading(3, 0.1, 1), reading(3, 0.1, 1), reading(8, 0.2, 1)}, point);
+  REQUIRE(!other.ok());
+  CHECK(other.error().message.find("photograph 3 has slopes of 8.0 degrees along") == 0);
+  CHECK(joinReadings({reading(3, 0.1, 1)}, {}).value().along.value == 3);
+  CHECK(!joinReadings({}, {}).ok());
 }
 
 TEST_CASE("what was read is a file of spools that can be read") {
@@ -153,6 +253,86 @@ TEST_CASE("photographs that nothing can be read from are refused, each with its 
   PhotoRequest window;
   window.lampSlope = 0.4;
   CHECK(refused(truth, window) != "read");
+}
+
+TEST_CASE("a coupon is read either way up, and refused where it is mirrored, cut off or something else") {
+  const Image image = goodOne(good());
+  const auto upright = readCouponPhoto(image, {}, RunContext(1));
+  REQUIRE(upright.ok());
+  const auto turned = [&](auto&& from) {
+    Image out{image.width, image.height, 3, {}};
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        for (int c = 0; c < 3; ++c) out.samples.push_back(from(x, y, c));
+      }
+    }
+    return out;
+  };
+  const int w = image.width, h = image.height;
+  const auto ground = [&](int c) { return image.at(2, 2, c); };
+  const auto down = readCouponPhoto(turned([&](int x, int y, int c) { return image.at(w - 1 - x, h - 1 - y, c); }), {},
+                                    RunContext(1));
+  REQUIRE(down.ok());
+  CHECK(down.value().across.value == doctest::Approx(upright.value().across.value).epsilon(0.03));
+  CHECK(down.value().azimuth.value == doctest::Approx(upright.value().azimuth.value).epsilon(0.03));
+  CHECK(down.value().width.value == doctest::Approx(upright.value().width.value).epsilon(0.01));
+  CHECK(refused(turned([&](int x, int y, int c) { return image.at(w - 1 - x, y, c); })) != "read");
+  // Without its right third, and with a sheet over its upper half.
+  CHECK(refused(turned([&](int x, int y, int c) { return image.at(std::min(x + w / 3, w - 1), y, c); })) != "read");
+  CHECK(refused(turned([&](int x, int y, int c) { return y < h / 2 ? ground(c) : image.at(x, y, c); })) != "read");
+  // Two coupons: one is read, or neither; never something between.
+  const auto two = readCouponPhoto(turned([&](int x, int y, int c) {
+                                     const int u = 2 * (x % (w / 2)), v = 2 * y - h / 2;
+                                     return v < 0 || v >= h ? ground(c) : image.at(u, v, c);
+                                   }),
+                                   {}, RunContext(1));
+  if (two) CHECK(two.value().across.value == doctest::Approx(upright.value().across.value).epsilon(0.15));
+  // Rings, a chessboard and letters of noise, as large as a coupon.
+  for (int kind = 0; kind < 3; ++kind) {
+    CAPTURE(kind);
+    scenes::Random random(7);
+    CHECK(refused(turned([&](int x, int y, int c) -> std::uint16_t {
+            const int u = x - w / 2, v = y - h / 2;
+            if (std::abs(u) > 400 || std::abs(v) > 400) return ground(c);
+            const double r = std::sqrt(static_cast<double>(u * u + v * v));
+            if (kind == 0) return static_cast<std::uint16_t>(12000 + 9000 * std::sin(r));
+            if (kind == 1) return (u / 20 + v / 20) % 2 == 0 ? 3000 : 20000;
+            return static_cast<std::uint16_t>(random.in(0, 30000));
+          })) != "read");
+  }
+  for (const std::uint16_t all : {std::uint16_t{0}, std::uint16_t{65535}}) {
+    CHECK(refused(Image{600, 500, 3, std::vector<std::uint16_t>(600 * 500 * 3, all)}).find("no coupon") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("files that are no whole photograph are refused or read rightly, whatever their bytes") {
+  const std::vector<std::uint8_t> bytes = goodFile(good());
+  const auto tried = [](std::vector<std::uint8_t> file) {
+    const auto image = decodeImage(file, "photograph");
+    return image ? refused(image.value()) : image.error().message;
+  };
+  CHECK(tried({}) != "read");
+  scenes::Random random(3);
+  for (const double part : {0.0005, 0.01, 0.3, 0.6}) {
+    CAPTURE(part);
+    std::vector<std::uint8_t> cut = bytes;
+    cut.resize(static_cast<std::size_t>(part * static_cast<double>(bytes.size())));
+    CHECK(tried(cut) != "read");
+  }
+  for (int k = 0; k < 40; ++k) {
+    std::vector<std::uint8_t> any(static_cast<std::size_t>(random.index(2000)));
+    for (std::uint8_t& b : any) b = static_cast<std::uint8_t>(random.index(256));
+    CHECK(tried(any) != "read");
+  }
+  // The first marker of a frame says how large it is: 65535 by 65535.
+  std::vector<std::uint8_t> huge = bytes;
+  for (std::size_t k = 0; k + 9 < huge.size(); ++k) {
+    if (huge[k] != 0xFF || huge[k + 1] != 0xC0) continue;
+    for (std::size_t j = 5; j < 9; ++j) huge[k + j] = 0xFF;
+    break;
+  }
+  CHECK(tried(huge) != "read");
 }
 
 TEST_CASE("other pictures are refused quickly, whatever they are") {

@@ -563,6 +563,19 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   folder.picture("grey.png", 300, 300, [](int, int) { return 128; });
   checkRefused(folder, "calibrate read grey.png -o out.json", "\"grey.png\": the photograph shows no coupon");
   CHECK(!fs::exists(folder.at("out.json")));
+  // Several: what cannot be read is told, and does not matter.
+  const Run several = folder.run("calibrate read photo.jpg grey.png photo.jpg --lamp-elevation 45 --json");
+  REQUIRE(several.code == 0);
+  const Json together = Json::parse(several.out);
+  CHECK(together["photographs"] == 2);
+  REQUIRE(together["refused"].size() == 1);
+  CHECK(has(together["refused"][0].get<std::string>(), "grey.png"));
+  CHECK(together["across"]["value"] == read["across"]["value"]);
+  CHECK(together["across"]["error"].get<double>() < read["across"]["error"].get<double>());
+  checkRefused(folder, "calibrate read photo.jpg none.jpg", "none.jpg");
+  checkRefused(folder, "calibrate read grey.png grey.png", "\"grey.png\": the photograph shows no coupon");
+  folder.write("plain.json", R"({"sillon": 1})");
+  checkRefused(folder, "calibrate flow plain.json more.json -o a.gcode", "\"more.json\" is one file too many");
   checkRefused(folder, "calibrate read", "no photograph is given");
   checkRefused(folder, "calibrate read nothing.jpg", "nothing.jpg");
   checkRefused(folder, "calibrate read photo.jpg --lamp-size moon", "--lamp-size is \"moon\"; it must be bulb,");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
@@ -51,6 +52,10 @@ struct CouponReading {
 /// \return InvalidFile with one sentence if there is no coupon, or it is cut off, too small, blurred, burnt or lit so
 /// that nothing can be measured; InvalidArgument, TooLarge, Cancelled.
 Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request, const RunContext& run);
+
+/// What several photographs of one coupon say together, weighted by their error bars. Lamp and camera are of the first.
+/// \param request  they were read with. \return InvalidFile where one differs so much that it shows another spool.
+Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, const PhotoRequest& request);
 
 /// A file of one spool, as readSpools takes it. Both nozzles and both sides get the slopes of the side that was seen.
 /// \param key  1 to 40 letters, digits, - and _. \param source  who measured it.

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/decimal_text.hpp"
+#include "calibrate/lamp_part.hpp"
+#include "sillon/calibrate/read_photo.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kLeastShare = 0.01;  // of a slope
+constexpr double kMostApart = 0.4;    // of logs of slopes: what no two photographs of one spool differ by,
+constexpr double kMostBars = 4;       // unless their bars say so
+
+struct Figure {
+  double value = 0, error = 0;
+};
+
+double middleOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+/// What all photographs are off by together: it does not get less. \param lamp  error of its variance.
+double commonErrorOf(double degrees, double lamp) {
+  return std::hypot(slopeErrorOf(degrees, lamp), kModelShare * degrees);
+}
+
+/// Weighted by their bars; the bar grows if they lie farther apart than theirs say.
+Figure meanOf(const std::vector<Figure>& figures) {
+  double weights = 0, sum = 0, off = 0;
+  for (const Figure& f : figures) {
+    const double weight = 1 / (f.error * f.error);
+    weights += weight;
+    sum += weight * f.value;
+  }
+  const double mean = sum / weights;
+  for (const Figure& f : figures) off += std::pow((f.value - mean) / f.error, 2);
+  const double apart = figures.size() < 2 ? 1 : off / static_cast<double>(figures.size() - 1);
+  return {mean, std::sqrt(std::max(1.0, apart) / weights)};
+}
+
+}  // namespace
+
+Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, const PhotoRequest& request) {
+  if (readings.empty()) return Error{ErrorCode::InvalidArgument, "there is no reading to join"};
+  if (readings.size() == 1) return readings.front();
+  CouponReading out = readings.front();
+  const double lamp = lampPartOf(request.lampSlope).error;
+  for (const auto slope : {&CouponReading::along, &CouponReading::across}) {
+    std::vector<Figure> logs;  // errors are shares of slopes
+    std::vector<double> values;
+    for (const CouponReading& r : readings) {
+      const Measured& m = r.*slope;
+      const double known = commonErrorOf(m.value, lamp);
+      const double own = std::sqrt(std::max(0.0, m.error * m.error - known * known));
+      logs.push_back({std::log(m.value), std::max(kLeastShare, own / m.value)});
+      values.push_back(logs.back().value);
+    }
+    const Figure mean = meanOf(logs);
+    const double value = std::exp(mean.value), common = commonErrorOf(value, lamp), middle = middleOf(values);
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+      const double off = std::abs(logs[k].value - middle);
+      if (off < kMostApart || off < kMostBars * std::hypot(logs[k].error, common / value)) continue;
+      return Error{ErrorCode::InvalidFile, "photograph " + std::to_string(k + 1) + " has slopes of " +
+                                               fixed((readings[k].*slope).value, 1) + " degrees " +
+                                               (slope == &CouponReading::along ? "along" : "across") +
+                                               " the beads, and their middle is " + fixed(std::exp(middle), 1) +
+                                               "; they are not of one coupon, or one is lit too poorly"};
+    }
+    out.*slope = {value, std::hypot(value * mean.error, common)};
+  }
+  std::vector<Figure> widths, flows;
+  out.flow.reset();
+  for (const CouponReading& r : readings) {
+    widths.push_back({r.width.value, std::max(1e-4, r.width.error)});
+    if (r.flow) flows.push_back({r.flow->value, std::max(1e-4, r.flow->error)});
+  }
+  const Figure width = meanOf(widths);
+  out.width = {width.value, width.error};
+  if (flows.size() * 2 >= readings.size()) {
+    const Figure flow = meanOf(flows);
+    out.flow = Measured{flow.value, flow.error};
+  }
+  return out;
+}
+
+}  // namespace sillon
