@@ -126,6 +126,35 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
   await visit.until((state) => state.view === 'appearance');
 });
 
+test('what opens while a sheet closes stays open', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const { page } = visit;
+  await visit.button('Help').click();
+  await page.getByRole('dialog').waitFor();
+  // The event of the closing comes after what is opened in the same task.
+  const kept = await page.evaluate(async () => {
+    const { studio } = document.querySelector('sillon-app');
+    const sheets = [];
+    const look = (root) => {
+      for (const element of root.querySelectorAll('*')) {
+        if (element.localName === 'dialog' && element.open) sheets.push(element);
+        if (element.shadowRoot) look(element.shadowRoot);
+      }
+    };
+    look(document);
+    const closed = new Promise((resolve) => {
+      sheets[0].addEventListener('close', resolve);
+    });
+    sheets[0].close();
+    studio.show('share');
+    await closed;
+    return [sheets.length, studio.store.state.dialog];
+  });
+  assert.deepEqual(kept, [1, 'share']);
+  await page.getByRole('dialog', { name: 'Share' }).waitFor();
+});
+
 test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, async () => {
   const visit = await bench.open({
     small: true,
