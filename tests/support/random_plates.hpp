@@ -44,8 +44,11 @@ inline Shape randomShape(Random& random, std::string& name) {
       break;
     case 2:
       name = "islands";
-      for (int k = 1 + random.index(6); k > 0; --k)
-        rings.push_back(blob(random, point(), random.in(0.1, 0.4) * std::min(page.x, page.y)));
+      for (int k = 1 + random.index(6); k > 0; --k) {
+        // One number a statement, here and below: compilers call the arguments of a function in any order.
+        const double radius = random.in(0.1, 0.4) * std::min(page.x, page.y);
+        rings.push_back(blob(random, point(), radius));
+      }
       break;
     case 3: {
       name = "random polygon";
@@ -65,11 +68,13 @@ inline Shape randomShape(Random& random, std::string& name) {
       }
       break;
     }
-    default:
+    default: {
       name = "star";
-      rings.push_back(star(page * 0.5, 0.5 * std::min(page.x, page.y), random.in(0.05, 0.45) * std::min(page.x, page.y),
-                           3 + random.index(12)));
+      const int points = 3 + random.index(12);
+      const double inner = random.in(0.05, 0.45) * std::min(page.x, page.y);
+      rings.push_back(star(page * 0.5, 0.5 * std::min(page.x, page.y), inner, points));
       break;
+    }
   }
   const bool evenOdd = name == "blob with holes" || random.index(2) == 0;
   return shapeOf(std::move(rings), page, evenOdd ? sillon::FillRule::EvenOdd : sillon::FillRule::NonZero);
