@@ -38,8 +38,8 @@ class Joining {
   /// What joining the pieces of `span` segments around i and j costs [mm]: 0.65 of the length it adds (Eq. 14), and
   /// `stitchAlignment` of the misaligned length it adds.
   [[nodiscard]] float cost(int i, int j, int span) const;
-  /// Length of the two new edges that lies outside the shape [mm], by samples tau/16 apart; infinite where one leaves it
-  /// by more than half a bridge and half a bead.
+  /// Length of the two new edges that lies outside the shape [mm], by samples tau/16 apart; infinite where one leaves
+  /// it by more than half a bridge and half a bead.
   [[nodiscard]] float outsideLength(int i, int j, int span) const;
 
   /// Joins if nothing stands against it: the curves are of two sets, no piece touches a used one, and neither the new

@@ -36,8 +36,8 @@ struct Stitched {
 /// then wherever points of two curves face each other with nothing between them, those that leave the shape least
 /// first, each edge for at most eight spacings. No edge gets farther from the shape than half a bridge and half a bead.
 /// Where points are used up, the paths made so far are curves again, and are joined once more, a few times. What is not
-/// joined then stays a curve of its own. The work is bounded: a constant number of rounds, each of n log n in the points
-/// and cells. \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
+/// joined then stays a curve of its own. The work is bounded: a constant number of rounds, each of n log n in the
+/// points and cells. \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                               const Parts& parts, const ToolpathParams& params, const RunContext& run);
 
