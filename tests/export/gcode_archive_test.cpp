@@ -93,6 +93,18 @@ TEST_CASE("extra fields and comments of a packed file's entries are passed over"
   CHECK(unpackGcode(zip).value() == repeated("G1 X1 Y1\n", 40));
 }
 
+TEST_CASE("a file is refused whose other entries lie where no entry can, as it could not be written again") {
+  constexpr std::size_t kOffset = 0x87 + 42;  // of Metadata/plate_10.gcode, which is not the one that is read
+  for (const std::uint32_t place : {0x87u - 29, 0x43u - 29, 0x87u, 0x6c697562u, 0xffffffffu}) {
+    CAPTURE(place);
+    std::string zip(deflated());
+    for (int k = 0; k < 4; ++k) zip[kOffset + static_cast<std::size_t>(k)] = static_cast<char>(place >> 8 * k);
+    const auto read = readGcodeContainer(zip);
+    REQUIRE_FALSE(read);
+    CHECK(read.error().message == "the .gcode.3mf has a broken entry");
+  }
+}
+
 TEST_CASE("a damaged file is refused, or nothing of the G-code was hit") {
   for (const std::string& whole : {std::string(deflated()), packed(repeated("G1 X1 Y1\n", 40))}) {
     const std::string content = unpackGcode(whole).value();

@@ -46,7 +46,9 @@ Result<ZipDirectory> readZip(std::string_view zip) {
     entry.crc = number(zip, entry.listed + 16, 4);
     entry.packed = number(zip, entry.listed + 20, 4);
     entry.size = number(zip, entry.listed + 24, 4);
-    entry.begin = static_cast<std::size_t>(number(zip, entry.listed + 42, 4));
+    const std::uint64_t begin = number(zip, entry.listed + 42, 4);
+    if (begin + kLocalSize > directory.begin) return damaged("has a broken entry");
+    entry.begin = static_cast<std::size_t>(begin);
     begins.push_back(entry.begin);
     directory.entries.push_back(entry);
     at += kListedSize + name + number(zip, entry.listed + 30, 2) + number(zip, entry.listed + 32, 2);
@@ -55,7 +57,7 @@ Result<ZipDirectory> readZip(std::string_view zip) {
   for (ZipEntry& entry : directory.entries) {
     const auto next = std::upper_bound(begins.begin(), begins.end(), entry.begin);
     entry.end = std::min(next == begins.end() ? directory.begin : *next, directory.begin);
-    if (entry.begin + kLocalSize > entry.end) entry.end = entry.begin;  // broken: unpackEntry says so
+    if (entry.begin + kLocalSize > entry.end) return damaged("has a broken entry");
   }
   return directory;
 }
@@ -67,9 +69,7 @@ Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std
     return Error{ErrorCode::TooLarge, "the G-code in the .gcode.3mf is " + std::to_string(entry.size >> 20) +
                                           " MiB; it must be at most " + std::to_string(most >> 20)};
   }
-  if (entry.end == entry.begin || entry.begin + kLocalSize > zip.size() || number(zip, entry.begin, 4) != 0x04034b50) {
-    return damaged("has a broken entry");
-  }
+  if (number(zip, entry.begin, 4) != 0x04034b50) return damaged("has a broken entry");
   const std::uint64_t data =
       entry.begin + kLocalSize + number(zip, entry.begin + 26, 2) + number(zip, entry.begin + 28, 2);
   if (data + entry.packed > zip.size() || entry.size > entry.packed * kBestDeflate ||
