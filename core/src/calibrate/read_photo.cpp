@@ -99,22 +99,6 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
   return {place, known};
 }
 
-/// Codes as they are mixed for JPEG, which keeps this one sharp and blurs what colours differ by.
-Tones lumaOf(const Image& image) {
-  Tones tones{image.width, image.height, {}};
-  tones.value.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
-      const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
-      const float code =
-          image.channels < 3 ? channel(0) : 0.299f * channel(0) + 0.587f * channel(1) + 0.114f * channel(2);
-      tones.value.push_back(code * solid);
-    }
-  }
-  return tones;
-}
-
 double errorOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
 /// Degrees of a surface whose slopes and the lamp's together have this variance.

@@ -96,6 +96,22 @@ std::vector<Span> spansOf(int from, int to) {
   return spans;
 }
 
+/// \param grey  of the codes of red, green and blue; pictures without colours have theirs.
+template <class Grey>
+Tones greysOf(const Image& image, Grey&& grey) {
+  Tones tones{image.width, image.height, {}};
+  tones.value.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
+      const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
+      const float code = image.channels < 3 ? channel(0) : grey(channel(0), channel(1), channel(2));
+      tones.value.push_back(code * solid);
+    }
+  }
+  return tones;
+}
+
 }  // namespace
 
 float lightOfCode(float code) { return between(curves().light, code); }
@@ -103,22 +119,14 @@ float lightOfCode(float code) { return between(curves().light, code); }
 float codeOfLight(float light) { return between(curves().code, std::sqrt(std::clamp(light, 0.0f, 1.0f))); }
 
 Tones tonesOf(const Image& image) {
-  Tones tones{image.width, image.height, {}};
-  tones.value.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
-      const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
-      if (image.channels < 3) {
-        tones.value.push_back(channel(0) * solid);
-        continue;
-      }
-      const float light =
-          0.2126f * lightOfCode(channel(0)) + 0.7152f * lightOfCode(channel(1)) + 0.0722f * lightOfCode(channel(2));
-      tones.value.push_back(codeOfLight(light) * solid);
-    }
-  }
-  return tones;
+  return greysOf(image, [](float red, float green, float blue) {
+    return codeOfLight(0.2126f * lightOfCode(red) + 0.7152f * lightOfCode(green) + 0.0722f * lightOfCode(blue));
+  });
+}
+
+Tones lumaOf(const Image& image) {
+  return greysOf(image,
+                 [](float red, float green, float blue) { return 0.299f * red + 0.587f * green + 0.114f * blue; });
 }
 
 Tones resampled(const Tones& tones, int width, int height) {

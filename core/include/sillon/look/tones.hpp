@@ -27,6 +27,9 @@ float codeOfLight(float light);
 /// Luminance (Rec. 709) of the picture's sRGB colours, again as a code; what is transparent counts as black.
 Tones tonesOf(const Image& image);
 
+/// The same from codes as they are mixed for JPEG, which keeps this one sharp and blurs what colours differ by.
+Tones lumaOf(const Image& image);
+
 /// Means of light over the areas of a new raster: for pictures that shrink; linear between texels for those that grow.
 Tones resampled(const Tones& tones, int width, int height);
 
