@@ -499,10 +499,13 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { left: x, top: y } = this.getBoundingClientRect();
     const free = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
     const root = this.getRootNode() as ShadowRoot;
+    // A notice lifts the bars under the plate for a while: the plate stays where it is.
+    const lift = root.querySelector('sillon-notices')?.clientHeight ?? 0;
     for (const one of root.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')) {
       this.#observer?.observe(one); // it may not be drawn yet
       const box = one.getBoundingClientRect();
-      const [left, top, right, bottom] = [box.left - x, box.top - y, box.right - x, box.bottom - y];
+      const down = one.matches('.bottom > *') ? lift : 0;
+      const [left, top, right, bottom] = [box.left - x, box.top - y + down, box.right - x, box.bottom - y + down];
       const covers = left < free.right && right > free.left && top < free.bottom && bottom > free.top;
       if (box.width === 0 || !covers) continue;
       const [wide, tall] = [free.right - free.left, free.bottom - free.top];

@@ -212,11 +212,24 @@ test(
     await visit.page.mouse.move(500, 350);
     await visit.page.mouse.wheel(0, -200);
     await visit.until(({ sizing }) => sizing === 'free');
-    await size.selectOption('whole');
-    await until(async () => {
-      const { inside, share, scale } = await stand();
-      return inside && share > 0.6 && scale > 96 / 25.4 && scale;
-    }, 'all of the plate');
+    // All of it, as large whether a notice lifts the bars or not.
+    const whole = async () => {
+      await size.selectOption('whole');
+      return until(async () => {
+        const { inside, share, scale } = await stand();
+        return inside && share > 0.5 && scale > 96 / 25.4 && scale;
+      }, 'all of the plate');
+    };
+    const tell = (notices) =>
+      visit.page.evaluate((notices) => {
+        document.querySelector('sillon-app').studio.store.set({ notices });
+      }, notices);
+    await tell([]);
+    const scale = await whole();
+    await size.selectOption('life');
+    await tell([{ id: -1, text: 'A notice.' }]);
+    await visit.page.getByText('A notice.').waitFor();
+    assert.equal(await whole(), scale);
     assert.deepEqual(visit.problems, []);
   },
 );
