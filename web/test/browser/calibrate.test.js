@@ -26,8 +26,8 @@ const open = async (options) => {
 };
 const show = (visit, dialog) =>
   visit.page.evaluate((dialog) => document.querySelector('sillon-app').studio.show(dialog), dialog);
-const choose = (visit, name) => visit.page.getByRole('radio', { name, exact: true }).check({ force: true });
-const kind = (visit, name) => visit.page.locator(`sillon-calibrate-prints input[value=${name}]`).check({ force: true });
+const choose = (visit, name) => visit.page.getByRole('radio', { name, exact: true }).check();
+const kind = (visit, name) => visit.page.locator(`sillon-calibrate-prints input[value=${name}]`).check();
 
 async function saved(visit, press) {
   const [download] = await Promise.all([visit.page.waitForEvent('download'), press()]);
@@ -229,7 +229,7 @@ async function walk(visit, first) {
   await dialog.waitFor();
   clicks += 2; // opens the list, and chooses
   await dialog.getByLabel('Printer', { exact: true }).selectOption({ label: 'Creality K1' });
-  await click(dialog.locator(`input[value=${first}]`), { force: true });
+  await click(dialog.locator(`input[value=${first}]`));
   const file = await saved(visit, () => click(dialog.getByRole('button', { name: 'Download G-code' })));
   return { clicks, file };
 }

@@ -88,7 +88,7 @@ test('what the visitor has chosen stays: then a drawing is an outline, until it 
   await visit.drop([flag]);
   await visit.until(({ plate }) => plate.shape.kind === 'file');
   assert.equal(await visit.state(({ plate }) => plate.directions.kind), 'text');
-  await visit.page.getByRole('radio', { name: 'A direction per colour' }).check({ force: true });
+  await visit.page.getByRole('radio', { name: 'A direction per colour' }).check();
   await visit.until(({ plate }) => plate.directions.kind === 'colours');
   assert.equal((await colours(visit)).length, 3);
 });

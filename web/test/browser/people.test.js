@@ -36,7 +36,7 @@ for (const colorScheme of ['light', 'dark']) {
       assert.deepEqual(await violations(page), [], section);
     }
     for (const source of ['Text', 'QR code', 'Noise', 'Rays']) {
-      await page.getByRole('radio', { name: source }).check({ force: true });
+      await page.getByRole('radio', { name: source }).check();
       await visit.idle();
       assert.deepEqual(await violations(page), [], source);
     }
@@ -52,7 +52,7 @@ for (const colorScheme of ['light', 'dark']) {
     await show('calibrate');
     await page.getByRole('img', { name: 'Coupon, as it would look' }).waitFor();
     for (const tab of ['Prints', 'Photograph', 'Spools']) {
-      await page.getByRole('radio', { name: tab, exact: true }).check({ force: true });
+      await page.getByRole('radio', { name: tab, exact: true }).check();
       await settled(page);
       assert.deepEqual(await violations(page), [], `calibrate, ${tab}`);
     }

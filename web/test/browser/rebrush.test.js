@@ -112,7 +112,7 @@ test('a packed print becomes a packed print, under a picture or as the plate', {
   await visit.drop([fileOf('part.gcode.gz', gzipSync(text))]);
   await until(async () => (await view(visit).getByRole('checkbox').count()) === 2);
   // As the plate: its waves lie on each face.
-  await view(visit).getByRole('radio', { name: 'As the plate' }).check({ force: true });
+  await view(visit).getByRole('radio', { name: 'As the plate' }).check();
   const waves = await downloaded(visit);
   assert.equal(waves.name, 'part_brushed.gcode.gz');
   assert.equal(waves.bytes[0], 0x1f);
@@ -203,7 +203,7 @@ test('the bottom is re-brushed as by the native program, alone or with the tops'
     ['Both', 'both'],
   ]) {
     await until(() => saves(visit).isEnabled(), 'beads are laid');
-    await relaid(visit, () => view(visit).getByRole('radio', { name: label }).check({ force: true }));
+    await relaid(visit, () => view(visit).getByRole('radio', { name: label }).check());
     const made = await downloaded(visit);
     assert.equal(made.bytes.compare(natively('part.gcode', text, '--angle', '30', '--surfaces', side)), 0, side);
   }
@@ -263,7 +263,7 @@ test('bottoms are seen from below: they glow, a click chooses, and their beads t
   const text = sliced({ sides: [24, 10] });
   await visit.drop([fileOf('part.gcode', text)]);
   await until(() => saves(visit).isEnabled(), 'beads are laid');
-  await view(visit).getByRole('radio', { name: 'Bottom' }).check({ force: true });
+  await view(visit).getByRole('radio', { name: 'Bottom' }).check();
   await until(() => saves(visit).isEnabled(), 'beads are laid on the bottoms');
   await view(visit).getByRole('button', { name: 'See it from aside' }).click();
   const print = view(visit).locator('sillon-rebrush-tilted');
@@ -323,7 +323,7 @@ test('bottoms are seen from below: they glow, a click chooses, and their beads t
   const made = await downloaded(visit);
   assert.equal(made.bytes.compare(natively('part.gcode', text, '--angle', '75', '--surfaces', 'bottom')), 0);
   // Tops are first seen from above.
-  await view(visit).getByRole('radio', { name: 'Tops' }).check({ force: true });
+  await view(visit).getByRole('radio', { name: 'Tops' }).check();
   await until(async () => (await below.getAttribute('aria-pressed')) === 'false');
   assert.deepEqual(visit.problems, []);
 });
@@ -333,7 +333,7 @@ test('faces are combed from aside; with Shift the print moves and nothing is dra
   const { page } = visit;
   await visit.drop([fileOf('part.gcode', sliced({ sides: [24] }))]);
   await until(() => saves(visit).isEnabled(), 'beads are laid');
-  await view(visit).getByRole('radio', { name: 'By hand' }).check({ force: true });
+  await view(visit).getByRole('radio', { name: 'By hand' }).check();
   await view(visit).getByRole('button', { name: 'See it from aside' }).click();
   const print = view(visit).locator('sillon-rebrush-tilted');
   const canvas = print.locator('canvas');
@@ -461,7 +461,7 @@ test('faces are combed by hand: beads follow the stroke, and lie at the angle el
   await visit.drop([fileOf('part.gcode', sliced({ sides: [24, 8] }))]);
   await until(() => saves(visit).isEnabled(), 'beads are laid');
   const canvas = view(visit).locator('sillon-rebrush-bench');
-  await view(visit).getByRole('radio', { name: 'By hand' }).check({ force: true });
+  await view(visit).getByRole('radio', { name: 'By hand' }).check();
   const angle = view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input'));
   await angle.fill('90');
   const straight = await downloaded(visit);
@@ -528,7 +528,7 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
   assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'SILLON-APP');
 
   for (const way of ['One angle', 'By hand', 'As the plate', 'Picture']) {
-    await view(visit).getByRole('radio', { name: way }).check({ force: true });
+    await view(visit).getByRole('radio', { name: way }).check();
     const found = await page.evaluate(`(async () => {
       ${axe}
       const { violations } = await axe.run(document, { resultTypes: ['violations'] });
@@ -557,7 +557,7 @@ for (const language of ['en', 'fr', 'de']) {
     });
     const wrong = [];
     for (const way of [0, 1, 2, 3]) {
-      await view(visit).getByRole('radio').nth(way).check({ force: true });
+      await view(visit).getByRole('radio').nth(way).check();
       for (const [width, height] of [
         [320, 560],
         [360, 740],

@@ -99,7 +99,7 @@ for (const language of languages) {
       await page.locator('dialog[open]').waitFor();
       const tabs = dialog === 'calibrate' ? 2 : 1; // the third is `spools`
       for (let tab = 0; tab < tabs; ++tab) {
-        if (dialog === 'calibrate') await page.locator('.tabs input').nth(tab).check({ force: true });
+        if (dialog === 'calibrate') await page.locator('.tabs input').nth(tab).check();
         if (dialog === 'calibrate' && tab === 0) await page.locator('sillon-calibrate-prints figure img').waitFor();
         for (const width of [320, 360, 400, 480, 560, 640, 720, 768, 860, 1024, 1440]) {
           await page.setViewportSize({ width, height: 760 });
