@@ -10,6 +10,7 @@ import type { Plate, Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../style/bench.js';
 import { panned, zoomed } from '../views/camera.js';
+import { freeOf, seenIn, type Box } from '../views/fit.js';
 import { between, lightOfTilt, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
 import type { Light } from '../model/view.js';
@@ -461,75 +462,46 @@ export class PlateCanvas extends StudioElement implements Stage {
   /** CSS pixels per mm, as large as it will be; at arm's length for somebody who looks at the screen from nearer. */
   #lifeScale = (): number => (this.#blends() && this.#coarse.matches ? handLength / armLength : 1) * (96 / 25.4);
 
-  /** All of it in the middle of what is free. */
+  /** All of it, or as large as in life, in the middle of what is free. */
   #place(): void {
     const { page, shown } = this.#page();
     const { width, height } = this.getBoundingClientRect();
-    if (width <= narrow) {
-      this.#fitFree(shown, page[1], width, height);
-      return;
-    }
-    const room = Math.min(margin, width * 0.08);
-    const tools = width > 560 ? toolsWidth : 0; // they lie over the left side
-    const across = Math.max(1, width - tools - 2 * room);
-    const [above, below] = this.#margins(height, room);
-    const whole = Math.min(across / shown, (height - above - below) / page[1]);
-    const scale = this.state.sizing === 'whole' ? Math.max(0.01, whole) : this.#lifeScale();
-    const y = page[1] / 2 + (above - below) / 2 / scale;
-    this.camera = { x: shown / 2 - tools / 2 / scale, y, scale: scale * devicePixelRatio };
+    const free = width <= narrow ? this.#amongButtons(width, height) : this.#betweenBars(width, height);
+    const scale = this.state.sizing === 'whole' ? undefined : this.#lifeScale();
+    const seen = seenIn(free, [shown, page[1]], [width, height], scale);
+    this.camera = { ...seen, scale: seen.scale * devicePixelRatio };
     this.#redraw();
   }
 
-  /** Into what the buttons leave of a narrow canvas. */
-  #fitFree(wide: number, tall: number, width: number, height: number): void {
-    const { left, top, right, bottom } = this.#free(width, height);
-    const [across, down] = [right - left - 2 * clear, bottom - top - 2 * clear];
-    const whole = Math.max(0.01, Math.min(across / wide, down / tall));
-    const scale = this.state.sizing === 'whole' ? whole : this.#lifeScale();
-    this.camera = {
-      x: wide / 2 + (width - left - right) / 2 / scale,
-      y: tall / 2 - (height - top - bottom) / 2 / scale,
-      scale: scale * devicePixelRatio,
-    };
-    this.#redraw();
-  }
-
-  /** What lies free of buttons [CSS pixels]: each takes the side on which it costs least. */
-  #free(width: number, height: number): { left: number; top: number; right: number; bottom: number } {
+  /** What the buttons leave of a narrow canvas. */
+  #amongButtons(width: number, height: number): Box {
     const { left: x, top: y } = this.getBoundingClientRect();
-    const free = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
+    const area = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
     const root = this.getRootNode() as ShadowRoot;
     // A notice lifts the bars under the plate for a while: the plate stays where it is.
     const lift = root.querySelector('sillon-notices')?.clientHeight ?? 0;
-    for (const one of root.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')) {
+    const buttons = [...root.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')].map((one) => {
       this.#observer?.observe(one); // it may not be drawn yet
-      const box = one.getBoundingClientRect();
-      const down = one.matches('.bottom > *') ? lift : 0;
-      const [left, top, right, bottom] = [box.left - x, box.top - y + down, box.right - x, box.bottom - y + down];
-      const covers = left < free.right && right > free.left && top < free.bottom && bottom > free.top;
-      if (box.width === 0 || !covers) continue;
-      const [wide, tall] = [free.right - free.left, free.bottom - free.top];
-      const costs = [
-        (bottom - free.top) * wide,
-        (free.bottom - top) * wide,
-        (right - free.left) * tall,
-        (free.right - left) * tall,
-      ];
-      const side = costs.indexOf(Math.min(...costs));
-      if (side === 0) free.top = bottom;
-      else if (side === 1) free.bottom = top;
-      else if (side === 2) free.left = right;
-      else free.right = left;
-    }
+      const { left, top, right, bottom } = one.getBoundingClientRect();
+      const down = (one.matches('.bottom > *') ? lift : 0) - y;
+      return { left: left - x, top: top + down, right: right - x, bottom: bottom + down };
+    });
+    const free = freeOf(area, buttons);
     const enough = free.right - free.left > width / 4 && free.bottom - free.top > height / 4;
-    return enough ? free : { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
+    const { left, top, right, bottom } = enough ? free : area;
+    return { left: left + clear, top: top + clear, right: right - clear, bottom: bottom - clear };
   }
 
-  /** What a low bench leaves out (the stage's style) need not be kept free. */
-  #margins(height: number, room: number): [above: number, below: number] {
-    const bars = (this.getRootNode() as ShadowRoot).querySelector('.bottom')?.clientHeight ?? 0;
-    if (height > 340) return [room + margin, Math.max(room + margin, Math.min(bars + 24, height / 2 - margin))];
-    return height <= 170 || this.studio.store.state.mode === 'view' ? [rulerWidth + 8, 8] : [rulerWidth + 64, 12];
+  /** What lies between the bars of a wide one. What a low bench leaves out (the stage's style) need not be kept free. */
+  #betweenBars(width: number, height: number): Box {
+    const sides = { left: toolsWidth + margin, right: width - margin };
+    if (height > 340) {
+      const bars = (this.getRootNode() as ShadowRoot).querySelector('.bottom')?.clientHeight ?? 0;
+      const below = Math.max(2 * margin, Math.min(bars + 24, height / 2 - margin));
+      return { ...sides, top: 2 * margin, bottom: height - below };
+    }
+    const bare = height <= 170 || this.studio.store.state.mode === 'view';
+    return { ...sides, top: rulerWidth + (bare ? 8 : 64), bottom: height - (bare ? 8 : 12) };
   }
 
   /** Where the plate lies in this element [CSS pixels]. */

@@ -6,6 +6,7 @@ import type { Toolpath } from 'sillon';
 import { widthHistogram } from '../../src/panels/histogram.js';
 import { panned, zoomed } from '../../src/views/camera.js';
 import { conflictPixels } from '../../src/views/conflict.js';
+import { freeOf, seenIn } from '../../src/views/fit.js';
 import { findGaps } from '../../src/views/gaps.js';
 import { findMarks } from '../../src/views/marks.js';
 import { directionPalette, rampColour } from '../../src/views/palette.js';
@@ -225,4 +226,35 @@ test('where light is missing is amber, where there is too much teal, and what no
   assert.equal(alpha(4), 115);
   assert.ok((pixels[8] as number) > 200 && (pixels[10] as number) < 60, 'amber');
   assert.ok((pixels[12] as number) < 60 && (pixels[14] as number) > 190, 'teal');
+});
+
+test('buttons take the side of a canvas on which they cost least; what covers nothing takes nothing', () => {
+  const area = { left: 10, top: 10, right: 410, bottom: 310 };
+  const views = { left: 100, top: 10, right: 300, bottom: 50 };
+  const tools = { left: 10, top: 60, right: 50, bottom: 250 };
+  const light = { left: 250, top: 240, right: 410, bottom: 310 };
+  assert.deepEqual(freeOf(area, [views, tools, light]), { left: 50, top: 50, right: 410, bottom: 240 });
+  // Beside it, hidden, or behind another.
+  const beside = { left: 420, top: 0, right: 500, bottom: 300 };
+  const hidden = { left: 200, top: 100, right: 200, bottom: 100 };
+  const behind = { left: 110, top: 15, right: 200, bottom: 45 };
+  assert.deepEqual(freeOf(area, [views, beside, hidden, behind]), { ...area, top: 50 });
+});
+
+test('a plate is seen in the middle of a box, whole or at a scale', () => {
+  const free = { left: 100, top: 80, right: 460, bottom: 380 };
+  const [wide, tall] = [60, 30];
+  const element: [number, number] = [500, 480];
+  /** Where a place [mm] of the plate lies on the element. */
+  const at = ({ x, y, scale }: { x: number; y: number; scale: number }, px: number, py: number): [number, number] => [
+    element[0] / 2 + (px - x) * scale,
+    element[1] / 2 - (py - y) * scale,
+  ];
+  const whole = seenIn(free, [wide, tall], element);
+  assert.equal(whole.scale, 6); // 360 pixels for 60 mm; 30 mm would have room for 10 per mm
+  assert.deepEqual(at(whole, 0, tall), [100, 140]);
+  assert.deepEqual(at(whole, wide, 0), [460, 320]);
+  const small = seenIn(free, [wide, tall], element, 2);
+  assert.equal(small.scale, 2);
+  assert.deepEqual(at(small, wide / 2, tall / 2), [280, 230]);
 });
