@@ -5,19 +5,19 @@ import { customElement, query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
-import { homeLight, lampsOf, pictureOf } from '../model/lamp.js';
+import { pictureOf } from '../model/lamp.js';
 import type { Plate, Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../style/bench.js';
 import { panned, zoomed } from '../views/camera.js';
 import { freeOf, seenIn, type Box } from '../views/fit.js';
-import { between, lightOfTilt, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
+import { between, lightOfTilt, lightUnder } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
-import type { Light } from '../model/view.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from './element.js';
 import { drawOverlay, rulerWidth, type Cursor, type Overlay } from './overlay.js';
 import { Gestures } from './gestures.js';
+import { MovingLight } from './moving-light.js';
 import type { Divider } from './divider.js';
 import type { Over, Shown } from './shown.js';
 import type { Stage } from './studio.js';
@@ -29,11 +29,6 @@ const narrow = 640; // [CSS pixels] where buttons lie over the plate
 const clear = 8;
 const armLength = 600; // [mm]
 const handLength = 350; // of a phone
-const slowFrame = 120; // [ms]
-const mostSlowFrames = 8;
-const leap = 15; // [degrees] farther than that, the light springs to where it turns
-const flipEach = 2600; // [ms] for each picture while the lamp turns
-const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
 
 @customElement('sillon-canvas')
 export class PlateCanvas extends StudioElement implements Stage {
@@ -67,10 +62,9 @@ export class PlateCanvas extends StudioElement implements Stage {
   /** What is being drawn, page units. */
   #points: number[] | undefined;
   #observer: ResizeObserver | undefined;
-  #lastTouch = 0;
-  #hovered = false;
+  #motion!: MovingLight;
+  #flipTimer: ReturnType<typeof setTimeout> | undefined;
   readonly #coarse = matchMedia('(pointer: coarse)');
-  readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #gestures: Gestures | undefined;
 
@@ -104,6 +98,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   override firstUpdated(): void {
     this.studio.stage = this;
+    this.#motion = new MovingLight(this.studio);
     try {
       this.#renderer = createRenderer(this.drawing);
     } catch (error) {
@@ -146,7 +141,6 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.#observer.observe(this);
     const bars = (this.getRootNode() as ShadowRoot).querySelector('.bottom');
     if (bars !== null) this.#observer.observe(bars);
-    this.#lastTouch = performance.now();
     this.#darkScheme.addEventListener('change', this.#redraw);
     addEventListener('deviceorientation', this.#onTilt);
     addEventListener('pointermove', this.#onActivity, { passive: true });
@@ -210,7 +204,7 @@ export class PlateCanvas extends StudioElement implements Stage {
   };
 
   #draw(now: number): void {
-    const sways = this.#moveLight(now);
+    const wait = this.#motion.move(now);
     clearTimeout(this.#flipTimer);
     const { scale } = this.camera;
     this.#renderer?.draw(this.scene(), { ...this.camera, scale: scale * this.#fineness() });
@@ -233,8 +227,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       wipe: this.state.wipe,
       styles: getComputedStyle(this),
     });
-    if (sways && this.#steps()) this.#flipTimer = setTimeout(this.#redraw, flipEach);
-    else if (sways) this.#redraw();
+    if (wait === 0) this.#redraw();
+    else if (wait !== undefined) this.#flipTimer = setTimeout(this.#redraw, wait);
   }
 
   /** Until there are beads. */
@@ -342,77 +336,8 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   // --- The light --------------------------------------------------------------------------------------------------------
 
-  /** @returns whether it goes on moving by itself. */
-  #moveLight(now: number): boolean {
-    const { lightMode, view, light, recording, tool } = this.state;
-    // It keeps still under a brush: else nobody could tell what a stroke changes.
-    if (view !== 'appearance' || recording || document.hidden || tool !== 'pan') return false;
-    const resting = now - this.#lastTouch > swayFor || this.#calm.matches;
-    const orbits = lightMode === 'orbit' && !this.#calm.matches;
-    const free = lightMode === 'pointer' && !this.#leads();
-    if (!orbits && !free) return false;
-    const slow = this.#isSlow();
-    const sways = free && !resting && !slow;
-    const elapsed = now - (this.#lastSway || now);
-    if (elapsed > slowFrame && elapsed < 1000) ++this.#slowFrames;
-    else if (elapsed <= slowFrame) this.#slowFrames = 0;
-    this.#lastSway = now;
-    if (orbits) {
-      const azimuth = (light.azimuth + (360 * Math.min(50, elapsed)) / swayPeriod) % 360;
-      this.studio.store.set({ light: { azimuth, elevation: light.elevation } });
-      return true;
-    }
-    // Back to where the plate looks as it is meant to, and a little around it.
-    const home = this.#home(now);
-    const { flipping } = this.state;
-    const aim = sways && !flipping ? swayed(home, now) : home;
-    const jumps = this.#calm.matches || slow || (flipping && near(light, aim, leap));
-    const next = jumps ? aim : turned(light, aim, Math.min(50, elapsed));
-    if (!near(next, light, 0.01)) this.studio.store.set({ light: near(next, aim, 0.05) ? aim : next });
-    return sways || (flipping && !resting) || !near(next, aim, 0.05);
-  }
-
-  /** Whether the light is where the pointer is: over the plate, unless somebody has asked for the lamp to turn. */
-  #leads(): boolean {
-    const { flipping, welcome } = this.state;
-    return this.#hovered && (!flipping || welcome);
-  }
-
-  #isSlow = (): boolean => this.#slowFrames >= mostSlowFrames;
-
-  /** Whether the lamp turns from picture to picture without a way between. */
-  #steps = (): boolean => this.state.flipping && this.#isSlow();
-
-  /** Of the picture that is shown; while the lamp turns, between two. */
-  #home(now: number): Light {
-    const { plate, result, lamp, flipping } = this.state;
-    const look = result?.toolpath.look;
-    const lamps = lampsOf(plate.directions, look);
-    if (!flipping || lamps.length < 2) {
-      this.#flipBegan = 0;
-      return lamps[lamp] ?? homeLight(plate, look);
-    }
-    if (this.#flipBegan === 0) this.#flipBegan = now - lamp * flipEach;
-    const turn = (now - this.#flipBegan) / flipEach;
-    const from = Math.floor(turn) % lamps.length;
-    const to = (from + 1) % lamps.length;
-    if (this.state.lamp !== from) this.studio.store.set({ lamp: from });
-    // It rests at each picture for half of the time.
-    const share = this.#steps() ? 0 : Math.min(1, Math.max(0, 2 * (turn % 1) - 0.5));
-    return between(lamps[from] as Light, lamps[to] as Light, (1 - Math.cos(Math.PI * share)) / 2);
-  }
-
-  #flipBegan = 0;
-  #flipTimer: ReturnType<typeof setTimeout> | undefined;
-
-  #lastSway = 0;
-  /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
-  #slowFrames = 0;
-
   #onActivity = (): void => {
-    const rested = performance.now() - this.#lastTouch > swayFor;
-    this.#lastTouch = performance.now();
-    if (rested) this.#redraw();
+    if (this.#motion.touch()) this.#redraw();
   };
 
   #onTilt = ({ beta, gamma }: DeviceOrientationEvent): void => {
@@ -421,11 +346,11 @@ export class PlateCanvas extends StudioElement implements Stage {
   };
 
   #hover(point: { x: number; y: number } | undefined, leads: boolean): void {
-    this.#hovered = leads && point !== undefined;
+    this.#motion.hovered = leads && point !== undefined;
     this.#cursor = point === undefined ? undefined : this.#toPage(point);
     const { lightMode, view, recording, tool } = this.state;
     const lit = lightMode === 'pointer' && view === 'appearance' && !recording;
-    if (lit && tool === 'pan' && point !== undefined && this.#leads()) {
+    if (lit && tool === 'pan' && point !== undefined && this.#motion.leads()) {
       const { width, height } = this.getBoundingClientRect();
       const light = lightUnder((point.x - width / 2) / (width / 2), (height / 2 - point.y) / (height / 2));
       this.studio.store.set({ light });
