@@ -2,7 +2,10 @@
 // wanted.
 #include <emscripten/bind.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "call.hpp"
 #include "convert.hpp"
@@ -24,6 +27,43 @@ val measuredOf(const sillon::Measured& measured) {
   return out;
 }
 
+sillon::Measured measuredFrom(const val& js) { return {js["value"].as<double>(), js["error"].as<double>()}; }
+
+val readingOf(const sillon::CouponReading& read, double widthAsked) {
+  val out = val::object();
+  out.set("along", measuredOf(read.along));
+  out.set("across", measuredOf(read.across));
+  out.set("flow", read.flow ? measuredOf(*read.flow) : val::null());
+  out.set("allDiscsClosed", read.flowIsLower);
+  out.set("width", measuredOf(read.width));
+  out.set("widthAsked", widthAsked);
+  out.set("azimuth", measuredOf(read.azimuth));
+  out.set("elevation", measuredOf(read.elevation));
+  out.set("tilt", read.tilt);
+  out.set("pixelsPerMm", read.pixelsPerMm);
+  out.set("blur", read.blur);
+  out.set("spools",
+          val(sillon::spoolFile(read, "measured", "photograph of a coupon; only the nozzle's side was measured")));
+  return out;
+}
+
+/// \param js  what readingOf has made, with the spool's colour beside it.
+sillon::CouponReading readingFrom(const val& js) {
+  sillon::CouponReading read;
+  read.along = measuredFrom(js["along"]);
+  read.across = measuredFrom(js["across"]);
+  if (!js["flow"].isNull()) read.flow = measuredFrom(js["flow"]);
+  read.flowIsLower = js["allDiscsClosed"].as<bool>();
+  read.width = measuredFrom(js["width"]);
+  read.azimuth = measuredFrom(js["azimuth"]);
+  read.elevation = measuredFrom(js["elevation"]);
+  read.tilt = js["tilt"].as<double>();
+  read.pixelsPerMm = js["pixelsPerMm"].as<double>();
+  read.blur = js["blur"].as<double>();
+  for (std::size_t c = 0; c < 3; ++c) read.colour[c] = js["colour"][c].as<std::uint8_t>();
+  return read;
+}
+
 /// \param picture  as imageFrom takes it. \param projectJson  that the coupon was made with.
 val readCoupon(const val& picture, const std::string& projectJson, const val& from, const val& to, const val& lampSize,
                const val& lampElevation) {
@@ -36,25 +76,27 @@ val readCoupon(const val& picture, const std::string& projectJson, const val& fr
                                        optionalOf(lampElevation)};
     const auto reading = sillon::readCouponPhoto(image.value(), request, run);
     if (!reading) return failure(reading.error());
-    const sillon::CouponReading& read = reading.value();
-    val out = val::object();
-    out.set("along", measuredOf(read.along));
-    out.set("across", measuredOf(read.across));
-    out.set("flow", read.flow ? measuredOf(*read.flow) : val::null());
-    out.set("allDiscsClosed", read.flowIsLower);
-    out.set("width", measuredOf(read.width));
-    out.set("widthAsked", project.value().printer.nozzle * project.value().print.flow);
-    out.set("azimuth", measuredOf(read.azimuth));
-    out.set("elevation", measuredOf(read.elevation));
-    out.set("tilt", read.tilt);
-    out.set("pixelsPerMm", read.pixelsPerMm);
-    out.set("blur", read.blur);
-    out.set("spools",
-            val(sillon::spoolFile(read, "measured", "photograph of a coupon; only the nozzle's side was measured")));
-    return success(out);
+    return success(readingOf(reading.value(), project.value().printer.nozzle * project.value().print.flow));
+  });
+}
+
+/// \param readings  a list, as readingFrom takes them, of at least one.
+val joinReadings(const val& readings, const val& lampSize) {
+  return guarded([&](sillon::RunContext&) {
+    std::vector<sillon::CouponReading> each;
+    const auto count = readings["length"].as<std::size_t>();
+    for (std::size_t k = 0; k < count; ++k) each.push_back(readingFrom(readings[k]));
+    sillon::PhotoRequest request;
+    request.lampSlope = optionalOf(lampSize);
+    const auto joined = sillon::joinReadings(each, request);
+    if (!joined) return failure(joined.error());
+    return success(readingOf(joined.value(), readings[0]["widthAsked"].as<double>()));
   });
 }
 
 }  // namespace
 
-EMSCRIPTEN_BINDINGS(photo) { emscripten::function("readCoupon", &readCoupon); }
+EMSCRIPTEN_BINDINGS(photo) {
+  emscripten::function("readCoupon", &readCoupon);
+  emscripten::function("joinReadings", &joinReadings);
+}

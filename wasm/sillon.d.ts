@@ -158,6 +158,14 @@ export interface Engine {
    * @param photograph  as decodePicture gives it, or a canvas; at most 64 million pixels.
    * @throws `InvalidFile` (one sentence: why nothing can be measured), `InvalidArgument`, `TooLarge`. */
   readCoupon(photograph: Picture, request?: CouponRequest, options?: RunOptions): Promise<CouponReading>;
+  /** What several photographs of one coupon say together, as `sillon calibrate read` joins them. Lamp and camera are the first's.
+   * @param readings  of readCoupon, at least one. @param request  that they were read with.
+   * @throws `InvalidFile` (one sentence) where one differs so much that it shows another spool, `InvalidArgument`. */
+  joinReadings(
+    readings: readonly CouponReading[],
+    request?: CouponRequest,
+    options?: RunOptions,
+  ): Promise<CouponReading>;
 
   /** Ends the worker; running and waiting calls reject with code `Disposed`. */
   dispose(): void;

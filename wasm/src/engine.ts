@@ -222,6 +222,13 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await photographs.run(call, checked)) as api.CouponReading;
     },
 
+    async joinReadings(readings, request, options) {
+      const checked = input.callOptions(options);
+      const { lampSize } = input.couponRequest(request);
+      const call: PhotoCall = { name: 'joinReadings', readings: input.couponReadings(readings), lampSize };
+      return (await photographs.run(call, checked)) as api.CouponReading;
+    },
+
     dispose() {
       plates.dispose();
       files.dispose();

@@ -2,7 +2,7 @@
 // say is checked by the engine alone; here is what JSON cannot carry.
 import type * as api from '../sillon.js';
 import { SillonError, invalid } from './errors.js';
-import type { Files } from './protocol.js';
+import type { Files, ReadingFields } from './protocol.js';
 
 type Fields = Record<string, unknown>;
 
@@ -390,6 +390,41 @@ export function couponRequest(value: unknown): ReturnType<typeof calibrated> & {
     lampSize: optionalNumber(given['lampSize'], 'request.lampSize'),
     lampElevation: optionalNumber(given['lampElevation'], 'request.lampElevation'),
   };
+}
+
+function measured(value: unknown, path: string): api.Measured {
+  const given = fieldsOf(value, path);
+  return { value: finite(given['value'], `${path}.value`), error: finite(given['error'], `${path}.error`) };
+}
+
+/** As readCoupon gives them. */
+export function couponReadings(value: unknown): ReadingFields[] {
+  const readings = listOf(value, 'readings', (one, path) => {
+    const given = fieldsOf(one, path);
+    const bar = (key: string): api.Measured => measured(given[key], `${path}.${key}`);
+    const number = (key: string): number => finite(given[key], `${path}.${key}`);
+    const colour = fieldsOf(given['spool'], `${path}.spool`)['colour'];
+    const [red, green, blue, ...more] = listOf(colour, `${path}.spool.colour`, finite);
+    if (red === undefined || green === undefined || blue === undefined || more.length > 0) {
+      throw mustBe(`${path}.spool.colour`, colour, 'a list of three numbers');
+    }
+    return {
+      along: bar('along'),
+      across: bar('across'),
+      flow: given['flow'] === null ? null : bar('flow'),
+      allDiscsClosed: given['allDiscsClosed'] === true,
+      width: bar('width'),
+      widthAsked: number('widthAsked'),
+      azimuth: bar('azimuth'),
+      elevation: bar('elevation'),
+      tilt: number('tilt'),
+      pixelsPerMm: number('pixelsPerMm'),
+      blur: number('blur'),
+      colour: [red, green, blue] satisfies api.Spool['colour'],
+    };
+  });
+  if (readings.length === 0) throw mustBe('readings', value, 'a list of at least one reading');
+  return readings;
 }
 
 /** A picture that somebody has decoded. */

@@ -91,16 +91,21 @@ export interface CalibrateCall {
   pictureSide: number;
 }
 
+/** A reading as the engine takes it back: of its spool only the colour. */
+export type ReadingFields = Omit<api.CouponReading, 'spool'> & { colour: api.Spool['colour'] };
+
 /** Of the module that reads photographs of the coupon. */
-export interface PhotoCall {
-  name: 'readCoupon';
-  picture: api.Picture;
-  project: string;
-  from: number | undefined;
-  to: number | undefined;
-  lampSize: number | undefined;
-  lampElevation: number | undefined;
-}
+export type PhotoCall =
+  | {
+      name: 'readCoupon';
+      picture: api.Picture;
+      project: string;
+      from: number | undefined;
+      to: number | undefined;
+      lampSize: number | undefined;
+      lampElevation: number | undefined;
+    }
+  | { name: 'joinReadings'; readings: ReadingFields[]; lampSize: number | undefined };
 
 export interface StartMessage {
   type: 'start';

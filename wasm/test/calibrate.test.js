@@ -8,6 +8,7 @@ import { after, before, test } from 'node:test';
 
 import { createEngine } from 'sillon';
 
+import { png } from './support/png.js';
 import { nativeProgram, root } from './support/projects.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
@@ -82,6 +83,11 @@ test('range and filament are those that were asked for', async () => {
   assert.notEqual(await blue.blob.text(), await made.blob.text()); // its pictures are of another colour
 });
 
+const rounded = ({ value, error }, digits) => ({
+  value: Number(value.toFixed(digits)),
+  error: Number(error.toFixed(digits)),
+});
+
 test('a photograph is read as the native program reads it, and gives a spool', async () => {
   const { status, stdout, stderr } = native(
     ...['read', photographFile, '--json', '--lamp-elevation', '44', '-o', 'mine.spools.json'],
@@ -89,10 +95,6 @@ test('a photograph is read as the native program reads it, and gives a spool', a
   assert.equal(status, 0, stderr);
   const told = JSON.parse(stdout);
   const read = await engine.readCoupon(photograph, { lampElevation: 44 });
-  const rounded = ({ value, error }, digits) => ({
-    value: Number(value.toFixed(digits)),
-    error: Number(error.toFixed(digits)),
-  });
   assert.deepEqual(rounded(read.along, 2), told.along);
   assert.deepEqual(rounded(read.across, 2), told.across);
   assert.deepEqual(rounded(read.flow, 3), told.flow);
@@ -101,6 +103,50 @@ test('a photograph is read as the native program reads it, and gives a spool', a
   assert.equal(read.allDiscsClosed, told.allDiscsClosed);
   const { spools } = JSON.parse(readFileSync(join(folder, 'mine.spools.json'), 'utf8'));
   assert.deepEqual(read.spool, spools.mySpool);
+});
+
+/** The same photograph, held upside down. */
+function turned({ width, height, channels, samples }) {
+  const out = new Uint8Array(samples.length);
+  for (let k = 0; k < width * height; ++k) {
+    const from = (width * height - 1 - k) * channels;
+    out.set(samples.subarray(from, from + channels), k * channels);
+  }
+  return { width, height, channels, samples: out };
+}
+
+test('several photographs are joined as the native program joins them', async () => {
+  const other = turned(photograph);
+  writeFileSync(join(folder, 'other.png'), png(other.width, other.height, other.channels, other.samples));
+  const { status, stdout, stderr } = native(
+    ...['read', photographFile, 'other.png', '--lamp-size', '0.01', '--json', '-o', 'both.json'],
+  );
+  assert.equal(status, 0, stderr);
+  const told = JSON.parse(stdout);
+  const request = { lampSize: 0.01 };
+  const each = [await engine.readCoupon(photograph, request), await engine.readCoupon(other, request)];
+  const joined = await engine.joinReadings(each, request);
+  // Sines differ in their last digit, and a fit may stop a step earlier.
+  const like = (figure, native, what) => {
+    assert.ok(Math.abs(figure.value / native.value - 1) < 0.005, `${what}: ${figure.value} ${native.value}`);
+    assert.ok(Math.abs(figure.error - native.error) < 0.03 * native.error + 0.0005, `${what}: ${figure.error}`);
+  };
+  for (const what of ['along', 'across', 'flow', 'width']) like(joined[what], told[what], what);
+  assert.equal(Number(joined.widthAsked.toFixed(3)), told.width.asked);
+  assert.deepEqual(joined.azimuth, each[0].azimuth);
+  const { spools } = JSON.parse(readFileSync(join(folder, 'both.json'), 'utf8'));
+  assert.deepEqual(joined.spool.colour, spools.mySpool.colour);
+  assert.ok(joined.width.error < Math.min(...each.map(({ width }) => width.error)));
+  assert.deepEqual(await engine.joinReadings(each.slice(0, 1), request), each[0]);
+  const strange = { ...each[1], along: { value: 3 * each[1].along.value, error: 0.1 } };
+  await assert.rejects(engine.joinReadings([...each, strange], request), {
+    code: 'InvalidFile',
+    message: /^photograph 3 has slopes of .* they are not of one coupon/,
+  });
+  await assert.rejects(engine.joinReadings([{ ...each[0], width: 0.4 }]), {
+    code: 'InvalidArgument',
+    message: /^readings\[0\]\.width is 0\.4; it must be an object/,
+  });
 });
 
 test('what cannot be calibrated or read is refused in a sentence', async () => {
@@ -116,6 +162,8 @@ test('what cannot be calibrated or read is refused in a sentence', async () => {
     [() => engine.readCoupon(empty), 'InvalidFile', /no coupon/],
     [() => engine.readCoupon(empty, { lampSize: 3 }), 'InvalidArgument', /lamp size is 3/],
     [() => engine.readCoupon(readFileSync(photographFile)), 'InvalidArgument', /photograph is .*a Picture/],
+    [() => engine.joinReadings([]), 'InvalidArgument', /readings is a list; it must be a list of at least one/],
+    [() => engine.joinReadings({}), 'InvalidArgument', /readings is an object; it must be a list/],
     [() => engine.readCoupon({ ...empty, width: 7 }), 'InvalidArgument', /photograph is a picture whose sides/],
   ];
   for (const [call, code, message] of refused) {

@@ -1,6 +1,16 @@
 // Runs the engine in a worker of its own. One file that imports only types, since bundlers copy it as it stands.
 import type * as api from '../../sillon.js';
-import type { Call, Failure, Files, FromWorker, Print, StartMessage, ToWorker, Wanted } from '../protocol.js';
+import type {
+  Call,
+  Failure,
+  Files,
+  FromWorker,
+  Print,
+  ReadingFields,
+  StartMessage,
+  ToWorker,
+  Wanted,
+} from '../protocol.js';
 
 type Outcome<T> = { value: T; error?: undefined } | { error: Failure };
 type OnProgress = (stage: string, fraction: number) => void;
@@ -77,7 +87,16 @@ interface SillonModule {
     to: number | undefined,
     lampSize: number | undefined,
     lampElevation: number | undefined,
-  ): Outcome<Omit<api.CouponReading, 'spool'> & { spools: string }>;
+  ): Outcome<ReadCoupon>;
+  joinReadings(readings: ReadingFields[], lampSize: number | undefined): Outcome<ReadCoupon>;
+}
+
+/** With a file of one spool, 'measured'. */
+type ReadCoupon = Omit<api.CouponReading, 'spool'> & { spools: string };
+
+function withSpool({ spools, ...others }: ReadCoupon): api.CouponReading {
+  const file = JSON.parse(spools) as { spools: Record<'measured', api.Spool> };
+  return { ...others, spool: file.spools.measured };
 }
 
 /** A printer as the text of a project file. */
@@ -462,11 +481,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     case 'readCoupon': {
       completed(call.project, module);
       const { picture, project, from, to, lampSize, lampElevation } = call;
-      const read = valueOf(module.readCoupon(picture, project, from, to, lampSize, lampElevation));
-      const { spools, ...others } = read;
-      const file = JSON.parse(spools) as { spools: Record<'measured', api.Spool> };
-      return { ...others, spool: file.spools.measured } satisfies api.CouponReading;
+      return withSpool(valueOf(module.readCoupon(picture, project, from, to, lampSize, lampElevation)));
     }
+    case 'joinReadings':
+      return withSpool(valueOf(module.joinReadings(call.readings, call.lampSize)));
   }
 }
 
