@@ -1,4 +1,4 @@
-// How a photograph lies beside what is read from it.
+// How photographs lie beside what is read from them.
 import { css } from 'lit';
 
 export const photoStyle = css`
@@ -21,13 +21,10 @@ export const photoStyle = css`
   .left > .field {
     width: 100%;
   }
-  .drop,
-  .shown {
+  .drop {
     display: grid;
     width: 100%;
     border-radius: var(--radius-large);
-  }
-  .drop {
     place-content: center;
     justify-items: center;
     gap: 10px;
@@ -41,7 +38,47 @@ export const photoStyle = css`
     border-color: var(--accent);
     outline: 2px solid var(--accent);
   }
-  .shown img,
+  .shots {
+    display: grid;
+    width: 100%;
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--raised);
+  }
+  .shots li {
+    display: grid;
+    grid-template-columns: 88px minmax(0, 1fr) auto;
+    align-items: center;
+    gap: 4px 12px;
+    padding: 8px;
+  }
+  .shots li + li {
+    border-top: 1px solid var(--line);
+  }
+  .shots img {
+    display: block;
+    width: 88px;
+    height: 66px;
+    object-fit: cover;
+    border-radius: var(--radius);
+    background: var(--sunken);
+  }
+  .told {
+    display: grid;
+    gap: 2px;
+  }
+  .name {
+    overflow: hidden;
+    font-weight: 600;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .why {
+    font-size: var(--note);
+  }
+  .why b {
+    color: var(--bad);
+  }
   figure img {
     display: block;
     width: 100%;
@@ -76,10 +113,10 @@ export const photoStyle = css`
     background: var(--raised);
   }
   dl div {
-    display: flex;
-    flex-wrap: wrap;
-    justify-content: space-between;
-    gap: 2px 16px;
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) fit-content(65%);
+    align-items: baseline;
+    gap: 16px;
     padding: 9px 14px;
   }
   dl div + div {
@@ -90,6 +127,7 @@ export const photoStyle = css`
   }
   dd {
     font-weight: 600;
+    text-align: end;
   }
   .refused {
     display: grid;
@@ -125,6 +163,13 @@ export const photoStyle = css`
     }
   }
   @media (max-width: 420px) {
+    .shots li {
+      grid-template-columns: 64px minmax(0, 1fr) auto;
+    }
+    .shots img {
+      width: 64px;
+      height: 48px;
+    }
     .keep {
       grid-template-columns: auto minmax(0, 1fr);
     }

@@ -1,7 +1,8 @@
-// A photograph of the coupon becomes a spool.
+// Photographs of a coupon become a spool.
 import type { CouponReading, Measured } from 'sillon';
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
+import { repeat } from 'lit/directives/repeat.js';
 import { changeSpools } from './own-spools.js';
 import { c } from '../i18n/calibrate.js';
 import { formatNumber, t } from '../i18n/text.js';
@@ -16,17 +17,26 @@ import { icon } from './icons.js';
 import { photoStyle } from './calibrate-photo-style.js';
 
 const usualElevation = 45; // [°]
+const enough = 3; // photographs
 const example = 'examples/coupon-photograph.jpg';
+
+/** A photograph, and what it gave, or why it was refused; neither: not read yet. */
+interface Shot {
+  readonly file: File;
+  readonly url: string;
+  readonly reading?: CouponReading | undefined;
+  readonly problem?: Problem | undefined;
+}
 
 @customElement('sillon-calibrate-photo')
 export class CalibratePhoto extends StudioElement {
   static override reads = ['plate', 'spools'] as const;
   static override styles = [...StudioElement.styles, photoStyle];
 
-  @state() private file: File | undefined;
-  @state() private url = '';
-  @state() private reading: CouponReading | undefined;
-  @state() private problem: Problem | undefined;
+  @state() private shots: readonly Shot[] = [];
+  /** What all that were read say together. */
+  @state() private joined: CouponReading | undefined;
+  @state() private apart: Problem | undefined;
   @state() private over = false;
   /** Of the lamp [°]; undefined: nobody has measured it. */
   @state() private elevation: number | undefined;
@@ -47,52 +57,89 @@ export class CalibratePhoto extends StudioElement {
     super.disconnectedCallback();
     this.#end.abort();
     this.#job?.abort();
-    URL.revokeObjectURL(this.url);
+    for (const { url } of this.shots) URL.revokeObjectURL(url);
   }
 
   #onFiles = (event: DragEvent): void => {
     event.preventDefault();
     event.stopPropagation();
     this.over = event.type === 'dragover';
-    const file = event.type === 'drop' ? event.dataTransfer?.files[0] : undefined;
-    if (file !== undefined) this.#open(file);
+    if (event.type === 'drop') this.#add([...(event.dataTransfer?.files ?? [])]);
   };
 
   async #pick(): Promise<void> {
-    const [file] = await this.studio.pick('image/*');
-    if (file !== undefined) this.#open(file);
+    this.#add(await this.studio.pick('image/*'));
   }
 
-  #open(file: File): void {
-    URL.revokeObjectURL(this.url);
-    this.file = file;
-    this.url = URL.createObjectURL(file);
+  /** A photograph that is there already would count twice. */
+  #add(files: readonly File[]): void {
+    const isNew = (file: File): boolean => !this.shots.some((shot) => sameFile(shot.file, file));
+    const shots = files.filter(isNew).map((file) => ({ file, url: URL.createObjectURL(file) }));
+    if (shots.length === 0) return;
+    this.shots = [...this.shots, ...shots];
     void this.#read();
   }
 
+  #remove(shot: Shot): void {
+    URL.revokeObjectURL(shot.url);
+    this.shots = this.shots.filter(({ url }) => url !== shot.url);
+    void this.#read();
+  }
+
+  #readAgain(): void {
+    this.shots = this.shots.map(({ file, url }) => ({ file, url }));
+    void this.#read();
+  }
+
+  /** Those that have not been read, one after the other; then what all say together. */
   async #read(): Promise<void> {
-    const { file, elevation } = this;
-    if (file === undefined) return;
     this.#job?.abort();
     const job = new AbortController();
     this.#job = job;
-    this.reading = undefined;
-    this.problem = undefined;
+    const { signal } = job;
     const { printer, print } = this.state.plate;
+    const { elevation } = this;
     const request = { printer, print, ...(elevation !== undefined && { lampElevation: elevation }) };
-    try {
-      const [{ photograph }, engine] = await Promise.all([import('../files/photo.js'), this.studio.services.engine()]);
-      const reading = await engine.readCoupon(await photograph(file), request, { signal: job.signal });
-      if (!job.signal.aborted) this.reading = reading;
-    } catch (error) {
-      if (!isAbort(error) && !job.signal.aborted) this.problem = problemOf(error);
+    this.joined = undefined;
+    this.apart = undefined;
+    const told = (shot: Shot, outcome: Pick<Shot, 'reading' | 'problem'>): void => {
+      this.shots = this.shots.map((one) => (one.url === shot.url ? { ...one, ...outcome } : one));
+    };
+    for (;;) {
+      const shot = this.shots.find(isWaiting);
+      if (shot === undefined) break;
+      try {
+        const [{ photograph }, engine] = await Promise.all([
+          import('../files/photo.js'),
+          this.studio.services.engine(),
+        ]);
+        const reading = await engine.readCoupon(await photograph(shot.file), request, { signal });
+        if (signal.aborted) return;
+        told(shot, { reading });
+      } catch (error) {
+        if (isAbort(error) || signal.aborted) return;
+        told(shot, { problem: problemOf(error) });
+      }
     }
+    const readings = this.#readings();
+    if (readings.length === 0) return;
+    try {
+      const engine = await this.studio.services.engine();
+      const joined = await engine.joinReadings(readings, request, { signal });
+      if (!signal.aborted) this.joined = joined;
+    } catch (error) {
+      if (!isAbort(error) && !signal.aborted) this.apart = problemOf(error);
+    }
+  }
+
+  #readings(): CouponReading[] {
+    return this.shots.flatMap(({ reading }) => reading ?? []);
   }
 
   override render(): TemplateResult {
     return html`<p class="what">${c('photo.what')}</p>
       <div class="both">
-        <div class="left">${this.file === undefined ? this.#empty() : this.#photograph()} ${this.#lamp()}</div>
+        <div class="left">${this.shots.length === 0 ? this.#empty() : this.#photographs()} ${this.#lamp()}</div>
         <div class="right" role="status">${this.#outcome()}</div>
       </div>`;
   }
@@ -105,18 +152,50 @@ export class CalibratePhoto extends StudioElement {
     </div>`;
   }
 
-  #photograph(): TemplateResult {
-    return html`<div class="shown ${this.over ? 'over' : ''}">
-        <img src=${this.url} alt=${this.file?.name ?? ''} />
+  #photographs(): TemplateResult {
+    const readings = this.#readings();
+    return html`<ul class="shots ${this.over ? 'over' : ''}" aria-label=${c('photo.list')} aria-live="polite">
+        ${repeat(
+          this.shots,
+          ({ url }) => url,
+          (shot) => this.#row(shot, shot.reading === undefined ? 0 : readings.indexOf(shot.reading) + 1),
+        )}
+      </ul>
+      <button type="button" @click=${() => void this.#pick()}>${icon('plus', 16)} ${c('photo.another')}</button>`;
+  }
+
+  /** @param number  as the engine counts those that were read, where it says which one differs; 0: none of them. */
+  #row(shot: Shot, number: number): TemplateResult {
+    const { file, url, reading, problem } = shot;
+    const name = number > 0 && this.shots.length > 1 ? `${number}. ${file.name}` : file.name;
+    const remove = c('photo.remove', { name: file.name });
+    return html`<li>
+      <img src=${url} alt="" />
+      <div class="told">
+        <p class="name" title=${file.name}>${name}</p>
+        ${reading === undefined ? nothing : gave(reading)}
+        ${problem === undefined ? nothing : html`<p class="why"><b>${c('photo.refused')}:</b> ${problem.detail}</p>`}
+        ${isWaiting(shot) ? html`<p class="note">${c('photo.reading')}…</p>` : nothing}
       </div>
-      <button type="button" @click=${() => void this.#pick()}>${icon('open', 16)} ${c('photo.another')}</button>`;
+      <button
+        type="button"
+        class="plain square"
+        aria-label=${remove}
+        title=${remove}
+        @click=${() => {
+          this.#remove(shot);
+        }}
+      >
+        ${icon('bin', 16)}
+      </button>
+    </li>`;
   }
 
   #lamp(): TemplateResult {
     const { elevation } = this;
     const set = (next: number | undefined): void => {
       this.elevation = next;
-      void this.#read();
+      this.#readAgain();
     };
     return html`${flag({
         id: 'measured',
@@ -141,35 +220,37 @@ export class CalibratePhoto extends StudioElement {
               onInput: (next) => {
                 this.elevation = next;
               },
-              onSettle: () => void this.#read(),
+              onSettle: () => {
+                this.#readAgain();
+              },
             })
       }
       <p class="note">${c('photo.same')}</p>`;
   }
 
   #outcome(): TemplateResult {
-    const { file, reading, problem } = this;
-    if (problem !== undefined) {
+    const { apart, joined } = this;
+    if (apart !== undefined) {
       return html`<div class="refused">
-        <h2>${icon('warn', 20)} ${c('photo.refused')}</h2>
-        <p>${problem.detail}</p>
+        <h2>${icon('warn', 20)} ${c('photo.apart')}</h2>
+        <p>${apart.detail}</p>
       </div>`;
     }
-    if (reading !== undefined) return this.#result(reading);
-    if (file !== undefined) return html`<p class="busy">${c('photo.reading')}…</p>`;
+    if (joined !== undefined) return this.#result(joined);
+    if (this.shots.some(isWaiting)) return html`<p class="busy">${c('photo.reading')}…</p>`;
     return html`<figure>
         <img src=${example} alt=${c('photo.example')} />
         <figcaption class="note">${c('photo.example')}</figcaption>
       </figure>
       <ol>
-        ${(['photo.how1', 'photo.how2', 'photo.how3'] as const).map((id) => html`<li>${c(id)}</li>`)}
+        ${(['photo.how1', 'photo.how2', 'photo.how3', 'photo.how4'] as const).map((id) => html`<li>${c(id)}</li>`)}
       </ol>`;
   }
 
   #result(read: CouponReading): TemplateResult {
-    const { azimuth, elevation } = read;
+    const n = this.#readings().length;
     const flow = read.flow;
-    return html`<h2>${c('photo.read')}</h2>
+    return html`<h2>${c('photo.read', { n })}</h2>
       <dl>
         ${row(c('photo.along'), barred(read.along, 2, '°'))} ${row(c('photo.across'), barred(read.across, 1, '°'))}
         ${row(
@@ -177,16 +258,8 @@ export class CalibratePhoto extends StudioElement {
           flow === null ? c(read.allDiscsClosed ? 'photo.flow.lower' : 'photo.flow.higher') : barred(flow, 3),
         )}
         ${row(c('photo.width', { asked: formatNumber(read.widthAsked, 3) }), barred(read.width, 3, '\u00a0mm'))}
-        ${row(
-          c('photo.lamp'),
-          c('photo.lamp.at', {
-            azimuth: Math.round(azimuth.value),
-            elevation: Math.round(elevation.value),
-            error: Math.max(1, Math.round(elevation.error)),
-          }),
-        )}
       </dl>
-      <p class="note">${c('photo.bars')}</p>
+      <p class="note">${c('photo.bars')} ${n < enough ? c('photo.more') : nothing}</p>
       <div class="keep">
         <span class="colour" .style=${`--colour: rgb(${read.spool.colour.join(' ')})`}></span>
         ${textField({
@@ -245,6 +318,22 @@ export class CalibratePhoto extends StudioElement {
   }
 }
 
+const isWaiting = ({ reading, problem }: Shot): boolean => reading === undefined && problem === undefined;
+
+const sameFile = (a: File, b: File): boolean =>
+  a.name === b.name && a.size === b.size && a.lastModified === b.lastModified;
+
+function gave({ along, across, azimuth, elevation }: CouponReading): TemplateResult {
+  const lamp = c('photo.lamp', {
+    azimuth: Math.round(azimuth.value),
+    elevation: Math.round(elevation.value),
+    error: Math.max(1, Math.round(elevation.error)),
+  });
+  const slopes = c('photo.gave', { along: barred(along, 2, '°'), across: barred(across, 1, '°') });
+  return html`<p class="note figures">${slopes}</p>
+    <p class="note figures">${lamp}</p>`;
+}
+
 const row = (name: string, value: string): TemplateResult =>
   html`<div>
     <dt>${name}</dt>
@@ -252,4 +341,4 @@ const row = (name: string, value: string): TemplateResult =>
   </div>`;
 
 const barred = ({ value, error }: Measured, digits: number, unit = ''): string =>
-  `${formatNumber(value, digits)} ± ${formatNumber(error, digits)}${unit}`;
+  `${formatNumber(value, digits)}\u00a0±\u00a0${formatNumber(error, digits)}${unit}`;

@@ -101,32 +101,50 @@ test('what the printer cannot do is said where its print would be', { skip }, as
   await visit.page.getByText('Not on this printer').first().waitFor();
 });
 
-test('a photograph becomes a spool that the plate, its project and its link take', { skip }, async () => {
+test('photographs become a spool that the plate, its project and its link take', { skip }, async () => {
   const visit = await open();
   const { page } = visit;
   await show(visit, 'calibrate');
   await page.getByRole('button', { name: 'Photograph it…' }).click();
   await page.getByText('A photograph as it should be (rendered)').waitFor();
 
-  await visit.drop([fileAt(at('examples/inputs/relief.png'))]);
-  await page.getByText('This photograph cannot be read').waitFor();
-  const refusal = await page.locator('.refused p').innerText();
-  assert.match(refusal, /coupon/);
-  await visit.drop([fileOf('broken.png', 'nothing', 'image/png')]);
-  await page.locator('.refused p').filter({ hasNotText: refusal }).waitFor();
+  const rows = page.getByRole('list', { name: 'Photographs' }).getByRole('listitem');
+  await visit.drop([fileAt(at('examples/inputs/relief.png')), fileOf('broken.png', 'nothing', 'image/png')]);
+  await rows.filter({ hasText: /relief\.png\s+Cannot be read: .*coupon/ }).waitFor();
+  await rows.filter({ hasText: /broken\.png\s+Cannot be read: / }).waitFor();
+  assert.ok(await page.getByText('A photograph as it should be (rendered)').isVisible());
 
+  const bytes = readFileSync(photograph);
   await visit.drop([fileAt(photograph)]);
   await page.getByText('What the photograph shows').waitFor();
-  const shown = await page.locator('sillon-calibrate-photo dd').allInnerTexts();
-  const native = JSON.parse(
-    spawnSync(program, ['calibrate', 'read', photograph, '--json'], { encoding: 'utf8' }).stdout,
-  );
-  const [along, across, flow] = shown.map((text) => Number.parseFloat(text));
+  const shown = page.locator('sillon-calibrate-photo dd');
+  const figures = async () => (await shown.allInnerTexts()).map((text) => text.match(/[\d.]+/g)?.map(Number) ?? []);
+  const one = await figures();
+  await visit.drop([fileOf('again.jpg', bytes, 'image/jpeg')]);
+  await page.getByText('What 2 photographs show together').waitFor();
+  await rows.filter({ hasText: /2\. again\.jpg/ }).waitFor();
+  const both = await figures();
+  const natively = (...photographs) =>
+    JSON.parse(spawnSync(program, ['calibrate', 'read', ...photographs, '--json'], { encoding: 'utf8' }).stdout);
   // Browsers decode a JPEG a little otherwise than the engine does.
-  assert.ok(Math.abs(along / native.along.value - 1) < 0.03, `${along} ${native.along.value}`);
-  assert.ok(Math.abs(across / native.across.value - 1) < 0.03, `${across} ${native.across.value}`);
-  assert.ok(Math.abs(flow - native.flow.value) < 0.01, `${flow} ${native.flow.value}`);
-  assert.match(shown[0], /^\d+\.\d+ ± 0\.\d+°$/);
+  for (const [told, native] of [
+    [one, natively(photograph)],
+    [both, natively(photograph, photograph)],
+  ]) {
+    for (const [k, what] of ['along', 'across', 'flow', 'width'].entries()) {
+      assert.ok(Math.abs(told[k][0] / native[what].value - 1) < 0.03, `${what}: ${told[k]} ${native[what].value}`);
+    }
+  }
+  const smaller = both[3][1] / one[3][1]; // of bars of 4 to 6 thousandths
+  assert.ok(Math.abs(smaller - Math.SQRT1_2) < 0.15, `${both[3]} ${one[3]}`);
+  assert.match(await shown.first().innerText(), /^\d+\.\d+\s±\s\d+\.\d+°$/);
+
+  await page.getByRole('button', { name: 'Remove relief.png' }).click();
+  await page.getByRole('button', { name: 'Remove broken.png' }).click();
+  await page.getByRole('button', { name: 'Remove coupon-photograph.jpg' }).click();
+  await page.getByText('What the photograph shows').waitFor();
+  assert.equal(await rows.count(), 1);
+  assert.deepEqual(await figures(), one);
 
   await page.getByLabel('Name of the spool').fill('Blue silk');
   await page.getByRole('button', { name: 'Keep as a spool' }).click();
