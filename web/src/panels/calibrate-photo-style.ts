@@ -67,7 +67,7 @@ export const photoStyle = css`
     display: grid;
     gap: 2px;
   }
-  .name {
+  .shots .title {
     overflow: hidden;
     font-weight: 600;
     text-overflow: ellipsis;

@@ -172,7 +172,7 @@ export class CalibratePhoto extends StudioElement {
     return html`<li>
       <img src=${url} alt="" />
       <div class="told">
-        <p class="name" title=${file.name}>${name}</p>
+        <p class="title" title=${file.name}>${name}</p>
         ${reading === undefined ? nothing : gave(reading)}
         ${problem === undefined ? nothing : html`<p class="why"><b>${c('photo.refused')}:</b> ${problem.detail}</p>`}
         ${isWaiting(shot) ? html`<p class="note">${c('photo.reading')}…</p>` : nothing}
