@@ -102,6 +102,7 @@ struct Scene {
   const ClosedCurves& curves;
   const PointGrid& grid;
   const std::vector<int>& curveAt;  ///< curve of each point of the grid
+  const std::vector<int>& partAt;   ///< part of it; and four more for vector loads to run over
   const Parts& parts;
   const std::vector<int>& partOfCurve;
 };
@@ -111,41 +112,98 @@ struct Partner {
   int point;
 };
 
-// Free points of other sets of the same part within reach, nearest first. \param nearestOnly  one on either side.
-void findPartners(const Scene& scene, const Joining& joining, const SetsToJoin& sets, const Limits& limits,
-                  bool nearestOnly, int i, std::vector<Partner>& partners) {
+void sortNearestFirst(std::vector<Partner>& partners) {
+  std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
+    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.point < b.point;
+  });
+}
+
+// Set of each point of the grid, -1 where it is used; and four more for vector loads to run over.
+std::vector<std::int32_t> freeSets(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
+                                   const RunContext& run) {
+  std::vector<std::int32_t> free(scene.grid.id.size(), -1);
+  parallelFor(run, scene.grid.count(), 8192, [&](int begin, int end) {
+    for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) {
+      if (!joining.used(scene.grid.id[s])) free[s] = sets.ofCurve[static_cast<std::size_t>(scene.curveAt[s])];
+    }
+  });
+  return free;
+}
+
+// Of one side the nearest point seen in each lane; of two as near the one of lower index.
+struct NearestLanes {
+  F4 distance2;
+  I4 point = splatInt(INT32_MAX);
+
+  void look(I4 wanted, F4 to2, I4 id) {
+    const I4 asNear = (to2 > distance2) == splatInt(0);
+    const I4 take = wanted & ((to2 < distance2) | (asNear & (id < point)));
+    distance2 = select4(take, to2, distance2);
+    point = point + (take & (id - point));
+  }
+
+  void append(std::vector<Partner>& partners) const {
+    Partner best{distance2[0], point[0]};
+    for (int k = 1; k < 4; ++k) {
+      const bool nearer = distance2[k] < best.distance2 || (distance2[k] == best.distance2 && point[k] < best.point);
+      if (nearer) best = {distance2[k], point[k]};
+    }
+    if (best.point != INT32_MAX) partners.push_back(best);
+  }
+};
+
+// The nearest free points of other sets of the same part within reach, one on either side, nearer one first. Nothing
+// tells processors which points these are, so that branches would cost more than the work.
+void findNearest(const Scene& scene, const Joining& joining, const std::vector<std::int32_t>& free, int set,
+                 float reach, int i, std::vector<Partner>& partners) {
   partners.clear();
   const int curve = joining.curveOf(i);
-  const std::size_t c = static_cast<std::size_t>(curve);
+  const I4 part = splatInt(scene.partOfCurve[static_cast<std::size_t>(curve)]);
+  const Vec2f p = joining.at(i);
+  const Vec2f along = joining.at(nextOf(scene.curves, curve, i)) - p;
+  NearestLanes left{splat(reach * reach)};
+  NearestLanes right{splat(reach * reach)};
+  scene.grid.around(p, reach, [&](int first, int last) {
+    for (int k = first; k < last; k += 4) {
+      const std::size_t s = static_cast<std::size_t>(k);
+      const F4 dx = load4(&scene.grid.x[s]) - splat(p.x);
+      const F4 dy = load4(&scene.grid.y[s]) - splat(p.y);
+      const F4 distance2 = dx * dx + dy * dy;
+      const I4 other = load4(&free[s]);
+      const I4 wanted = (other != splatInt(set)) & (other > splatInt(-1)) & (load4(&scene.partAt[s]) == part);
+      const I4 onLeft = splat(along.x) * dy - splat(along.y) * dx > splat(0);
+      const I4 id = load4(&scene.grid.id[s]);
+      left.look(wanted & onLeft, distance2, id);
+      right.look(wanted & (onLeft == splatInt(0)), distance2, id);
+    }
+  });
+  left.append(partners);
+  right.append(partners);
+  sortNearestFirst(partners);
+}
+
+// All of them, as many as may be tried.
+void findPartners(const Scene& scene, const Joining& joining, const SetsToJoin& sets, const Limits& limits, int i,
+                  std::vector<Partner>& partners) {
+  partners.clear();
+  const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
   const int own = sets.ofCurve[c];
   const int part = scene.partOfCurve[c];
   const Vec2f p = joining.at(i);
-  const Vec2f along = joining.at(nextOf(scene.curves, curve, i)) - p;
   const float reach2 = limits.reach * limits.reach;
-  Partner nearest[2] = {{reach2, -1}, {reach2, -1}};
   scene.grid.around(p, limits.reach, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
       const std::size_t s = static_cast<std::size_t>(k);
       const Vec2f to{scene.grid.x[s] - p.x, scene.grid.y[s] - p.y};
       const float distance2 = dot(to, to);
-      Partner& best = nearest[cross(along, to) > 0 ? 1 : 0];
-      if (distance2 > (nearestOnly ? best.distance2 : reach2)) continue;
+      if (distance2 > reach2) continue;
       const std::size_t other = static_cast<std::size_t>(scene.curveAt[s]);
       const int j = scene.grid.id[s];
       if (sets.ofCurve[other] == own || scene.partOfCurve[other] != part || joining.used(j)) continue;
-      if (!nearestOnly) {
-        partners.push_back({distance2, j});
-      } else if (distance2 < best.distance2 || best.point < 0 || j < best.point) {
-        best = {distance2, j};
-      }
+      partners.push_back({distance2, j});
     }
   });
-  for (const Partner& partner : nearest) {
-    if (partner.point >= 0) partners.push_back(partner);
-  }
-  std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
-    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.point < b.point;
-  });
+  sortNearestFirst(partners);
   if (partners.size() > limits.partners) partners.resize(limits.partners);
 }
 
@@ -169,12 +227,18 @@ std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Fin
 std::vector<Candidate> nearCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
                                       const Limits& limits, bool nearestOnly, int stride, const RunContext& run) {
   const int count = static_cast<int>(scene.curves.points.size());
+  const std::vector<std::int32_t> free =
+      nearestOnly ? freeSets(scene, joining, sets, run) : std::vector<std::int32_t>();
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     std::vector<Partner> partners;
     for (int i = begin; i < end; ++i) {
       const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
       if (!sets.seeking[c] || (i - scene.curves.begin[c]) % stride != 0 || joining.used(i)) continue;
-      findPartners(scene, joining, sets, limits, nearestOnly, i, partners);
+      if (nearestOnly) {
+        findNearest(scene, joining, free, sets.ofCurve[c], limits.reach, i, partners);
+      } else {
+        findPartners(scene, joining, sets, limits, i, partners);
+      }
       for (const Partner& partner : partners) {
         for (int span = kSpan; span >= limits.leastSpan; span /= 2)
           out.push_back({joining.cost(i, partner.point, span), i, partner.point, span});
@@ -277,8 +341,14 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   const int held = static_cast<int>(std::unique(labels.begin(), labels.end()) - labels.begin());
   const int most = labels.empty() ? 0 : *std::max_element(partOfCurve.begin(), partOfCurve.end()) + 1;
   std::vector<int> curveAt(static_cast<std::size_t>(grid.count()));
-  for (std::size_t k = 0; k < curveAt.size(); ++k) curveAt[k] = joining.curveOf(grid.id[k]);
-  const Scene scene{curves, grid, curveAt, parts, partOfCurve};
+  std::vector<int> partAt(grid.id.size(), -1);
+  parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
+    for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      curveAt[k] = joining.curveOf(grid.id[k]);
+      partAt[k] = partOfCurve[static_cast<std::size_t>(curveAt[k])];
+    }
+  });
+  const Scene scene{curves, grid, curveAt, partAt, parts, partOfCurve};
 
   Stitched stitched;
   Search search = Search::Nearest;
