@@ -76,7 +76,9 @@ TEST_CASE("slopes, flow, width and lamp are read from photographs of different s
   truths[1].lamp = {200, 40, 0.01};
   truths[2].slopes = {4.5, 15.8};
   truths[2].curve = photo::ToneCurve::Soft;
-  truths[2].tilt = 12;
+  truths[2].tilt = 12;  // hardly any perspective, and no telephone's focal length
+  truths[2].distance = 300;
+  truths[2].focal = 2.8;
   truths[2].filament = {0.7, 0.5, 0.1};
   truths[2].roll = 260;
   truths[3].curve = photo::ToneCurve::Lifted;

@@ -117,7 +117,6 @@ class Fitter {
 
   void assemble(const State& state, Eigen::MatrixXd& normal, Eigen::VectorXd& right) const {
     constexpr double kStep = 1e-4;
-
     constexpr int kShared = kGlobals + kLight;
     const Eigen::Index size = kShared + 2 * static_cast<Eigen::Index>(spirals_.size());
     normal = Eigen::MatrixXd::Zero(size, size);
@@ -210,7 +209,7 @@ class Fitter {
 
   [[nodiscard]] Globals priorWidths() const {
     Globals w;
-    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceKnown ? 0.03 : 0.5, 1, 0.15, 0.15, 0.15;
+    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, 0.15, 0.15, 0.15;
     return w;
   }
 

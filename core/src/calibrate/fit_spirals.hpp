@@ -27,7 +27,8 @@ struct LitSpiral {
 
 struct SeenFrom {
   Eigen::Vector3d place{0, 0, 1};  ///< of the camera, from the coupon's middle [mm]
-  bool distanceKnown = false;      ///< else only its direction is
+  double distanceError = 0.5;      ///< of the log of its distance
+  double directionError = 0;       ///< [radians]
 };
 
 /// What is known of the lamp's elevation before [degrees].

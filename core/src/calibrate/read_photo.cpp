@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -23,10 +24,14 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::int64_t kMostPixels = 64'000'000;
-constexpr int kLeastSide = 200;      // [pixels]
-constexpr double kUsualFocal = 1.2;  // [longer side], of a phone between no zoom and three times
-constexpr double kMostBlur = 0.3;    // [nozzle]
-constexpr double kMostBurnt = 0.02;  // of the spirals' pixels
+constexpr int kLeastSide = 200;       // [pixels]
+constexpr double kUsualFocal = 1.2;   // [longer side], of a phone between no zoom and three times,
+constexpr double kFocalSpread = 0.6;  // of its log
+constexpr double kLeastFocal = 0.4, kMostFocal = 6;
+constexpr double kMapError = 0.004;           // of lengths and right angles
+constexpr double kLeastDistanceError = 0.04;  // of its log
+constexpr double kMostBlur = 0.3;             // [nozzle]
+constexpr double kMostBurnt = 0.02;           // of the spirals' pixels
 constexpr double kLeastContrast = 1.5;
 constexpr double kMostMisfit = 0.07;
 constexpr double kMostOff = 0.1;    // of beads, by their width
@@ -60,9 +65,28 @@ std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
   return all;
 }
 
-/// Where the camera is, from the coupon's middle [mm], out of the map alone; where the coupon is seen from straight
-/// above, the focal length is a phone's.
+/// Where a camera of this focal length [pixels] stands, from the coupon's middle [mm].
+/// \param h  from the plate about its middle to pixels about the picture's, y up.
+Eigen::Vector3d placeOf(const Eigen::Matrix3d& h, double focal) {
+  Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
+  k(0, 0) = k(1, 1) = 1 / focal;
+  const Eigen::Matrix3d m = k * h;
+  const double scale = 2 / (m.col(0).norm() + m.col(1).norm());
+  const Eigen::Vector3d a = scale * m.col(0), b = scale * m.col(1), t = scale * m.col(2);
+  // x right, y up and depth are a left-handed frame.
+  Eigen::Matrix3d rotation;
+  rotation.col(0) = a.normalized();
+  rotation.col(1) = (b - b.dot(rotation.col(0)) * rotation.col(0)).normalized();
+  rotation.col(2) = rotation.col(1).cross(rotation.col(0));
+  Eigen::Vector3d place = -rotation.transpose() * t;
+  if (place[2] < 0) place[2] = -place[2];
+  return place;
+}
+
+/// Where the camera is, out of the map alone: axes of the plate are at right angles and equally long, which tells the
+/// focal length the better the more the camera is tilted; for the rest, it is a phone's.
 SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
+  constexpr int kSteps = 160;
   Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();
   shift(0, 2) = kMiddle.x, shift(1, 2) = kMiddle.y;
   Eigen::Matrix3d centred = Eigen::Matrix3d::Identity();
@@ -71,32 +95,34 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
   flip(1, 1) = -1;  // the picture's y goes down
   const Eigen::Matrix3d h = flip * centred * found.map * shift;
   const double side = std::max(width, height);
-  // Axes of the plate are at right angles and equally long: least squares in 1/f².
-  const double p = h(0, 0) * h(0, 1) + h(1, 0) * h(1, 1), q = h(2, 0) * h(2, 1);
-  const double u = h(0, 0) * h(0, 0) + h(1, 0) * h(1, 0) - h(0, 1) * h(0, 1) - h(1, 1) * h(1, 1);
-  const double v = h(2, 0) * h(2, 0) - h(2, 1) * h(2, 1);
-  double focal = kUsualFocal * side;
-  bool known = false;
-  const double perspective = std::hypot(h(2, 0), h(2, 1)) * kCouponSide;
-  const double inverse = -(4 * p * q + u * v) / std::max(1e-300, 4 * p * p + u * u);  // 1/f²
-  if (perspective > 0.05 && inverse > 0) {
-    const double exact = 1 / std::sqrt(inverse);
-    known = exact > 0.45 * side && exact < 4 * side;
-    if (known) focal = exact;
+  const auto costOf = [&](double focal) {
+    const Eigen::Vector3d by(1 / focal, 1 / focal, 1);
+    const Eigen::Vector3d a = by.cwiseProduct(h.col(0)), b = by.cwiseProduct(h.col(1));
+    const double skew = 2 * a.dot(b), stretch = a.squaredNorm() - b.squaredNorm();
+    const double off = std::hypot(skew, stretch) / (kMapError * (a.squaredNorm() + b.squaredNorm()));
+    const double unusual = std::log(focal / (kUsualFocal * side)) / kFocalSpread;
+    return off * off + unusual * unusual;
+  };
+  std::array<double, kSteps> costs{}, logs{};
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    logs[k] = std::log(kLeastFocal) + std::log(kMostFocal / kLeastFocal) * static_cast<double>(k) / (kSteps - 1);
+    costs[k] = costOf(side * std::exp(logs[k]));
   }
-  Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
-  k(0, 0) = k(1, 1) = 1 / focal;
-  const Eigen::Matrix3d m = k * h;
-  const double scale = 2 / (m.col(0).norm() + m.col(1).norm());
-  Eigen::Vector3d a = scale * m.col(0), b = scale * m.col(1), t = scale * m.col(2);
-  // x right, y up and depth are a left-handed frame.
-  Eigen::Matrix3d rotation;
-  rotation.col(0) = a.normalized();
-  rotation.col(1) = (b - b.dot(rotation.col(0)) * rotation.col(0)).normalized();
-  rotation.col(2) = rotation.col(1).cross(rotation.col(0));
-  Eigen::Vector3d place = -rotation.transpose() * t;
-  if (place[2] < 0) place[2] = -place[2];
-  return {place, known};
+  const double least = *std::min_element(costs.begin(), costs.end());
+  double weights = 0, mean = 0, square = 0;
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    const double weight = std::exp(-0.5 * (costs[k] - least));
+    weights += weight, mean += weight * logs[k], square += weight * logs[k] * logs[k];
+  }
+  mean /= weights;
+  SeenFrom camera;
+  camera.place = placeOf(h, side * std::exp(mean));
+  camera.distanceError = std::max(kLeastDistanceError, std::sqrt(std::max(0.0, square / weights - mean * mean)));
+  const auto directionAt = [&](double sign) -> Eigen::Vector3d {
+    return placeOf(h, side * std::exp(mean + sign * camera.distanceError)).normalized();
+  };
+  camera.directionError = 0.5 * (directionAt(1) - directionAt(-1)).norm();
+  return camera;
 }
 
 double errorOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
@@ -219,8 +245,10 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   double azimuth = std::atan2(to[1], to[0]) * kDegrees;
   if (azimuth < 0) azimuth += 360;
   const double tiltError = std::sqrt(0.5 * (fit.covariance(0, 0) + fit.covariance(1, 1)));
-  out.azimuth = {azimuth, std::min(180.0, tiltError * (1 + to[2]) / flat * kDegrees)};
-  out.elevation = {std::asin(std::clamp(to[2], -1.0, 1.0)) * kDegrees, kBentTilt * tiltError * (1 + to[2]) * kDegrees};
+  const double turn = tiltError * (1 + to[2]);
+  out.azimuth = {azimuth, std::min(180.0, std::hypot(turn, camera.directionError) / flat * kDegrees)};
+  out.elevation = {std::asin(std::clamp(to[2], -1.0, 1.0)) * kDegrees,
+                   std::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
 
   out.width = {nozzle * plate.value().print.flow * fit.lone,
                nozzle * plate.value().print.flow * errorOf(fit.covariance(6, 6))};
