@@ -190,6 +190,18 @@ TEST_CASE("anybody's photographs are read as well as their error bars say") {
   CHECK(read >= 5);
 }
 
+TEST_CASE("a glossy spool, of which a photograph shows few directions, is read") {
+  photo::Random random(0);
+  Truth truth;
+  for (int k = 0; k < 9; ++k) truth = photo::randomTruth(random);
+  REQUIRE(truth.slopes.along < 2);
+  const auto read = readBack(truth);
+  REQUIRE(read.ok());
+  CHECK(std::abs(read.value().along.value - truth.slopes.along) < 2 * read.value().along.error);
+  CHECK(std::abs(read.value().across.value - truth.slopes.across) < 2 * read.value().across.error);
+  CHECK(std::abs(read.value().width.value - 0.38 * truth.extrusion) < 0.01);
+}
+
 TEST_CASE("readings of one coupon are joined by their error bars") {
   const auto reading = [](double along, double error, double flow) {
     CouponReading r;

@@ -1,6 +1,7 @@
 #include "calibrate/find_coupon.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -14,10 +15,33 @@ namespace sillon {
 namespace {
 
 constexpr double kReach = 0.9;          // [mm], how far off the outline's corners may put a spiral
-constexpr double kClear = 0.16;         // mean clarity of a coupon's spirals
+constexpr double kClear = 0.11;         // mean clarity of a coupon's spirals; glossy ones shine in few directions
+constexpr double kClearer = 1.4;        // than any other way round,
 constexpr double kMostResidual = 0.25;  // [mm] of the spirals' places
+constexpr double kUsualResidual = 0.1;  // [mm]; a spiral that is off by so much counts half
+constexpr int kRounds = 5;
+constexpr double kOutlineWeight = 0.02;  // of a corner of the outline, by a spiral's clarity
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
+
+/// Pairs count less the farther they are off: some spirals are seen where they are not.
+/// \param scale  [pixels/mm] \return weighted RMS of what is left [mm].
+double fitMap(Eigen::Matrix3d& map, const std::vector<PointPair>& pairs, double scale) {
+  std::vector<PointPair> weighted = pairs;
+  double residual = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    FoundCoupon found{mapThrough(weighted, kCouponSide), 0};
+    map = found.map;
+    double sum = 0, weights = 0;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const double off = length(found.pixelOf(pairs[k].plate) - pairs[k].pixel) / scale;
+      weighted[k].weight = pairs[k].weight / (1 + std::pow(off / kUsualResidual, 2));
+      sum += weighted[k].weight * off * off, weights += weighted[k].weight;
+    }
+    residual = std::sqrt(sum / weights);
+  }
+  return residual;
+}
 
 }  // namespace
 
@@ -49,15 +73,19 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
   // The picture's y goes down: what is counter-clockwise there is clockwise on the plate.
   const Vec2 plate[] = {{0, 0}, {0, kCouponSide}, {kCouponSide, kCouponSide}, {kCouponSide, 0}};
   FoundCoupon best;
+  std::vector<PointPair> corners;  // of the best
+  double next = 0;                 // clarity of the second best way round
   for (std::size_t turn = 0; turn < 4; ++turn) {
     if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
     std::vector<PointPair> pairs;
-    for (std::size_t k = 0; k < 4; ++k) pairs.push_back({plate[k], outline.value()[(k + turn) % 4]});
+    for (std::size_t k = 0; k < 4; ++k) pairs.push_back({plate[k], outline.value()[(k + turn) % 4], kOutlineWeight});
     FoundCoupon tried;
     tried.map = mapThrough(pairs, kCouponSide);
     tried.clarity = meanClarity(findSpirals(spirals, tried, tones, kReach, 2));
-    if (tried.clarity > best.clarity) best = tried;
+    next = std::max(next, std::min(tried.clarity, best.clarity));
+    if (tried.clarity > best.clarity) best = tried, corners = pairs;
   }
+  const bool clearer = best.clarity > kClearer * next;
   const double scale = std::sqrt(std::abs(best.jacobianAt({kCouponSide / 2, kCouponSide / 2}).determinant()));
   const double pixels = scale * spirals.front().pitch;
   if (pixels < 4.5) {
@@ -70,23 +98,16 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
     if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
     const std::vector<SeenSpiral> seen = findSpirals(spirals, best, tones, reach, 1);
     best.clarity = meanClarity(seen);
-    if (best.clarity < kClear) break;
-    std::vector<PointPair> pairs;
+    std::vector<PointPair> pairs = corners;
     for (std::size_t k = 0; k < seen.size(); ++k) {
-      // Loose turns shine off their middles by more.
-      if (spirals[k].pitch > spirals.front().pitch || seen[k].clarity < 0.6 * best.clarity) continue;
+      // Loose turns are seen best, but shine off their middles by more.
+      const bool loose = spirals[k].pitch > spirals.front().pitch;
+      if (loose && reach < kReach) continue;
       pairs.push_back({spirals[k].centre, best.pixelOf(spirals[k].centre + seen[k].off), seen[k].clarity});
     }
-    if (pairs.size() < 6) {
-      best.clarity = 0;
-      break;
-    }
-    best.map = mapThrough(pairs, kCouponSide);
-    residual = 0;
-    for (const PointPair& p : pairs) residual += std::pow(length(best.pixelOf(p.plate) - p.pixel) / scale, 2);
-    residual = std::sqrt(residual / static_cast<double>(pairs.size()));
+    residual = fitMap(best.map, pairs, scale);
   }
-  if (best.clarity < kClear || residual > kMostResidual) {
+  if (!clearer || best.clarity < kClear || !(residual <= kMostResidual)) {
     return unreadable(
         "a square lies there, but no beads of a coupon are seen on it; the photograph is blurred, or it shows "
         "something else");
