@@ -127,7 +127,7 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
   }
   for (const std::string& sentence : refused) out += "refused  " + sentence + "\n";
   if (!lampKnown && r.along.error > kUnsure * r.along.value) {
-    out += "note     the slope along the beads is unsure as the lamp may be large; --lamp-size makes it surer\n";
+    out += "note     the slope along the beads is unsure: nobody has said how large the lamp is; --lamp-size does\n";
   }
   return out + "spool    " + name + "; keep it with -o FILE, and use it with --spools FILE --spool " + name + "\n";
 }
