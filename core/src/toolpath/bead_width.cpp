@@ -70,18 +70,16 @@ Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, 
 
 // Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
 // point it is wider than its own end by up to half the step. Longer steps are written as several moves.
-std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf,
-                               const std::vector<float>& width, const RunContext& run) {
+std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<float>& width) {
   std::vector<float> widths(width.size());
-  parallelFor(run, static_cast<int>(width.size()), 8192, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
+  for (int c = 0; c < curves.count(); ++c) {
+    for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
-      const int c = curveOf[i];
       const float wider = std::max(width[static_cast<std::size_t>(previousOf(curves, c, k))],
                                    width[static_cast<std::size_t>(nextOf(curves, c, k))]);
       widths[i] = width[i] + 0.5f * std::clamp(wider - width[i], 0.0f, kWidthStep);
     }
-  });
+  }
   return widths;
 }
 
@@ -95,12 +93,10 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
   std::vector<char> open(width.size(), 1);          // whether the width may still change; all at first, later a few
   std::vector<float> sorted(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
-    const std::vector<float> moves = movesWidths(curves, curveOf, width, run);
-    parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-      for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) {
-        sorted[s] = moves[static_cast<std::size_t>(grid.id[s])];
-      }
-    });
+    const std::vector<float> moves = movesWidths(curves, width);
+    for (std::size_t s = 0; s < static_cast<std::size_t>(grid.count()); ++s) {
+      sorted[s] = moves[static_cast<std::size_t>(grid.id[s])];
+    }
     const float widest = moves.empty() ? 0 : *std::max_element(moves.begin(), moves.end());
     parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
