@@ -122,6 +122,7 @@ double meanClarity(const std::vector<SeenSpiral>& seen) {
 std::vector<SeenSpiral> findSpirals(const std::vector<CouponSpiral>& spirals, const FoundCoupon& found,
                                     const Tones& tones, double reach, int stride) {
   std::vector<SeenSpiral> seen;
+  seen.reserve(spirals.size());
   for (const CouponSpiral& spiral : spirals) seen.push_back(lookFor(spiral, found, tones, reach, stride));
   return seen;
 }

@@ -165,6 +165,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   std::vector<LitSpiral> spirals = spiralsOf(plate.value());
   const double nozzle = plate.value().printer.nozzle;
   std::vector<CouponSpiral> places;
+  places.reserve(spirals.size());
   for (const LitSpiral& s : spirals) places.push_back(s.spiral);
 
   const Tones tones = lumaOf(photograph);
