@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -75,16 +74,10 @@ class PointGrid {
   /// Calls visit(begin, end) with the runs of sorted points that hold all points within `reach` of p, lowest row first.
   template <class Visit>
   void around(Vec2f p, float reach, const Visit& visit) const {
-    within(p - Vec2f{reach, reach}, p + Vec2f{reach, reach}, visit);
-  }
-
-  /// The same for all points of a rectangle.
-  template <class Visit>
-  void within(Vec2f low, Vec2f high, const Visit& visit) const {
-    const int x0 = column(low.x);
-    const int x1 = column(high.x);
-    const int y1 = row(high.y);
-    for (int by = row(low.y); by <= y1; ++by) {
+    const int x0 = column(p.x - reach);
+    const int x1 = column(p.x + reach);
+    const int y1 = row(p.y + reach);
+    for (int by = row(p.y - reach); by <= y1; ++by) {
       const std::size_t first = static_cast<std::size_t>(by) * static_cast<std::size_t>(nx_);
       const int begin = begin_[first + static_cast<std::size_t>(x0)];
       const int end = begin_[first + static_cast<std::size_t>(x1) + 1];
@@ -136,18 +129,6 @@ class OwnChain {
     end_ = splatInt(to);
     before2_ = splatInt(from2 - 1);
     end2_ = splatInt(to2);
-  }
-
-  /// The chains of four points, a lane each.
-  explicit OwnChain(const std::array<int, 4>& points, int first, int size, int reach)
-      : OwnChain(points[0], first, size, reach) {
-    for (int k = 1; k < 4; ++k) {
-      const OwnChain other(points[static_cast<std::size_t>(k)], first, size, reach);
-      before_[k] = other.before_[k];
-      end_[k] = other.end_[k];
-      before2_[k] = other.before2_[k];
-      end2_[k] = other.end2_[k];
-    }
   }
 
   /// \return all bits set where `id` is one of them.

@@ -1,7 +1,5 @@
 #include "sillon/toolpath/bead_gaps.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/parallel_for.hpp"
@@ -15,65 +13,42 @@ namespace {
 constexpr int kOwnChain = 4;          ///< points tau/4 apart
 constexpr float kTight = 0.3f;        ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
 constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
-constexpr float kBeyond = 1.001f;     ///< of the box looked through, so that rounding leaves nothing out
-
-// Up to four points that follow each other on a curve, a lane each: they look through the same box. A box of its own
-// for each takes a tenth longer, although it is smaller: presumably since processors cannot foretell the ends of its
-// short loops.
-struct Four {
-  std::array<int, 4> id;  ///< the last one repeated where there are fewer
-  F4 x, y;
-  F4 nx, ny;  ///< normals
-};
 
 // Curvatures 1/g of the touching circles, the largest on either side.
 struct Nearest {
-  F4 left;
-  F4 right;
-  F4 distance2;  ///< to the nearest point of another piece
+  float left;
+  float right;
+  float distance2;  ///< to the nearest point of another piece
 };
-
-Four fourFrom(const ClosedCurves& curves, int curve, int begin, int end) {
-  Four four;
-  for (int k = 0; k < 4; ++k) {
-    const int id = std::min(begin + k, end - 1);
-    const Vec2f p = curves.points[static_cast<std::size_t>(id)];
-    const Vec2f tangent = tangentAt(curves, curve, id);
-    four.id[static_cast<std::size_t>(k)] = id;
-    four.x[k] = p.x;
-    four.y[k] = p.y;
-    four.nx[k] = -tangent.y;
-    four.ny[k] = tangent.x;
-  }
-  return four;
-}
 
 float laneMin(F4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
 float laneMax(F4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
 
 // Over all sorted points: (N . to) / |to|² is the signed curvature of the circle through `to` touching the path at p.
-Nearest nearestOn(const PointGrid& grid, const Four& p, float cap, const OwnChain& own) {
-  Nearest nearest{splat(1 / cap), splat(1 / cap), splat(cap * cap)};
-  // Circles as wide as `cap` that touch the path at p lie in a box half as high as wide if it runs along an axis.
-  const F4 half = splat(0.5f * kBeyond * cap);
-  const F4 reachX = half + half * abs4(p.nx);
-  const F4 reachY = half + half * abs4(p.ny);
-  const Vec2f low{laneMin(p.x - reachX), laneMin(p.y - reachY)};
-  const Vec2f high{laneMax(p.x + reachX), laneMax(p.y + reachY)};
-  grid.within(low, high, [&](int from, int to) {
-    for (int k = from; k < to; ++k) {
+Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int point, int first, int size) {
+  F4 left = splat(1 / cap);
+  F4 right = splat(1 / cap);
+  F4 closest = splat(cap * cap);
+  const F4 px = splat(p.x);
+  const F4 py = splat(p.y);
+  const F4 nx = splat(normal.x);
+  const F4 ny = splat(normal.y);
+  const OwnChain own(point, first, size, kOwnChain);
+  grid.around(p, cap, [&](int from, int to) {
+    for (int k = from; k < to; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
-      const F4 dx = splat(grid.x[s]) - p.x;
-      const F4 dy = splat(grid.y[s]) - p.y;
+      const F4 dx = load4(&grid.x[s]) - px;
+      const F4 dy = load4(&grid.y[s]) - py;
+      const I4 id = load4(&grid.id[s]);
       const F4 distance2 = max4(dx * dx + dy * dy, splat(1e-12f));
-      const I4 ownChain = own.holds(splatInt(grid.id[s]));
-      const F4 curvature = select4(ownChain, splat(0), (p.nx * dx + p.ny * dy) / distance2);
-      nearest.distance2 = min4(nearest.distance2, select4(ownChain, splat(1e9f), distance2));
-      nearest.left = max4(nearest.left, curvature);
-      nearest.right = max4(nearest.right, -curvature);
+      const I4 ownChain = own.holds(id);
+      const F4 curvature = select4(ownChain, splat(0), (nx * dx + ny * dy) / distance2);
+      closest = min4(closest, select4(ownChain, splat(1e9f), distance2));
+      left = max4(left, curvature);
+      right = max4(right, -curvature);
     }
   });
-  return nearest;
+  return {laneMax(left), laneMax(right), laneMin(closest)};
 }
 
 // Whether one of the next segments within the own chain heads backwards: only then can it meet this one.
@@ -126,29 +101,26 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
   const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
   // In path order: the next point's buckets are mostly the same.
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
-    for (int k = begin; k < end;) {
-      const int curve = curveOf[static_cast<std::size_t>(k)];
-      const int first = curves.begin[static_cast<std::size_t>(curve)];
-      const Four four = fourFrom(curves, curve, k, std::min(end, first + curves.size(curve)));
-      const Nearest nearest = nearestOn(grid, four, cap, OwnChain(four.id, first, curves.size(curve), kOwnChain));
-      for (int lane = 0; lane < 4 && k == four.id[static_cast<std::size_t>(lane)]; ++lane, ++k) {
-        const std::size_t i = static_cast<std::size_t>(k);
-        const Vec2f normal{four.nx[lane], four.ny[lane]};
-        float left = nearest.left[lane];
-        float right = nearest.right[lane];
-        const Vec2 at{static_cast<double>(four.x[lane]), static_cast<double>(four.y[lane])};
-        if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
-          const NearestBorder b = border.nearest(at);
-          const float along = dot(b.normal, normal);
-          if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
-            const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
-            (along > 0 ? left : right) = std::max(along > 0 ? left : right, curvature);
-          }
+    for (int k = begin; k < end; ++k) {
+      const std::size_t i = static_cast<std::size_t>(k);
+      const int curve = curveOf[i];
+      const Vec2f tangent = tangentAt(curves, curve, static_cast<int>(i));
+      const Vec2f normal{-tangent.y, tangent.x};
+      const Vec2f p = curves.points[i];
+      Nearest nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
+                                  curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
+      const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
+        const NearestBorder b = border.nearest(at);
+        const float along = dot(b.normal, normal);
+        if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
+          const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
+          (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
         }
-        gaps.tight[i] = nearest.distance2[lane] < tight * tight || turnsBack(curves, curve, k) ? 1 : 0;
-        gaps.left[i] = 1 / left;
-        gaps.right[i] = 1 / right;
       }
+      gaps.tight[i] = nearest.distance2 < tight * tight || turnsBack(curves, curve, static_cast<int>(i)) ? 1 : 0;
+      gaps.left[i] = 1 / nearest.left;
+      gaps.right[i] = 1 / nearest.right;
     }
   });
   markFollowing(curves, gaps.tight);

@@ -22,7 +22,7 @@ struct BeadGaps {
 /// legs keep their distance from each other; round its tip the touching circle is the tip itself, as it should be.
 /// (Leaving out 2.5 spacings lets the legs be pressed together: ten times the kinks.)
 /// \param curves  points tau/4 apart.
-/// \param cap     largest gap looked for [mm], at least 0.6 spacings, or `tight` is not all there is.
+/// \param cap     largest gap looked for [mm].
 BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
                   const RunContext& run);
 
