@@ -87,6 +87,7 @@ export interface Stage {
 }
 
 const noticeFor = 7000; // [ms]
+const offerFor = 30_000; // [ms] of a notice with a button: time to read, decide, and reach it by keys
 
 export const isPacked = (product: Product, plate: Plate): boolean =>
   product === 'gcode' && plate.printer.flavor === 'bambu';
@@ -294,11 +295,11 @@ export class Studio {
       (notice) => notice.problem === undefined || words.problem === undefined,
     );
     this.store.set({ notices: [...others, { id, ...words }].slice(-3) });
-    if (words.problem === undefined) {
-      setTimeout(() => {
-        this.dismiss(id);
-      }, noticeFor);
-    }
+    if (words.problem !== undefined) return;
+    const shownFor = words.action === undefined ? noticeFor : offerFor;
+    setTimeout(() => {
+      this.dismiss(id);
+    }, shownFor);
   }
 
   // --- Files --------------------------------------------------------------------------------------------------------------
