@@ -217,7 +217,7 @@ test(
       await size.selectOption('whole');
       return until(async () => {
         const { inside, share, scale } = await stand();
-        return inside && share > 0.5 && scale > 96 / 25.4 && scale;
+        return inside && share > 0.6 && scale > 96 / 25.4 && scale;
       }, 'all of the plate');
     };
     const tell = (notices) =>
