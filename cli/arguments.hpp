@@ -1,12 +1,12 @@
 // The command line as values.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "calibrate.hpp"
+#include "options.hpp"
 #include "pictures.hpp"
 #include "rebrush.hpp"
 #include "shape.hpp"
@@ -50,7 +50,7 @@ struct Arguments {
   ShapeArguments shape;
   std::string scene;  ///< JSON file; empty: options only
   /// What the options change in the scene, in a fixed order whatever the order on the line. Each returns what is wrong.
-  std::vector<std::function<std::string(sillon::Project&)>> changes;
+  std::vector<Change> changes;
   PictureOptions pictures;
   OutputPaths outputs;
   Placing placing = Placing::AsGiven;

@@ -1,6 +1,5 @@
 #include "calibrate.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -27,24 +26,6 @@ using sillon::CalibrationValue;
 using sillon::Error;
 using sillon::ErrorCode;
 using sillon::Result;
-
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  sillon calibrate coupon --printer prusa-mk4 --filament pla-silk -o coupon.gcode\n"
-    "  sillon calibrate flow mine.json -o flow.gcode --preview flow.png\n"
-    "  sillon calibrate advance mine.json --from 0.2 --to 0.6 -o advance.gcode --json\n"
-    "  sillon calibrate read photograph.jpg --name mySilk -o mine.json   (a photograph of the coupon)\n"
-    "  sillon calibrate read left.jpg right.jpg back.jpg    (several of one coupon, the lamp elsewhere in each)\n"
-    "\n"
-    "docs/guide/calibrate.md shows what to look for on each, and what to type back.";
-
-std::string joined(const std::vector<std::string>& words, const char* between, const char* last) {
-  std::string text;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    text += (k == 0 ? "" : k + 1 == words.size() ? last : between) + words[k];
-  }
-  return text;
-}
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -154,55 +135,6 @@ std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon
 }
 
 }  // namespace
-
-void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
-  const char* group = "Calibration";
-  const std::string kinds =
-      joined(sillon::calibrationKinds(), ", ", " or ") + "; or read, for a photograph of the coupon";
-  command.footer(kExamples);
-  command
-      .add_option_function<std::string>(
-          "kind",
-          [&arguments, kinds](const std::string& text) {
-            const std::vector<std::string>& all = sillon::calibrationKinds();
-            if (text != kReadPhotograph && std::find(all.begin(), all.end(), text) == all.end()) {
-              throw CLI::ValidationError("kind is \"" + text + "\"; it must be " + kinds,
-                                         CLI::ExitCodes::ValidationError);
-            }
-            arguments.kind = text;
-          },
-          kinds)
-      ->option_text("KIND")
-      ->required();
-  command
-      .add_option("-o,--output", arguments.out,
-                  "G-code; packed if F ends in .gcode.3mf or .bgcode; of a photograph, a file for --spools")
-      ->option_text("F")
-      ->group(group);
-  command.add_option("--from", arguments.from, "first value to try [as the kind has it]")
-      ->option_text("VALUE")
-      ->group(group);
-  command.add_option("--to", arguments.to, "last value to try [likewise]")->option_text("VALUE")->group(group);
-  command.add_option("--preview", arguments.preview, "picture of directions and look, PNG")
-      ->option_text("F")
-      ->group(group);
-  command.add_option("--preview-width", arguments.previewWidth, "width of each of the picture's two panels [1600]")
-      ->option_text("PX")
-      ->check(CLI::Range(16, 16384))
-      ->group(group);
-  command.add_flag("--json", arguments.json, "what is printed, as JSON")->group(group);
-  const char* photograph = "Photograph (read)";
-  command.add_option("--name", arguments.name, "of the spool [mySpool]")->option_text("KEY")->group(photograph);
-  command
-      .add_option("--lamp-size", arguments.lampSize, "of the lamp: bulb, softbox, window or its slope [unknown, small]")
-      ->option_text("S")
-      ->group(photograph);
-  command
-      .add_option("--lamp-elevation", arguments.lampElevation,
-                  "how high the lamp stands, as measured within 2 degrees [47 within 9]")
-      ->option_text("DEG")
-      ->group(photograph);
-}
 
 Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
                              const sillon::Project& project, const std::string& scene, const std::string& date,

@@ -1,17 +1,16 @@
 #include "pictures.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "files.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/settings/table.hpp"
+#include "words.hpp"
 
 namespace cli {
 namespace {
@@ -21,23 +20,13 @@ using sillon::Vec2;
 constexpr double kWeakContrast = 6;
 constexpr double kElevation = 45;  // [degrees], unless one is given
 
-/// The whole of a text as a number.
-std::optional<double> numberIn(std::string_view given) {
-  const std::string text(given);
-  if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);  // "C" locale: the program never sets another
-  if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// "AZ" or "AZ,EL".
 std::optional<Vec2> lampOf(const std::string& text) {
   const std::size_t comma = text.find(',');
-  const std::optional<double> azimuth = numberIn(std::string_view(text).substr(0, comma));
+  const std::optional<double> azimuth = parseNumber(text.substr(0, comma));
   if (!azimuth || !(std::abs(*azimuth) <= 360)) return std::nullopt;
   if (comma == std::string::npos) return Vec2{*azimuth, kElevation};
-  const std::optional<double> elevation = numberIn(std::string_view(text).substr(comma + 1));
+  const std::optional<double> elevation = parseNumber(text.substr(comma + 1));
   if (!elevation || !(*elevation >= 1 && *elevation <= 90)) return std::nullopt;
   return Vec2{*azimuth, *elevation};
 }
@@ -48,43 +37,11 @@ std::string countOf(std::size_t count, const char* what) {
 
 }  // namespace
 
-void addPictures(CLI::App& app, PictureOptions& pictures) {
-  const char* group = "Pictures";
-  CLI::Option* picture =
-      app.add_option("--picture", pictures.files, "picture to be seen under a lamp; again for more, each under its own")
-          ->option_text("F")
-          ->allow_extra_args(false)
-          ->group(group);
-  picture->excludes(app.get_option("--directions"))->excludes(app.get_option("--angle"));
-  app.add_option("--lamp", pictures.lamps,
-                 "where the lamp of the first, then of the next picture stands, in degrees; also of --preview [chosen]")
-      ->option_text("AZ[,EL]")
-      ->allow_extra_args(false)
-      ->group(group);
-  app.add_option("--lamp-size", pictures.lampSize, "how large the lamps are, or their slope [softbox]")
-      ->option_text("bulb|softbox|window|SLOPE")
-      ->group(group);
-  addSpools(app, pictures, group);
-  app.add_option("--smoothness", pictures.smoothness, "more: fewer U-turns, less detail [0.02]")
-      ->option_text("F")
-      ->group(group);
-  app.add_option("--local-contrast", pictures.localContrast, "raises what differs from its surroundings [0]")
-      ->option_text("F")
-      ->group(group);
-}
-
 std::optional<double> lampSlopeOf(const std::string& size) {
   if (size == "bulb") return sillon::bulbSlope();
   if (size == "softbox") return sillon::softboxSlope();
   if (size == "window") return sillon::windowSlope();
-  return numberIn(size);
-}
-
-void addSpools(CLI::App& app, PictureOptions& pictures, const std::string& group) {
-  app.add_option("--spool", pictures.spool, "what the filament looks like [bluePla]")->option_text("KEY")->group(group);
-  app.add_option("--spools", pictures.spoolsFile, "file of your own spools, of which --spool names one")
-      ->option_text("F.json")
-      ->group(group);
+  return parseNumber(size);
 }
 
 std::optional<sillon::Error> readOwnSpools(PictureOptions& options) {

@@ -1,12 +1,8 @@
 #include "rebrush.hpp"
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -20,7 +16,6 @@
 #include "sillon/look/spools.hpp"
 #include "sillon/project/pictures.hpp"
 #include "sillon/settings/table.hpp"
-#include "threads.hpp"
 
 namespace cli {
 namespace {
@@ -36,30 +31,6 @@ using sillon::Result;
 using sillon::SlicedFile;
 using sillon::SlicedSurface;
 using sillon::SurfaceSide;
-
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  sillon rebrush part.gcode --list\n"
-    "  sillon rebrush part.gcode --angle 30 -o part_brushed.gcode\n"
-    "  sillon rebrush part.gcode --directions waves.png --report part.json -o part_brushed.gcode\n"
-    "  sillon rebrush part.gcode.3mf --picture face.png --lamp 60 --preview face_shown.png -o part_brushed.gcode.3mf\n"
-    "\n"
-    "Without -o the file itself is changed, as slicers want it of post-processing scripts.\n"
-    "Exit codes: 0 done, 2 refused, 3 cancelled, 1 a fault of the program. Nothing is written unless all is done.";
-
-template <class Value>
-std::function<void(const std::string&)> choice(const char* option, std::vector<std::pair<std::string, Value>> words,
-                                               std::function<void(Value)> take) {
-  return [=](const std::string& text) {
-    std::string all;
-    for (const auto& [word, value] : words) {
-      if (word == text) return take(value);
-      all += (all.empty() ? "" : ", ") + word;
-    }
-    throw CLI::ValidationError(std::string(option) + " is \"" + text + "\"; it must be one of " + all,
-                               CLI::ExitCodes::ValidationError);
-  };
-}
 
 const char* sideName(const SlicedSurface& surface) { return surface.side == SurfaceSide::Top ? "top" : "bottom"; }
 
@@ -283,98 +254,6 @@ Result<std::string> previewPng(const RebrushArguments& arguments, const sillon::
 }
 
 }  // namespace
-
-void addRebrush(CLI::App& app, RebrushArguments& arguments) {
-  CLI::App* command = app.add_subcommand("rebrush", "Lay other beads on the top surfaces of a file by your slicer");
-  command->footer(kExamples);
-  command->add_option("file", arguments.file, "what PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura wrote")
-      ->option_text("FILE.gcode")
-      ->required();
-  command->add_flag("--list", arguments.list, "show the surfaces, write nothing");
-  command->add_flag("--json", arguments.json, "the list as JSON");
-  command->add_option("-o,--output", arguments.out, "where the new file goes [the file itself]")->option_text("F");
-  command->add_option("--report", arguments.report, "what became of each surface, JSON")->option_text("F");
-  command->add_option("--preview", arguments.preview, "picture of each new surface: its directions, and its look")
-      ->option_text("F");
-  command->add_option("--preview-width", arguments.previewWidth, "of each of its panels [1600]")->option_text("PX");
-  command
-      ->add_option_function<std::string>("--surfaces",
-                                         choice<int>("--surfaces", {{"top", 1}, {"bottom", 2}, {"both", 3}},
-                                                     [&arguments](int which) {
-                                                       arguments.options.tops = (which & 1) != 0;
-                                                       arguments.options.bottoms = (which & 2) != 0;
-                                                     }),
-                                         "top, bottom (of the first layer) or both [top]")
-      ->option_text("WHICH");
-  command
-      ->add_option_function<std::vector<std::size_t>>(
-          "--only",
-          [&arguments](const std::vector<std::size_t>& numbers) {
-            for (const std::size_t number : numbers) {
-              if (number == 0) {
-                throw CLI::ValidationError("--only is 0; the numbers of --list begin with 1",
-                                           CLI::ExitCodes::ValidationError);
-              }
-              arguments.options.only.push_back(number - 1);
-            }
-          },
-          "these surfaces alone, by their numbers in --list")
-      ->delimiter(',')
-      ->option_text("N,N...");
-  command->add_option("--angle", arguments.angle, "direction of the beads, counter-clockwise from +x [0]")
-      ->option_text("DEG");
-  command->add_option("--directions,--lines", arguments.directions, "picture of directions, instead of an angle")
-      ->option_text("F");
-  command
-      ->add_option_function<std::string>(
-          "--encoding,--lines-as",
-          choice<DirectionEncoding>("--encoding",
-                                    {{"angle", DirectionEncoding::Angle},
-                                     {"rotation", DirectionEncoding::Rotation},
-                                     {"tangent", DirectionEncoding::Tangent}},
-                                    [&arguments](DirectionEncoding encoding) { arguments.encoding = encoding; }),
-          "how the picture tells directions: angle, rotation, tangent [angle]")
-      ->option_text("HOW");
-  command
-      ->add_option("--modes", arguments.modes,
-                   "parallel, orthogonal, smoothest, constrained, or a picture of modes [constrained]")
-      ->option_text("M");
-  command
-      ->add_option_function<std::string>(
-          "--fit",
-          choice<PictureFit>("--fit",
-                             {{"face", PictureFit::Face},
-                              {"object", PictureFit::Object},
-                              {"bed", PictureFit::Bed},
-                              {"all", PictureFit::All}},
-                             [&arguments](PictureFit fit) { arguments.options.fit = fit; }),
-          "what the pictures are stretched over: each face, each object, the bed, or the box around all [face]")
-      ->option_text("WHAT");
-  command
-      ->add_option_function<std::string>(
-          "--perimeters",
-          [&arguments](const std::string& text) {
-            sillon::ToolpathParams& params = arguments.options.toolpath;
-            arguments.perimeters = true;
-            if (text == "none" || text == "soft") {
-              params.perimeterMode = text == "none" ? PerimeterMode::None : PerimeterMode::Soft;
-              return;
-            }
-            if (text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string::npos) {
-              throw CLI::ValidationError("--perimeters is \"" + text + "\"; it must be none, soft or 0 to 100",
-                                         CLI::ExitCodes::ValidationError);
-            }
-            params.perimeterMode = PerimeterMode::Count;
-            params.perimeters = std::atoi(text.c_str());
-          },
-          "beads along the border of each surface: none, soft or a number [1]")
-      ->option_text("N");
-  addPictures(*command, arguments.pictures);
-  arguments.threads = threadsOfMachine();
-  command->add_option("--threads", arguments.threads, "how many may work; never changes the result [all]")
-      ->option_text("N")
-      ->check(CLI::Range(1, 256));
-}
 
 Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run) {
   const Result<sillon::Project> project = pictureProject(arguments.pictures);

@@ -1,6 +1,5 @@
 #include "zones.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -16,37 +15,7 @@ using sillon::Error;
 using sillon::ErrorCode;
 using sillon::Result;
 
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  sillon zones --shape badge.svg --directions waves.png --zones 6 -o badge.3mf\n"
-    "  sillon zones --body part.stl --picture face.png --lamp 60 --zones 12 -o part.3mf\n"
-    "\n"
-    "Open the file in PrusaSlicer, OrcaSlicer or Bambu Studio and slice it with the layer heights given here: slicers\n"
-    "turn their lines by 90 degrees on every other layer.";
-
 }  // namespace
-
-void addZones(CLI::App& command, ZonesArguments& arguments) {
-  const char* group = "Zones";
-  command.footer(kExamples);
-  command.add_option("-o,--output", arguments.out, "the 3MF")->option_text("F.3mf")->required()->group(group);
-  command.add_option("--body", arguments.body, "STL whose tops shall have the zones [a prism of the shape]")
-      ->option_text("F.stl")
-      ->group(group);
-  command.add_option("--height", arguments.height, "of that prism [2]")->option_text("MM")->group(group);
-  command.add_option("--zones", arguments.params.most, "how many directions at most, 2 to 12 [6]")
-      ->option_text("N")
-      ->group(group);
-  command.add_option("--least", arguments.params.least, "narrowest place of a zone, 0.5 to 100 [3]")
-      ->option_text("MM")
-      ->group(group);
-  command.add_option("--layer-height", arguments.layers.height, "of your slicer's profile [0.2]")
-      ->option_text("MM")
-      ->group(group);
-  command.add_option("--first-layer-height", arguments.layers.firstHeight, "of your slicer's profile [0.2]")
-      ->option_text("MM")
-      ->group(group);
-}
 
 Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
   if (!arguments.out.ends_with(".3mf")) {
