@@ -20,7 +20,7 @@ mount -t tmpfs -o mode=755 tmpfs /run # sshd trusts no key in a folder that othe
 mkdir /run/sshd /run/netns /run/centre
 cp "$1" /run/sillon
 cd /run/centre
-export SILLON=/run/sillon SOURCE_DATE_EPOCH=0 HOME=$PWD
+export SILLON=/run/sillon SOURCE_DATE_EPOCH=0 HOME=$PWD PICTURE=64
 
 fail() {
   echo "many_hosts_test: $*" >&2

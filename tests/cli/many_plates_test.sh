@@ -3,7 +3,7 @@
 #   tests/cli/many_plates_test.sh SILLON
 set -euo pipefail
 SILLON=$1
-export SILLON SOURCE_DATE_EPOCH=0 JOBS=2
+export SILLON SOURCE_DATE_EPOCH=0 JOBS=2 PICTURE=64
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../examples/many-plates" && pwd)
 for tool in parallel jq; do
   if ! command -v "$tool" >/dev/null; then
