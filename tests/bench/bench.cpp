@@ -12,7 +12,9 @@
 //   1);
 //                                                         every fifth is a drawing: made here, or one of
 //                                                         SILLON_DRAWINGS
-//   sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes per cell
+//   sillon_bench measure SCENE.json [PATHS]               figures of these paths, or of the plate, as JSON: for
+//   peers.py sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes
+//   per cell
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -33,6 +35,7 @@
 #include "assemble.hpp"
 #include "base/simd.hpp"
 #include "look.hpp"
+#include "measure.hpp"
 #include "memory.hpp"
 #include "photo.hpp"
 #include "random.hpp"
@@ -488,6 +491,12 @@ int main(int argc, char** argv) {
     bench::look(photographs == nullptr ? "" : photographs, rest);
     return 0;
   }
+  if (what == "measure" && (rest.size() == 1 || rest.size() == 2)) {
+    Loaded scene;
+    return load(rest[0], scene) && bench::measure(scene.input, scene.project.toolpath, rest.size() == 2 ? rest[1] : "")
+               ? 0
+               : 1;
+  }
   if (what == "photograph" && rest.size() == 1) return bench::photograph(rest[0]) ? 0 : 1;
   if (what == "photo") {
     bench::PhotoBench asked;
@@ -546,7 +555,8 @@ int main(int argc, char** argv) {
     std::printf(
         "sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...] | time [SCENE.json ...] | live [SCENE.json ...] | "
         "roof "
-        "| look [PICTURE ...] | photo [N [SEED]] [elevation] [lamp] [xN] | photograph FILE | growth [MILLIONS] | "
+        "| look [PICTURE ...] | measure SCENE.json [PATHS] | photo [N [SEED]] [elevation] [lamp] [xN] | photograph "
+        "FILE | growth [MILLIONS] | "
         "random [N "
         "[SEED]]\n");
     return 2;
