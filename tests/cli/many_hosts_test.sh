@@ -34,11 +34,11 @@ until_true() {
   done
 }
 
-# --- Projects: discs, a shape in a file of its own, a name with a space ---------------------------------------------
+# --- Projects: discs, shapes in files of their own, names with a space and a quote -----------------------------------
 
 mkdir -p projects/shapes
 project() { printf '{ "sillon": 1, "shape": %s, "toolpath": { "spacing": 1 } }' "$2" >"projects/$1.json"; }
-for k in $(seq 10 47); do project "disc $k" "{ \"builtin\": \"disc\", \"size\": [$k, 0] }"; done
+for k in $(seq 10 47); do project "disc's $k" "{ \"builtin\": \"disc\", \"size\": [$k, 0] }"; done
 for k in 1 2; do
   project "drawing$k" "{ \"file\": \"shapes/drawing $k.svg\" }"
   echo "<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='${k}0mm' viewBox='0 0 20 10'><path d='M1 1H19V9H1Z'/></svg>" \
@@ -143,12 +143,18 @@ for number in 1 2; do
 done
 [ -z "$(ls /run/south/tmp)" ] || fail "south still has $(find /run/south/tmp)"
 
-# Run again with one plate more: north is left out, and only what is new is made.
+# Run again with one plate more and a project at fault: north is left out, and only what is new is made.
 cp plates/jobs.log before
 project last '{ "builtin": "disc", "size": [9, 0] }'
-"$examples/many-plates/run" projects plates >said 2>&1 || fail "the second run failed: $(cat said)"
+project fault '{ "builtin": "disc", "size": [-1, 0] }'
+code=0
+"$examples/many-plates/run" projects plates >said 2>&1 || code=$?
+[ "$code" = 2 ] || fail "a project at fault gave $code: $(cat said)"
 grep -q '10.0.1.2 is left out' said || fail "the lost host is not named: $(cat said)"
-[ "$(($(wc -l <plates/jobs.log) - $(wc -l <before)))" = 1 ] || fail "not just the new plate was made"
+grep -q '41 plates made, 1 missing' said || fail "the second run said $(cat said)"
+grep -q '^"fault","no".*size.*-1' plates/report.csv || fail "the table does not say what is wrong: $(cat plates/fault.err)"
+[ "$(($(wc -l <plates/jobs.log) - $(wc -l <before)))" = 2 ] || fail "not just the new plates were made"
+[ ! -e plates/.incoming ] || fail "half a plate is left"
 
 # A host with another program ends the run.
 printf '#!/bin/sh\necho sillon 0.0.1\n' >/run/south/bin/sillon
