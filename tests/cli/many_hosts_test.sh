@@ -61,7 +61,7 @@ AuthorizedKeysFile /run/$1/authorized
 PidFile none
 UsePAM no
 PermitRootLogin yes
-SetEnv TMPDIR=/run/$1/tmp PATH=/run/$1/bin:$PATH
+SetEnv TMPDIR=/run/$1/tmp PATH=/run/$1/bin:/usr/local/bin:/usr/bin:/bin
 TEXT
   ip netns add "$1"
   ip link add "to-$1" type veth peer name eth0 netns "$1"
