@@ -34,10 +34,12 @@ until_true() {
   done
 }
 
-# --- Projects: discs, shapes in files of their own, names with a space and a quote -----------------------------------
+# --- Projects: discs, shapes in files of their own, names with a space and a quote, one that names another -----------
 
 mkdir -p projects/shapes
-project() { printf '{ "sillon": 1, "shape": %s, "toolpath": { "spacing": 1 } }' "$2" >"projects/$1.json"; }
+project() {
+  printf '{ "sillon": 1, "shape": %s, "toolpath": { "spacing": 1 }, "printer": { "name": "drawing1.json" } }' "$2" >"projects/$1.json"
+}
 for k in $(seq 10 47); do project "disc's $k" "{ \"builtin\": \"disc\", \"size\": [$k, 0] }"; done
 for k in 1 2; do
   project "drawing$k" "{ \"file\": \"shapes/drawing $k.svg\" }"
