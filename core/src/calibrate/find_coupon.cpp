@@ -1,6 +1,5 @@
 #include "calibrate/find_coupon.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -26,7 +25,7 @@ Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::mov
 
 /// Pairs count less the farther they are off: some spirals are seen where they are not.
 /// \param scale  [pixels/mm] \return weighted RMS of what is left [mm].
-double fitMap(Eigen::Matrix3d& map, const std::vector<PointPair>& pairs, double scale) {
+double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double scale) {
   std::vector<PointPair> weighted = pairs;
   double residual = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -45,25 +44,17 @@ double fitMap(Eigen::Matrix3d& map, const std::vector<PointPair>& pairs, double 
 
 }  // namespace
 
-Vec2 FoundCoupon::pixelOf(Vec2 plate) const {
-  const Eigen::Vector3d p = map * Eigen::Vector3d(plate.x, plate.y, 1);
-  return {p[0] / p[2], p[1] / p[2]};
+Vec2 FoundCoupon::pixelOf(Vec2 plate) const { return mapped(map, plate); }
+
+FoundCoupon::Steps FoundCoupon::stepsAt(Vec2 plate) const {
+  const Vec3 p = map * Vec3{plate.x, plate.y, 1};
+  const auto step = [&](Vec3 by) { return Vec2{(by.x - p.x / p.z * by.z) / p.z, (by.y - p.y / p.z * by.z) / p.z}; };
+  return {step(map.a), step(map.b)};
 }
 
-Vec2 FoundCoupon::plateAt(Vec2 pixel) const {
-  const Eigen::Vector3d p = map.inverse() * Eigen::Vector3d(pixel.x, pixel.y, 1);
-  return {p[0] / p[2], p[1] / p[2]};
-}
-
-Eigen::Matrix2d FoundCoupon::jacobianAt(Vec2 plate) const {
-  const Eigen::Vector3d p = map * Eigen::Vector3d(plate.x, plate.y, 1);
-  Eigen::Matrix2d out;
-  for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 2; ++column) {
-      out(row, column) = (map(row, column) - p[row] / p[2] * map(2, column)) / p[2];
-    }
-  }
-  return out;
+double FoundCoupon::scaleAt(Vec2 plate) const {
+  const Steps steps = stepsAt(plate);
+  return std::sqrt(std::abs(cross(steps.x, steps.y)));
 }
 
 Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, const std::vector<CouponSpiral>& spirals,
@@ -86,7 +77,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
     if (tried.clarity > best.clarity) best = tried, corners = pairs;
   }
   const bool clearer = best.clarity > kClearer * next;
-  const double scale = std::sqrt(std::abs(best.jacobianAt({kCouponSide / 2, kCouponSide / 2}).determinant()));
+  const double scale = best.scaleAt({kCouponSide / 2, kCouponSide / 2});
   const double pixels = scale * spirals.front().pitch;
   if (pixels < 4.5) {
     return unreadable("a bead is " + fixed(pixels, 1) +

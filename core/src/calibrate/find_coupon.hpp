@@ -1,10 +1,10 @@
 // Where a coupon lies in a photograph.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "calibrate/coupon.hpp"
+#include "calibrate/space.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/look/tones.hpp"
@@ -13,13 +13,16 @@ namespace sillon {
 
 /// A photograph and the map from the plate into it.
 struct FoundCoupon {
-  Eigen::Matrix3d map;  ///< plate [mm] to pixels from the picture's upper left, homogeneous
-  double clarity = 0;   ///< 0..1, how clearly the turns of the spirals are seen
+  Mat3 map;            ///< plate [mm] to pixels from the picture's upper left, homogeneous
+  double clarity = 0;  ///< 0..1, how clearly the turns of the spirals are seen
 
   [[nodiscard]] Vec2 pixelOf(Vec2 plate) const;
-  [[nodiscard]] Vec2 plateAt(Vec2 pixel) const;
-  /// Derivatives of the pixel by the place [pixels/mm].
-  [[nodiscard]] Eigen::Matrix2d jacobianAt(Vec2 plate) const;
+  /// Derivatives of the pixel by the place's x and y [pixels/mm].
+  struct Steps {
+    Vec2 x, y;
+  };
+  [[nodiscard]] Steps stepsAt(Vec2 plate) const;
+  [[nodiscard]] double scaleAt(Vec2 plate) const;  ///< [pixels/mm]
 };
 
 /// First the plate's outline, on a plain ground; then, of four ways round, the one in which its spirals show.

@@ -1,6 +1,5 @@
 #include "calibrate/find_outline.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+
+#include "calibrate/normal_equations.hpp"
 
 namespace sillon {
 namespace {
@@ -50,48 +51,50 @@ SmallPicture shrunk(const Image& image) {
 /// How far each pixel's colour is from the ground's, which is a smooth function along the picture's border.
 /// \param[out] spread  of the ground about it.
 std::vector<float> offGround(const SmallPicture& picture, double& spread) {
-  using Vector = Eigen::Matrix<double, 6, 1>;
+  using Terms = std::array<double, 6>;
   const int w = picture.width, h = picture.height;
   const auto basis = [&](int x, int y) {
     const double u = (x + 0.5) / w * 2 - 1, v = (y + 0.5) / h * 2 - 1;
-    Vector b;
-    b << 1, u, v, u * u, u * v, v * v;
-    return b;
+    return Terms{1, u, v, u * u, u * v, v * v};
+  };
+  const auto valueOf = [](const std::vector<double>& terms, const Terms& b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < b.size(); ++k) sum += terms[k] * b[k];
+    return sum;
   };
   const int ring = std::max(2, std::min(w, h) / 40);
   std::vector<float> off(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 0);
   spread = 0;
   for (const std::vector<float>& plane : picture.code) {
-    Vector ground = Vector::Zero();
+    std::vector<double> ground(6, 0);
     double most = 1e9;
     for (int round = 0; round < 4; ++round) {
-      Eigen::Matrix<double, 6, 6> normal = 1e-9 * Eigen::Matrix<double, 6, 6>::Identity();
-      Vector right = Vector::Zero();
+      NormalEquations normal{ground.size()};
+      for (std::size_t k = 0; k < ground.size(); ++k) normal.at(k, k) = 1e-9;
       std::vector<double> rests;
       for (int y = 0; y < h; ++y) {
         for (int x = 0; x < w; ++x) {
           if (x >= ring && y >= ring && x < w - ring && y < h - ring) continue;
-          const Vector b = basis(x, y);
+          const Terms b = basis(x, y);
           const double value = static_cast<double>(
               plane[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x)]);
-          const double rest = std::abs(value - b.dot(ground));
+          const double rest = std::abs(value - valueOf(ground, b));
           rests.push_back(rest);
           if (round > 0 && rest > most) continue;
-          normal += b * b.transpose();
-          right += value * b;
+          normal.add(b.data(), value, 1);
         }
       }
       if (round > 0) {
         std::nth_element(rests.begin(), rests.begin() + static_cast<std::ptrdiff_t>(rests.size() / 2), rests.end());
         most = std::max(0.01, 3 * 1.4826 * rests[rests.size() / 2]);
       }
-      ground = normal.ldlt().solve(right);
+      ground = normal.solved();
     }
     spread = std::max(spread, most / 3);
     std::size_t k = 0;
     for (int y = 0; y < h; ++y) {
       for (int x = 0; x < w; ++x, ++k) {
-        const auto rest = static_cast<float>(std::abs(static_cast<double>(plane[k]) - basis(x, y).dot(ground)));
+        const auto rest = static_cast<float>(std::abs(static_cast<double>(plane[k]) - valueOf(ground, basis(x, y))));
         off[k] = std::max(off[k], rest);
       }
     }

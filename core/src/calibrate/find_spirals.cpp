@@ -81,31 +81,42 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
       wave.push_back({i, j, static_cast<float>(std::cos(phase)), static_cast<float>(std::sin(phase))});
     }
   }
-  const auto answer = [&](int dx, int dy) {
-    float re = 0, im = 0;
+  // Row by row of shifts: neighbours are summed side by side.
+  const auto answers = [&](int dy) {
+    std::vector<float> re(static_cast<std::size_t>(2 * shifts + 1), 0), im = re;
     for (const Sample& s : wave) {
-      const float v = patch[static_cast<std::size_t>((s.j + dy + half) * side + s.i + dx + half)];
-      re += v * s.re;
-      im += v * s.im;
+      const float* from = patch.data() + (s.j + dy + half) * side + s.i + half - shifts;
+      for (std::size_t k = 0; k < re.size(); ++k) {
+        re[k] += from[k] * s.re;
+        im[k] += from[k] * s.im;
+      }
     }
-    return std::sqrt(2.0) * std::sqrt(static_cast<double>(re * re + im * im)) / static_cast<double>(wave.size());
+    std::vector<double> out;
+    for (std::size_t k = 0; k < re.size(); ++k) {
+      out.push_back(std::sqrt(2.0) * std::sqrt(static_cast<double>(re[k] * re[k] + im[k] * im[k])) /
+                    static_cast<double>(wave.size()));
+    }
+    return out;
   };
   SeenSpiral best;
   int bx = 0, by = 0;
+  std::vector<double> row;  // of the best
   for (int dy = -shifts; dy <= shifts; dy += stride) {
+    const std::vector<double> now = answers(dy);
     for (int dx = -shifts; dx <= shifts; dx += stride) {
-      const double v = answer(dx, dy);
-      if (v > best.clarity) best.clarity = v, bx = dx, by = dy;
+      const double v = now[static_cast<std::size_t>(dx + shifts)];
+      if (v > best.clarity) best.clarity = v, bx = dx, by = dy, row = now;
     }
   }
   Vec2 at{static_cast<double>(bx), static_cast<double>(by)};
-  if (stride == 1) {  // the parabola through the neighbours
+  if (stride == 1 && !row.empty()) {  // the parabola through the neighbours
     const auto top = [&](double before, double here, double after) {
       const double bend = before - 2 * here + after;
       return bend < -1e-12 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
     };
-    if (std::abs(bx) < shifts) at.x += top(answer(bx - 1, by), best.clarity, answer(bx + 1, by));
-    if (std::abs(by) < shifts) at.y += top(answer(bx, by - 1), best.clarity, answer(bx, by + 1));
+    const auto x = static_cast<std::size_t>(bx + shifts);
+    if (std::abs(bx) < shifts) at.x += top(row[x - 1], best.clarity, row[x + 1]);
+    if (std::abs(by) < shifts) at.y += top(answers(by - 1)[x], best.clarity, answers(by + 1)[x]);
   }
   best.off = step * at;
   return best;

@@ -1,23 +1,23 @@
 #include "calibrate/fit_spirals.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
+#include "calibrate/normal_equations.hpp"
 #include "calibrate/spiral_model.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr int kNumeric = 10;         // of the globals, the derivatives that are differences
-constexpr double kUsualCurve = 0.1;  // of telephones
-constexpr int kTerms = 2;  // of the light over the coupon: even, and by the distance from the picture's middle
-constexpr int kGaps = kLooseSpirals;  // the base shines differently under each
-constexpr int kLight = 2 * kTerms + kGaps;
+constexpr std::size_t kNumeric = 10;  // of the globals, the derivatives that are differences
+constexpr double kUsualCurve = 0.1;   // of telephones
+constexpr std::size_t kTerms = 2;  // of the light over the coupon: even, and by the distance from the picture's middle
+constexpr std::size_t kGaps = kLooseSpirals;  // the base shines differently under each
+constexpr std::size_t kLight = 2 * kTerms + kGaps;
+constexpr std::size_t kShared = kGlobals + kLight;  // unknowns; and two of each spiral
 constexpr int kRounds = 30;
 constexpr int kLaterRounds = 12;      // from a fit of the same spirals
 constexpr double kTogether = 40;      // bins that are off alike: a guess, see docs/internals/photographs.md
@@ -29,8 +29,8 @@ constexpr double kUsualLobe = 0.15;   // [radians]
 
 struct State {
   Globals globals;
-  Eigen::Matrix<double, kLight, 1> light;  // of highlights, of what is sent in all directions, between loose turns
-  std::vector<Eigen::Vector2d> offsets;    // of the spirals from where the map has them [mm]
+  std::array<double, kLight> light{};  // of highlights, of what is sent in all directions, between loose turns
+  std::vector<Vec2> offsets;           // of the spirals from where the map has them [mm]
 };
 
 class Fitter {
@@ -40,23 +40,26 @@ class Fitter {
         camera_(camera),
         elevation_(elevation),
         model_(spirals, camera),
-        trust_(spirals.size(), Rows::Ones()) {}
+        trust_(spirals.size(), evenly()) {}
 
   /// Lets spirals move by themselves, by about so much [mm].
   void loosen(double reach) { together_ = kPriorWeight / (reach * reach); }
 
   /// Lets bins count less that are off by far: base between loose turns, dirt, whatever the model does not know.
   void doubt(const State& state) {
-    for (Rows& trust : trust_) trust.setOnes();
+    trust_.assign(spirals_.size(), evenly());
     std::vector<double> all;
     std::vector<Rows> off, bright;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, state.globals[9]);
-      const Rows model = basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state);
-      off.push_back((model - seen).cwiseAbs());
-      bright.push_back(model.cwiseMax(seen));
-      for (int row = 0; row < kRows; ++row) {
-        if (weight[row] > 0) all.push_back(off.back()[row]);
+      const Basis basis = basisOf(k, state.globals, state.offsets[k], weight);
+      const Vec3 gains = gainsOf(k, state);
+      off.emplace_back(), bright.emplace_back();
+      for (std::size_t row = 0; row < kRows; ++row) {
+        const double model = dot(basis[row], gains);
+        off[k][row] = std::abs(model - seen[row]);
+        bright[k][row] = std::max(model, seen[row]);
+        if (weight[row] > 0) all.push_back(off[k][row]);
       }
     }
     if (all.empty()) return;
@@ -65,8 +68,10 @@ class Fitter {
     const double usual = std::max(kLeastDoubt, kDoubt * *middle);
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const double share = spirals_[k].kind == SpiralKind::Loose ? 0 : kDoubtShare;
-      const Rows by = off[k].cwiseQuotient((share * bright[k]).cwiseMax(usual));
-      trust_[k] = (1 + by.array().square()).rsqrt().matrix();
+      for (std::size_t row = 0; row < kRows; ++row) {
+        const double by = off[k][row] / std::max(share * bright[k][row], usual);
+        trust_[k][row] = 1 / std::sqrt(1 + by * by);
+      }
     }
   }
 
@@ -75,14 +80,12 @@ class Fitter {
     double lambda = 1e-2;
     double now = cost(state);
     for (int round = 0; round < rounds && !run.cancelled(); ++round) {
-      Eigen::MatrixXd normal;
-      Eigen::VectorXd right;
-      assemble(state, normal, right);
+      const NormalEquations normal = assemble(state);
       bool better = false;
       for (int attempt = 0; attempt < 6 && !better; ++attempt) {
-        Eigen::MatrixXd damped = normal;
-        damped.diagonal() += lambda * (normal.diagonal().array() + 1e-9).matrix();
-        const State tried = moved(state, damped.ldlt().solve(-right));
+        NormalEquations damped = normal;
+        for (std::size_t k = 0; k < normal.size; ++k) damped.at(k, k) += lambda * (normal.at(k, k) + 1e-9);
+        const State tried = moved(state, damped.solved());
         const double then = cost(tried);
         if (then < now) {
           better = true;
@@ -100,162 +103,179 @@ class Fitter {
 
   /// Everything that is linear, evenly lit, as it fits best.
   State begin(const Globals& globals) const {
-    State state{globals, {}, std::vector<Eigen::Vector2d>(spirals_.size(), Eigen::Vector2d::Zero())};
-    Eigen::Matrix3d normal = 1e-6 * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    State state{globals, {}, std::vector<Vec2>(spirals_.size())};
+    NormalEquations normal{3};
+    for (std::size_t k = 0; k < 3; ++k) normal.at(k, k) = 1e-6;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, globals[9]);
       const Basis basis = basisOf(k, globals, state.offsets[k], weight);
-      normal += basis.transpose() * basis;
-      right += basis.transpose() * seen;
+      for (std::size_t row = 0; row < kRows; ++row) {
+        const double terms[] = {basis[row].x, basis[row].y, basis[row].z};
+        normal.add(terms, seen[row], 1);
+      }
     }
-    const Eigen::Vector3d gains = normal.ldlt().solve(right);
-    state.light.setZero();
-    state.light[0] = gains[0], state.light[kTerms] = gains[1], state.light.tail<kGaps>().setConstant(gains[2]);
+    const std::vector<double> gains = normal.solved();
+    state.light[0] = gains[0], state.light[kTerms] = gains[1];
+    for (std::size_t k = 2 * kTerms; k < kLight; ++k) state.light[k] = gains[2];
     return state;
   }
 
-  void assemble(const State& state, Eigen::MatrixXd& normal, Eigen::VectorXd& right) const {
+  /// Of the step that would take all that is left away.
+  [[nodiscard]] NormalEquations assemble(const State& state) const {
     constexpr double kStep = 1e-4;
-    constexpr int kShared = kGlobals + kLight;
-    const Eigen::Index size = kShared + 2 * static_cast<Eigen::Index>(spirals_.size());
-    normal = Eigen::MatrixXd::Zero(size, size);
-    right = Eigen::VectorXd::Zero(size);
+    constexpr std::size_t kColumns = kShared + 2;
+    NormalEquations normal{kShared + 2 * spirals_.size()};
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
-      const Eigen::Vector3d gains = gainsOf(k, state);
+      const LitSpiral& s = spirals_[k];
+      const Vec3 gains = gainsOf(k, state);
       const auto [weight, seen] = lightOf(k, state.globals[9]);
       const SpiralModel::Shape shape = model_.shapeOf(k, state.globals);
       const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k], weight);
-      const Rows base = basis * gains - seen;
-      Eigen::Matrix<double, kRows, kShared + 2> jacobian;
-      for (int p = 0; p < kNumeric; ++p) {
+      std::vector<std::array<double, kColumns>> jacobian(kRows);
+      Rows base{};
+      for (std::size_t row = 0; row < kRows; ++row) {
+        auto& of = jacobian[row];
+        base[row] = dot(basis[row], gains) - seen[row];
+        of.fill(0);
+        of[kGlobals] = basis[row].x, of[kGlobals + 1] = s.fromAxis * basis[row].x;
+        of[kGlobals + kTerms] = basis[row].y, of[kGlobals + kTerms + 1] = s.fromAxis * basis[row].y;
+        of[kGlobals + 2 * kTerms + static_cast<std::size_t>(s.gap)] = basis[row].z;
+      }
+      const auto differ = [&](std::size_t column, const Basis& then, const Rows& seenThen) {
+        for (std::size_t row = 0; row < kRows; ++row) {
+          jacobian[row][column] = (dot(then[row], gains) - seenThen[row] - base[row]) / kStep;
+        }
+      };
+      for (std::size_t p = 0; p < kNumeric; ++p) {
+        if (p == (s.kind == SpiralKind::Loose ? 5 : 6)) continue;  // the others' width
         Globals other = state.globals;
         other[p] += kStep;
-        const bool idle = p == (spirals_[k].kind == SpiralKind::Loose ? 5 : 6);  // the others' width
-        if (idle) {
-          jacobian.col(p).setZero();
-        } else if (p == 9) {  // as the weights know it, too
+        if (p == 9) {  // as the weights know it, too
           const auto [weightThen, seenThen] = lightOf(k, other[p]);
-          jacobian.col(p) =
-              (model_.basisOf(k, shape, other, state.offsets[k], weightThen) * gains - seenThen - base) / kStep;
+          differ(p, model_.basisOf(k, shape, other, state.offsets[k], weightThen), seenThen);
         } else {
-          const SpiralModel::Shape bent = p == 4 ? shape : model_.shapeOf(k, other);
-          jacobian.col(p) = (model_.basisOf(k, bent, other, state.offsets[k], weight) * gains - seen - base) / kStep;
+          differ(p, model_.basisOf(k, p == 4 ? shape : model_.shapeOf(k, other), other, state.offsets[k], weight),
+                 seen);
         }
       }
-      jacobian.col(kGlobals) = basis.col(0);
-      jacobian.col(kGlobals + 1) = spirals_[k].fromAxis * basis.col(0);
-      jacobian.col(kGlobals + kTerms) = basis.col(1);
-      jacobian.col(kGlobals + kTerms + 1) = spirals_[k].fromAxis * basis.col(1);
-      jacobian.middleCols<kGaps>(kGlobals + 2 * kTerms).setZero();
-      jacobian.col(kGlobals + 2 * kTerms + spirals_[k].gap) = basis.col(2);
-      for (int p = 0; p < 2; ++p) {
-        Eigen::Vector2d off = state.offsets[k];
-        off[p] += kStep;
-        jacobian.col(kShared + p) =
-            (model_.basisOf(k, shape, state.globals, off, weight) * gains - seen - base) / kStep;
-        jacobian.col(kNumeric + p) = jacobian.col(kShared + p);
+      for (std::size_t p = 0; p < 2; ++p) {
+        const Vec2 off = state.offsets[k] + (p == 0 ? Vec2{kStep, 0} : Vec2{0, kStep});
+        differ(kShared + p, model_.basisOf(k, shape, state.globals, off, weight), seen);
+        for (auto& of : jacobian) of[kNumeric + p] = of[kShared + p];
       }
-      const Eigen::Matrix<double, kShared + 2, kShared + 2> square = jacobian.transpose() * jacobian;
-      const Eigen::Matrix<double, kShared + 2, 1> slope = jacobian.transpose() * base;
-      const auto at = kShared + 2 * static_cast<Eigen::Index>(k);
-      normal.topLeftCorner<kShared, kShared>() += square.topLeftCorner<kShared, kShared>();
-      normal.block<kShared, 2>(0, at) += square.topRightCorner<kShared, 2>();
-      normal.block<2, kShared>(at, 0) += square.bottomLeftCorner<2, kShared>();
-      normal.block<2, 2>(at, at) += square.bottomRightCorner<2, 2>();
-      right.head<kShared>() += slope.head<kShared>();
-      right.segment<2>(at) += slope.tail<2>();
-      normal.block<2, 2>(at, at).diagonal().array() += together_;
-      right.segment<2>(at) += together_ * state.offsets[k];
+      NormalEquations own{kColumns};
+      for (std::size_t row = 0; row < kRows; ++row) own.add(jacobian[row].data(), -base[row], 1);
+      const auto place = [&](std::size_t column) { return column < kShared ? column : column + 2 * k; };
+      for (std::size_t i = 0; i < kColumns; ++i) {
+        for (std::size_t j = 0; j < kColumns; ++j) normal.at(place(i), place(j)) += own.at(i, j);
+        normal.right[place(i)] += own.right[i];
+      }
+      const double held[] = {state.offsets[k].x, state.offsets[k].y};
+      for (std::size_t p = 0; p < 2; ++p) {
+        normal.at(place(kShared + p), place(kShared + p)) += together_;
+        normal.right[place(kShared + p)] -= together_ * held[p];
+      }
     }
     const Globals usual = usualOnes(), width = priorWidths();
-    for (int p = 2; p < kGlobals; ++p) {
-      normal(p, p) += kPriorWeight / (width[p] * width[p]);
-      right[p] += kPriorWeight * (state.globals[p] - usual[p]) / (width[p] * width[p]);
+    // What is known before are further equations.
+    std::vector<double> terms(normal.size, 0);
+    const auto know = [&](double off, double weight) {
+      normal.add(terms.data(), -off, weight);
+      std::fill(terms.begin(), terms.end(), 0);
+    };
+    for (std::size_t p = 2; p < kGlobals; ++p) {
+      terms[p] = 1;
+      know(state.globals[p] - usual[p], kPriorWeight / (width[p] * width[p]));
     }
-    Eigen::Vector2d bend;
-    for (int p = 0; p < 2; ++p) {
+    const double high = offElevation(state.globals);
+    for (std::size_t p = 0; p < 2; ++p) {
       Globals other = state.globals;
       other[p] += kStep;
-      bend[p] = (offElevation(other) - offElevation(state.globals)) / kStep;
+      terms[p] = (offElevation(other) - high) / kStep;
     }
-    normal.topLeftCorner<2, 2>() += kPriorWeight * bend * bend.transpose();
-    right.head<2>() += kPriorWeight * offElevation(state.globals) * bend;
-    const double alike = kPriorWeight / (kAlike * kAlike), apart = state.globals[6] - state.globals[5];
-    normal(5, 5) += alike, normal(6, 6) += alike, normal(5, 6) -= alike, normal(6, 5) -= alike;
-    right[5] -= alike * apart, right[6] += alike * apart;
+    know(high, kPriorWeight);
+    terms[5] = -1, terms[6] = 1;
+    know(state.globals[6] - state.globals[5], kPriorWeight / (kAlike * kAlike));
+    return normal;
   }
 
-  static Globals usualOnes() {
-    Globals g;
-    g << 0, 0, std::log(0.01), std::log(0.08), std::log(1.0), 1, 1, 0, 1, kUsualCurve, 0, 0;
-    return g;
-  }
+  static Globals usualOnes() { return {0, 0, std::log(0.01), std::log(0.08), 0, 1, 1, 0, 1, kUsualCurve, 0, 0}; }
 
  private:
-  static constexpr int kRows = SpiralModel::kRows;
+  static constexpr std::size_t kRows = SpiralModel::kRows;
   static constexpr double kFarthest = 0.25;  // [mm]
   static constexpr double kPriorWeight = 1e-2;
   static constexpr double kAlike = 0.01;  // lone beads and those side by side are laid alike
   using Rows = SpiralModel::Rows;
   using Basis = SpiralModel::Basis;
 
+  static Rows evenly() {
+    Rows ones{};
+    ones.fill(1);
+    return ones;
+  }
+
   /// The lamp's elevation from what is known of it, by that error.
   [[nodiscard]] double offElevation(const Globals& g) const {
-    const Eigen::Vector3d lamp = lampOf(g.head<2>(), camera_.place.normalized());
-    const double degrees = std::asin(std::clamp(lamp[2], -1.0, 1.0)) * 180 / std::numbers::pi;
+    const Vec3 lamp = lampOf({g[0], g[1]}, unit(camera_.place));
+    const double degrees = std::asin(std::clamp(lamp.z, -1.0, 1.0)) * 180 / std::numbers::pi;
     return (degrees - elevation_.value) / elevation_.error;
   }
 
   [[nodiscard]] Globals priorWidths() const {
-    Globals w;
-    w << 1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, 0.15, 0.15, 0.15;
-    return w;
+    return {1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, 0.15, 0.15, 0.15};
   }
 
   [[nodiscard]] SpiralModel::Light lightOf(std::size_t which, double contrast) const {
     SpiralModel::Light light = model_.lightOf(which, contrast);
-    light.weight = light.weight.cwiseProduct(trust_[which]);
-    light.seen = light.seen.cwiseProduct(trust_[which]);
+    for (std::size_t row = 0; row < kRows; ++row) {
+      light.weight[row] *= trust_[which][row];
+      light.seen[row] *= trust_[which][row];
+    }
     return light;
   }
 
-  Basis basisOf(std::size_t which, const Globals& g, const Eigen::Vector2d& off, const Rows& weight) const {
+  Basis basisOf(std::size_t which, const Globals& g, Vec2 off, const Rows& weight) const {
     return model_.basisOf(which, model_.shapeOf(which, g), g, off, weight);
   }
 
-  Eigen::Vector3d gainsOf(std::size_t which, const State& state) const {
+  [[nodiscard]] Vec3 gainsOf(std::size_t which, const State& state) const {
     const double r = spirals_[which].fromAxis;
     return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1],
-            state.light[2 * kTerms + spirals_[which].gap]};
+            state.light[2 * kTerms + static_cast<std::size_t>(spirals_[which].gap)]};
   }
 
   double cost(const State& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, state.globals[9]);
-      sum += (basisOf(k, state.globals, state.offsets[k], weight) * gainsOf(k, state) - seen).squaredNorm();
-      sum += together_ * state.offsets[k].squaredNorm();
+      const Basis basis = basisOf(k, state.globals, state.offsets[k], weight);
+      const Vec3 gains = gainsOf(k, state);
+      for (std::size_t row = 0; row < kRows; ++row) {
+        const double off = dot(basis[row], gains) - seen[row];
+        sum += off * off;
+      }
+      sum += together_ * dot(state.offsets[k], state.offsets[k]);
     }
     const Globals usual = usualOnes(), width = priorWidths();
-    for (int k = 2; k < kGlobals; ++k) sum += kPriorWeight * std::pow((state.globals[k] - usual[k]) / width[k], 2);
-    sum += kPriorWeight * std::pow(offElevation(state.globals), 2);
-    return sum + kPriorWeight * std::pow((state.globals[6] - state.globals[5]) / kAlike, 2);
+    const auto known = [](double off) { return kPriorWeight * off * off; };
+    for (std::size_t k = 2; k < kGlobals; ++k) sum += known((state.globals[k] - usual[k]) / width[k]);
+    return sum + known(offElevation(state.globals)) + known((state.globals[6] - state.globals[5]) / kAlike);
   }
 
-  static State moved(const State& from, const Eigen::VectorXd& step) {
-    constexpr int kShared = kGlobals + kLight;
+  static State moved(const State& from, const std::vector<double>& step) {
     State to = from;
-    to.globals += step.head<kGlobals>();
-    to.light += step.segment<kLight>(kGlobals);
-    for (std::size_t k = 0; k < to.offsets.size(); ++k) {
-      Eigen::Vector2d& off = to.offsets[k];
-      off += step.segment<2>(kShared + 2 * static_cast<Eigen::Index>(k));
-      if (off.norm() > kFarthest) off *= kFarthest / off.norm();
-    }
     Globals& g = to.globals;
-    const double size = g.head<2>().norm();
-    if (size > 1.5) g.head<2>() *= 1.5 / size;
+    for (std::size_t p = 0; p < kGlobals; ++p) g[p] += step[p];
+    for (std::size_t p = 0; p < kLight; ++p) to.light[p] += step[kGlobals + p];
+    for (std::size_t k = 0; k < to.offsets.size(); ++k) {
+      Vec2& off = to.offsets[k];
+      off = off + Vec2{step[kShared + 2 * k], step[kShared + 2 * k + 1]};
+      const double far = length(off);
+      if (far > kFarthest) off = (kFarthest / far) * off;
+    }
+    const double size = std::hypot(g[0], g[1]);
+    if (size > 1.5) g[0] *= 1.5 / size, g[1] *= 1.5 / size;
     g[2] = std::clamp(g[2], std::log(1e-5), std::log(2.0));
     g[3] = std::clamp(g[3], std::log(1e-4), std::log(4.0));
     g[4] = std::clamp(g[4], std::log(0.2), std::log(8.0));
@@ -308,14 +328,14 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   State best;
   if (before != nullptr) {
     Globals g = before->globals;
-    g.tail<2>().setZero();
+    g[10] = g[11] = 0;
     best = fitter.begin(g);
   } else {
     fitter.loosen(0.002);
     for (const double side : {0.0, std::numbers::pi}) {
       for (const double size : {0.2, 0.5}) {
         Globals g = Fitter::usualOnes();
-        g.head<2>() = size * Eigen::Vector2d(std::cos(azimuth + side), std::sin(azimuth + side));
+        g[0] = size * std::cos(azimuth + side), g[1] = size * std::sin(azimuth + side);
         g[2] = 2 * std::log(kUsualLobe * size);
         State state = fitter.begin(g);
         const double cost = fitter.descend(state, kFirstRounds, run);
@@ -331,16 +351,14 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   }
   const Globals& found = best.globals;
   fit.globals = found;
-  for (const Eigen::Vector2d& off : best.offsets) fit.offsets.emplace_back(off + found.tail<2>());
-  fit.tilt = found.head<2>();
+  for (const Vec2 off : best.offsets) fit.offsets.push_back(off + Vec2{found[10], found[11]});
+  fit.tilt = {found[0], found[1]};
   fit.alongVariance = std::exp(found[2]);
   fit.acrossVariance = std::exp(found[3]);
   fit.blur = std::exp(found[4]);
   fit.closing = found[5];
   fit.lone = found[6];
-  Eigen::MatrixXd normal;
-  Eigen::VectorXd right;
-  fitter.assemble(best, normal, right);
+  NormalEquations normal = fitter.assemble(best);
   double rows = 0;
   for (const LitSpiral& s : spirals) {
     for (const auto& row : s.seen.bins) {
@@ -350,9 +368,9 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   fit.misfit = std::sqrt(least / std::max(1.0, rows));
   // What is left is no noise: neighbouring bins are off together.
   const double variance = kTogether * least / std::max(1.0, rows);
-  normal.diagonal().array() += 1e-12;
-  fit.covariance = (variance * normal.inverse()).topLeftCorner<7, 7>();
-  fit.gain = best.light[0];
+  for (std::size_t k = 0; k < normal.size; ++k) normal.at(k, k) += 1e-12;
+  const std::vector<double> variances = normal.variances(fit.variances.size());
+  for (std::size_t k = 0; k < variances.size(); ++k) fit.variances[k] = variance * variances[k];
   fit.diffuse = best.light[kTerms];
   return fit;
 }

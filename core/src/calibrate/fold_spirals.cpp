@@ -1,6 +1,5 @@
 #include "calibrate/fold_spirals.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -26,13 +25,12 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
   }
   const int x0 = std::max(0, static_cast<int>(box.min.x)), x1 = std::min(tones.width - 1, static_cast<int>(box.max.x));
   const int y0 = std::max(0, static_cast<int>(box.min.y)), y1 = std::min(tones.height - 1, static_cast<int>(box.max.y));
-  const Eigen::Matrix3d back = found.map.inverse();
+  const Mat3 back = found.map.inverse();
   const int colours = photograph.channels >= 3 ? 3 : 1;
   double inverse = 0;
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
-      const Eigen::Vector3d at = back * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
-      const Vec2 p = Vec2{at[0] / at[2], at[1] / at[2]} - spiral.centre;
+      const Vec2 p = mapped(back, {x + 0.5, y + 0.5}) - spiral.centre;
       const double r = length(p);
       if (r < inner || r > outer) continue;
       double turn = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
@@ -44,7 +42,6 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
                   [static_cast<std::size_t>(std::min(kPhases - 1, static_cast<int>(phase * kPhases)))];
       const double light = static_cast<double>(lightOfCode(tones.at(x, y)));
       bin.light += light;
-      bin.spread += light * light;
       ++bin.count;
       ++out.pixels;
       inverse += 1 / r;
@@ -62,7 +59,6 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
         continue;
       }
       bin.light /= bin.count;
-      bin.spread = std::max(0.0, bin.spread / bin.count - bin.light * bin.light) / bin.count;
     }
   }
   out.meanInverseRadius = out.pixels > 0 ? inverse / out.pixels : 1;

@@ -13,10 +13,9 @@ inline constexpr int kPhases = 10;  ///< from the middle of one turn to the next
 
 struct FoldedSpiral {
   struct Bin {
-    double light = 0;   ///< mean, as sRGB codes have it, 0..1
-    double spread = 0;  ///< variance of `light`
-    int count = 0;      ///< of pixels; 0 where too many are burnt
-    int burnt = 0;      ///< of these
+    double light = 0;  ///< mean, as sRGB codes have it, 0..1
+    int count = 0;     ///< of pixels; 0 where too many are burnt
+    int burnt = 0;     ///< of these
   };
   std::array<std::array<Bin, kPhases>, kAngles> bins;
   double meanInverseRadius = 0;  ///< [1/mm], of the pixels

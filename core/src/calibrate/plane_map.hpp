@@ -1,10 +1,9 @@
 // The map from one plane onto another as a camera sees it, through pairs of points.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-#include "sillon/base/types.hpp"
+#include "calibrate/space.hpp"
 
 namespace sillon {
 
@@ -15,6 +14,6 @@ struct PointPair {
 
 /// Direct linear transform, on coordinates of about 1. At least four pairs, of which no three are in line.
 /// \param side  of the plate [mm], whose middle gets depth 1. \return plate to pixels, homogeneous.
-Eigen::Matrix3d mapThrough(const std::vector<PointPair>& pairs, double side);
+Mat3 mapThrough(const std::vector<PointPair>& pairs, double side);
 
 }  // namespace sillon

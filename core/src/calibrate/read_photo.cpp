@@ -1,7 +1,5 @@
 #include "sillon/calibrate/read_photo.hpp"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +13,7 @@
 #include "calibrate/find_coupon.hpp"
 #include "calibrate/fit_spirals.hpp"
 #include "calibrate/lamp_part.hpp"
+#include "calibrate/spiral_model.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/tones.hpp"
@@ -67,39 +66,29 @@ std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
 
 /// Where a camera of this focal length [pixels] stands, from the coupon's middle [mm].
 /// \param h  from the plate about its middle to pixels about the picture's, y up.
-Eigen::Vector3d placeOf(const Eigen::Matrix3d& h, double focal) {
-  Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
-  k(0, 0) = k(1, 1) = 1 / focal;
-  const Eigen::Matrix3d m = k * h;
-  const double scale = 2 / (m.col(0).norm() + m.col(1).norm());
-  const Eigen::Vector3d a = scale * m.col(0), b = scale * m.col(1), t = scale * m.col(2);
+Vec3 placeOf(const Mat3& h, double focal) {
+  const Mat3 m = Mat3{{1 / focal, 0, 0}, {0, 1 / focal, 0}, {0, 0, 1}} * h;
+  const double scale = 2 / (length(m.a) + length(m.b));
   // x right, y up and depth are a left-handed frame.
-  Eigen::Matrix3d rotation;
-  rotation.col(0) = a.normalized();
-  rotation.col(1) = (b - b.dot(rotation.col(0)) * rotation.col(0)).normalized();
-  rotation.col(2) = rotation.col(1).cross(rotation.col(0));
-  Eigen::Vector3d place = -rotation.transpose() * t;
-  if (place[2] < 0) place[2] = -place[2];
-  return place;
+  const Vec3 a = unit(m.a), b = unit(m.b - dot(m.b, a) * a);
+  const Vec3 place = -scale * (Mat3{a, b, cross(b, a)}.transposed() * m.c);
+  return {place.x, place.y, std::abs(place.z)};
 }
 
 /// Where the camera is, out of the map alone: axes of the plate are at right angles and equally long, which tells the
 /// focal length the better the more the camera is tilted; for the rest, it is a phone's.
 SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
-  constexpr int kSteps = 160;
-  Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();
-  shift(0, 2) = kMiddle.x, shift(1, 2) = kMiddle.y;
-  Eigen::Matrix3d centred = Eigen::Matrix3d::Identity();
-  centred(0, 2) = -width / 2.0, centred(1, 2) = -height / 2.0;
-  Eigen::Matrix3d flip = Eigen::Matrix3d::Identity();
-  flip(1, 1) = -1;  // the picture's y goes down
-  const Eigen::Matrix3d h = flip * centred * found.map * shift;
+  constexpr std::size_t kSteps = 160;
+  const Mat3 shift{{1, 0, 0}, {0, 1, 0}, {kMiddle.x, kMiddle.y, 1}};
+  // About the picture's middle, y up.
+  const Mat3 centred{{1, 0, 0}, {0, -1, 0}, {-width / 2.0, height / 2.0, 1}};
+  const Mat3 h = centred * found.map * shift;
   const double side = std::max(width, height);
   const auto costOf = [&](double focal) {
-    const Eigen::Vector3d by(1 / focal, 1 / focal, 1);
-    const Eigen::Vector3d a = by.cwiseProduct(h.col(0)), b = by.cwiseProduct(h.col(1));
-    const double skew = 2 * a.dot(b), stretch = a.squaredNorm() - b.squaredNorm();
-    const double off = std::hypot(skew, stretch) / (kMapError * (a.squaredNorm() + b.squaredNorm()));
+    const auto seen = [&](Vec3 v) { return Vec3{v.x / focal, v.y / focal, v.z}; };
+    const Vec3 a = seen(h.a), b = seen(h.b);
+    const double skew = 2 * dot(a, b), stretch = dot(a, a) - dot(b, b);
+    const double off = std::hypot(skew, stretch) / (kMapError * (dot(a, a) + dot(b, b)));
     const double unusual = std::log(focal / (kUsualFocal * side)) / kFocalSpread;
     return off * off + unusual * unusual;
   };
@@ -118,10 +107,10 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
   SeenFrom camera;
   camera.place = placeOf(h, side * std::exp(mean));
   camera.distanceError = std::max(kLeastDistanceError, std::sqrt(std::max(0.0, square / weights - mean * mean)));
-  const auto directionAt = [&](double sign) -> Eigen::Vector3d {
-    return placeOf(h, side * std::exp(mean + sign * camera.distanceError)).normalized();
+  const auto directionAt = [&](double sign) {
+    return unit(placeOf(h, side * std::exp(mean + sign * camera.distanceError)));
   };
-  camera.directionError = 0.5 * (directionAt(1) - directionAt(-1)).norm();
+  camera.directionError = 0.5 * length(directionAt(1) - directionAt(-1));
   return camera;
 }
 
@@ -181,8 +170,9 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
     const Vec2 axis{(2 * pixel.x - photograph.width) / photograph.width,
                     (2 * pixel.y - photograph.height) / photograph.width};
     s.fromAxis = dot(axis, axis);
-    const Eigen::Matrix2d back = coupon.jacobianAt(s.spiral.centre).inverse();
-    s.blurShape = back * back.transpose();
+    const FoundCoupon::Steps steps = coupon.stepsAt(s.spiral.centre);
+    const double by = 1 / cross(steps.x, steps.y);
+    s.blurX = by * Vec2{steps.y.y, -steps.x.y}, s.blurY = by * Vec2{-steps.y.x, steps.x.x};
     all += s.seen.pixels;
     burnt += s.seen.burnt;
   }
@@ -196,7 +186,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   std::vector<CouponSpiral> about = places;
   for (int round = 0; round < 2 && !run.cancelled(); ++round) {
     for (std::size_t k = 0; k < spirals.size(); ++k) {
-      about[k].centre = about[k].centre + Vec2{fit.offsets[k][0], fit.offsets[k][1]};
+      about[k].centre = about[k].centre + fit.offsets[k];
       spirals[k].seen = foldSpiral(about[k], coupon, photograph, tones);
     }
     fit = fitSpirals(spirals, camera, elevation, &fit, run);
@@ -204,9 +194,9 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
 
   CouponReading out;
-  out.pixelsPerMm = std::sqrt(std::abs(coupon.jacobianAt(kMiddle).determinant()));
+  out.pixelsPerMm = coupon.scaleAt(kMiddle);
   out.blur = fit.blur / out.pixelsPerMm;
-  out.tilt = std::acos(std::clamp(camera.place.normalized()[2], -1.0, 1.0)) * kDegrees;
+  out.tilt = std::acos(std::clamp(unit(camera.place).z, -1.0, 1.0)) * kDegrees;
   if (out.blur > kMostBlur * nozzle) {
     return unreadable("the photograph is blurred by " + fixed(out.blur, 2) + " mm; it may be by " +
                       fixed(kMostBlur * nozzle, 2) + ": hold the camera still and let it focus on the coupon");
@@ -230,8 +220,8 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   }
 
   const LampPart lamp = lampPartOf(request.lampSlope);
-  out.along = slopeOf(fit.alongVariance, errorOf(fit.covariance(2, 2)), lamp);
-  out.across = slopeOf(fit.acrossVariance, errorOf(fit.covariance(3, 3)), lamp);
+  out.along = slopeOf(fit.alongVariance, errorOf(fit.variances[2]), lamp);
+  out.across = slopeOf(fit.acrossVariance, errorOf(fit.variances[3]), lamp);
   for (const Measured* slope : {&out.along, &out.across}) {
     const bool lost = slope->error > kMostError * slope->value;
     if (!lost) continue;
@@ -239,20 +229,18 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
                       " the beads cannot be told in this light: " + fixed(slope->value, 1) + " degrees within " +
                       fixed(slope->error, 1) + "; use a smaller lamp, or one that is farther away");
   }
-  const Eigen::Vector3d eye = camera.place.normalized();
-  const Eigen::Vector3d h = Eigen::Vector3d(fit.tilt[0], fit.tilt[1], 1).normalized();
-  const Eigen::Vector3d to = (2 * h.dot(eye) * h - eye).normalized();
-  const double flat = std::max(0.02, std::hypot(to[0], to[1]));
-  double azimuth = std::atan2(to[1], to[0]) * kDegrees;
+  const Vec3 to = unit(lampOf(fit.tilt, unit(camera.place)));
+  const double flat = std::max(0.02, std::hypot(to.x, to.y));
+  double azimuth = std::atan2(to.y, to.x) * kDegrees;
   if (azimuth < 0) azimuth += 360;
-  const double tiltError = std::sqrt(0.5 * (fit.covariance(0, 0) + fit.covariance(1, 1)));
-  const double turn = tiltError * (1 + to[2]);
+  const double tiltError = std::sqrt(0.5 * (fit.variances[0] + fit.variances[1]));
+  const double turn = tiltError * (1 + to.z);
   out.azimuth = {azimuth, std::min(180.0, std::hypot(turn, camera.directionError) / flat * kDegrees)};
-  out.elevation = {std::asin(std::clamp(to[2], -1.0, 1.0)) * kDegrees,
+  out.elevation = {std::asin(std::clamp(to.z, -1.0, 1.0)) * kDegrees,
                    std::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
 
   out.width = {nozzle * plate.value().print.flow * fit.lone,
-               nozzle * plate.value().print.flow * errorOf(fit.covariance(6, 6))};
+               nozzle * plate.value().print.flow * errorOf(fit.variances[6])};
   double lowest = 1e9, highest = 0;
   for (const CalibrationValue& value : plate.value().values) {
     lowest = std::min(lowest, value.value);
@@ -262,7 +250,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   if (closing < lowest) {
     out.flowIsLower = true;
   } else if (closing <= highest + (highest - lowest) / 3) {
-    out.flow = Measured{closing, closing * closing * errorOf(fit.covariance(5, 5))};
+    out.flow = Measured{closing, closing * closing * errorOf(fit.variances[5])};
   }
   // Colour of the darkest tenth, as bright as a colour gets.
   double rgb[3] = {0, 0, 0};

@@ -21,36 +21,37 @@ constexpr double kEdge = 0.9;         // height of what casts a bead's shadow, b
 
 using Wave = SpiralModel::Wave;
 using Pattern = SpiralModel::Pattern;
-constexpr int kHarmonics = SpiralModel::kHarmonics;
+constexpr std::size_t kHarmonics = SpiralModel::kHarmonics;
+constexpr std::size_t kPoints = std::size_t{2} * kAngles;
 
 Wave waveOf(double size, double angle) { return {size * std::cos(angle), size * std::sin(angle)}; }
 
-void addProduct(Wave& sum, const Wave& a, const Wave& b) {
-  sum.re += a.re * b.re - a.im * b.im;
-  sum.im += a.re * b.im + a.im * b.re;
-}
+Wave product(Wave a, Wave b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 
 double placeOf(int i) { return (i + 0.5) / kFine - 0.5; }  // outward, from the bead's middle [pitch]
 
 struct Waves {
-  std::array<std::array<Wave, kFine>, kHarmonics> fine;     // of place k
-  std::array<std::array<Wave, kPhases>, kHarmonics> phase;  // at phase k, averaged over its bin
+  std::array<Pattern, kFine> fine;      // of place k
+  std::array<Pattern, kPhases> phase;   // at phase k, averaged over its bin
+  std::array<Vec2, kPoints> outward{};  // Gauss's two points of each angle
 };
 
 const Waves& waves() {
   static const Waves made = [] {
     Waves w;
-    for (int h = 0; h < kHarmonics; ++h) {
-      for (int k = 0; k < kFine; ++k) {
-        w.fine[static_cast<std::size_t>(h)][static_cast<std::size_t>(k)] =
-            waveOf(1.0 / kFine, -2 * std::numbers::pi * h * placeOf(k));
-      }
-      const double x = std::numbers::pi * h / kPhases;
-      const double mean = h == 0 ? 1 : std::sin(x) / x;
+    for (std::size_t h = 0; h < kHarmonics; ++h) {
+      const auto turns = 2 * std::numbers::pi * static_cast<double>(h);
+      for (int k = 0; k < kFine; ++k) w.fine[static_cast<std::size_t>(k)][h] = waveOf(1.0 / kFine, -turns * placeOf(k));
+      const double x = turns / (2 * kPhases);
+      const double mean = h == 0 ? 1 : 2 * std::sin(x) / x;
       for (int k = 0; k < kPhases; ++k) {
-        w.phase[static_cast<std::size_t>(h)][static_cast<std::size_t>(k)] =
-            waveOf(h == 0 ? 1 : 2 * mean, 2 * std::numbers::pi * h * (k + 0.5) / kPhases);
+        w.phase[static_cast<std::size_t>(k)][h] = waveOf(mean, turns * (k + 0.5) / kPhases);
       }
+    }
+    for (std::size_t k = 0; k < kPoints; ++k) {
+      const double in = k % 2 == 0 ? 0.5 - kGauss : 0.5 + kGauss;
+      const double angle = 2 * std::numbers::pi * (static_cast<double>(k / 2) + in) / kAngles;
+      w.outward[k] = {std::cos(angle), std::sin(angle)};
     }
     return w;
   }();
@@ -58,11 +59,13 @@ const Waves& waves() {
 }
 
 Pattern patternOf(const std::array<double, kFine>& values) {
+  const Waves& w = waves();
   Pattern out{};
-  for (std::size_t h = 0; h < kHarmonics; ++h) {
-    for (std::size_t i = 0; i < kFine; ++i) {
-      out[h].re += values[i] * waves().fine[h][i].re;
-      out[h].im += values[i] * waves().fine[h][i].im;
+  for (std::size_t i = 0; i < kFine; ++i) {
+    if (values[i] == 0) continue;
+    for (std::size_t h = 0; h < kHarmonics; ++h) {
+      out[h].re += values[i] * w.fine[i][h].re;
+      out[h].im += values[i] * w.fine[i][h].im;
     }
   }
   return out;
@@ -80,22 +83,23 @@ double straightened(double code, double contrast) {
 
 }  // namespace
 
-Eigen::Vector2d tiltAt(const Eigen::Vector3d& lamp, const Eigen::Vector3d& eye) {
-  const Eigen::Vector3d h = lamp + eye;
-  return h.head<2>() / std::max(1e-3, h[2]);
+Vec2 tiltAt(Vec3 lamp, Vec3 eye) {
+  const Vec3 h = lamp + eye;
+  const double by = 1 / std::max(1e-3, h.z);
+  return {by * h.x, by * h.y};
 }
 
-Eigen::Vector3d lampOf(const Eigen::Vector2d& tilt, const Eigen::Vector3d& eye) {
-  const Eigen::Vector3d h = Eigen::Vector3d(tilt[0], tilt[1], 1).normalized();
-  return 2 * h.dot(eye) * h - eye;
+Vec3 lampOf(Vec2 tilt, Vec3 eye) {
+  const Vec3 h = unit(Vec3{tilt.x, tilt.y, 1});
+  return 2 * dot(h, eye) * h - eye;
 }
 
 SpiralModel::SpiralModel(const std::vector<LitSpiral>& spirals, const SeenFrom& camera)
     : spirals_(spirals), camera_(camera), profile_(static_cast<double>(lobeOf({}, {}).profile)) {
   for (const LitSpiral& s : spirals) {
-    Rows code;
-    for (int k = 0; k < kRows; ++k) {
-      const auto& bin = s.seen.bins[static_cast<std::size_t>(k / kPhases)][static_cast<std::size_t>(k % kPhases)];
+    Rows code{};
+    for (std::size_t k = 0; k < kRows; ++k) {
+      const auto& bin = s.seen.bins[k / kPhases][k % kPhases];
       code[k] = bin.count < 3 ? -1 : static_cast<double>(codeOfLight(static_cast<float>(bin.light)));
       brightest_ = std::max(brightest_, code[k]);
     }
@@ -105,8 +109,8 @@ SpiralModel::SpiralModel(const std::vector<LitSpiral>& spirals, const SeenFrom& 
 
 SpiralModel::Light SpiralModel::lightOf(std::size_t which, double contrast) const {
   const double most = straightened(brightest_, contrast);
-  Light out;
-  for (int k = 0; k < kRows; ++k) {
+  Light out{};
+  for (std::size_t k = 0; k < kRows; ++k) {
     const double code = codes_[which][k];
     const double light = code < 0 ? 0 : straightened(code, contrast);
     out.weight[k] = code < 0 ? 0 : 1 / std::sqrt(most * (light + 0.02 * most));
@@ -119,21 +123,24 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   const LitSpiral& s = spirals_[which];
   const bool loose = s.kind == SpiralKind::Loose;
   const double pitch = s.spiral.pitch;
-  const Eigen::Vector3d middle(s.spiral.centre.x - kCouponSide / 2, s.spiral.centre.y - kCouponSide / 2, 0);
-  const Eigen::Vector3d from = std::exp(g[7]) * camera_.place;
-  const Eigen::Vector3d lamp = lampOf(g.head<2>(), camera_.place.normalized());
+  const Vec3 middle{s.spiral.centre.x - kCouponSide / 2, s.spiral.centre.y - kCouponSide / 2, 0};
+  const Vec3 from = std::exp(g[7]) * camera_.place;
+  const Vec3 lamp = lampOf({g[0], g[1]}, unit(camera_.place));
   const double va = std::exp(g[2]), vc = std::exp(g[3]);
   const double half = 0.5 * s.flow * (loose ? g[6] : g[5]) * s.width / pitch;  // [pitch]
   const double lead = pitch / (2 * std::numbers::pi) * s.seen.meanInverseRadius;
   // How far a bead hides the gap outward of it from the lamp and from the camera [pitch].
-  const Eigen::Vector3d eye = (from - middle).normalized(), ray = (lamp - 1e-3 * g[8] * middle).normalized();
-  const Eigen::Vector2d shadow = -kEdge * s.height / pitch / std::max(0.1, ray[2]) * ray.head<2>();
-  const Eigen::Vector2d hidden = -kEdge * s.height / pitch / std::max(0.1, eye[2]) * eye.head<2>();
+  const auto reach = [&](Vec3 towards) {
+    const double by = -kEdge * s.height / pitch / std::max(0.1, towards.z);
+    return Vec2{by * towards.x, by * towards.y};
+  };
+  const Vec2 shadow = reach(unit(lamp - 1e-3 * g[8] * middle)), hidden = reach(unit(from - middle));
   constexpr double kPiece = 2 * std::numbers::pi / kSpiralSteps;
   const double spread = kPiece * kPiece / 12 + lead * lead * kLeadSpread;
   Shape shape;
-  shape.light = 1 / (lamp - 1e-3 * g[8] * middle).squaredNorm();  // falls off with the distance
-  std::array<double, kFine> share{};                              // of a place that is bead: smooth in the width
+  const Vec3 way = lamp - 1e-3 * g[8] * middle;
+  shape.light = 1 / dot(way, way);    // falls off with the distance
+  std::array<double, kFine> share{};  // of a place that is bead: smooth in the width
   int first = kFine, last = -1;
   for (int i = 0; i < kFine; ++i) {
     const double here = std::clamp((half - std::abs(placeOf(i))) * kFine + 0.5, 0.0, 1.0);
@@ -141,13 +148,13 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
     if (here > 0) first = std::min(first, i), last = i;
   }
   shape.body = patternOf(share);
-  for (int k = 0; k < 2 * kAngles; ++k) {
-    const double angle = 2 * std::numbers::pi * (k / 2 + (k % 2 == 0 ? 0.5 - kGauss : 0.5 + kGauss)) / kAngles;
-    const Eigen::Vector2d n(std::cos(angle), std::sin(angle));
-    const Eigen::Vector2d t = (Eigen::Vector2d(-n[1], n[0]) + lead * n).normalized();
-    const Eigen::Vector3d at = middle + Eigen::Vector3d(n[0], n[1], 0) / s.seen.meanInverseRadius;
-    const Eigen::Vector2d m = tiltAt((lamp - 1e-3 * g[8] * at).normalized(), (from - at).normalized());
-    const double a = m.dot(t), c = t[0] * m[1] - t[1] * m[0];
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    const Vec2 n = waves().outward[k];
+    const Vec2 ahead = Vec2{-n.y, n.x} + lead * n;
+    const Vec2 t = (1 / length(ahead)) * ahead;
+    const Vec3 at = middle + (1 / s.seen.meanInverseRadius) * Vec3{n.x, n.y, 0};
+    const Vec2 m = tiltAt(unit(lamp - 1e-3 * g[8] * at), unit(from - at));
+    const double a = dot(m, t), c = cross(t, m);
     // Directions within a bin differ: a spiral's turns are made of straight pieces, and lead outward less the larger.
     const double wide = va + spread * c * c;
     const double along = std::sqrt(va / wide) * std::exp(-a * a / (2 * wide));
@@ -167,56 +174,60 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
         ratio *= bend;
       }
     }
-    shape.shine[static_cast<std::size_t>(k)] = patternOf(lit);
+    shape.shine[k] = patternOf(lit);
     if (!loose) continue;
     std::array<double, kFine> open{};  // the part of the gap that is lit and seen
-    const double lowest = half + std::max({0.0, shadow.dot(n), hidden.dot(n)});
-    const double highest = 1 - half + std::min({0.0, shadow.dot(n), hidden.dot(n)});
+    const double lowest = half + std::max({0.0, dot(shadow, n), dot(hidden, n)});
+    const double highest = 1 - half + std::min({0.0, dot(shadow, n), dot(hidden, n)});
     for (int i = 0; i < kFine; ++i) {
       const double x = placeOf(i), y = x < 0 ? x + 1 : x;
       open[static_cast<std::size_t>(i)] =
           std::clamp((y - lowest) * kFine + 0.5, 0.0, 1.0) * std::clamp((highest - y) * kFine + 0.5, 0.0, 1.0);
     }
-    shape.floor[static_cast<std::size_t>(k)] = patternOf(open);
+    shape.floor[k] = patternOf(open);
   }
   return shape;
 }
 
-SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g,
-                                        const Eigen::Vector2d& off, const Rows& weights) const {
+SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off,
+                                        const Rows& weights) const {
   const LitSpiral& s = spirals_[which];
   const bool loose = s.kind == SpiralKind::Loose;
   const double pitch = s.spiral.pitch, blur = std::exp(g[4]);
+  const Vec2 shifted = off + Vec2{g[10], g[11]};
+  const auto add = [](Wave& sum, Wave by) { sum.re += by.re, sum.im += by.im; };
+  const Waves& waving = waves();
   Basis basis;
-  for (int k = 0; k < kAngles; ++k) {
+  for (std::size_t k = 0; k < kAngles; ++k) {
     Pattern body{}, shine{}, floor{};
-    for (int point = 0; point < 2; ++point) {  // the mean over the bin, by Gauss's two points
-      const double angle = 2 * std::numbers::pi * (k + (point == 0 ? 0.5 - kGauss : 0.5 + kGauss)) / kAngles;
-      const Eigen::Vector2d n(std::cos(angle), std::sin(angle));
-      const double sigma = blur * std::sqrt(n.dot(s.blurShape * n)) / pitch;
-      const double shift = (off + g.tail<2>()).dot(n) / pitch;
-      const auto at = static_cast<std::size_t>(2 * k + point);
+    for (std::size_t at = 2 * k; at < 2 * k + 2; ++at) {  // the mean over the bin
+      const Vec2 n = waving.outward[at];
+      const double x = dot(n, s.blurX), y = dot(n, s.blurY);
+      const double w = 2 * std::numbers::pi / pitch;
+      // A Gaussian blur leaves b^(h²) of harmonic h: from one to the next, by b, b³, b⁵ ...
+      const double least = std::exp(-0.5 * w * w * blur * blur * (x * x + y * y));
+      const Wave turn = waveOf(1, -w * dot(shifted, n));
+      Wave move{0.5, 0};
+      double by = least;
       for (std::size_t h = 0; h < kHarmonics; ++h) {
-        const double w = 2 * std::numbers::pi * static_cast<double>(h);
-        const Wave move = waveOf(0.5 * std::exp(-0.5 * w * w * sigma * sigma), -w * shift);
-        addProduct(body[h], shape.body[h], move);
-        addProduct(shine[h], shape.shine[at][h], move);
-        if (loose) addProduct(floor[h], shape.floor[at][h], move);
+        add(body[h], product(shape.body[h], move));
+        add(shine[h], product(shape.shine[at][h], move));
+        if (loose) add(floor[h], product(shape.floor[at][h], move));
+        move = product(move, {by * turn.re, by * turn.im});
+        by *= least * least;
       }
     }
-    for (int p = 0; p < kPhases; ++p) {
+    for (std::size_t p = 0; p < kPhases; ++p) {
       double covered = 0, lit = 0, open = 0;
       for (std::size_t h = 0; h < kHarmonics; ++h) {
-        const Wave& wave = waves().phase[h][static_cast<std::size_t>(p)];
+        const Wave wave = waving.phase[p][h];
         covered += body[h].re * wave.re - body[h].im * wave.im;
         lit += shine[h].re * wave.re - shine[h].im * wave.im;
         open += floor[h].re * wave.re - floor[h].im * wave.im;
       }
-      const int row = k * kPhases + p;
+      const std::size_t row = k * kPhases + p;
       const double weight = shape.light * weights[row];
-      basis(row, 0) = weight * lit;
-      basis(row, 1) = weight * (covered + kInGap * (1 - covered));
-      basis(row, 2) = weight * open;
+      basis[row] = weight * Vec3{lit, covered + kInGap * (1 - covered), open};
     }
   }
   return basis;
