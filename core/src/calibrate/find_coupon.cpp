@@ -13,34 +13,13 @@
 namespace sillon {
 namespace {
 
-constexpr double kReach = 0.9;          // [mm], how far off the outline's corners may put a spiral
-constexpr double kClear = 0.11;         // mean clarity of a coupon's spirals; glossy ones shine in few directions
-constexpr double kClearer = 1.4;        // than any other way round,
-constexpr double kMostResidual = 0.25;  // [mm] of the spirals' places
-constexpr double kUsualResidual = 0.1;  // [mm]; a spiral that is off by so much counts half
-constexpr int kRounds = 5;
+constexpr double kReach = 0.9;           // [mm], how far off the outline's corners may put a spiral
+constexpr double kClear = 0.11;          // mean clarity of a coupon's spirals; glossy ones shine in few directions
+constexpr double kClearer = 1.4;         // than any other way round,
+constexpr double kMostResidual = 0.25;   // [mm] of the spirals' places
 constexpr double kOutlineWeight = 0.02;  // of a corner of the outline, by a spiral's clarity
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
-
-/// Pairs count less the farther they are off: some spirals are seen where they are not.
-/// \param scale  [pixels/mm] \return weighted RMS of what is left [mm].
-double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double scale) {
-  std::vector<PointPair> weighted = pairs;
-  double residual = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    FoundCoupon found{mapThrough(weighted, kCouponSide), 0};
-    map = found.map;
-    double sum = 0, weights = 0;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const double off = length(found.pixelOf(pairs[k].plate) - pairs[k].pixel) / scale;
-      weighted[k].weight = pairs[k].weight / (1 + std::pow(off / kUsualResidual, 2));
-      sum += weighted[k].weight * off * off, weights += weighted[k].weight;
-    }
-    residual = std::sqrt(sum / weights);
-  }
-  return residual;
-}
 
 }  // namespace
 
@@ -96,7 +75,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
       if (loose && reach < kReach) continue;
       pairs.push_back({spirals[k].centre, best.pixelOf(spirals[k].centre + seen[k].off), seen[k].clarity});
     }
-    residual = fitMap(best.map, pairs, scale);
+    residual = fitMap(best.map, pairs, kCouponSide, scale);
   }
   if (!clearer || best.clarity < kClear || !(residual <= kMostResidual)) {
     return unreadable(

@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kNumeric = 10;  // of the globals, the derivatives that are differences
 constexpr double kUsualCurve = 0.1;   // of telephones
 constexpr std::size_t kTerms = 2;  // of the light over the coupon: even, and by the distance from the picture's middle
-constexpr std::size_t kGaps = kLooseSpirals;  // the base shines differently under each
-constexpr std::size_t kLight = 2 * kTerms + kGaps;
-constexpr std::size_t kShared = kGlobals + kLight;  // unknowns; and two of each spiral
+constexpr std::size_t kLight = 2 * kTerms;
+constexpr std::size_t kShared = kGlobals + kLight;  // unknowns,
+constexpr std::size_t kOwn = 3;                     // and of each spiral
 constexpr int kRounds = 30;
 constexpr int kLaterRounds = 12;      // from a fit of the same spirals
 constexpr double kTogether = 40;      // bins that are off alike: a guess, see docs/internals/photographs.md
@@ -29,8 +29,9 @@ constexpr double kUsualLobe = 0.15;   // [radians]
 
 struct State {
   Globals globals;
-  std::array<double, kLight> light{};  // of highlights, of what is sent in all directions, between loose turns
+  std::array<double, kLight> light{};  // of highlights, of what is sent in all directions
   std::vector<Vec2> offsets;           // of the spirals from where the map has them [mm]
+  std::vector<double> bases;           // light of what shows between a spiral's turns
 };
 
 class Fitter {
@@ -44,6 +45,9 @@ class Fitter {
 
   /// Lets spirals move by themselves, by about so much [mm].
   void loosen(double reach) { together_ = kPriorWeight / (reach * reach); }
+
+  /// Holds the tone curve to a telephone's: about wrong middles, it would bend to what does not fit.
+  void holdCurve() { curveError_ = 0.02; }
 
   /// Lets bins count less that are off by far: base between loose turns, dirt, whatever the model does not know.
   void doubt(const State& state) {
@@ -103,7 +107,7 @@ class Fitter {
 
   /// Everything that is linear, evenly lit, as it fits best.
   State begin(const Globals& globals) const {
-    State state{globals, {}, std::vector<Vec2>(spirals_.size())};
+    State state{globals, {}, std::vector<Vec2>(spirals_.size()), {}};
     NormalEquations normal{3};
     for (std::size_t k = 0; k < 3; ++k) normal.at(k, k) = 1e-6;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
@@ -116,15 +120,15 @@ class Fitter {
     }
     const std::vector<double> gains = normal.solved();
     state.light[0] = gains[0], state.light[kTerms] = gains[1];
-    for (std::size_t k = 2 * kTerms; k < kLight; ++k) state.light[k] = gains[2];
+    state.bases.assign(spirals_.size(), gains[2]);
     return state;
   }
 
   /// Of the step that would take all that is left away.
   [[nodiscard]] NormalEquations assemble(const State& state) const {
     constexpr double kStep = 1e-4;
-    constexpr std::size_t kColumns = kShared + 2;
-    NormalEquations normal{kShared + 2 * spirals_.size()};
+    constexpr std::size_t kColumns = kShared + kOwn;
+    NormalEquations normal{kShared + kOwn * spirals_.size()};
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const LitSpiral& s = spirals_[k];
       const Vec3 gains = gainsOf(k, state);
@@ -139,7 +143,7 @@ class Fitter {
         of.fill(0);
         of[kGlobals] = basis[row].x, of[kGlobals + 1] = s.fromAxis * basis[row].x;
         of[kGlobals + kTerms] = basis[row].y, of[kGlobals + kTerms + 1] = s.fromAxis * basis[row].y;
-        of[kGlobals + 2 * kTerms + static_cast<std::size_t>(s.gap)] = basis[row].z;
+        of[kShared + 2] = basis[row].z;
       }
       const auto differ = [&](std::size_t column, const Basis& then, const Rows& seenThen) {
         for (std::size_t row = 0; row < kRows; ++row) {
@@ -165,15 +169,16 @@ class Fitter {
       }
       NormalEquations own{kColumns};
       for (std::size_t row = 0; row < kRows; ++row) own.add(jacobian[row].data(), -base[row], 1);
-      const auto place = [&](std::size_t column) { return column < kShared ? column : column + 2 * k; };
+      const auto place = [&](std::size_t column) { return column < kShared ? column : column + kOwn * k; };
       for (std::size_t i = 0; i < kColumns; ++i) {
         for (std::size_t j = 0; j < kColumns; ++j) normal.at(place(i), place(j)) += own.at(i, j);
         normal.right[place(i)] += own.right[i];
       }
-      const double held[] = {state.offsets[k].x, state.offsets[k].y};
-      for (std::size_t p = 0; p < 2; ++p) {
-        normal.at(place(kShared + p), place(kShared + p)) += together_;
-        normal.right[place(kShared + p)] -= together_ * held[p];
+      const double held[] = {state.offsets[k].x, state.offsets[k].y, state.bases[k]};
+      for (std::size_t p = 0; p < kOwn; ++p) {
+        const double weight = p < 2 ? together_ : kBaseWeight;
+        normal.at(place(kShared + p), place(kShared + p)) += weight;
+        normal.right[place(kShared + p)] -= weight * held[p];
       }
     }
     const Globals usual = usualOnes(), width = priorWidths();
@@ -205,7 +210,8 @@ class Fitter {
   static constexpr std::size_t kRows = SpiralModel::kRows;
   static constexpr double kFarthest = 0.25;  // [mm]
   static constexpr double kPriorWeight = 1e-2;
-  static constexpr double kAlike = 0.01;  // lone beads and those side by side are laid alike
+  static constexpr double kBaseWeight = kPriorWeight;  // a base sends at most about as much as the brightest beads
+  static constexpr double kAlike = 0.01;               // lone beads and those side by side are laid alike
   using Rows = SpiralModel::Rows;
   using Basis = SpiralModel::Basis;
 
@@ -223,7 +229,7 @@ class Fitter {
   }
 
   [[nodiscard]] Globals priorWidths() const {
-    return {1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, 0.15, 0.15, 0.15};
+    return {1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, curveError_, 0.15, 0.15};
   }
 
   [[nodiscard]] SpiralModel::Light lightOf(std::size_t which, double contrast) const {
@@ -241,8 +247,7 @@ class Fitter {
 
   [[nodiscard]] Vec3 gainsOf(std::size_t which, const State& state) const {
     const double r = spirals_[which].fromAxis;
-    return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1],
-            state.light[2 * kTerms + static_cast<std::size_t>(spirals_[which].gap)]};
+    return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1], state.bases[which]};
   }
 
   double cost(const State& state) const {
@@ -255,7 +260,7 @@ class Fitter {
         const double off = dot(basis[row], gains) - seen[row];
         sum += off * off;
       }
-      sum += together_ * dot(state.offsets[k], state.offsets[k]);
+      sum += together_ * dot(state.offsets[k], state.offsets[k]) + kBaseWeight * state.bases[k] * state.bases[k];
     }
     const Globals usual = usualOnes(), width = priorWidths();
     const auto known = [](double off) { return kPriorWeight * off * off; };
@@ -270,7 +275,9 @@ class Fitter {
     for (std::size_t p = 0; p < kLight; ++p) to.light[p] += step[kGlobals + p];
     for (std::size_t k = 0; k < to.offsets.size(); ++k) {
       Vec2& off = to.offsets[k];
-      off = off + Vec2{step[kShared + 2 * k], step[kShared + 2 * k + 1]};
+      const double* own = step.data() + kShared + kOwn * k;
+      off = off + Vec2{own[0], own[1]};
+      to.bases[k] += own[2];
       const double far = length(off);
       if (far > kFarthest) off = (kFarthest / far) * off;
     }
@@ -292,6 +299,7 @@ class Fitter {
   Elevation elevation_;
   SpiralModel model_;
   std::vector<Rows> trust_;                         // in each bin
+  double curveError_ = 0.15;
   double together_ = kPriorWeight / (0.05 * 0.05);  // what holds spirals where the map has them [1/mm²]
 };
 
@@ -328,9 +336,10 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   State best;
   if (before != nullptr) {
     Globals g = before->globals;
-    g[10] = g[11] = 0;
+    g[7] = g[10] = g[11] = 0;  // camera and middles are known better now
     best = fitter.begin(g);
   } else {
+    fitter.holdCurve();
     fitter.loosen(0.002);
     for (const double side : {0.0, std::numbers::pi}) {
       for (const double size : {0.2, 0.5}) {

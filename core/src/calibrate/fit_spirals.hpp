@@ -12,15 +12,12 @@ namespace sillon {
 
 enum class SpiralKind { Mark, Loose, Flow };
 
-inline constexpr int kLooseSpirals = 2;
-
 struct LitSpiral {
   CouponSpiral spiral;  ///< as it was asked for
   SpiralKind kind = SpiralKind::Mark;
   double flow = 1;    ///< asked for
   double width = 0;   ///< of a bead of flow 1 [mm]
   double height = 0;  ///< of a bead [mm]
-  int gap = 0;        ///< which of the loose ones it is
   FoldedSpiral seen;
   double fromAxis = 0;            ///< square of its distance from the picture's middle, in half widths
   Vec2 blurX{1, 0}, blurY{0, 1};  ///< steps of one pixel on the plate [mm]

@@ -1,8 +1,17 @@
 #include "calibrate/plane_map.hpp"
 
+#include <cmath>
+#include <cstddef>
+
 #include "calibrate/normal_equations.hpp"
 
 namespace sillon {
+namespace {
+
+constexpr double kUsualOff = 0.1;  // [mm]
+constexpr int kRounds = 5;
+
+}  // namespace
 
 Mat3 mapThrough(const std::vector<PointPair>& pairs, double side) {
   Vec2 middle;
@@ -25,6 +34,22 @@ Mat3 mapThrough(const std::vector<PointPair>& pairs, double side) {
   const Mat3 plate{{1 / half, 0, 0}, {0, 1 / half, 0}, {-1, -1, 1}};
   const Mat3 pixel{{size, 0, 0}, {0, size, 0}, {middle.x, middle.y, 1}};
   return pixel * inner * plate;
+}
+
+double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, double scale) {
+  std::vector<PointPair> weighted = pairs;
+  double residual = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    map = mapThrough(weighted, side);
+    double sum = 0, weights = 0;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const double off = length(mapped(map, pairs[k].plate) - pairs[k].pixel) / scale;
+      weighted[k].weight = pairs[k].weight / (1 + std::pow(off / kUsualOff, 2));
+      sum += weighted[k].weight * off * off, weights += weighted[k].weight;
+    }
+    residual = std::sqrt(sum / weights);
+  }
+  return residual;
 }
 
 }  // namespace sillon

@@ -16,4 +16,8 @@ struct PointPair {
 /// \param side  of the plate [mm], whose middle gets depth 1. \return plate to pixels, homogeneous.
 Mat3 mapThrough(const std::vector<PointPair>& pairs, double side);
 
+/// The same, where pairs count less the farther they are off, half at 0.1 mm: some are seen where they are not.
+/// \param scale  [pixels/mm] \return weighted RMS of what is left [mm].
+double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, double scale);
+
 }  // namespace sillon

@@ -13,6 +13,7 @@
 #include "calibrate/find_coupon.hpp"
 #include "calibrate/fit_spirals.hpp"
 #include "calibrate/lamp_part.hpp"
+#include "calibrate/refine_map.hpp"
 #include "calibrate/spiral_model.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/appearance.hpp"
@@ -29,6 +30,7 @@ constexpr double kFocalSpread = 0.6;  // of its log
 constexpr double kLeastFocal = 0.4, kMostFocal = 6;
 constexpr double kMapError = 0.004;           // of lengths and right angles
 constexpr double kLeastDistanceError = 0.04;  // of its log
+constexpr int kRefolds = 3;                   // about where the spirals were found
 constexpr double kMostBlur = 0.3;             // [nozzle]
 constexpr double kMostBurnt = 0.02;           // of the spirals' pixels
 constexpr double kLeastContrast = 1.5;
@@ -52,12 +54,8 @@ std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
     lit.height = plate.print.layerHeight;
     all.push_back(std::move(lit));
   };
-  int gaps = 0;
   for (const CouponSpiral& mark : couponMarks(nozzle)) add(mark, SpiralKind::Mark, plate.print.flow);
-  for (const CouponSpiral& loose : looseSpirals(nozzle)) {
-    add(loose, SpiralKind::Loose, plate.print.flow);
-    all.back().gap = gaps++;
-  }
+  for (const CouponSpiral& loose : looseSpirals(nozzle)) add(loose, SpiralKind::Loose, plate.print.flow);
   for (std::size_t k = 0; k < plate.values.size(); ++k) {
     add(flowDisc(static_cast<int>(k), nozzle), SpiralKind::Flow, plate.values[k].value);
   }
@@ -160,11 +158,9 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   const Tones tones = lumaOf(photograph);
   const Result<FoundCoupon> found = findCoupon(photograph, tones, places, run);
   if (!found) return found.error();
-  const FoundCoupon& coupon = found.value();
-  const SeenFrom camera = cameraOf(coupon, photograph.width, photograph.height);
-  int all = 0, burnt = 0;
-  for (LitSpiral& s : spirals) {
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+  FoundCoupon coupon = found.value();
+  SeenFrom camera = cameraOf(coupon, photograph.width, photograph.height);
+  const auto lookAt = [&](LitSpiral& s) {
     s.seen = foldSpiral(s.spiral, coupon, photograph, tones);
     const Vec2 pixel = coupon.pixelOf(s.spiral.centre);
     const Vec2 axis{(2 * pixel.x - photograph.width) / photograph.width,
@@ -173,6 +169,11 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
     const FoundCoupon::Steps steps = coupon.stepsAt(s.spiral.centre);
     const double by = 1 / cross(steps.x, steps.y);
     s.blurX = by * Vec2{steps.y.y, -steps.x.y}, s.blurY = by * Vec2{-steps.y.x, steps.x.x};
+  };
+  int all = 0, burnt = 0;
+  for (LitSpiral& s : spirals) {
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    lookAt(s);
     all += s.seen.pixels;
     burnt += s.seen.burnt;
   }
@@ -183,12 +184,10 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   const Elevation elevation = request.lampElevation ? Elevation{*request.lampElevation, 2} : Elevation{};
   SpiralFit fit = fitSpirals(spirals, camera, elevation, nullptr, run);
   // The map is good to a fraction of a bead. Directions about the true middles are better.
-  std::vector<CouponSpiral> about = places;
-  for (int round = 0; round < 2 && !run.cancelled(); ++round) {
-    for (std::size_t k = 0; k < spirals.size(); ++k) {
-      about[k].centre = about[k].centre + fit.offsets[k];
-      spirals[k].seen = foldSpiral(about[k], coupon, photograph, tones);
-    }
+  for (int round = 0; round < kRefolds && !run.cancelled(); ++round) {
+    refineMap(coupon, spirals, fit);
+    camera = cameraOf(coupon, photograph.width, photograph.height);
+    for (LitSpiral& s : spirals) lookAt(s);
     fit = fitSpirals(spirals, camera, elevation, &fit, run);
   }
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};

@@ -175,14 +175,13 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
       }
     }
     shape.shine[k] = patternOf(lit);
-    if (!loose) continue;
     std::array<double, kFine> open{};  // the part of the gap that is lit and seen
     const double lowest = half + std::max({0.0, dot(shadow, n), dot(hidden, n)});
     const double highest = 1 - half + std::min({0.0, dot(shadow, n), dot(hidden, n)});
-    for (int i = 0; i < kFine; ++i) {
+    for (int i = 0; i < kFine && lowest < highest; ++i) {
       const double x = placeOf(i), y = x < 0 ? x + 1 : x;
-      open[static_cast<std::size_t>(i)] =
-          std::clamp((y - lowest) * kFine + 0.5, 0.0, 1.0) * std::clamp((highest - y) * kFine + 0.5, 0.0, 1.0);
+      const double begin = std::max(lowest, y - 0.5 / kFine), end = std::min(highest, y + 0.5 / kFine);
+      open[static_cast<std::size_t>(i)] = kFine * std::max(0.0, end - begin);
     }
     shape.floor[k] = patternOf(open);
   }
@@ -192,7 +191,6 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
 SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off,
                                         const Rows& weights) const {
   const LitSpiral& s = spirals_[which];
-  const bool loose = s.kind == SpiralKind::Loose;
   const double pitch = s.spiral.pitch, blur = std::exp(g[4]);
   const Vec2 shifted = off + Vec2{g[10], g[11]};
   const auto add = [](Wave& sum, Wave by) { sum.re += by.re, sum.im += by.im; };
@@ -212,7 +210,7 @@ SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, c
       for (std::size_t h = 0; h < kHarmonics; ++h) {
         add(body[h], product(shape.body[h], move));
         add(shine[h], product(shape.shine[at][h], move));
-        if (loose) add(floor[h], product(shape.floor[at][h], move));
+        add(floor[h], product(shape.floor[at][h], move));
         move = product(move, {by * turn.re, by * turn.im});
         by *= least * least;
       }

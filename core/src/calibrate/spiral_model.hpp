@@ -29,7 +29,7 @@ class SpiralModel {
   /// The light that a camera of this contrast has seen, weighted so that equal steps of codes count alike.
   [[nodiscard]] Light lightOf(std::size_t which, double contrast) const;
 
-  static constexpr std::size_t kHarmonics = 4;  ///< of the pattern across a pitch; lenses leave no more
+  static constexpr std::size_t kHarmonics = 6;  ///< of the pattern across a pitch; lenses leave no more
   struct Wave {
     double re = 0, im = 0;
   };

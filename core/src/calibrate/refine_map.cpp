@@ -1,0 +1,60 @@
+#include "calibrate/refine_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "calibrate/plane_map.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kFits = 0.02;   // [mm], what is left where all spirals are in their places
+constexpr double kBetter = 0.6;  // what must be left at most once one is put elsewhere
+
+/// RMS of what an even fit leaves [pixels].
+double leftBy(const std::vector<PointPair>& pairs) {
+  const Mat3 map = mapThrough(pairs, kCouponSide);
+  double sum = 0;
+  for (const PointPair& p : pairs) {
+    const Vec2 off = mapped(map, p.plate) - p.pixel;
+    sum += dot(off, off);
+  }
+  return std::sqrt(sum / static_cast<double>(pairs.size()));
+}
+
+}  // namespace
+
+void refineMap(FoundCoupon& found, const std::vector<LitSpiral>& spirals, const SpiralFit& fit) {
+  const double scale = found.scaleAt({kCouponSide / 2, kCouponSide / 2});
+  const Vec2 way = (1 / std::max(1e-6, length(fit.tilt))) * fit.tilt;
+  std::vector<PointPair> pairs;
+  for (std::size_t k = 0; k < spirals.size(); ++k) {
+    const Vec2 middle = spirals[k].spiral.centre;
+    pairs.push_back({middle, found.pixelOf(middle + fit.offsets[k])});
+  }
+  // One by one, as long as that helps; then it must have helped much.
+  const double before = leftBy(pairs);
+  std::vector<PointPair> moved = pairs;
+  double least = before;
+  for (std::size_t round = 0; round < spirals.size() && least > kFits * scale; ++round) {
+    std::vector<PointPair> best;
+    for (std::size_t k = 0; k < spirals.size(); ++k) {
+      if (spirals[k].kind == SpiralKind::Loose) continue;
+      for (const double turn : {-1.0, 1.0}) {
+        std::vector<PointPair> tried = moved;
+        const Vec2 at = spirals[k].spiral.centre + fit.offsets[k] + turn * spirals[k].spiral.pitch * way;
+        tried[k].pixel = found.pixelOf(at);
+        const double now = leftBy(tried);
+        if (now < least) least = now, best = std::move(tried);
+      }
+    }
+    if (best.empty()) break;
+    moved = std::move(best);
+  }
+  if (least < kBetter * before) pairs = std::move(moved);
+  fitMap(found.map, pairs, kCouponSide, scale);
+}
+
+}  // namespace sillon
