@@ -28,7 +28,7 @@ constexpr int kLeastSide = 200;       // [pixels]
 constexpr double kUsualFocal = 1.2;   // [longer side], of a phone between no zoom and three times,
 constexpr double kFocalSpread = 0.6;  // of its log
 constexpr double kLeastFocal = 0.4, kMostFocal = 6;
-constexpr double kMapError = 0.004;           // of lengths and right angles
+constexpr double kMapError = 0.0015;          // of lengths and right angles
 constexpr double kLeastDistanceError = 0.04;  // of its log
 constexpr int kRefolds = 3;                   // about where the spirals were found
 constexpr double kMostBlur = 0.3;             // [nozzle]
