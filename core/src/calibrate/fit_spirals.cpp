@@ -298,7 +298,7 @@ class Fitter {
   SeenFrom camera_;
   Elevation elevation_;
   SpiralModel model_;
-  std::vector<Rows> trust_;                         // in each bin
+  std::vector<Rows> trust_;  // in each bin
   double curveError_ = 0.15;
   double together_ = kPriorWeight / (0.05 * 0.05);  // what holds spirals where the map has them [1/mm²]
 };
@@ -368,6 +368,10 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   fit.closing = found[5];
   fit.lone = found[6];
   NormalEquations normal = fitter.assemble(best);
+  for (std::size_t k = 0; k < spirals.size(); ++k) {
+    const std::size_t at = kShared + kOwn * k;
+    fit.surety.push_back({normal.at(at, at), normal.at(at, at + 1), normal.at(at + 1, at + 1)});
+  }
   double rows = 0;
   for (const LitSpiral& s : spirals) {
     for (const auto& row : s.seen.bins) {

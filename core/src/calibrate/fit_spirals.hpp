@@ -49,11 +49,15 @@ struct SpiralFit {
   double closing = 0;                 ///< width of beads in discs and marks, by what their flow asks for
   double lone = 0;                    ///< width of lone beads, likewise
   std::array<double, 7> variances{};  ///< of the first globals
-  std::vector<Vec2> offsets;          ///< of the spirals from where they were folded about [mm]
-  double misfit = 0;                  ///< RMS of what is left, by the brightest direction's light
-  double contrast = 0;                ///< brightest direction's light by the darkest's, of what was seen
-  Globals globals{};                  ///< to begin with again
-  double diffuse = 0;                 ///< mean light of what every direction sends [photograph's]
+  struct Surety {
+    double xx = 0, xy = 0, yy = 0;
+  };
+  std::vector<Surety> surety;  ///< of the offsets: inverse variances, up to a factor
+  std::vector<Vec2> offsets;   ///< of the spirals from where they were folded about [mm]
+  double misfit = 0;           ///< RMS of what is left, by the brightest direction's light
+  double contrast = 0;         ///< brightest direction's light by the darkest's, of what was seen
+  Globals globals{};           ///< to begin with again
+  double diffuse = 0;          ///< mean light of what every direction sends [photograph's]
 };
 
 /// \param before  a fit of the same spirals, folded about nearby places, to begin with; nullptr: none.

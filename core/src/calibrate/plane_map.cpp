@@ -25,15 +25,22 @@ Mat3 mapThrough(const std::vector<PointPair>& pairs, double side) {
   for (const PointPair& p : pairs) {
     const double x = p.plate.x / half - 1, y = p.plate.y / half - 1;
     const double u = (p.pixel.x - middle.x) / size, v = (p.pixel.y - middle.y) / size;
-    const double a[] = {x, y, 1, 0, 0, 0, -u * x, -u * y}, b[] = {0, 0, 0, x, y, 1, -v * x, -v * y};
-    normal.add(a, u, p.weight);
-    normal.add(b, v, p.weight);
+    for (const Vec2 n : {p.first, p.second}) {
+      const double value = n.x * u + n.y * v;
+      const double row[] = {n.x * x, n.x * y, n.x, n.y * x, n.y * y, n.y, -value * x, -value * y};
+      normal.add(row, value, p.weight);
+    }
   }
   const std::vector<double> h = normal.solved();
   const Mat3 inner{{h[0], h[3], h[6]}, {h[1], h[4], h[7]}, {h[2], h[5], 1}};
   const Mat3 plate{{1 / half, 0, 0}, {0, 1 / half, 0}, {-1, -1, 1}};
   const Mat3 pixel{{size, 0, 0}, {0, size, 0}, {middle.x, middle.y, 1}};
   return pixel * inner * plate;
+}
+
+double leftOf(const PointPair& pair, const Mat3& map) {
+  const Vec2 off = mapped(map, pair.plate) - pair.pixel;
+  return std::hypot(dot(pair.first, off), dot(pair.second, off));
 }
 
 double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, double scale) {
@@ -43,7 +50,7 @@ double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, doubl
     map = mapThrough(weighted, side);
     double sum = 0, weights = 0;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const double off = length(mapped(map, pairs[k].plate) - pairs[k].pixel) / scale;
+      const double off = leftOf(pairs[k], map) / scale;
       weighted[k].weight = pairs[k].weight / (1 + std::pow(off / kUsualOff, 2));
       sum += weighted[k].weight * off * off, weights += weighted[k].weight;
     }

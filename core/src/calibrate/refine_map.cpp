@@ -17,10 +17,7 @@ constexpr double kBetter = 0.6;  // what must be left at most once one is put el
 double leftBy(const std::vector<PointPair>& pairs) {
   const Mat3 map = mapThrough(pairs, kCouponSide);
   double sum = 0;
-  for (const PointPair& p : pairs) {
-    const Vec2 off = mapped(map, p.plate) - p.pixel;
-    sum += dot(off, off);
-  }
+  for (const PointPair& p : pairs) sum += std::pow(leftOf(p, map), 2);
   return std::sqrt(sum / static_cast<double>(pairs.size()));
 }
 
@@ -30,10 +27,22 @@ void refineMap(FoundCoupon& found, const std::vector<LitSpiral>& spirals, const 
   const double scale = found.scaleAt({kCouponSide / 2, kCouponSide / 2});
   const Vec2 way = (1 / std::max(1e-6, length(fit.tilt))) * fit.tilt;
   std::vector<PointPair> pairs;
+  double sum = 0;
   for (std::size_t k = 0; k < spirals.size(); ++k) {
-    const Vec2 middle = spirals[k].spiral.centre;
-    pairs.push_back({middle, found.pixelOf(middle + fit.offsets[k])});
+    const LitSpiral& s = spirals[k];
+    const Vec2 middle = s.spiral.centre;
+    PointPair pair{middle, found.pixelOf(middle + fit.offsets[k])};
+    // Turns tell where they are across themselves: the fit knows how well either way.
+    const SpiralFit::Surety& sure = fit.surety[k];
+    const double xx = std::sqrt(std::max(1e-12, sure.xx)), xy = sure.xy / xx;
+    const double yy = std::sqrt(std::max(1e-12, sure.yy - xy * xy));
+    const Vec2 x{s.blurX.x, s.blurY.x}, y{s.blurX.y, s.blurY.y};  // the place by the pixel
+    pair.first = xx * x + xy * y, pair.second = yy * y;
+    sum += dot(pair.first, pair.first) + dot(pair.second, pair.second);
+    pairs.push_back(pair);
   }
+  const double even = std::sqrt(2 * static_cast<double>(pairs.size()) / sum);
+  for (PointPair& p : pairs) p.first = even * p.first, p.second = even * p.second;
   // One by one, as long as that helps; then it must have helped much.
   const double before = leftBy(pairs);
   std::vector<PointPair> moved = pairs;
