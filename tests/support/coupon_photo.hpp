@@ -9,12 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/appearance.hpp"
+#include "sillon/look/tones.hpp"
 #include "support/scenes.hpp"
 
 #define STB_IMAGE_WRITE_STATIC
@@ -86,13 +88,14 @@ struct Truth {
 /// The coupon's top layer, looked up by place.
 class Beads {
  public:
-  static constexpr double kCell = 0.02;  // [mm]
+  static constexpr double kCell = 0.04;  // [mm]
 
   Beads(const CalibrationPlate& plate, double extrusion) : page_(plate.patches.shape.page) {
     nozzle_ = plate.printer.nozzle;
     height_ = plate.print.layerHeight;
     side_ = static_cast<int>(std::ceil(page_.x / kCell));
-    cells_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), Cell{});
+    cells_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), 0);
+    pieces_.emplace_back();  // none
     for (const sillon::Patch& patch : plate.patches.patches) {
       for (const sillon::PatchLine& line : patch.lines) {
         for (std::size_t k = 0; k + 1 < line.points.size(); ++k) {
@@ -118,13 +121,10 @@ class Beads {
     // A cell knows one bead; at its edge the next one may begin.
     for (int k = 0; k < 4; ++k) {
       const int x = std::clamp(i + (k % 2) * di, 0, side_ - 1), y = std::clamp(j + (k / 2) * dj, 0, side_ - 1);
-      const Cell& cell =
-          cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x)];
-      if (!(cell.half > 0)) continue;
-      const Vec2 t{static_cast<double>(cell.tx), static_cast<double>(cell.ty)};
-      const Vec2 off = p - Vec2{(x + 0.5) * kCell, (y + 0.5) * kCell};
-      const double across = (static_cast<double>(cell.across) + cross(t, off)) / static_cast<double>(cell.half);
-      if (std::abs(across) <= 1) return {true, across, t};
+      const std::uint32_t piece = cells_[cellOf(x, y)];
+      if (piece == 0) continue;
+      const double across = pieces_[piece].acrossAt(p);
+      if (std::abs(across) <= 1) return {true, across, pieces_[piece].along};
     }
     // The base, hatched at 45 degrees.
     const Vec2 t{std::sqrt(0.5), std::sqrt(0.5)};
@@ -133,31 +133,41 @@ class Beads {
   }
 
  private:
-  struct Cell {
-    float across = 0, half = 0, tx = 1, ty = 0;  // [mm]; half 0: no bead
+  /// A straight piece of a bead, with round ends.
+  struct Piece {
+    Vec2 begin, along{1, 0};            // the latter unit
+    double size = 0, from = 0, to = 0;  // length; half widths of its ends [mm]
+
+    /// By half the width there, positive to its left.
+    [[nodiscard]] double acrossAt(Vec2 p) const {
+      const double s = dot(along, p - begin), across = cross(along, p - begin);
+      const double half = from + (to - from) * std::clamp(s / size, 0.0, 1.0);
+      const double beyond = s < 0 ? -s : s > size ? s - size : 0;
+      const double off = beyond > 0 ? std::sqrt(across * across + beyond * beyond) : std::abs(across);
+      return (across < 0 ? -off : off) / half;
+    }
   };
+
+  [[nodiscard]] std::size_t cellOf(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x);
+  }
 
   void lay(Vec2 a, Vec2 b, double from, double to) {
     const double size = length(b - a);
     if (!(size > 0)) return;
-    const Vec2 t = (1 / size) * (b - a);
+    const Piece piece{a, (1 / size) * (b - a), size, from / 2, to / 2};
     const double reach = std::max(from, to) / 2 + kCell;
+    const auto number = static_cast<std::uint32_t>(pieces_.size());
+    pieces_.push_back(piece);
     const auto index = [&](double v) { return std::clamp(static_cast<int>(std::floor(v / kCell)), 0, side_ - 1); };
     for (int j = index(std::min(a.y, b.y) - reach); j <= index(std::max(a.y, b.y) + reach); ++j) {
       for (int i = index(std::min(a.x, b.x) - reach); i <= index(std::max(a.x, b.x) + reach); ++i) {
-        const Vec2 p = Vec2{(i + 0.5) * kCell, (j + 0.5) * kCell} - a;
-        const double s = dot(t, p);
-        const double half = (from + (to - from) * std::clamp(s / size, 0.0, 1.0)) / 2;
-        double across = cross(t, p);
-        // Round ends.
-        const double beyond = s < 0 ? -s : s > size ? s - size : 0;
-        const double off = std::sqrt(across * across + beyond * beyond);
-        if (off > half + kCell) continue;
-        Cell& cell =
-            cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(i)];
-        if (cell.half > 0 && std::abs(cell.across) / cell.half <= static_cast<float>(off / half)) continue;
-        cell = {static_cast<float>(across < 0 ? -off : off), static_cast<float>(half), static_cast<float>(t.x),
-                static_cast<float>(t.y)};
+        const Vec2 p{(i + 0.5) * kCell, (j + 0.5) * kCell};
+        const double across = std::abs(piece.acrossAt(p));
+        if (across > 1 + 2 * kCell / std::min(from, to)) continue;
+        std::uint32_t& cell = cells_[cellOf(i, j)];
+        if (cell != 0 && std::abs(pieces_[cell].acrossAt(p)) <= across) continue;
+        cell = number;
       }
     }
   }
@@ -165,7 +175,8 @@ class Beads {
   Vec2 page_;
   double nozzle_ = 0.4, height_ = 0.2;
   int side_ = 0;
-  std::vector<Cell> cells_;
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> cells_;  // which piece; 0: no bead
 };
 
 /// Where a camera sees the coupon: pixels to the plate and back.
@@ -204,8 +215,7 @@ class Camera {
 };
 
 inline double toneCurve(ToneCurve curve, double light) {
-  light = std::clamp(light, 0.0, 1.0);
-  const double code = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+  const auto code = static_cast<double>(sillon::codeOfLight(static_cast<float>(light)));
   const double middle = code * code * (3 - 2 * code);
   switch (curve) {
     case ToneCurve::Srgb:
@@ -249,14 +259,16 @@ inline void blurred(std::vector<float>& plane, int width, int height, double sig
   pass(height, width, width, 1);
 }
 
-inline double gauss(Random& random) {  // Irwin-Hall of six
-  double sum = -3;
-  for (int k = 0; k < 6; ++k) sum += random.in(0, 1);
-  return sum * std::sqrt(2.0);
+inline double gauss(Random& random) {  // Irwin-Hall of four, which are parts of one number
+  const std::uint64_t bits = random.bits();
+  double sum = -2;
+  for (int k = 0; k < 64; k += 16) sum += (static_cast<double>((bits >> k) & 0xffff) + 0.5) / 65536;
+  return sum * std::sqrt(3.0);
 }
 
 /// The lamp as points of its disc; their mean square is that of a Gaussian of its slope.
 struct Lit {
+  static constexpr int kPoints = 24;
   std::vector<V3> points;  // [mm] from the coupon's middle
   V3 middle;               // [mm]
   double reach;            // what slopes that mirror its points differ from its middle's, at the most
@@ -264,7 +276,6 @@ struct Lit {
     const double a = radians(azimuth), e = radians(elevation);
     const V3 to{std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
     const V3 side{-std::sin(a), std::cos(a), 0}, up = photo::cross(to, side);
-    constexpr int kPoints = 24;
     // A slope turns the mirrored ray by twice as much, and a disc of radius 1 has a root mean square of 1/2 along an
     // axis. Half vectors of a lamp that is not overhead have slopes that differ by (1 + lz) / 2 and more.
     const double radius = 2 * slope * (1 + to.z);
@@ -277,22 +288,34 @@ struct Lit {
   }
 };
 
-/// Mean density of slopes that mirror the lamp into the eye, relative to nothing.
-inline double highlight(const Lit& lamp, V3 at, V3 eye, Vec2 along, double top, double sa, double sc) {
-  constexpr double kDark = 20;  // exp(-20) of the light is none in eight bits
-  const V3 e = unit(eye - at);
-  const auto slopesOf = [&](V3 point) {
-    const V3 h = unit(point - at) + e;
-    const double mx = h.x / h.z, my = h.y / h.z;
-    return Vec2{(mx * along.x + my * along.y) / sa, (my * along.x - mx * along.y - top) / sc};
-  };
+/// Slopes that mirror the lamp's points into the eye from one place. They hardly change within a pixel.
+struct Mirrored {
+  Vec2 middle;
+  std::array<Vec2, Lit::kPoints> points;
+  double reach;
+
+  Mirrored(const Lit& lamp, V3 at, V3 eye) : reach(lamp.reach) {
+    const V3 e = unit(eye - at);
+    const auto slopeOf = [&](V3 point) {
+      const V3 h = unit(point - at) + e;
+      return Vec2{h.x / h.z, h.y / h.z};
+    };
+    middle = slopeOf(lamp.middle);
+    for (std::size_t k = 0; k < points.size(); ++k) points[k] = slopeOf(lamp.points[k]);
+  }
+};
+
+/// Mean density of these slopes, relative to nothing.
+inline double highlight(const Mirrored& lamp, Vec2 along, double top, double sa, double sc) {
+  constexpr double kDark = 12;  // exp(-12) of the light is none in eight bits
+  const auto slopesOf = [&](Vec2 m) { return Vec2{dot(m, along) / sa, (cross(along, m) - top) / sc}; };
   // Most beads run so that not even the lamp's nearest point shines.
   const Vec2 middle = slopesOf(lamp.middle);
   const double a = std::max(0.0, std::abs(middle.x) - lamp.reach / sa);
   const double c = std::max(0.0, std::abs(middle.y) - lamp.reach / sc);
   if (0.5 * (a * a + c * c) > kDark) return 0;
   double sum = 0;
-  for (const V3& point : lamp.points) {
+  for (const Vec2 point : lamp.points) {
     const Vec2 m = slopesOf(point);
     const double off = 0.5 * dot(m, m);
     if (off < kDark) sum += std::exp(-off);
@@ -316,16 +339,24 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
   const double profile = static_cast<double>(sillon::lobeOf({}, {}).profile);  // of the bead's top: its shape
   const Lit lamp(truth.lamp.azimuth, truth.lamp.elevation, truth.lamp.slope, truth.lampDistance);
   const Lit other(truth.lamp.azimuth + 75, truth.lamp.elevation + 5, truth.lamp.slope, truth.lampDistance);
-  const auto shine = [&](V3 at, Vec2 along, double top) {
-    double v = highlight(lamp, at, camera.eye(), along, top, sa, sc);
-    if (truth.secondLamp > 0) v += truth.secondLamp * highlight(other, at, camera.eye(), along, top, sa, sc);
+  struct Lamps {
+    Mirrored first, second;
+  };
+  const auto lampsAt = [&](V3 at) {
+    const Mirrored first(lamp, at, camera.eye());
+    return Lamps{first, truth.secondLamp > 0 ? Mirrored(other, at, camera.eye()) : first};
+  };
+  const auto shine = [&](const Lamps& lamps, Vec2 along, double top) {
+    double v = highlight(lamps.first, along, top, sa, sc);
+    if (truth.secondLamp > 0) v += truth.secondLamp * highlight(lamps.second, along, top, sa, sc);
     return v;
   };
   double brightest = 1e-12;  // of the beads' directions, in the middle
+  const Lamps overMiddle = lampsAt({0, 0, 0});
   for (int k = 0; k < 36; ++k) {
     double mean = 0;
     const Vec2 along{std::cos(radians(5 * k)), std::sin(radians(5 * k))};
-    for (int u = 0; u < 16; ++u) mean += shine({0, 0, 0}, along, profile * ((u + 0.5) / 8 - 1)) / 16;
+    for (int u = 0; u < 16; ++u) mean += shine(overMiddle, along, profile * ((u + 0.5) / 8 - 1)) / 16;
     brightest = std::max(brightest, mean);
   }
   const double body = truth.diffuse + truth.room;
@@ -352,6 +383,9 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
       const std::size_t k =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width) + static_cast<std::size_t>(x);
       double rgb[3] = {0, 0, 0};
+      const Vec2 centre = camera.plateAt({x + 0.5, y + 0.5});
+      const bool ground = !beads.within(centre);
+      std::optional<Lamps> lamps;
       for (int s = 0; s < kSamples * kSamples; ++s) {
         const Vec2 p = camera.plateAt({x + (s % kSamples + 0.5) / kSamples, y + (s / kSamples + 0.5) / kSamples});
         if (!beads.within(p)) {
@@ -366,7 +400,8 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
         if (!place.top && (shadowed(p, lampward) || shadowed(p, unit(camera.eye() - at)))) {
           soft *= 0.3;
         } else {
-          light = shine(at, place.along, profile * place.across) / brightest;
+          if (!lamps) lamps = lampsAt({centre.x - middle.x, centre.y - middle.y, 0});
+          light = shine(*lamps, place.along, profile * place.across) / brightest;
         }
         for (int c = 0; c < 3; ++c) {
           const double own = truth.filament[static_cast<std::size_t>(c)];
@@ -375,8 +410,7 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
       }
       const double dx = (x - truth.width / 2.0) / truth.width, dy = (y - truth.height / 2.0) / truth.width;
       const double shade = 1 - truth.vignette * (dx * dx + dy * dy) / (0.25 + 0.25 * 0.5625);
-      const double grain =
-          1 + (beads.within(camera.plateAt({x + 0.5, y + 0.5})) ? 0 : truth.groundTexture * gauss(random));
+      const double grain = 1 + (ground ? truth.groundTexture * gauss(random) : 0);
       for (std::size_t c = 0; c < 3; ++c) {
         out.planes[c][k] = static_cast<float>(rgb[c] * shade * grain / (kSamples * kSamples));
       }
