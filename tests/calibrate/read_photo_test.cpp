@@ -41,18 +41,12 @@ std::vector<std::uint8_t> goodFile(const Truth& truth) {
 }
 Image goodOne(const Truth& truth) { return decoded(goodFile(truth)); }
 
-Result<CouponReading> readBack(const Truth& truth, const PhotoRequest& request = {}) {
-  return readCouponPhoto(decoded(photo::taken(coupon(), truth)), request, RunContext(1));
-}
+Result<CouponReading> readBack(const Truth& truth) { return photo::readBack(coupon(), truth); }
 
 std::string refused(const Image& image, const PhotoRequest& request = {}) {
   const auto read = readCouponPhoto(image, request, RunContext(1));
   return read ? "read" : read.error().message;
 }
-std::string refused(const Truth& truth, const PhotoRequest& request = {}) {
-  return refused(decoded(photo::taken(coupon(), truth)), request);
-}
-
 Image picture(int width, int height, int channels, std::uint64_t seed, double noise) {
   scenes::Random random(seed);
   Image image{width, height, channels, {}};
@@ -109,16 +103,15 @@ TEST_CASE("slopes, flow, width and lamp are read from photographs of different s
               << ", flow " << (r.flow ? r.flow->value : -1) << " of " << 1 / truth.extrusion << ", lamp "
               << r.azimuth.value << ", " << r.elevation.value << " +- " << r.elevation.error << " of "
               << truth.lamp.azimuth << ", " << truth.lamp.elevation);
-    CHECK(std::abs(r.along.value / truth.slopes.along - 1) < 0.11);
-    CHECK(std::abs(r.across.value / truth.slopes.across - 1) < 0.08);
-    // Noise hides the beads' edges, and the error bars say so.
-    CHECK(std::abs(r.width.value - 0.4 * coupon().print.flow * truth.extrusion) < std::max(0.01, 2 * r.width.error));
+    CHECK(std::abs(r.along.value / truth.slopes.along - 1) < 0.1);
+    CHECK(std::abs(r.across.value / truth.slopes.across - 1) < 0.05);
+    CHECK(std::abs(r.width.value - 0.4 * coupon().print.flow * truth.extrusion) < 0.005);
     CHECK(r.width.error < 0.015);
-    CHECK((r.flow.has_value() || truth.noise > 0.01));
-    if (r.flow) CHECK(std::abs(r.flow->value - 1 / truth.extrusion) < (truth.noise > 0.01 ? 0.015 : 0.01));
+    REQUIRE(r.flow.has_value());
+    CHECK(std::abs(r.flow->value - 1 / truth.extrusion) < (truth.noise > 0.01 ? 0.01 : 0.006));  // it hides edges
     const double turn = (r.azimuth.value - truth.lamp.azimuth) / 360;
-    CHECK(std::abs(turn - std::round(turn)) * 360 < 3);
-    CHECK(std::abs(r.elevation.value - truth.lamp.elevation) < 7);
+    CHECK(std::abs(turn - std::round(turn)) * 360 < 2);
+    CHECK(std::abs(r.elevation.value - truth.lamp.elevation) < 2);
     CHECK(std::abs(r.tilt - truth.tilt) < 3);
     for (const Measured& m : {r.along, r.across, r.width, r.azimuth, r.elevation}) CHECK(m.error > 0);
   }
@@ -146,11 +139,11 @@ TEST_CASE("however a telephone develops a photograph, the same is read, and more
     MESSAGE(k << ": along " << r.along.value << " +- " << r.along.error << ", across " << r.across.value << " +- "
               << r.across.error << ", width " << r.width.value << ", flow " << (r.flow ? r.flow->value : -1)
               << ", lamp " << r.elevation.value);
-    CHECK(std::abs(r.along.value / ways[k].slopes.along - 1) < 0.12);
-    CHECK(std::abs(r.across.value / ways[k].slopes.across - 1) < 0.1);
-    CHECK(std::abs(r.width.value - 0.38) < 0.008);
+    CHECK(std::abs(r.along.value / ways[k].slopes.along - 1) < 0.08);
+    CHECK(std::abs(r.across.value / ways[k].slopes.across - 1) < 0.08);
+    CHECK(std::abs(r.width.value - 0.38) < 0.005);
     REQUIRE(r.flow.has_value());
-    CHECK(std::abs(r.flow->value - 1) < 0.015);
+    CHECK(std::abs(r.flow->value - 1) < 0.008);
     farthest = std::max(farthest, std::abs(r.flow->value - 1));
     all.push_back(r);
   }
@@ -163,31 +156,6 @@ TEST_CASE("however a telephone develops a photograph, the same is read, and more
   CHECK(std::abs(r.across.value / good().slopes.across - 1) < 0.05);
   CHECK(std::abs(r.flow->value - 1) < std::max(0.005, farthest));
   CHECK(r.across.error < all[0].across.error);
-}
-
-TEST_CASE("anybody's photographs are read as well as their error bars say") {
-  photo::Random random(20);
-  int read = 0;
-  for (int k = 0; k < 7; ++k) {
-    CAPTURE(k);
-    const Truth truth = photo::randomTruth(random);
-    const auto reading = readBack(truth);
-    if (!reading) {
-      MESSAGE(k << ": " << reading.error().message);
-      continue;
-    }
-    ++read;
-    const CouponReading& r = reading.value();
-    MESSAGE(k << ": along " << r.along.value << " +- " << r.along.error << " of " << truth.slopes.along << ", across "
-              << r.across.value << " +- " << r.across.error << " of " << truth.slopes.across << ", width "
-              << r.width.value << " +- " << r.width.error << " of " << 0.38 * truth.extrusion << ", flow "
-              << (r.flow ? r.flow->value : -1) << " of " << 1 / truth.extrusion);
-    CHECK(std::abs(r.along.value - truth.slopes.along) < 3 * r.along.error + 0.1 * truth.slopes.along);
-    CHECK(std::abs(r.across.value - truth.slopes.across) < 3 * r.across.error);
-    CHECK(std::abs(r.width.value - 0.38 * truth.extrusion) < 0.02);
-    if (r.flow) CHECK(std::abs(r.flow->value - 1 / truth.extrusion) < 3 * r.flow->error);
-  }
-  CHECK(read >= 5);
 }
 
 TEST_CASE("a glossy spool, of which a photograph shows few directions, is read") {
@@ -250,23 +218,36 @@ TEST_CASE("what was read is a file of spools that can be read") {
 }
 
 TEST_CASE("photographs that nothing can be read from are refused, each with its reason") {
-  Truth truth = good();
-  truth.shift = {0, 420};
-  CHECK(refused(truth) != "read");
-  truth = good();
-  truth.blur = 6;
-  CHECK(refused(goodOne(truth)).find("blurred") != std::string::npos);
-  truth = good();
-  truth.exposure = 6;
-  CHECK(refused(goodOne(truth)).find("burnt") != std::string::npos);
-  truth = good();
-  truth.focal /= 2.5;
-  CHECK(refused(truth).find("pixels wide") != std::string::npos);
-  truth = good();
-  truth.lamp.slope = 0.4;
-  PhotoRequest window;
-  window.lampSlope = 0.4;
-  CHECK(refused(truth, window) != "read");
+  const auto because = [](const Result<CouponReading>& read, const char* reason) {
+    CAPTURE(reason);
+    REQUIRE(!read.ok());
+    CAPTURE(read.error().message);
+    CHECK(read.error().code == ErrorCode::InvalidFile);
+    CHECK(read.error().message.find(reason) != std::string::npos);
+  };
+  const auto developed = [&](auto&& change, const char* reason) {
+    Truth truth = good();
+    change(truth);
+    because(readCouponPhoto(goodOne(truth), {}, RunContext(1)), reason);
+  };
+  developed([](Truth& t) { t.blur = 2.5; }, "the photograph is blurred, or it shows something else");
+  developed([](Truth& t) { t.blur = 6; }, "the photograph is blurred, or it shows something else");
+  developed([](Truth& t) { t.exposure = 6; }, "the photograph is burnt");
+  developed([](Truth& t) { t.noise = 0.3; }, "not what one lamp would make shine");
+  developed([](Truth& t) { t.quality = 5; }, "not what one lamp would make shine");
+  PhotoRequest other;
+  other.project.printer.nozzle = 0.6;
+  because(readCouponPhoto(goodOne(good()), other, RunContext(1)), "no beads of a coupon are seen on it");
+  const auto taken = [&](auto&& change, const char* reason) {
+    Truth truth = good();
+    change(truth);
+    because(readBack(truth), reason);
+  };
+  taken([](Truth& t) { t.shift = {0, 200}; }, "cut off by the photograph's border");
+  taken([](Truth& t) { t.focal /= 2.5; }, "pixels wide in the photograph; it must be at least 4.5");
+  taken([](Truth& t) { t.secondLamp = 1; }, "not what one lamp would make shine");
+  taken([](Truth& t) { t.lamp.slope = 0.4; }, "not what one lamp would make shine");  // a window
+  taken([](Truth& t) { t.room = 5, t.exposure = 0.1; }, "times as bright as the darkest, and must be 1.5 times");
 }
 
 TEST_CASE("a coupon is read either way up, and refused where it is mirrored, cut off or something else") {
@@ -290,7 +271,9 @@ TEST_CASE("a coupon is read either way up, and refused where it is mirrored, cut
   CHECK(down.value().across.value == doctest::Approx(upright.value().across.value).epsilon(0.03));
   CHECK(down.value().azimuth.value == doctest::Approx(upright.value().azimuth.value).epsilon(0.03));
   CHECK(down.value().width.value == doctest::Approx(upright.value().width.value).epsilon(0.01));
-  CHECK(refused(turned([&](int x, int y, int c) { return image.at(w - 1 - x, y, c); })) != "read");
+  const std::string none = "no beads of a coupon are seen on it";
+  CHECK(refused(turned([&](int x, int y, int c) { return image.at(w - 1 - x, y, c); })).find(none) !=
+        std::string::npos);
   // Without its right third, and with a sheet over its upper half.
   CHECK(refused(turned([&](int x, int y, int c) { return image.at(std::min(x + w / 3, w - 1), y, c); })) != "read");
   CHECK(refused(turned([&](int x, int y, int c) { return y < h / 2 ? ground(c) : image.at(x, y, c); })) != "read");
@@ -364,7 +347,9 @@ TEST_CASE("other pictures are refused quickly, whatever they are") {
   Image wrong{300, 300, 3, {1, 2, 3}};
   CHECK(refused(wrong).find("samples differ") != std::string::npos);
   Image huge{100000, 100000, 1, {}};
-  CHECK(refused(huge) != "read");
+  const auto many = readCouponPhoto(huge, {}, RunContext(1));
+  REQUIRE(!many.ok());
+  CHECK(many.error().code == ErrorCode::InvalidArgument);  // where are its samples?
   PhotoRequest request;
   request.lampSlope = 3;
   CHECK(refused(flat, request).find("lamp size is 3") != std::string::npos);
@@ -373,5 +358,7 @@ TEST_CASE("other pictures are refused quickly, whatever they are") {
   CHECK(refused(flat, request).find("lamp elevation") != std::string::npos);
   RunContext stopped(1);
   stopped.requestCancel();
-  CHECK(!readCouponPhoto(goodOne(good()), {}, stopped).ok());
+  const auto unread = readCouponPhoto(goodOne(good()), {}, stopped);
+  REQUIRE(!unread.ok());
+  CHECK(unread.error().code == ErrorCode::Cancelled);
 }

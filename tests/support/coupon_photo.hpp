@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sillon/calibrate/calibrate.hpp"
+#include "sillon/calibrate/read_photo.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/tones.hpp"
@@ -448,6 +449,14 @@ inline std::vector<std::uint8_t> developed(Exposed film, const Truth& truth) {
 /// The photograph, as bytes of a PNG or a JPEG.
 inline std::vector<std::uint8_t> taken(const CalibrationPlate& plate, const Truth& truth) {
   return developed(exposed(plate, truth), truth);
+}
+
+/// Taken, and read again.
+inline sillon::Result<sillon::CouponReading> readBack(const CalibrationPlate& plate, const Truth& truth,
+                                                      const sillon::PhotoRequest& request = {}) {
+  const auto image = sillon::decodeImage(taken(plate, truth), "photograph");
+  if (!image) return image.error();
+  return sillon::readCouponPhoto(image.value(), request, sillon::RunContext(1));
 }
 
 /// As the guide asks for one.
