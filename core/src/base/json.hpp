@@ -7,9 +7,19 @@
 #endif
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 namespace sillon {
 
 using Json = nlohmann::json;  // sorted keys: look-up stays fast in files made of keys only
+
+// The library's parser and writer, compiled once: each file that calls them itself takes a compiler two seconds more.
+
+/// What the text says; `is_discarded()` where it is no JSON. Of repeated keys the last one counts.
+Json parseJson(std::string_view text);
+
+/// On one line; bytes that are no UTF-8 become U+FFFD instead of an exception.
+std::string jsonText(const Json& value);
 
 }  // namespace sillon

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
-#include "base/json.hpp"
+#include "base/json_text.hpp"
 
 namespace sillon {
 namespace {
@@ -166,16 +166,15 @@ std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::
 }
 
 std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings) {
-  const auto text = [](const Json& leaf) { return leaf.dump(-1, ' ', false, Json::error_handler_t::replace); };
   std::string list;
   for (const GcodeWarning& warning : warnings) {
     std::string values;
     for (const WarningValue& value : warning.values) {
-      values += (values.empty() ? "" : ",") + text(value.name) + ":" +
-                text(value.text.empty() ? Json(value.number) : Json(value.text));
+      values += (values.empty() ? "" : ",") + jsonString(value.name) + ":" +
+                (value.text.empty() ? jsonNumber(value.number) : jsonString(value.text));
     }
-    list += (list.empty() ? "" : ",") + ("{\"code\":" + text(warningName(warning.code))) + ",\"values\":{" + values +
-            "},\"message\":" + text(warningSentence(warning)) + "}";
+    list += (list.empty() ? "" : ",") + ("{\"code\":" + jsonString(warningName(warning.code))) + ",\"values\":{" +
+            values + "},\"message\":" + jsonString(warningSentence(warning)) + "}";
   }
   report.resize(report.rfind("\n}"));
   return report + ",\n  \"warnings\": [" + list + "]\n}\n";

@@ -22,7 +22,7 @@ double mix(double a, double b, double share) { return a * (1 - share) + b * shar
 const std::vector<Spool>& spools() {
   static const std::vector<Spool> all = [] {
     std::vector<Spool> read;
-    const nlohmann::json table = nlohmann::json::parse(kSpoolsJson);
+    const Json table = parseJson(kSpoolsJson);
     for (const auto& [key, row] : table["spools"].items()) {
       Spool spool{key, {}, sides(row["fine"]), sides(row["wide"])};
       for (std::size_t k = 0; k < 3; ++k) spool.colour[k] = row["colour"][k].get<std::uint8_t>();

@@ -10,7 +10,7 @@
 namespace sillon {
 
 Result<ImportedPrinter> importJson(std::string_view text) {
-  const Json root = Json::parse(text, nullptr, false);
+  const Json root = parseJson(text);
   if (!root.is_object()) {
     return Error{ErrorCode::InvalidFile, "the file begins like JSON, but is no JSON object"};
   }

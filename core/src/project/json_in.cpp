@@ -114,7 +114,7 @@ Result<Project> readProject(std::string_view json) {
   }
   Inspector inspector(json);
   if (!Json::sax_parse(json, &inspector)) return Error{ErrorCode::InvalidFile, inspector.problem};
-  const Json root = Json::parse(json, nullptr, false);
+  const Json root = parseJson(json);
   if (!root.is_object()) {
     return Error{ErrorCode::InvalidFile, std::string("the JSON is ") + typeName(root) + "; it must be an object"};
   }

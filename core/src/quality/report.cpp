@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
-#include "base/json.hpp"
+#include "base/json_text.hpp"
 #include "sillon/base/version.hpp"
 
 namespace sillon {
@@ -17,18 +17,13 @@ namespace {
 /// Fixed decimals, or null: JSON has no NaN.
 std::string number(double value, int decimals) { return std::abs(value) < 1e12 ? fixed(value, decimals) : "null"; }
 
-/// A JSON string; bytes that are no UTF-8 become U+FFFD.
-std::string inQuotes(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 /// An object with one member per line; members are JSON texts.
 class Object {
  public:
   explicit Object(std::string indent) : indent_(std::move(indent)) {}
 
   void add(std::string_view key, const std::string& value) {
-    body_ += (body_.empty() ? "\n" : ",\n") + indent_ + "  " + inQuotes(std::string(key)) + ": " + value;
+    body_ += (body_.empty() ? "\n" : ",\n") + indent_ + "  " + jsonString(key) + ": " + value;
   }
   void add(std::string_view key, std::int64_t value) { add(key, std::to_string(value)); }
   void add(std::string_view key, double value, int decimals) { add(key, number(value, decimals)); }
@@ -124,7 +119,7 @@ std::string perimeterText(const ToolpathParams& params) {
 std::string reportJson(const ToolpathResult& plate, const std::optional<Measures>& measures, int threads,
                        std::int64_t peakBytes) {
   Object report("");
-  report.add("version", inQuotes(kVersion));
+  report.add("version", jsonString(kVersion));
   report.add("spacing", plate.toolpath.spacing, 4);
   std::string grid = "[";
   grid += std::to_string(plate.nx) + ", " + std::to_string(plate.ny) + "]";
@@ -141,7 +136,7 @@ std::string reportJson(const ToolpathResult& plate, const std::optional<Measures
   report.add("time", timeJson(plate.time));
   report.add("peakBytes", peakBytes);
   report.add("threads", static_cast<std::int64_t>(threads));
-  report.add("digest", inQuotes(measures ? measures->digest : digestOf(plate.toolpath)));
+  report.add("digest", jsonString(measures ? measures->digest : digestOf(plate.toolpath)));
   return report.text() + "\n";
 }
 
@@ -158,13 +153,13 @@ std::string withPictures(std::string report, std::span<const ShownPicture> pictu
     }
     Object object("    ");
     // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
-    object.add("file", inQuotes(pictures[k].file));
+    object.add("file", jsonString(pictures[k].file));
     object.add("lamp", std::string("[") + number(lamp.azimuth, 2) + ", " + number(lamp.elevation, 2) + "]");
     object.add("r", m.r, 4);
     object.add("ssim", m.ssim, 4);
     object.add("contrast", m.contrast, 2);
     object.add("others", "[" + others + "]");
-    object.add("from", inQuotes(fromGcode ? "gcode" : "toolpath"));
+    object.add("from", jsonString(fromGcode ? "gcode" : "toolpath"));
     list += (list.empty() ? "\n    " : ",\n    ") + object.text();
   }
   report.resize(report.rfind("\n}"));

@@ -39,7 +39,7 @@ std::string wholeNumber(const Json& value, const std::string& name, Integer& out
            real <= std::min(static_cast<double>(kHigh), 9007199254740992.0);
     if (fits) out = static_cast<Integer>(real);
   }
-  return fits ? "" : name + " is " + value.dump() + "; it must be a whole number" + range;
+  return fits ? "" : name + " is " + jsonText(value) + "; it must be a whole number" + range;
 }
 
 constexpr const char* kSeedRange = " from 0 to 18446744073709551615";

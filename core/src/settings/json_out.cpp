@@ -4,16 +4,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "base/json.hpp"
+#include "base/json_text.hpp"
 #include "base/words.hpp"
 
 namespace sillon {
 namespace {
-
-std::string textJson(const std::string& value) {
-  // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
-  return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 /// The value of a field as JSON. \param pad  what lists are broken into lines with; empty: they stay on one.
 struct ValueJson {
@@ -29,7 +24,7 @@ struct ValueJson {
     if (setting.type == SettingType::Choice) return choice();
     return *value ? "true" : "false";
   }
-  std::string operator()(const std::string* value) const { return textJson(*value); }
+  std::string operator()(const std::string* value) const { return jsonString(*value); }
   std::string operator()(const Vec2* value) const {
     if (pad.empty()) return pairText(*value);
     return "[\n" + pad + "  " + numberText(value->x) + ",\n" + pad + "  " + numberText(value->y) + "\n" + pad + "]";
@@ -41,7 +36,7 @@ struct ValueJson {
     for (const LampPicture& picture : *value) {
       const std::string lamp = picture.lamp ? pairText(*picture.lamp) : "null";
       out +=
-          (out.empty() ? "\n" : ",\n") + pad + "  {\"file\": " + textJson(picture.file) + ", \"lamp\": " + lamp + "}";
+          (out.empty() ? "\n" : ",\n") + pad + "  {\"file\": " + jsonString(picture.file) + ", \"lamp\": " + lamp + "}";
     }
     return out.empty() ? "[]" : "[" + out + "\n" + pad + "]";
   }
@@ -98,24 +93,24 @@ std::string settingJson(const Setting& setting, const Field& field) {
   const bool nullable =
       std::holds_alternative<std::optional<double>*>(field) || std::holds_alternative<std::optional<Vec2>*>(field);
   std::string out;
-  add(out, "section", textJson(sectionName(setting.section)));
-  add(out, "key", textJson(setting.key));
-  add(out, "type", textJson(typeName(type)));
-  add(out, "level", textJson(levelName(setting.level)));
+  add(out, "section", jsonString(sectionName(setting.section)));
+  add(out, "key", jsonString(setting.key));
+  add(out, "type", jsonString(typeName(type)));
+  add(out, "level", jsonString(levelName(setting.level)));
   if (!std::holds_alternative<std::monostate>(field)) {
     add(out, "default", std::visit(ValueJson{setting, field, ""}, field));
   }
   if (nullable) add(out, "nullable", "true");
-  if (*setting.unit != '\0') add(out, "unit", textJson(setting.unit));
+  if (*setting.unit != '\0') add(out, "unit", jsonString(setting.unit));
   const bool seed = std::holds_alternative<std::uint64_t*>(field);  // its end is no double
   if (number) add(out, "low", numberText(setting.low));
   if (number) add(out, "high", seed ? std::to_string(UINT64_MAX) : numberText(setting.high));
   const bool text = type == SettingType::Text || type == SettingType::Block;
   if (text && setting.high > 0) add(out, "maxBytes", numberText(setting.high));
   if (*setting.choices != '\0') add(out, "choices", listJson(setting.choices));
-  add(out, "label", textJson(setting.label));
-  add(out, "help", textJson(setting.help));
-  if (*setting.option != '\0') add(out, "option", textJson(setting.option));
+  add(out, "label", jsonString(setting.label));
+  add(out, "help", jsonString(setting.help));
+  if (*setting.option != '\0') add(out, "option", jsonString(setting.option));
   if (*setting.oldKeys != '\0') add(out, "oldKeys", listJson(setting.oldKeys));
   if (*setting.oldOptions != '\0') add(out, "oldOptions", listJson(setting.oldOptions));
   return "    {" + out + "}";
@@ -126,7 +121,7 @@ std::string settingJson(const Setting& setting, const Field& field) {
 std::string numberText(double value) {
   if (std::isnan(value)) return "not a number";
   if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
-  std::string text = Json(value).dump();  // shortest form, the same in every locale
+  std::string text = jsonNumber(value);
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   return text;
 }

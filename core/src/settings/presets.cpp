@@ -27,9 +27,9 @@ constexpr BuiltIn kPresets{"presets", "preset", kPresetsJson};
 
 /// Read once: files of many printers, and tests, ask for them again and again.
 const Json& rowsOf(const BuiltIn& builtIn) {
-  static const Json printers = Json::parse(kPrinters.json)[kPrinters.key];
-  static const Json filaments = Json::parse(kFilaments.json)[kFilaments.key];
-  static const Json presets = Json::parse(kPresets.json)[kPresets.key];
+  static const Json printers = parseJson(kPrinters.json)[kPrinters.key];
+  static const Json filaments = parseJson(kFilaments.json)[kFilaments.key];
+  static const Json presets = parseJson(kPresets.json)[kPresets.key];
   return &builtIn == &kPrinters ? printers : &builtIn == &kFilaments ? filaments : presets;
 }
 
