@@ -10,6 +10,7 @@ import { fileURLToPath } from 'node:url';
 
 import { strFromU8, unzipSync } from 'fflate';
 
+import { walkToFirstPrint } from './support/first-walk.js';
 import { sharedBench } from './support/shared.js';
 import { fileAt, fileOf, skip, start } from './support/studio.js';
 import { until } from './support/waits.js';
@@ -29,9 +30,14 @@ const show = (visit, dialog) =>
 const choose = (visit, name) => visit.page.getByRole('radio', { name, exact: true }).check();
 const kind = (visit, name) => visit.page.locator(`sillon-calibrate-prints input[value=${name}]`).check();
 
+const fileOfDownload = async (download) => ({
+  name: download.suggestedFilename(),
+  text: readFileSync(await download.path(), 'utf8'),
+});
+
 async function saved(visit, press) {
   const [download] = await Promise.all([visit.page.waitForEvent('download'), press()]);
-  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+  return fileOfDownload(download);
 }
 
 /** What the native program makes of the same printer and print, on the same day. */
@@ -237,24 +243,6 @@ test('blocks of an own printer are seen before a calibration print is saved', { 
   assert.match(file.text, /\nG28\n/);
 });
 
-/** Walks from the first page to a file, and counts what a hand does. */
-async function walk(visit, first) {
-  const { page } = visit;
-  let clicks = 0;
-  const click = async (locator, options) => {
-    ++clicks;
-    await locator.click(options);
-  };
-  await click(visit.button('First print…').first());
-  const dialog = page.locator('sillon-first dialog');
-  await dialog.waitFor();
-  clicks += 2; // opens the list, and chooses
-  await dialog.getByLabel('Printer', { exact: true }).selectOption({ label: 'Creality K1' });
-  await click(dialog.locator(`input[value=${first}]`));
-  const file = await saved(visit, () => click(dialog.getByRole('button', { name: 'Download G-code' })));
-  return { clicks, file };
-}
-
 for (const [first, name] of [
   ['coupon', /^coupon_0\.4mm_PLA_\d+m\.gcode$/],
   ['coaster', /^Whirl_0\.4mm_PLA_\w+\.gcode$/],
@@ -262,7 +250,8 @@ for (const [first, name] of [
   test(`a first visit has a ${first} for its printer within six clicks`, { skip }, async () => {
     const visit = await bench.open();
     await visit.until((state) => state.welcome);
-    const { clicks, file } = await walk(visit, first);
+    const { clicks, download } = await walkToFirstPrint(visit, first);
+    const file = await fileOfDownload(download);
     assert.ok(clicks <= 6, `${clicks} clicks`);
     assert.match(file.name, name);
     assert.match(file.text, /K1/);
