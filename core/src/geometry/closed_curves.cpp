@@ -38,6 +38,7 @@ bool onSegment(PointUm32 a, PointUm32 b, PointUm32 p) { return between(a.x, b.x,
 bool sharePoint(PointUm32 a, PointUm32 b, PointUm32 c, PointUm32 d) {
   const int abc = side(a, b, c);
   const int abd = side(a, b, d);
+  if (abc * abd > 0) return false;  // cd lies on one side of ab
   const int cda = side(c, d, a);
   const int cdb = side(c, d, b);
   if (abc * abd < 0 && cda * cdb < 0) return true;
