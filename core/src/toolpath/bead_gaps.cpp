@@ -6,11 +6,20 @@
 #include "base/simd.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
+#include "toolpath/eight_points.hpp"
 
 namespace sillon {
+
+#if defined(SILLON_AVX2)
+bool eightAtOnce = __builtin_cpu_supports("avx2") != 0;
+#else
+bool eightAtOnce = false;
+#endif
+
 namespace {
 
-constexpr int kOwnChain = 4;          ///< points tau/4 apart
+constexpr int kOwnChain = 4;               ///< points tau/4 apart
+constexpr int kFollowing = kOwnChain + 2;  ///< points after one that are looked at for a turn
 constexpr float kTight = 0.3f;        ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
 constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
 
@@ -57,7 +66,7 @@ bool turnsBack(const ClosedCurves& curves, int curve, int point) {
   int next = nextOf(curves, curve, point);
   const Vec2f first = at(next) - at(point);
   bool back = false;
-  for (int k = 1; k <= kOwnChain + 1; ++k) {
+  for (int k = 2; k <= kFollowing; ++k) {
     const int after = nextOf(curves, curve, next);
     back = back || dot(first, at(after) - at(next)) < 0;
     next = after;
@@ -99,28 +108,46 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
   BeadGaps gaps{std::vector<float>(count, cap), std::vector<float>(count, cap), std::vector<char>(count, 0)};
   const float tight = kTight * static_cast<float>(spacing);
   const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
+  const auto note = [&](int k, Vec2f normal, Nearest nearest, bool back) {
+    const std::size_t i = static_cast<std::size_t>(k);
+    const Vec2f p = curves.points[i];
+    const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+    if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
+      const NearestBorder b = border.nearest(at);
+      const float along = dot(b.normal, normal);
+      if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
+        const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
+        (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
+      }
+    }
+    gaps.tight[i] = nearest.distance2 < tight * tight || back ? 1 : 0;
+    gaps.left[i] = 1 / nearest.left;
+    gaps.right[i] = 1 / nearest.right;
+  };
   // In path order: the next point's buckets are mostly the same.
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
       const int curve = curveOf[i];
-      const Vec2f tangent = tangentAt(curves, curve, static_cast<int>(i));
-      const Vec2f normal{-tangent.y, tangent.x};
-      const Vec2f p = curves.points[i];
-      Nearest nearest = nearestOn(grid, p, normal, cap, static_cast<int>(i),
-                                  curves.begin[static_cast<std::size_t>(curve)], curves.size(curve));
-      const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
-      if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
-        const NearestBorder b = border.nearest(at);
-        const float along = dot(b.normal, normal);
-        if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
-          const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
-          (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
+      const int first = curves.begin[static_cast<std::size_t>(curve)];
+      const int size = curves.size(curve);
+#if defined(SILLON_AVX2)
+      if (eightAtOnce && k + kEight <= end && k - first >= kOwnChain && k + kEight + kFollowing <= first + size) {
+        const EightInRow row = eightInRow(&curves.points[i], k, kFollowing, cap);
+        const EightNearest nearest =
+            nearestOfEight({grid.x.data(), grid.y.data(), grid.id.data()},
+                           grid.within({row.lowX, row.lowY}, {row.highX, row.highY}), row.points, cap, kOwnChain);
+        for (int l = 0; l < kEight; ++l) {
+          note(k + l, {-row.points.tangentY[l], row.points.tangentX[l]},
+               {nearest.left[l], nearest.right[l], nearest.distance2[l]}, row.turnsBack[l] != 0);
         }
+        k += kEight - 1;
+        continue;
       }
-      gaps.tight[i] = nearest.distance2 < tight * tight || turnsBack(curves, curve, static_cast<int>(i)) ? 1 : 0;
-      gaps.left[i] = 1 / nearest.left;
-      gaps.right[i] = 1 / nearest.right;
+#endif
+      const Vec2f tangent = tangentAt(curves, curve, k);
+      const Vec2f normal{-tangent.y, tangent.x};
+      note(k, normal, nearestOn(grid, curves.points[i], normal, cap, k, first, size), turnsBack(curves, curve, k));
     }
   });
   markFollowing(curves, gaps.tight);

@@ -7,6 +7,7 @@
 #include "base/simd.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
+#include "toolpath/eight_points.hpp"
 
 namespace sillon {
 namespace {
@@ -30,23 +31,24 @@ struct Room {
   float growth;   ///< widths grow by no more than this factor
 };
 
+// Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
+float ahead2(const Room& room) { return room.spacing * room.spacing / 64; }
+
 // How much wider a bead may be before it meets another.
 struct Share {
   float factor;  // both give way, or grow, alike
   int beside;    // the point it would meet first; -1: none
 };
 
-// `width` and `sortedWidth` are as wide as moves are that meet there.
-Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, Vec2f p, Vec2f tangent, float width,
+// `width`, and the halves in `sortedHalf`, are as wide as moves are that meet there.
+Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedHalf, Vec2f p, Vec2f tangent, float width,
                   float reach, const Room& room, const OwnChain& chain) {
   const F4 px = splat(p.x);
   const F4 py = splat(p.y);
   const F4 tx = splat(tangent.x);
   const F4 ty = splat(tangent.y);
-  const F4 half = splat(0.5f);
   const F4 own = splat(0.5f * width - room.allowed);
-  // Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
-  const F4 ahead2 = splat(room.spacing * room.spacing / 64);
+  const F4 mostAhead2 = splat(ahead2(room));
   F4 least = splat(room.growth * room.growth);
   I4 beside = splatInt(-1);
   grid.around(p, reach, [&](int from, int to) {
@@ -55,8 +57,8 @@ Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, 
       const F4 dx = load4(&grid.x[s]) - px;
       const F4 dy = load4(&grid.y[s]) - py;
       const F4 along = tx * dx + ty * dy;
-      const F4 distance2 = dx * dx + dy * dy - min4(along * along, ahead2);
-      const F4 needed = max4(own + half * load4(&sortedWidth[s]), splat(1e-6f));
+      const F4 distance2 = dx * dx + dy * dy - min4(along * along, mostAhead2);
+      const F4 needed = max4(own + load4(&sortedHalf[s]), splat(1e-6f));
       const I4 id = load4(&grid.id[s]);
       const F4 share2 = select4(chain.holds(id), splat(room.growth * room.growth), distance2 / (needed * needed));
       beside = beside + ((share2 < least) & (id - beside));
@@ -67,6 +69,38 @@ Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedWidth, 
   for (int k = 1; k < 4; ++k) lane = least[k] < least[lane] ? k : lane;
   return {std::sqrt(least[lane]), beside[lane]};
 }
+
+#if defined(SILLON_AVX2)
+// Some open points near to each other on a curve.
+struct OpenEight {
+  EightPoints points{};  // lanes that are not taken look around the origin, in the box of the others
+  EightBeads beads{};
+  int count = 0;
+  Vec2f low{1e30f, 1e30f};  // box around all that they may meet
+  Vec2f high{-1e30f, -1e30f};
+
+  void add(int id, Vec2f p, Vec2f tangent, float width, float reach, const Room& room) {
+    points.id[count] = id;
+    points.x[count] = p.x;
+    points.y[count] = p.y;
+    points.tangentX[count] = tangent.x;
+    points.tangentY[count] = tangent.y;
+    beads.half[count] = 0.5f * width - room.allowed;
+    beads.reach2[count] = reach * reach * 0.99999f;
+    ++count;
+    // Farther than the search from one point is sure to look: shares are as if points lay up to tau/8 nearer.
+    const float beyond = 1.0001f * std::sqrt(reach * reach + ahead2(room));
+    low = {std::min(low.x, p.x - beyond), std::min(low.y, p.y - beyond)};
+    high = {std::max(high.x, p.x + beyond), std::max(high.y, p.y + beyond)};
+  }
+
+  [[nodiscard]] EightShares shares(const PointGrid& grid, const std::vector<float>& sortedHalf,
+                                   const Room& room) const {
+    return sharesOfEight({grid.x.data(), grid.y.data(), grid.id.data()}, sortedHalf.data(), grid.within(low, high),
+                         points, beads, ahead2(room), room.growth * room.growth, kOwnChain);
+  }
+};
+#endif
 
 // Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
 // point it is wider than its own end by up to half the step. Longer steps are written as several moves.
@@ -90,23 +124,55 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
   const PointGrid grid(curves.points, 0.75f * room.spacing, run);
   const std::vector<float> wanted = width;
   std::vector<Share> shares(width.size(), {1, -1});
-  std::vector<char> open(width.size(), 1);          // whether the width may still change; all at first, later a few
-  std::vector<float> sorted(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
+  std::vector<char> open(width.size(), 1);              // whether the width may still change; all at first, later a few
+  std::vector<float> sortedHalf(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const std::vector<float> moves = movesWidths(curves, width);
     for (std::size_t s = 0; s < static_cast<std::size_t>(grid.count()); ++s) {
-      sorted[s] = moves[static_cast<std::size_t>(grid.id[s])];
+      sortedHalf[s] = 0.5f * moves[static_cast<std::size_t>(grid.id[s])];
     }
     const float widest = moves.empty() ? 0 : *std::max_element(moves.begin(), moves.end());
+    const auto reachOf = [&](std::size_t i) {
+      return std::max(room.growth * (0.5f * (moves[i] + widest) - room.allowed), 0.0f);
+    };
+    const auto note = [&](std::size_t i, Share share) {
+      shares[i] = share;
+      width[i] = std::min(wanted[i], std::max(std::min(room.low, width[i]), width[i] * share.factor));
+    };
+    const auto look = [&](int k) {
+      const std::size_t i = static_cast<std::size_t>(k);
+      const int c = curveOf[i];
+      const OwnChain chain(k, curves.begin[static_cast<std::size_t>(c)], curves.size(c), kOwnChain);
+      note(i,
+           shareBeside(grid, sortedHalf, curves.points[i], tangentAt(curves, c, k), moves[i], reachOf(i), room, chain));
+    };
     parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(k);
         if (open[i] == 0) continue;
+#if defined(SILLON_AVX2)
         const int c = curveOf[i];
-        const OwnChain chain(k, curves.begin[static_cast<std::size_t>(c)], curves.size(c), kOwnChain);
-        const float reach = std::max(room.growth * (0.5f * (moves[i] + widest) - room.allowed), 0.0f);
-        shares[i] = shareBeside(grid, sorted, curves.points[i], tangentAt(curves, c, k), moves[i], reach, room, chain);
-        width[i] = std::min(wanted[i], std::max(std::min(room.low, width[i]), width[i] * shares[i].factor));
+        const int first = curves.begin[static_cast<std::size_t>(c)] + kOwnChain;
+        const int last = std::min({k + 2 * kEight, end, curves.begin[static_cast<std::size_t>(c) + 1] - kOwnChain});
+        if (eightAtOnce && k >= first && k < last) {
+          OpenEight eight;
+          for (; k < last && eight.count < kEight; ++k) {
+            const std::size_t at = static_cast<std::size_t>(k);
+            if (open[at] != 0) eight.add(k, curves.points[at], tangentAt(curves, c, k), moves[at], reachOf(at), room);
+          }
+          --k;
+          const EightShares found = eight.shares(grid, sortedHalf, room);
+          for (int l = 0; l < eight.count; ++l) {
+            if (found.unsure[l] != 0) {
+              look(eight.points.id[l]);
+            } else {
+              note(static_cast<std::size_t>(eight.points.id[l]), {std::sqrt(found.factor2[l]), found.beside[l]});
+            }
+          }
+          continue;
+        }
+#endif
+        look(k);
       }
     });
     parallelFor(run, grid.count(), 8192, [&](int begin, int end) {

@@ -1,0 +1,79 @@
+#include "toolpath/eight_points.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/closed_curves.hpp"
+#include "sillon/toolpath/bead_width.hpp"
+#include "support/scenes.hpp"
+
+using namespace sillon;
+
+namespace {
+
+constexpr float kSpacing = 0.4f;
+
+// Squares in each other round the middle of a page of 40 x 40 mm, turned by `angle`, with points tau/4 apart, and
+// `apart` from each other but for `unevenness` [mm]. Even ones have many neighbours at the same distance.
+ClosedCurves nestedLoops(double angle, double apart, double unevenness, scenes::Random& random) {
+  std::vector<std::vector<Vec2f>> loops;
+  for (double side = 1; side < 19; side += apart) {
+    std::vector<Vec2f> loop;
+    const int steps = static_cast<int>(4 * side / static_cast<double>(kSpacing));  // of half a side
+    for (int s = 0; s < 8 * steps; ++s) {
+      const double along = -side + 2 * side * (s % (2 * steps)) / (2 * steps);
+      const double across = side + random.in(-unevenness, unevenness);
+      const double turn = angle + 0.5 * std::numbers::pi * (s / (2 * steps));
+      loop.push_back({static_cast<float>(20 + across * std::cos(turn) - along * std::sin(turn)),
+                      static_cast<float>(20 + across * std::sin(turn) + along * std::cos(turn))});
+    }
+    loops.push_back(std::move(loop));
+  }
+  return scenes::closed(loops);
+}
+
+struct Made {
+  BeadGaps gaps;
+  BeadWidths widths;
+};
+
+Made madeOf(const ClosedCurves& curves, const BorderIndex& border, const ToolpathParams& params, bool eight) {
+  eightAtOnce = eight;
+  Made made;
+  made.gaps = beadGaps(curves, border, params.spacing, 1.5f * kSpacing, RunContext(1));
+  made.widths = beadWidths(curves, made.gaps, border, params, RunContext(1)).value();
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("room and widths of points taken eight at once are those of points taken alone, to the last bit") {
+  if (!eightAtOnce) {
+    MESSAGE("skipped: this processor, or this program, has no AVX2");
+    return;
+  }
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 40})}, {40, 40});
+  const Outline outline = resolveOutline(shape).value();
+  const BorderIndex border = buildBorderIndex(outline, makeGrid(outline.bounds, 0.4), RunContext(1)).value();
+  scenes::Random random(5);
+  ToolpathParams params;
+  params.spacing = static_cast<double>(kSpacing);
+  for (int k = 0; k < 80; ++k) {
+    CAPTURE(k);
+    const double unevenness = std::vector<double>{0, 0.01, 0.1, 0.3}[static_cast<std::size_t>(k % 4)];
+    const double angle = k == 0 ? 0 : unevenness > 0 ? random.in(0, 2) : 0.1 * random.index(3);
+    const double apart = params.spacing * (k % 8 == 0 ? 1 : random.in(0.8, 1.6));
+    params.beadOverlap = random.in(0, 0.01);
+    const ClosedCurves curves = nestedLoops(angle, apart, unevenness, random);
+    const Made together = madeOf(curves, border, params, true);
+    const Made alone = madeOf(curves, border, params, false);
+    eightAtOnce = true;
+    CHECK(together.gaps.left == alone.gaps.left);
+    CHECK(together.gaps.right == alone.gaps.right);
+    CHECK(together.gaps.tight == alone.gaps.tight);
+    CHECK(together.widths.width == alone.widths.width);
+    CHECK(together.widths.limit == alone.widths.limit);
+  }
+}
