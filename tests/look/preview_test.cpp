@@ -413,6 +413,31 @@ TEST_CASE("QOI pictures are read back by their specification: runs, steps, repea
   CHECK(coded.size() < rgb.size() / 2);
 }
 
+TEST_CASE("pictures of the same proportions are means of the largest") {
+  const Toolpath toolpath = rings({10, 10}, 9, 0.4, 64);
+  const auto pictures = lookThumbnails(toolpath, {20, 20}, "32x32/QOI, 96x96/QOI, 64x64/QOI", {}, RunContext(1));
+  REQUIRE(pictures);
+  const std::vector<std::uint8_t> large = decodeQoi(pictures.value()[1].bytes, 96, 96);
+  CHECK(large == renderLook(toolpath, {20, 20}, 96, 96, {}, RunContext(1)).value().rgb);
+  CHECK(decodeQoi(pictures.value()[2].bytes, 64, 64) ==
+        renderLook(toolpath, {20, 20}, 64, 64, {}, RunContext(1)).value().rgb);  // too large to be sharp
+  const std::vector<std::uint8_t> small = decodeQoi(pictures.value()[0].bytes, 32, 32);
+  for (std::size_t k = 0; k < small.size(); ++k) {
+    const std::size_t x = k / 3 % 32, y = k / 96;
+    int sum = 0;
+    for (std::size_t v = 3 * y; v < 3 * y + 3; ++v) {
+      for (std::size_t u = 3 * x; u < 3 * x + 3; ++u) sum += large[(v * 96 + u) * 3 + k % 3];
+    }
+    CHECK(std::abs(9 * small[k] - sum) <= 5);
+  }
+  // Pixels of the largest that reach into several of the smaller one: what is one colour stays it.
+  const auto uneven = lookThumbnails(toolpath, {20, 20}, "32x32/QOI, 300x300/QOI", {}, RunContext(1));
+  REQUIRE(uneven);
+  const std::vector<std::uint8_t> corner = decodeQoi(uneven.value()[0].bytes, 32, 32);
+  CHECK(std::vector<std::uint8_t>(corner.begin(), corner.begin() + 3) ==
+        std::vector<std::uint8_t>{kBackground.red, kBackground.green, kBackground.blue});
+}
+
 TEST_CASE("pictures come in the sizes and formats a printer asks for") {
   const Toolpath toolpath = pairOfBeads(30, 0.4);
   const auto pictures = lookThumbnails(toolpath, {20, 20}, "16x24/QOI, 40x30/PNG,32x32", {}, RunContext(1));

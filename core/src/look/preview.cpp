@@ -1,5 +1,5 @@
 // Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from the same
-// samples.
+// samples, and what these leave free shows the background with the plate's shadow.
 #include "sillon/look/preview.hpp"
 
 #include <algorithm>
@@ -143,20 +143,11 @@ struct Scene {
   const Layout& layout;
   const std::vector<Bead>& beads;
   const Bands& bands;
-  const Shadow& shadow;
   Look look;
 };
 
-/// Background of the look panel: darker where the plate stands between it and the light.
-Colour shadowed(const Scene& scene, int x, int y) {
-  const float away = static_cast<float>(scene.layout.look.width) / 90;  // the shadow falls away from the light
-  const float sx = static_cast<float>(x) + 0.5f + scene.look.lampSide.x * away,
-              sy = static_cast<float>(y) + 0.5f - scene.look.lampSide.y * away;
-  return asColour(kBackground) * (1 - 0.72f * shadowAt(scene.shadow, sx, sy));
-}
-
-/// Both panels of the page, rows of one band.
-void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
+/// The plate in both panels, rows of one band. \param covered  samples of each pixel of the page that show the plate.
+void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
   const Layout& layout = scene.layout;
   const int pageWidth = layout.look.width, pageHeight = layout.look.height;
   const int top = static_cast<int>(band) * kBandRows;
@@ -179,14 +170,14 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
                       (static_cast<float>(y) - static_cast<float>(pageHeight) / 2) * perEye};
       const Lobe lobe = lobeFrom(scene.look, eye);
       Colour direction, look;
-      int covered = 0;
+      int count = 0;
       for (int k = 0; k < kSamples * kSamples; ++k) {
         const int column = x * kSamples + k % kSamples, row = y * kSamples + k / kSamples;
         const std::size_t at = static_cast<std::size_t>(row - top * kSamples) * static_cast<std::size_t>(width) +
                                static_cast<std::size_t>(column);
         const float squaredOffset = hits.squaredOffset[at];
         if (!(squaredOffset < 1)) continue;
-        ++covered;
+        ++count;
         const Bead& bead = scene.beads[hits.bead[at]];
         const Vec2f p{static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f};
         const float t = shareAlong(bead, p);
@@ -194,39 +185,41 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image) {
         if (directions) direction = direction + directionShade(bead, squaredOffset, t);
         look = look + lookShade(bead, t, left * std::sqrt(squaredOffset), lobe, scene.look);
       }
-      const float empty = static_cast<float>(kSamples * kSamples - covered) * kShare;
       if (directions) {
+        const float empty = static_cast<float>(kSamples * kSamples - count) * kShare;
         put(image, layout.directions.x + x, layout.directions.y + y,
             rounded(direction * kShare + asColour(kBackground) * empty));
       }
-      // Mixed after tone mapping: edges stay smooth against the dark page.
-      Colour shown;
-      if (empty > 0) shown = shadowed(scene, x, y) * empty;
-      if (covered > 0) {
-        const Colour mean = look * (1 / static_cast<float>(covered));
-        const Rgb plate{toneMapped(mean.red), toneMapped(mean.green), toneMapped(mean.blue)};
-        shown = shown + asColour(plate) * (1 - empty);
-      }
-      put(image, layout.look.x + x, layout.look.y + y, rounded(shown));
+      covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>(count);
+      if (count == 0) continue;
+      const Colour mean = look * (1 / static_cast<float>(count));
+      put(image, layout.look.x + x, layout.look.y + y,
+          {toneMapped(mean.red), toneMapped(mean.green), toneMapped(mean.blue)});
     }
   }
 }
 
-/// Background, with the plate's shadow around the page of the look panel.
-void drawBackground(const Scene& scene, RgbImage& image) {
-  const Layout& layout = scene.layout;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) put(image, x, y, kBackground);
-  }
-  const int reach = scene.shadow.border * scene.shadow.cell + layout.look.width / 90;
-  const int x0 = std::max(0, layout.look.x - reach),
-            x1 = std::min(image.width, layout.look.x + layout.look.width + reach);
-  const int y0 = std::max(0, layout.look.y - reach),
-            y1 = std::min(image.height, layout.look.y + layout.look.height + reach);
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) {
-      put(image, x, y, rounded(shadowed(scene, x - layout.look.x, y - layout.look.y)));
+/// Background around the pages and where the look leaves samples free: darker where the plate stands between it and the
+/// light. Mixed after tone mapping, so that edges stay smooth against the dark page.
+void drawBackground(const Scene& scene, const Shadow& shadow, const std::vector<std::uint8_t>& covered, int y,
+                    RgbImage& image) {
+  const Box& page = scene.layout.look;
+  const float away = static_cast<float>(page.width) / 90;  // the shadow falls away from the light
+  const Vec2f from{0.5f + scene.look.lampSide.x * away, 0.5f - scene.look.lampSide.y * away};
+  for (int x = 0; x < image.width; ++x) {
+    if (holds(scene.layout.directions, x, y)) continue;
+    const int column = x - page.x, row = y - page.y;
+    int free = kSamples * kSamples;
+    if (holds(page, x, y)) {
+      free -= covered[static_cast<std::size_t>(row) * static_cast<std::size_t>(page.width) +
+                      static_cast<std::size_t>(column)];
     }
+    if (free == 0) continue;
+    const float dark = shadowAt(shadow, static_cast<float>(column) + from.x, static_cast<float>(row) + from.y);
+    const float share = static_cast<float>(free) / (kSamples * kSamples);
+    const Colour shown = asColour(kBackground) * ((1 - 0.72f * dark) * share);
+    put(image, x, y, rounded(shown + asColour(at(image, x, y)) * (1 - share)));
   }
 }
 
@@ -252,20 +245,22 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   image.rgb.resize(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3);
 
   const bool directions = layout.directions.width > 0;
-  const std::vector<Bead> beads =
-      beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions ? Wanted::Directions : Wanted::Look);
+  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions);
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
-  const Shadow shadow = shadowOf(toolpath, page, layout);
-  const Scene scene{layout, beads, bands, shadow, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
-
-  drawBackground(scene, image);
+  const Scene scene{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
+  std::vector<std::uint8_t> covered(static_cast<std::size_t>(layout.look.width) *
+                                    static_cast<std::size_t>(layout.look.height));
+  parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
+    for (int band = begin; band < end; ++band) drawBand(scene, static_cast<std::size_t>(band), image, covered);
+  });
+  const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);
+  parallelFor(run, image.height, kBandRows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) drawBackground(scene, shadow, covered, y, image);
+  });
   if (directions) {
     drawLegend(image, layout);
     drawLamp(image, layout, params.look.lamp);
   }
-  parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) drawBand(scene, static_cast<std::size_t>(band), image);
-  });
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "preview was cancelled"};
   return image;
 }

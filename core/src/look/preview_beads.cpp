@@ -26,7 +26,7 @@ Vec2f jointTangent(const Piece& own, const Piece& other, float width) {
 
 }  // namespace
 
-std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wanted wanted) {
+std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours) {
   std::vector<Bead> beads;
   std::size_t total = 0;
   for (const Cycle& cycle : toolpath.cycles) total += cycle.points.size();
@@ -41,7 +41,7 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wan
     };
     const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[around(k)] * scale / 2); };
     pieces.clear();
-    for (std::size_t k = 0; k < count && wanted != Wanted::Outlines; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       const Vec2f step = at(k + 1) - at(k);
       pieces.push_back({unit(step), length(step)});
     }
@@ -51,10 +51,9 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wan
       bead.b = sampleAt(k + 1);
       bead.radiusA = radiusAt(k);
       bead.radiusB = radiusAt(k + 1);
-      if (wanted == Wanted::Outlines) continue;
       bead.tangentA = jointTangent(pieces[k], pieces[k > 0 ? k - 1 : count - 1], cycle.widths[k]);
       bead.tangentB = jointTangent(pieces[k], pieces[around(k + 1)], cycle.widths[around(k + 1)]);
-      if (wanted == Wanted::Look) continue;
+      if (!colours) continue;
       const double colourA = directionColourPlace(bead.tangentA.x, bead.tangentA.y);
       const double turned = (directionColourPlace(bead.tangentB.x, bead.tangentB.y) - colourA) / kDirectionColours;
       bead.colourA = static_cast<float>(colourA);

@@ -23,11 +23,8 @@ inline Vec2f unit(Vec2f v) {
   return size > 0 ? v * (1 / size) : Vec2f{1, 0};
 }
 
-/// What of beads is wanted: where they lie, what the look needs besides, or what panel 1 needs too.
-enum class Wanted { Outlines, Look, Directions };
-
-/// \param scale  samples per mm.
-std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, Wanted wanted);
+/// \param scale  samples per mm. \param colours  whether those of their directions are wanted too.
+std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours);
 
 /// Beads by the bands of rows they touch, in order of index, so that ties fall the same way everywhere.
 struct Bands {

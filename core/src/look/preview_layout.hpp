@@ -12,6 +12,10 @@ struct Box {
   int height = 0;
 };
 
+inline bool holds(const Box& box, int x, int y) {
+  return x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
+}
+
 struct Layout {
   int width = 0;
   int height = 0;

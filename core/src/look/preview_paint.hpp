@@ -34,6 +34,13 @@ inline void put(RgbImage& image, int x, int y, Rgb colour) {
   p[2] = colour.blue;
 }
 
+inline Rgb at(const RgbImage& image, int x, int y) {
+  const std::uint8_t* p =
+      &image.rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+                 3];
+  return {p[0], p[1], p[2]};
+}
+
 inline Rgb rounded(Colour c) {
   const auto byte = [](float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 255.0f) + 0.5f); };
   return {byte(c.red), byte(c.green), byte(c.blue)};

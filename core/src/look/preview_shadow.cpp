@@ -3,56 +3,47 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "look/preview_beads.hpp"
-
 namespace sillon {
 namespace {
 
 void boxBlur(std::vector<float>& values, int width, int height, int radius) {
-  std::vector<float> line;
-  const auto blurLine = [&](std::size_t start, std::size_t step, int count) {
-    line.resize(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k)
-      line[static_cast<std::size_t>(k)] = values[start + step * static_cast<std::size_t>(k)];
+  std::vector<float> line;  // with nothing before and after it
+  const auto blurLine = [&](float* first, std::ptrdiff_t step, int count) {
+    line.assign(static_cast<std::size_t>(count + 2 * radius), 0);
+    float* const middle = line.data() + radius;
+    for (int k = 0; k < count; ++k) middle[k] = first[step * k];
+    const float share = 1 / static_cast<float>(2 * radius + 1);
     float sum = 0;
-    for (int k = -radius; k < count + radius; ++k) {
-      if (k + radius < count && k + radius >= 0) sum += line[static_cast<std::size_t>(k + radius)];
-      if (k - radius - 1 >= 0 && k - radius - 1 < count) sum -= line[static_cast<std::size_t>(k - radius - 1)];
-      if (k >= 0 && k < count) {
-        values[start + step * static_cast<std::size_t>(k)] = sum / static_cast<float>(2 * radius + 1);
-      }
+    for (int k = -radius; k < radius; ++k) sum += middle[k];
+    for (int k = 0; k < count; ++k) {
+      sum += middle[k + radius];
+      first[step * k] = sum * share;
+      sum -= middle[k - radius];
     }
   };
-  for (int y = 0; y < height; ++y) blurLine(static_cast<std::size_t>(y) * static_cast<std::size_t>(width), 1, width);
-  for (int x = 0; x < width; ++x) blurLine(static_cast<std::size_t>(x), static_cast<std::size_t>(width), height);
+  for (int y = 0; y < height; ++y)
+    blurLine(&values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)], 1, width);
+  for (int x = 0; x < width; ++x) blurLine(&values[static_cast<std::size_t>(x)], width, height);
 }
 
 }  // namespace
 
-Shadow shadowOf(const Toolpath& toolpath, Vec2 page, const Layout& layout) {
+Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box& page) {
   Shadow shadow;
-  const int panelWidth = layout.look.width;
-  shadow.cell = std::max(1, panelWidth / 400);
-  const int blur = std::max(1, panelWidth / shadow.cell / 70);
-  const int pageWidth = (layout.look.width + shadow.cell - 1) / shadow.cell;
-  const int pageHeight = (layout.look.height + shadow.cell - 1) / shadow.cell;
+  shadow.cell = std::max(1, page.width / 400);
+  const int blur = std::max(1, page.width / shadow.cell / 70);
   shadow.border = 4 * blur;
-  shadow.width = pageWidth + 2 * shadow.border;
-  shadow.height = pageHeight + 2 * shadow.border;
+  shadow.width = (page.width - 1) / shadow.cell + 1 + 2 * shadow.border;
+  shadow.height = (page.height - 1) / shadow.cell + 1 + 2 * shadow.border;
   shadow.dark.assign(static_cast<std::size_t>(shadow.width) * static_cast<std::size_t>(shadow.height), 0);
-
-  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm / shadow.cell, Wanted::Outlines);
-  Hits hits;
-  hits.clear(pageWidth, pageHeight);
-  for (const Bead& bead : beads) rasterise(bead, 0, 0, pageHeight, pageWidth, hits);
-  for (int y = 0; y < pageHeight; ++y) {
-    for (int x = 0; x < pageWidth; ++x) {
-      const std::size_t from =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x);
-      const std::size_t to = static_cast<std::size_t>(y + shadow.border) * static_cast<std::size_t>(shadow.width) +
-                             static_cast<std::size_t>(x + shadow.border);
-      shadow.dark[to] = hits.squaredOffset[from] < 1 ? 1.0f : 0.0f;
-    }
+  const float share = 1 / static_cast<float>(shadow.cell * shadow.cell * samples);
+  const std::uint8_t* pixel = covered.data();
+  for (int y = 0; y < page.height; ++y) {
+    float* const row =
+        &shadow
+             .dark[static_cast<std::size_t>(y / shadow.cell + shadow.border) * static_cast<std::size_t>(shadow.width) +
+                   static_cast<std::size_t>(shadow.border)];
+    for (int x = 0; x < page.width; ++x) row[x / shadow.cell] += static_cast<float>(*pixel++) * share;
   }
   for (int pass = 0; pass < 3; ++pass) boxBlur(shadow.dark, shadow.width, shadow.height, blur);
   return shadow;

@@ -1,10 +1,10 @@
 // The soft shadow that a plate casts in its preview.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "look/preview_layout.hpp"
-#include "sillon/base/types.hpp"
 
 namespace sillon {
 
@@ -18,7 +18,8 @@ struct Shadow {
 };
 
 /// By three box blurs, which are nearly Gaussian.
-Shadow shadowOf(const Toolpath& toolpath, Vec2 page, const Layout& layout);
+/// \param covered  for each pixel of the page how many of its samples the plate covers. \param samples  of a pixel.
+Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box& page);
 
 /// \param x  pixels from the page's left edge. \param y  from its top. \return 0..1, bilinear.
 float shadowAt(const Shadow& shadow, float x, float y);
