@@ -20,13 +20,15 @@ struct BasePaths {
   double areaMm2 = 0;
 };
 
-// What hatched layers have along the border: the same for all of them.
-Result<std::vector<Polyline>> borderLoops(const Shape& shape, const Printer& printer, const PrintParams& params,
-                                          double inset) {
+// What hatched layers have along the border: for each inset, the same for all of them.
+Result<std::vector<std::vector<Polyline>>> borderLoops(const Shape& shape, const Printer& printer,
+                                                       const PrintParams& params, const std::vector<double>& insets) {
   const bool closed = params.basePattern == BasePattern::Concentric;
   const int count = closed ? kMaxLoops : params.basePerimeters;
-  if (count == 0) return std::vector<Polyline>();
-  return offsetLoops(shape, -inset - printer.nozzle / 2, -printer.nozzle, count);
+  if (count == 0) return std::vector<std::vector<Polyline>>(insets.size());
+  std::vector<double> firsts;
+  for (const double inset : insets) firsts.push_back(-inset - printer.nozzle / 2);
+  return offsetLoops(shape, firsts, -printer.nozzle, count);
 }
 
 BasePaths basePaths(const Shape& shape, PointUm offset, const Printer& printer, const PrintParams& params,
@@ -62,8 +64,13 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
     used[static_cast<std::size_t>(turn % 2)] |= !own;
   }
   if (!used[0] && !used[1]) return std::nullopt;
+  const bool firstIsPlain = used[0] && !(needsAcross(params) && params.base == 1);
+  const bool firstIsSmaller =
+      params.elephantFoot > 0 && firstIsPlain && params.showSide == ShowSide::Up && beginsOnBed(params);
   double least = 1;
-  const Result<std::vector<Polyline>> loops = borderLoops(shape, printer, params, 0);
+  std::vector<double> insets = {0};
+  if (firstIsSmaller) insets.push_back(params.elephantFoot);
+  const Result<std::vector<std::vector<Polyline>>> loops = borderLoops(shape, printer, params, insets);
   if (!loops) return loops.error();
   for (std::size_t k = 0; k < used.size(); ++k) {
     if (!used[k]) continue;
@@ -71,7 +78,7 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
       job.bases[1] = job.bases[0];
       break;
     }
-    BasePaths base = basePaths(shape, offset, printer, params, loops.value(), static_cast<int>(k), 0);
+    BasePaths base = basePaths(shape, offset, printer, params, loops.value()[0], static_cast<int>(k), 0);
     least = std::min(least, base.areaMm2 / area);
     job.bases[k] = std::move(base.paths);
   }
@@ -81,11 +88,8 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
                                                  decimal(printer.nozzle, 3) + " mm; it must be 0 here"};
   }
   if (least < kMinHatch) job.warn(WarningCode::BaseTooThin, {{"percent", percent(least)}});
-  const bool firstIsPlain = used[0] && !(needsAcross(params) && params.base == 1);
-  if (params.elephantFoot > 0 && firstIsPlain && params.showSide == ShowSide::Up && beginsOnBed(params)) {
-    const Result<std::vector<Polyline>> within = borderLoops(shape, printer, params, params.elephantFoot);
-    if (!within) return within.error();
-    job.firstBase = basePaths(shape, offset, printer, params, within.value(), 0, params.elephantFoot).paths;
+  if (firstIsSmaller) {
+    job.firstBase = basePaths(shape, offset, printer, params, loops.value()[1], 0, params.elephantFoot).paths;
   }
   return std::nullopt;
 }

@@ -76,6 +76,8 @@ double total(const std::vector<double>& lengths) {
 Motion joined(const Motion& motion, const Tolerance& tolerance) {
   Motion out;
   const std::size_t segments = motion.lengths.size();
+  out.points.reserve(segments + 1);
+  for (std::vector<double>* values : {&out.widths, &out.lengths, &out.areas}) values->reserve(segments + 1);
   std::size_t from = 0;
   while (from < segments) {
     const std::size_t last = from < motion.beads ? motion.beads : segments;  // coasting begins where it began

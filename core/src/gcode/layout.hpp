@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/whole_number.hpp"
 #include "gcode/hatch.hpp"
 #include "gcode/job.hpp"
 #include "printer/bed.hpp"
@@ -15,7 +16,7 @@
 namespace sillon {
 
 /// To the grid of the file.
-inline PointUm rounded(Vec2 p) { return {std::llround(p.x * 1000), std::llround(p.y * 1000)}; }
+inline PointUm rounded(Vec2 p) { return {toWhole(p.x * 1000), toWhole(p.y * 1000)}; }
 inline Vec2 mm(PointUm p) { return {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000}; }
 inline double lengthMm(PointUm d) { return length(Vec2{static_cast<double>(d.x), static_cast<double>(d.y)}) / 1000; }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fast_math.hpp"
+#include "base/whole_number.hpp"
 #include "gcode/board_rate.hpp"
 #include "gcode/scarf.hpp"
 
@@ -84,12 +85,18 @@ void cutForCoast(Motion& motion, double coast, bool closed) {
 void splitWidths(Motion& motion) {
   Motion split;
   split.beads = motion.beads;
+  const std::size_t most = motion.points.size() + motion.points.size() / 8;
+  for (std::vector<double>* values : {&split.widths, &split.lengths}) values->reserve(most);
+  split.points.reserve(most);
   for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
     const PointUm d = motion.points[i + 1] - motion.points[i];
     const double change = motion.widths[i + 1] - motion.widths[i];
-    const double wanted =
-        std::min(std::ceil(std::abs(change) / kWidthStep - kRounding), std::floor(motion.lengths[i] / kShortest));
-    const int pieces = std::max(1, static_cast<int>(wanted));
+    int pieces = 1;
+    if (std::abs(change) > kWidthStep) {  // seldom
+      const double wanted =
+          std::min(std::ceil(std::abs(change) / kWidthStep - kRounding), std::floor(motion.lengths[i] / kShortest));
+      pieces = std::max(1, static_cast<int>(wanted));
+    }
     if (pieces == 1) {
       split.points.push_back(motion.points[i]);
       split.widths.push_back(motion.widths[i]);
@@ -98,7 +105,7 @@ void splitWidths(Motion& motion) {
     }
     const auto cut = [&](int k) {
       const double share = static_cast<double>(k) / pieces;
-      return PointUm{std::llround(share * static_cast<double>(d.x)), std::llround(share * static_cast<double>(d.y))};
+      return PointUm{toWhole(share * static_cast<double>(d.x)), toWhole(share * static_cast<double>(d.y))};
     };
     double sum = 0;
     for (int k = 0; k < pieces; ++k) sum += lengthMm(cut(k + 1) - cut(k));

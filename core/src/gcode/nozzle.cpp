@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/decimal_text.hpp"
+#include "base/whole_number.hpp"
 #include "gcode/job.hpp"
 
 namespace sillon {
@@ -136,7 +137,7 @@ void Nozzle::bead(const Motion& motion, double flow, double height) {
   for (std::size_t i = 0; i < motion.beads; ++i) {
     filament_ += perArea * motion.areas[i];
     if (silent_) continue;
-    const std::int64_t due = std::llround(filament_ * 1e5);
+    const std::int64_t due = toWhole(filament_ * 1e5);
     const PointUm to = motion.points[i + 1] + shift_;
     out_ << "G1 X";
     out_.scaled(to.x, 3) << " Y";

@@ -29,8 +29,8 @@ ShapeScan scanShape(const Shape& shape, const Bounds& box) {
 }
 
 bool holds(const ShapeScan& scan, Vec2 p) {
-  const double row = std::floor((p.y - scan.firstY) / scan.step + 0.5);
-  return row >= 0 && row <= static_cast<double>(scan.rows.size()) - 1 &&
+  const double row = (p.y - scan.firstY) / scan.step + 0.5;  // counted from the lower edge of the first
+  return row >= 0 && row < static_cast<double>(scan.rows.size()) &&
          rowHolds(scan.rows[static_cast<std::size_t>(row)], p.x);
 }
 
