@@ -24,7 +24,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
               cell,
               static_cast<int>((box.size().x + 2 * spacing) / cell) + 1,
               static_cast<int>((box.size().y + 2 * spacing) / cell) + 1};
-  const Grid& grid = out.grid;
+  const Grid grid = out.grid;
   const float deep = static_cast<float>(-0.5 * spacing);
   Result<std::vector<float>> distance = bandDistance(shape, border, grid, -deep, run);  // exact down to `deep`
   if (!distance) return distance.error();
@@ -33,7 +33,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
   std::vector<char> lost(grid.size(), 0);
   constexpr int kReach = kSamples / 2 + 1;
   constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
-  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
+  parallelFor(run, grid.ny, 16, [&, grid, deep](int begin, int end) {  // copies: what is written could be none of them
     for (int y = begin; y < end; ++y) {
       // Most samples lie deep or outside: those between are marked in vectors and then looked for.
       const std::size_t row = grid.index(0, y);

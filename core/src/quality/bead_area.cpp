@@ -219,7 +219,7 @@ class TilePasses {
     std::array<Row, kTileHeight + 3> rows{};  ///< four at a time
 
     void clear() {
-      for (int y = begin; y < end; ++y) rows[static_cast<std::size_t>(y)] = Row{};
+      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), Row{});
       begin = kTileHeight;
       end = 0;
       covers = false;
@@ -230,7 +230,6 @@ class TilePasses {
   // nothing else lies nothing has to be compared. To join all that is near for each stretch took a
   // twelfth more instructions.
   void cover(Mask& mask) {
-    if (mask.covers) return;
     mask.covers = true;
     for (int y = mask.begin; y < mask.end; ++y) {
       Row& covered = covered_[static_cast<std::size_t>(y)];
@@ -239,7 +238,9 @@ class TilePasses {
   }
 
   void coverAll() {
-    for (std::size_t k = 0; k < std::min(used_, masks_.size()); ++k) cover(masks_[k]);
+    for (std::size_t k = 0; k < std::min(used_, masks_.size()); ++k) {
+      if (!masks_[k].covers) cover(masks_[k]);
+    }
   }
 
   [[nodiscard]] bool isNear(const Mask& mask, int stretch) const {
@@ -252,7 +253,7 @@ class TilePasses {
     stretches_ = stretches;
     current_ = used_ < kNear ? used_ : kNear + (used_ - kNear) % (kNear + 1);
     for (std::size_t k = 0; k < std::min(used_, masks_.size()); ++k) {
-      if (k == current_ || !isNear(masks_[k], stretch)) cover(masks_[k]);
+      if (!masks_[k].covers && (k == current_ || !isNear(masks_[k], stretch))) cover(masks_[k]);
     }
     masks_[current_].clear();
     masks_[current_].stretch = stretch;

@@ -5,6 +5,7 @@
 
 #include "base/decimal_text.hpp"
 #include "base/fast_math.hpp"
+#include "base/whole_number.hpp"
 #include "field/wave_fields.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/lost_cells.hpp"
@@ -69,6 +70,8 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
         .mode[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(modes.width) + static_cast<std::size_t>(at.x)];
   };
   const double shell = params.perimeterMode == PerimeterMode::Count ? std::max(params.perimeters, 1) : 1;
+  const double shallow = (shell + 0.05) * spacing;
+  double away = 0;  // from the border, at least, at the start of a segment
   for (std::size_t k = 0; k < cycle.points.size(); ++k) {
     const Vec2 a = wide(cycle.points[k]);
     const Vec2 b = wide(cycle.points[k + 1 < cycle.points.size() ? k + 1 : 0]);
@@ -81,6 +84,8 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
       return 0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
     };
     double cos2 = cos2Of();
+    if (away - size <= shallow) away = static_cast<double>(border.blockDistance(a));
+    away -= size;
     for (int piece = 0; piece < pieces; ++piece) {
       const Vec2 p = a + (b - a) * ((piece + 0.5) / pieces);
       const TexelIndex at = texelAt(p, page, directions.width, directions.height);
@@ -91,11 +96,11 @@ Alignment alignmentOf(const Cycle& cycle, const BorderIndex& border, Vec2 page, 
         cos2 = cos2Of();
       }
       sums.all.add(share, cos2);
-      const double depth = static_cast<double>(border.blockDistance(p)) > (shell + 0.05) * spacing
+      const double depth = away > shallow || static_cast<double>(border.blockDistance(p)) > shallow
                                ? 1e9
                                : -static_cast<double>(border.nearest(p).distance);
       if (depth > 1.05 * spacing) sums.interior.add(share, cos2);
-      if (depth > (shell + 0.05) * spacing && modeAt(p) == DirectionMode::Constrained) {
+      if (depth > shallow && modeAt(p) == DirectionMode::Constrained) {
         sums.constrained.add(share, cos2);
       }
     }
@@ -159,9 +164,11 @@ WidthMeasures widthsOf(const Toolpath& toolpath, const ToolpathParams& params, d
   const double spacing = toolpath.spacing;
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t n = cycle.points.size();
+    float after = n > 0 ? length(cycle.points.front() - cycle.points.back()) : 0;
     for (std::size_t k = 0; k < n; ++k) {
-      const float share = 0.5f * (length(cycle.points[k] - cycle.points[(k + n - 1) % n]) +
-                                  length(cycle.points[(k + 1) % n] - cycle.points[k]));
+      const float before = after;
+      after = length(cycle.points[k + 1 < n ? k + 1 : 0] - cycle.points[k]);
+      const float share = 0.5f * (before + after);
       weighted.emplace_back(cycle.widths[k], share);
       const double w = static_cast<double>(cycle.widths[k]) / spacing;
       if (w < 0.5 - 1e-9) out.belowHalf += static_cast<double>(share);
@@ -209,7 +216,7 @@ std::int64_t countCrossings(const Toolpath& toolpath) {
 std::string digestOf(const Toolpath& toolpath) {
   std::uint64_t hash = 0;
   const auto add = [&](std::int64_t v) { hash = hash64(hash ^ static_cast<std::uint64_t>(v)); };
-  const auto addLength = [&](float v) { add(std::llround(static_cast<double>(v) * 1000)); };
+  const auto addLength = [&](float v) { add(toWhole(static_cast<double>(v) * 1000)); };
   for (const Cycle& cycle : toolpath.cycles) {
     add(static_cast<std::int64_t>(cycle.points.size()));
     for (std::size_t k = 0; k < cycle.points.size(); ++k) {
@@ -261,9 +268,10 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t n = cycle.points.size();
     for (std::size_t k = 0; k < n; ++k) {
-      const double size = static_cast<double>(length(cycle.points[(k + 1) % n] - cycle.points[k]));
+      const std::size_t next = k + 1 < n ? k + 1 : 0;
+      const double size = static_cast<double>(length(cycle.points[next] - cycle.points[k]));
       out.lengthMm += size;
-      laidArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[(k + 1) % n]);
+      laidArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[next]);
     }
     const Alignment sums = alignmentOf(cycle, border.value(), shape.page, directions, lines, modes, params);
     for (const auto& [total, part] :
