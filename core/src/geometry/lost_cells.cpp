@@ -1,5 +1,6 @@
 #include "geometry/lost_cells.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/parallel_for.hpp"
@@ -24,7 +25,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
               cell,
               static_cast<int>((box.size().x + 2 * spacing) / cell) + 1,
               static_cast<int>((box.size().y + 2 * spacing) / cell) + 1};
-  const Grid grid = out.grid;
+  const Grid& grid = out.grid;
   const float deep = static_cast<float>(-0.5 * spacing);
   Result<std::vector<float>> distance = bandDistance(shape, border, grid, -deep, run);  // exact down to `deep`
   if (!distance) return distance.error();
@@ -33,18 +34,20 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
   std::vector<char> lost(grid.size(), 0);
   constexpr int kReach = kSamples / 2 + 1;
   constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
-  parallelFor(run, grid.ny, 16, [&, grid, deep](int begin, int end) {  // copies: what is written could be none of them
+  const auto perMm = static_cast<float>(1 / cell);
+  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      // Most samples lie deep or outside: those between are marked in vectors and then looked for.
       const std::size_t row = grid.index(0, y);
-      const std::size_t rowEnd = row + static_cast<std::size_t>(grid.nx);
-      const float* const line = &sd[row];
-      char* const marks = &lost[row];
       int deepX = 0;  // where the last sample had a deep one: mostly so has the next
       int deepY = 0;
-      for (int x = 0; x < grid.nx; ++x) marks[x] = static_cast<char>((line[x] <= 0) & (line[x] > deep));
-      for (std::size_t i = nextMarked(lost, row, rowEnd); i < rowEnd; i = nextMarked(lost, i + 1, rowEnd)) {
-        const int x = static_cast<int>(i - row);
+      for (int x = 0; x < grid.nx; ++x) {
+        const std::size_t i = row + static_cast<std::size_t>(x);
+        // Most samples lie deep or outside, and tell how far the next that does not is at least.
+        const float beyond = sd[i] > 0 ? sd[i] : deep - sd[i];
+        if (beyond >= 0) {
+          x += std::max(0, static_cast<int>(beyond * perMm - 1.01f));
+          continue;
+        }
         const auto isDeep = [&](int dx, int dy) {
           if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
             return false;
