@@ -131,7 +131,7 @@ TEST_CASE("loops lie at their distances from the border, inside and outside") {
     return sum;
   };
   const Shape square = rectangle(20, 20);
-  const std::vector<Polyline> inner = offsetLoops(square, {-0.2}, -0.4, 1000).value().front();
+  const std::vector<Polyline> inner = offsetLoops(square, -0.2, -0.4, 1000).value();
   CHECK(inner.size() == 25);
   for (std::size_t k = 0; k + 1 < inner.size(); ++k) {
     const double d = 0.2 + 0.4 * double(k);
@@ -140,17 +140,16 @@ TEST_CASE("loops lie at their distances from the border, inside and outside") {
     CHECK(box.max.y == about(20 - d, 0.001));
     CHECK(std::abs(lengthOf(inner[k]) - 4 * (20 - 2 * d)) < 0.13);  // corners are cut by a cell
   }
-  const std::vector<Polyline> outer = offsetLoops(makeDisc(20).value(), {0.2}, 0.4, 3).value().front();
+  const std::vector<Polyline> outer = offsetLoops(makeDisc(20).value(), 0.2, 0.4, 3).value();
   REQUIRE(outer.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(lengthOf(outer[k]) == about(2 * 3.14159265 * (10.2 + 0.4 * double(k)), 0.002));
     for (const Vec2 p : outer[k]) CHECK(length(p - Vec2{10, 10}) == about(10.2 + 0.4 * double(k), 0.001));
   }
-  const auto both = offsetLoops(square, {-0.2, -0.5}, -0.4, 3).value();
-  REQUIRE(both.size() == 2);
-  CHECK(both[0] == offsetLoops(square, {-0.2}, -0.4, 3).value().front());
-  CHECK(both[1] == offsetLoops(square, {-0.5}, -0.4, 3).value().front());
-  CHECK_FALSE(offsetLoops(Shape{}, {0.2}, 0.4, 1).ok());
+  std::vector<Polyline> second;
+  CHECK(offsetLoops(square, -0.2, -0.4, 3, &second, 0.3).value() == offsetLoops(square, -0.2, -0.4, 3).value());
+  CHECK(second == offsetLoops(square, -0.5, -0.4, 3).value());
+  CHECK_FALSE(offsetLoops(Shape{}, 0.2, 0.4, 1).ok());
 }
 
 TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {

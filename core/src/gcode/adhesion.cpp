@@ -130,10 +130,10 @@ std::optional<Error> addBrim(GcodeJob& job, const Shape& shape, PointUm offset, 
                              const PrintParams& params) {
   if (params.brim == 0 || !beginsOnBed(params)) return std::nullopt;
   const double inset = params.base > 0 && params.showSide == ShowSide::Up ? params.elephantFoot : 0;
-  const Result<std::vector<std::vector<Polyline>>> loops =
-      offsetLoops(shape, {printer.nozzle / 2 - inset}, printer.nozzle, params.brim);
+  const Result<std::vector<Polyline>> loops =
+      offsetLoops(shape, printer.nozzle / 2 - inset, printer.nozzle, params.brim);
   if (!loops) return loops.error();
-  for (const Polyline& loop : loops.value().front()) {
+  for (const Polyline& loop : loops.value()) {
     double area = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) area += cross(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
     if (area < 0) job.brim.push_back(placed(loop, offset, printer.nozzle, true));

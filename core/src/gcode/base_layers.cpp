@@ -20,15 +20,14 @@ struct BasePaths {
   double areaMm2 = 0;
 };
 
-// What hatched layers have along the border: for each inset, the same for all of them.
-Result<std::vector<std::vector<Polyline>>> borderLoops(const Shape& shape, const Printer& printer,
-                                                       const PrintParams& params, const std::vector<double>& insets) {
+// What hatched layers have along the border: the same for all of them.
+// \param smaller  not null: where the same for a border that lies `inset` further inside goes.
+Result<std::vector<Polyline>> borderLoops(const Shape& shape, const Printer& printer, const PrintParams& params,
+                                          std::vector<Polyline>* smaller, double inset) {
   const bool closed = params.basePattern == BasePattern::Concentric;
   const int count = closed ? kMaxLoops : params.basePerimeters;
-  if (count == 0) return std::vector<std::vector<Polyline>>(insets.size());
-  std::vector<double> firsts;
-  for (const double inset : insets) firsts.push_back(-inset - printer.nozzle / 2);
-  return offsetLoops(shape, firsts, -printer.nozzle, count);
+  if (count == 0) return std::vector<Polyline>();
+  return offsetLoops(shape, -printer.nozzle / 2, -printer.nozzle, count, smaller, inset);
 }
 
 BasePaths basePaths(const Shape& shape, PointUm offset, const Printer& printer, const PrintParams& params,
@@ -68,9 +67,9 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
   const bool firstIsSmaller =
       params.elephantFoot > 0 && firstIsPlain && params.showSide == ShowSide::Up && beginsOnBed(params);
   double least = 1;
-  std::vector<double> insets = {0};
-  if (firstIsSmaller) insets.push_back(params.elephantFoot);
-  const Result<std::vector<std::vector<Polyline>>> loops = borderLoops(shape, printer, params, insets);
+  std::vector<Polyline> smaller;
+  const Result<std::vector<Polyline>> loops =
+      borderLoops(shape, printer, params, firstIsSmaller ? &smaller : nullptr, params.elephantFoot);
   if (!loops) return loops.error();
   for (std::size_t k = 0; k < used.size(); ++k) {
     if (!used[k]) continue;
@@ -78,7 +77,7 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
       job.bases[1] = job.bases[0];
       break;
     }
-    BasePaths base = basePaths(shape, offset, printer, params, loops.value()[0], static_cast<int>(k), 0);
+    BasePaths base = basePaths(shape, offset, printer, params, loops.value(), static_cast<int>(k), 0);
     least = std::min(least, base.areaMm2 / area);
     job.bases[k] = std::move(base.paths);
   }
@@ -89,7 +88,7 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
   }
   if (least < kMinHatch) job.warn(WarningCode::BaseTooThin, {{"percent", percent(least)}});
   if (firstIsSmaller) {
-    job.firstBase = basePaths(shape, offset, printer, params, loops.value()[1], 0, params.elephantFoot).paths;
+    job.firstBase = basePaths(shape, offset, printer, params, smaller, 0, params.elephantFoot).paths;
   }
   return std::nullopt;
 }

@@ -44,18 +44,12 @@ Polyline thinned(const Polyline& line) {
 
 }  // namespace
 
-Result<std::vector<std::vector<Polyline>>> offsetLoops(const Shape& shape, const std::vector<double>& firsts,
-                                                       double step, int count) {
+Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, double step, int count,
+                                          std::vector<Polyline>* second, double shift) {
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
-  double outermost = 0;
-  double farthest = 0;
-  for (const double first : firsts) {
-    const double last = first + step * (count - 1);
-    outermost = std::max({outermost, first, last});
-    farthest = std::max({farthest, std::abs(first), std::abs(last)});
-  }
-  const double reach = outermost + std::abs(step);
+  const double last = first + step * (count - 1) + (second != nullptr ? std::copysign(shift, step) : 0);
+  const double reach = std::max({0.0, first, last}) + std::abs(step);
   const Bounds box = outline.value().bounds;
   const Vec2 size = box.size() + Vec2{2 * reach, 2 * reach};
   Grid lattice;
@@ -71,34 +65,36 @@ Result<std::vector<std::vector<Polyline>>> offsetLoops(const Shape& shape, const
   if (!border) return border.error();
   // The loops' own samples are those beside their levels.
   const Result<std::vector<float>> measured =
-      bandDistance(shape, border.value(), lattice, static_cast<float>(farthest + 2 * lattice.cell), run);
+      bandDistance(shape, border.value(), lattice,
+                   static_cast<float>(std::max(std::abs(first), std::abs(last)) + 2 * lattice.cell), run);
   if (!measured) return measured.error();
   const std::vector<float>& distance = measured.value();
   std::vector<float> values(distance.size());
   // Distances far outside: plain linear roots, no waves.
   const std::vector<float> far(values.size(), 1e9F);
-  std::vector<std::vector<Polyline>> all;
-  for (const double first : firsts) {
-    std::vector<Polyline>& loops = all.emplace_back();
+  std::vector<Polyline> own;
+  for (std::vector<Polyline>* loops : {&own, second}) {
+    if (loops == nullptr) continue;
+    const double begin = loops == second ? first + std::copysign(shift, step) : first;
     for (int k = 0; k < count; ++k) {
-      const auto level = static_cast<float>(first + step * k);
+      const auto level = static_cast<float>(begin + step * k);
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = distance[i] - level;
       const Result<ClosedCurves> curves = contourCycles(lattice, values, far, std::abs(step), run);
       if (!curves) return curves.error();
       if (curves.value().count() == 0) break;
       for (int c = 0; c < curves.value().count(); ++c) {
         Polyline line;
-        const auto begin = static_cast<std::size_t>(curves.value().begin[static_cast<std::size_t>(c)]);
+        const auto from = static_cast<std::size_t>(curves.value().begin[static_cast<std::size_t>(c)]);
         for (int i = 0; i < curves.value().size(c); ++i) {
-          const Vec2f p = curves.value().points[begin + static_cast<std::size_t>(i)];
+          const Vec2f p = curves.value().points[from + static_cast<std::size_t>(i)];
           line.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
         }
         line = thinned(line);
-        if (line.size() >= 3) loops.push_back(std::move(line));
+        if (line.size() >= 3) loops->push_back(std::move(line));
       }
     }
   }
-  return all;
+  return own;
 }
 
 }  // namespace sillon
