@@ -1,8 +1,8 @@
 // How coarse a preview must be to keep up with a hand.
 import type { Plate } from '../model/plate.js';
 
-/** [ms] of 150; the rest is for drawing and for machines that are busy. */
-const target = 110;
+/** [ms] of 60; the rest is for directions and for drawing. */
+const target = 45;
 const guess = 0.002; // [ms] per cell; measured in Chromium, one thread
 const fewestBeads = 10;
 const largestSpacing = 20; // of the engine
@@ -12,25 +12,24 @@ export const cellsOf = ({ width, height, toolpath }: Plate, factor = 1): number 
   return (width * (height || width)) / (cell * cell);
 };
 
-/** What a plate's cell has cost lately. Previews have their own figure: parts of their cost do not depend on cells. */
+/** What a plate's cell has cost lately, and what a preview costs besides. */
 export class Cost {
-  #full: number | undefined;
-  #coarse: number | undefined;
+  #perCell = guess;
+  #besides = 0; // [ms]
 
   learn(plate: Plate, factor: number, ms: number): void {
-    const perCell = ms / Math.max(1, cellsOf(plate, factor));
-    if (factor > 1) this.#coarse = perCell;
-    else this.#full = perCell;
+    if (factor === 1) this.#perCell = ms / Math.max(1, cellsOf(plate));
+    else this.#besides = ms - this.#perCell * cellsOf(plate, factor);
   }
 
   /** By how much to widen the spacing for a preview. 1: the plate itself is quick enough. */
   factorFor(plate: Plate): number {
-    const full = (this.#full ?? guess) * cellsOf(plate);
+    const full = this.#perCell * cellsOf(plate);
     if (full <= target) return 1;
-    const perCell = this.#coarse ?? this.#full ?? guess;
-    const factor = Math.sqrt((perCell * cellsOf(plate)) / target);
+    // Half is for beads, whatever comes besides: fewer of them would not make that less, and show nothing in the end.
+    const forBeads = Math.min(target, Math.max(target / 2, target - this.#besides));
     const { spacing } = plate.toolpath;
     const widest = Math.min(largestSpacing, Math.min(plate.width, plate.height || plate.width) / fewestBeads);
-    return Math.max(1, Math.min(factor, widest / spacing));
+    return Math.max(1, Math.min(Math.sqrt(full / forBeads), widest / spacing));
   }
 }

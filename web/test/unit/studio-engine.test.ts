@@ -515,13 +515,23 @@ test('previews are as coarse as the last ones cost', () => {
   const plate = plateOf(200);
   const cost = new Cost();
   assert.ok(cost.factorFor(plate) > 1);
-  cost.learn(plate, 1, 100);
+  cost.learn(plate, 1, 45);
   assert.equal(cost.factorFor(plate), 1);
-  cost.learn(plate, 1, 4 * 110);
+  cost.learn(plate, 1, 4 * 45);
   assert.ok(Math.abs(cost.factorFor(plate) - 2) < 1e-9);
   // At factor 2 it took twice as long as allowed: half the cells.
-  cost.learn(plate, 2, 220);
+  cost.learn(plate, 2, 90);
   assert.ok(Math.abs(cost.factorFor(plate) - 2 * Math.SQRT2) < 1e-9);
+});
+
+test('previews do not lose bead after bead to what they cost besides', () => {
+  const plate = plateOf(200);
+  const cost = new Cost();
+  cost.learn(plate, 1, 4 * 45);
+  for (let k = 0; k < 20; ++k) cost.learn(plate, cost.factorFor(plate), 300);
+  assert.ok(Math.abs(cost.factorFor(plate) - 2 * Math.SQRT2) < 1e-9);
+  cost.learn(plate, 2, 10); // quicker than a whole plate's cells: none is added for that
+  assert.ok(Math.abs(cost.factorFor(plate) - 2) < 1e-9);
 });
 
 test('a preview keeps some beads, however slow the machine', () => {
