@@ -117,11 +117,11 @@ export class PlateCanvas extends StudioElement implements Stage {
       },
       begin: (point) => {
         this.#points = this.#toUnit(point);
-        this.#drawStroke();
+        this.#addStroke();
       },
       draw: (point) => {
         this.#points?.push(...this.#toUnit(point));
-        this.#drawStroke();
+        this.#addStroke();
       },
       end: () => {
         this.#points = undefined;
@@ -206,8 +206,7 @@ export class PlateCanvas extends StudioElement implements Stage {
   #draw(now: number): void {
     const wait = this.#motion.move(now);
     clearTimeout(this.#flipTimer);
-    const { scale } = this.camera;
-    this.#renderer?.draw(this.scene(), { ...this.camera, scale: scale * this.#fineness() });
+    this.#drawScene();
     this.#placeDivider();
     const pixels = devicePixelRatio;
     const { plate, view, marks, mark } = this.state;
@@ -222,6 +221,7 @@ export class PlateCanvas extends StudioElement implements Stage {
       mark,
       shape: view === 'directions' ? this.#shapeOf(plate) : undefined,
       shimmer: this.#shimmer(),
+      strokes: this.#strokes(),
       picture: this.#over() === 'conflict' ? this.#conflict() : this.#picture(),
       grey: this.#over() === 'picture',
       wipe: this.state.wipe,
@@ -230,6 +230,37 @@ export class PlateCanvas extends StudioElement implements Stage {
     if (wait === 0) this.#redraw();
     else if (wait !== undefined) this.#flipTimer = setTimeout(this.#redraw, wait);
   }
+
+  /** What is drawn already stays as it is: a brush that hovers must not wait for beads, which take long without a GPU. */
+  #drawScene(): void {
+    const scene = this.scene();
+    const camera = { ...this.camera, scale: this.camera.scale * this.#fineness() };
+    const shown = scene.view === 'directions' ? scene.directions : scene.toolpath;
+    const told = JSON.stringify([camera, { ...scene, toolpath: 0, directions: 0, marks: 0 }]);
+    if (shown === this.#shown && told === this.#told) return;
+    this.#shown = shown;
+    this.#told = told;
+    this.#renderer?.draw(scene, camera);
+  }
+
+  #shown: Scene['toolpath'] | Scene['directions'];
+  #told = '';
+
+  /** Of brushes, where beads do not follow them yet. */
+  #strokes(): Overlay['strokes'] {
+    const { plate, result, view } = this.state;
+    if (result === undefined || result.plate.strokes === plate.strokes || view === 'directions') return undefined;
+    if (this.#ahead === undefined) {
+      this.#ahead = () => undefined;
+      void this.studio.attempt(async () => {
+        this.#ahead = (await import('../views/ahead.js')).strokesAhead;
+        this.#redraw();
+      });
+    }
+    return this.#ahead(plate, result.plate);
+  }
+
+  #ahead: ((plate: Plate, made: Plate) => Overlay['strokes']) | undefined;
 
   /** Until there are beads. */
   #shimmer(): Overlay['shimmer'] {
@@ -475,7 +506,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   // --- Brushes ------------------------------------------------------------------------------------------------------------
 
-  #drawStroke(): void {
+  #addStroke(): void {
     const points = this.#points;
     const { tool, brush } = this.state;
     if (points === undefined || tool === 'pan') return;
@@ -529,7 +560,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     };
     if (this.#points !== undefined) {
       this.#points.push(this.#cursor.x / page[0], this.#cursor.y / page[1]);
-      this.#drawStroke();
+      this.#addStroke();
     }
     this.#redraw();
   }
@@ -543,7 +574,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { page } = this.#page();
     this.#cursor ??= { x: page[0] / 2, y: page[1] / 2 };
     this.#points = [this.#cursor.x / page[0], this.#cursor.y / page[1]];
-    this.#drawStroke();
+    this.#addStroke();
   }
 
   // --- Pictures -------------------------------------------------------------------------------------------------------------

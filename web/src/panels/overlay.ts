@@ -23,6 +23,8 @@ export interface Overlay {
   mark: number;
   /** Stands in for the plate. */
   shimmer: ((width: number, height: number) => CanvasImageSource) | undefined;
+  /** Draws what beads are to follow yet. @param context  transformed to millimetres of the page */
+  strokes: ((context: CanvasRenderingContext2D, styles: CSSStyleDeclaration) => void) | undefined;
   /** Veils the page outside of it. */
   shape: Shape | undefined;
   /** Laid over the page from the left, up to the share `wipe`. */
@@ -58,11 +60,11 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
     const shimmer = overlay.shimmer(Math.ceil(wide * pixels), Math.ceil(tall * pixels));
     context.drawImage(shimmer, toX(0), toY(overlay.page[1]), wide, tall);
   }
-  if (overlay.shape !== undefined) {
-    context.setTransform(scale * pixels, 0, 0, -scale * pixels, toX(0) * pixels, toY(0) * pixels);
-    drawVeil(context, overlay.shape, overlay);
-    context.setTransform(pixels, 0, 0, pixels, 0, 0);
-  }
+  context.save();
+  context.setTransform(scale * pixels, 0, 0, -scale * pixels, toX(0) * pixels, toY(0) * pixels);
+  overlay.strokes?.(context, overlay.styles);
+  if (overlay.shape !== undefined) drawVeil(context, overlay.shape, overlay);
+  context.restore();
   drawPicture(context, overlay, toX, toY);
   drawMarks(context, overlay, toX, toY);
   const { cursor } = overlay;

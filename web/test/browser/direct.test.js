@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 import { sharedBench } from './support/shared.js';
 import { inputs, skip, start } from './support/studio.js';
-import { until } from './support/waits.js';
+import { settled, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 const plate = (state) => JSON.stringify(state.plate);
@@ -57,6 +57,51 @@ test('combing in the shimmer stays there, under a light that keeps still', { ski
   assert.equal(await visit.state((state) => JSON.stringify(state.light)), light);
   assert.equal(await visit.page.locator('sillon-directions-panel').getByText('Comb', { exact: true }).count(), 0);
 });
+
+test(
+  'a brush shows where it went before beads follow it, and goes over beads without their being drawn again',
+  { skip },
+  async () => {
+    const visit = await bench.open({ small: true });
+    await visit.idle();
+    await visit.page.evaluate(() => {
+      const { store } = document.querySelector('sillon-app').studio;
+      const set = store.set.bind(store);
+      store.set = (patch) => 'result' in patch || set(patch); // beads that never come
+      store.set({ tool: 'comb' });
+      globalThis.drawn = 0;
+      const draw = WebGL2RenderingContext.prototype.drawArraysInstanced;
+      WebGL2RenderingContext.prototype.drawArraysInstanced = function (...words) {
+        ++globalThis.drawn;
+        draw.apply(this, words);
+      };
+    });
+    const box = await visit.canvas();
+    const at = (x, y) => [box.x + box.width * x, box.y + box.height * y];
+    /** Of a place that the brush's ring is far from. */
+    const seen = () =>
+      visit.page.evaluate(
+        ([x, y]) => {
+          const roots = (root) =>
+            [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? roots(one.shadowRoot) : [])]);
+          const overlay = roots(document).find((one) => one.matches('canvas.overlay'));
+          return [...overlay.getContext('2d').getImageData(x, y, 1, 1).data].join();
+        },
+        [box.width * 0.45, box.height * 0.5].map(Math.round),
+      );
+    const before = await seen();
+    await visit.page.mouse.move(...at(0.4, 0.5));
+    await visit.page.mouse.move(...at(0.3, 0.2), { steps: 8 });
+    await visit.page.mouse.move(...at(0.4, 0.5), { steps: 8 });
+    await settled(visit.page);
+    assert.equal(await visit.page.evaluate(() => globalThis.drawn), 0);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(...at(0.6, 0.5), { steps: 4 });
+    await until(async () => (await seen()) !== before, 'the stroke');
+    assert.equal(await visit.state((state) => state.result.plate.strokes.length), 0);
+    await visit.page.mouse.up();
+  },
+);
 
 test('every action is found by its name', { skip }, async () => {
   const visit = await bench.open({ small: true, viewport: { width: 1024, height: 720 } });
