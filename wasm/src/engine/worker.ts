@@ -12,7 +12,7 @@ import type {
   Wanted,
 } from '../protocol.js';
 
-type Outcome<T> = { value: T; error?: undefined } | { error: Failure };
+type Outcome<T> = { value: T; error?: undefined } | { value?: undefined; error: Failure };
 type OnProgress = (stage: string, fraction: number) => void;
 type Inputs = Record<string, Uint8Array | api.Picture>;
 type CopiedBytes = Uint8Array<ArrayBuffer>;
@@ -138,6 +138,7 @@ const fetchEvery = 50; // [ms]; a fetch takes 1 to 3
 
 let engine: SillonModule | undefined;
 let mostKept = Infinity; // [bytes] of a file that nobody takes in pieces
+let mostPictures = 0; // [bytes] of pictures' samples that are kept
 let lastPost = 0;
 
 function post(message: FromWorker): void {
@@ -156,6 +157,7 @@ function buffersOf(value: unknown): ArrayBuffer[] {
 
 let wanted: Wanted;
 let lastFetch = 0;
+let stopFlag: Uint8Array | undefined; // of an engine with threads, whose next step would take it back
 
 /** Messages do not get into a worker that computes, but synchronous requests get out. */
 function canFetch(url: string): boolean {
@@ -206,7 +208,13 @@ function failed(problem: unknown, otherwise: Failure['code'], what: string): Fai
 
 // --- Start -------------------------------------------------------------------------------------------------------------
 
+/** Compiled while it arrives, browsers keep what they made of it for the next visit. Not all servers name its type, and
+ * browsers do not say what else is wrong: then it is fetched and looked at. */
 async function compile(url: string): Promise<WebAssembly.Module> {
+  return WebAssembly.compileStreaming(fetch(url)).catch(() => compileWhole(url));
+}
+
+async function compileWhole(url: string): Promise<WebAssembly.Module> {
   let response: Response;
   let bytes: Uint8Array<ArrayBuffer>;
   try {
@@ -261,8 +269,11 @@ function limitGrowth(exports: WebAssembly.Exports, most: number): void {
 
 async function start({ threads, memory: most, script, wasm, threadScript, compiled }: StartMessage): Promise<void> {
   mostKept = most * 2 ** 20;
-  const wasmModule = compiled ?? (await compile(wasm));
-  const glue = await importGlue(script);
+  mostPictures = Math.min(128 * 2 ** 20, mostKept / 8);
+  const [wasmModule, glue] = await Promise.all([
+    compiled === undefined ? compile(wasm) : Promise.resolve(compiled),
+    importGlue(script),
+  ]);
   post({ type: 'loaded', compiled: wasmModule });
 
   const shared = threads > 1 ? sharedMemory(most) : undefined;
@@ -297,11 +308,8 @@ async function start({ threads, memory: most, script, wasm, threadScript, compil
   const bytes = (shared?.mib ?? most) * 2 ** 20;
   const { version, cancelFlag } = valueOf(module.start(threads, bytes, memory === undefined ? stopAsked : null));
   engine = module;
-  post({
-    type: 'started',
-    version,
-    cancelFlag: memory === undefined ? undefined : new Uint8Array(memory.buffer, cancelFlag, 1),
-  });
+  stopFlag = memory === undefined ? undefined : new Uint8Array(memory.buffer, cancelFlag, 1);
+  post({ type: 'started', version, cancelFlag: stopFlag });
 }
 
 // --- Calls -------------------------------------------------------------------------------------------------------------
@@ -338,12 +346,42 @@ async function bringPrint({ file, number }: Print, module: SillonModule): Promis
   printInside = number;
 }
 
-async function inputsOf(files: Files): Promise<Inputs> {
+async function inputsOf(files: Files, module: SillonModule): Promise<Inputs> {
   const inputs: Inputs = {};
-  for (const [name, file] of Object.entries(files)) {
-    inputs[name] = file instanceof Blob ? await bytesOf(file, name) : file;
+  for (const [name, given] of Object.entries(files)) {
+    const file = given instanceof Blob ? await bytesOf(given, name) : given;
+    inputs[name] = file instanceof Uint8Array ? decoded(file, name, module) : file;
+    if (stopFlag !== undefined && Atomics.load(stopFlag, 0) !== 0) throw new Failed('Cancelled', 'stopped');
   }
   return inputs;
+}
+
+/** Pictures of the last calls, the last used last: whoever changes a setting hands over the same files again, and decoding
+ * one takes as long as making a small plate. */
+let pictures: { bytes: Uint8Array; picture: api.Picture }[] = [];
+
+const same = (a: Uint8Array, b: Uint8Array): boolean => a.length === b.length && a.every((byte, k) => byte === b[k]);
+
+/** Most bytes that a file's samples may need: what a PNG says, else a guess from what photographs need. */
+function samplesOf(bytes: Uint8Array): number {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const png = bytes.length > 24 && view.getUint32(0) === 0x89504e47;
+  return 8 * (png ? view.getUint32(16) * view.getUint32(20) : 8 * bytes.length);
+}
+
+/** A picture as its pixels; the file as it is where it is none, or too large to be kept. */
+function decoded(bytes: Uint8Array, name: string, module: SillonModule): Uint8Array | api.Picture {
+  if (!('decodePicture' in module) || samplesOf(bytes) > mostPictures) return bytes;
+  let found = pictures.find((one) => same(one.bytes, bytes));
+  if (found === undefined) {
+    const { value: picture } = module.decodePicture(bytes, name);
+    if (picture === undefined) return bytes; // a drawing, or broken: making the plate tells what is wrong
+    found = { bytes, picture };
+  }
+  pictures = [...pictures.filter((one) => one !== found), found];
+  const size = (): number => pictures.reduce((sum, { picture }) => sum + picture.samples.byteLength, 0);
+  while (size() > mostPictures) pictures.shift();
+  return found.picture;
 }
 
 function valueOf<T>(outcome: Outcome<T>): T {
@@ -373,7 +411,7 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
   switch (call.name) {
     case 'generateToolpath': {
       completed(call.project, module);
-      const files = await inputsOf(call.files);
+      const files = await inputsOf(call.files, module);
       const made = valueOf(module.generateToolpath(call.project, files, call.measure, call.across, onProgress));
       return { ...made, report: JSON.parse(made.report) as api.Report } satisfies api.ToolpathResult;
     }
@@ -413,7 +451,7 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     }
     case 'readShape':
       completed(call.project, module);
-      return valueOf(module.readShape(call.project, await inputsOf(call.files)));
+      return valueOf(module.readShape(call.project, await inputsOf(call.files, module)));
     case 'decodePicture': {
       const bytes = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
       return valueOf(module.decodePicture(bytes, 'file'));
@@ -455,7 +493,7 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return valueOf(module.listSurfaces(onProgress));
     case 'rebrush': {
       completed(call.project, module);
-      const files = await inputsOf(call.files);
+      const files = await inputsOf(call.files, module);
       await bringPrint(call.print, module);
       const only = Float64Array.from(call.only);
       const pieces: Blob[] = []; // each out of this worker's memory as soon as it is there
