@@ -60,6 +60,16 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       )) as api.ToolpathResult;
     },
 
+    async warm(options) {
+      // Browsers compile for speed what has run for a while: some thirty beads are enough, and take no longer than they save.
+      const { sections, files } = input.plate({
+        shape: { builtin: 'disc', size: [12, 12] },
+        directions: { angle: 30 },
+      });
+      const project = input.projectText(sections);
+      await run({ name: 'generateToolpath', project, files, measure: true, across: false }, input.callOptions(options));
+    },
+
     async writeGcode(toolpath, printer, print, options) {
       const { below, ...checked } = input.callOptions(options, ['onChunk', 'below']);
       const { date, ...others } = input.section(print, 'print');

@@ -37,6 +37,16 @@ describe('results', () => {
     assert.match(st.info.version, /^\d+\.\d+\.\d+/);
   });
 
+  test('a warm engine makes the same plates, and gives nothing for being warmed', async () => {
+    const input = { shape: { builtin: 'disc', size: [9, 9] }, directions: { angle: 20 } };
+    const engine = await createEngine({ threads: 'off' });
+    assert.equal(await engine.warm(), undefined);
+    const { toolpath } = await engine.generateToolpath(input, { spacing: 0.5 });
+    assert.deepEqual(toolpath, (await st.generateToolpath(input, { spacing: 0.5 })).toolpath);
+    await assert.rejects(engine.warm({ signal: AbortSignal.abort() }), { name: 'AbortError' });
+    engine.dispose();
+  });
+
   test('a plate is plain data with a report', async () => {
     const input = { shape: { file: svg }, directions: { angle: 20 } };
     const { toolpath, report } = await st.generateToolpath(input, { spacing: 0.5 });
