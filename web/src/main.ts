@@ -21,7 +21,6 @@ import type { PlateResult, Theme } from './model/state.js';
 import type { Untold } from './model/share.js';
 import { Store, type Steps } from './model/store.js';
 import { createOpener } from './opening.js';
-import { workOffline } from './offline.js';
 import './panels/app.js';
 import { newShown } from './panels/shown.js';
 import { Studio } from './panels/studio.js';
@@ -35,10 +34,15 @@ const framed = document.documentElement.dataset['page'] === 'frame';
 const asked = addressed(location.search);
 const threads = asked.given.threads ?? 'auto';
 const store = new Store(newShown());
+/** Of what a first visit sees first; asked for before anything else. */
+const shimmer =
+  framed || asked.files.length > 0 || location.hash !== '' || recallText('welcomed') !== undefined
+    ? undefined
+    : import('./shimmer.js').then(({ loadShimmer }) => loadShimmer()).catch(() => undefined); // it can be done without: the beads will be there soon
 const studio = new Studio(store, threads);
 
 const engine = new StudioEngine(
-  { load: () => loadEngine(threads), now: () => performance.now() },
+  { load: () => loadEngine(threads, Promise.race([shimmer, elapsed(restoreWithin)])), now: () => performance.now() },
   {
     onResult: (result) => {
       pipeline.onResult(result);
@@ -232,8 +236,18 @@ async function speak(language: string): Promise<void> {
 
 const restoreWithin = 1500; // [ms], after which the page begins with what it has; the plate may still come
 const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' storages never answer
+const keepsAfter = 60_000; // [ms]; some plates cannot be made
 
 const elapsed = (time: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, time));
+
+const firstPlate = (): Promise<void> =>
+  new Promise((resolve) => {
+    const end = store.subscribe(({ result }) => {
+      if (result === undefined) return;
+      end();
+      resolve();
+    });
+  });
 
 /** The plate of the page's address, or the one that was left here, which is offered beside the other. */
 async function restore(): Promise<void> {
@@ -252,19 +266,15 @@ async function restore(): Promise<void> {
 
 /** A first visit: a plate that moves by itself until somebody touches it. @param first  what is shown so far */
 async function greet(first: Plate): Promise<void> {
-  const loading = import('./shimmer.js').then(({ loadShimmer }) => loadShimmer());
   const plate = await opener.first().catch(() => first); // it can be done without
   if (store.state.plate !== first) return; // a hand was faster
   store.change(() => plate);
   look();
   store.forgetSteps();
   store.set({ welcome: true, flipping: plate !== first && !studio.calm() });
-  loading.then(
-    (shimmer) => {
-      if (store.state.plate === plate && store.state.result === undefined) store.set({ shimmer });
-    },
-    () => undefined, // the beads will be there soon
-  );
+  void shimmer?.then((drawn) => {
+    if (store.state.plate === plate && store.state.result === undefined) store.set({ shimmer: drawn });
+  });
 }
 
 /** Of the work that was left here, which may still be on its way. */
@@ -544,6 +554,9 @@ async function start(): Promise<void> {
       onLaunched((files) => void studio.open(files), studio.handles);
     });
   }
+  // What the next visit needs would take the network from what this one waits for; without threads that visit is at once.
+  if (crossOriginIsolated) await Promise.race([firstPlate(), elapsed(keepsAfter)]);
+  const { workOffline } = await import('./offline.js');
   void workOffline({
     onReady: () => {
       studio.notify(t('offline.ready'));

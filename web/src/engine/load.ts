@@ -14,11 +14,14 @@ function afterPaint(): Promise<void> {
   });
 }
 
-/** @param threads  as the address asks: `?threads=off` */
-export async function loadEngine(threads: 'auto' | 'off' | number): Promise<Engine> {
-  await afterPaint();
+/** @param threads  as the address asks: `?threads=off`
+ * @param first  what is to have the network before */
+export async function loadEngine(threads: 'auto' | 'off' | number, first?: Promise<unknown>): Promise<Engine> {
+  await Promise.all([afterPaint(), first]);
   const { createEngine } = await import('sillon');
   // Set by the build, not by any address (headers.js).
   const elsewhere = document.querySelector<HTMLMetaElement>('meta[name="sillon-engine"]')?.content;
-  return createEngine({ threads, assetBase: new URL(elsewhere ?? 'engine/', document.baseURI) });
+  const engine = await createEngine({ threads, assetBase: new URL(elsewhere ?? 'engine/', document.baseURI) });
+  engine.warm().catch(() => undefined); // the plate itself will tell
+  return engine;
 }

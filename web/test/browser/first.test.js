@@ -136,6 +136,22 @@ test('the lamp of the first plate turns by itself until somebody does something'
   assert.deepEqual(await visit.state(names), ['sun.png', 'moon.png']);
 });
 
+test('what the next visit needs is fetched once this one has its plate', { skip }, async () => {
+  const visit = await bench.open({
+    small: true,
+    prepare: () => {
+      const { serviceWorker } = navigator;
+      const register = serviceWorker.register.bind(serviceWorker);
+      serviceWorker.register = (...given) => {
+        globalThis.plateFirst = document.querySelector('sillon-app').studio.store.state.result !== undefined;
+        return register(...given);
+      };
+    },
+  });
+  await visit.page.waitForFunction(() => globalThis.plateFirst !== undefined);
+  assert.equal(await visit.page.evaluate(() => globalThis.plateFirst), true);
+});
+
 test('the first plate is not kept as work, and stands still where motion is reduced', { skip }, async () => {
   const visit = await bench.open();
   await welcome(visit).waitFor();

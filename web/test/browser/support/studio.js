@@ -33,13 +33,14 @@ export async function start() {
     origin: site.origin,
     /** @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `visited`: the
      * visitor has been here before, so that it begins with a new plate; `keep`: a context to open it in; `places`: it may ask
-     * for files that can be saved in their place */
+     * for files that can be saved in their place; `prepare`: run in the page before its own scripts */
     async open({
       small = false,
       visited = false,
       path = small ? `/${smallPlate}` : '/',
       keep,
       places = false,
+      prepare,
       ...options
     } = {}) {
       const context =
@@ -58,6 +59,7 @@ export async function start() {
           localStorage.setItem('sillon.welcomed', 'yes');
         });
       }
+      if (prepare !== undefined) await context.addInitScript(prepare);
       const page = await context.newPage();
       page.setDefaultTimeout(patience);
       const problems = [];
