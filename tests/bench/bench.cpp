@@ -4,6 +4,9 @@
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run; what
 //                                                         measures and the G-code file add, in processor time
 //   sillon_bench live [SCENE.json ...]                    edits of a kept session against runs from nothing
+//   sillon_bench turns SCENE.json [THREADS]               a plate for each byte that comes in, for benches that take
+//   turns:
+//                                                         seconds of its stages, and of all threads' processor time
 //   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
 //   sillon_bench photo [N [SEED]] [elevation] [lamp] [x3]  rendered photographs of coupons, read back
 //   sillon_bench photograph FILE.jpg                      one of them
@@ -353,6 +356,23 @@ void live(const std::vector<std::string>& scenes) {
   }
 }
 
+// As a program that stays does, whose memory and caches are warm.
+bool turns(const std::string& path, int threads) {
+  Loaded scene;
+  if (!load(path, scene)) return false;
+  const RunContext run(threads);
+  while (std::getchar() != EOF) {
+    double stages = 0;
+    const double processor = processorSeconds([&] {
+      const auto made = generateToolpath(scene.input, scene.project.toolpath, run);
+      stages = made ? totalOf(made.value()) : -1;
+    });
+    std::printf("%.6f %.6f\n", stages, processor);
+    std::fflush(stdout);
+  }
+  return true;
+}
+
 // What the machine can do on one thread: bytes moved by a + s b -> c over arrays larger than its caches, and flops of
 // independent multiply-adds on vectors of four.
 void roof() {
@@ -499,6 +519,9 @@ int main(int argc, char** argv) {
                ? 0
                : 1;
   }
+  if (what == "turns" && !rest.empty()) {
+    return turns(rest[0], rest.size() > 1 ? std::clamp(std::atoi(rest[1].c_str()), 1, 64) : 1) ? 0 : 1;
+  }
   if (what == "photograph" && rest.size() == 1) return bench::photograph(rest[0]) ? 0 : 1;
   if (what == "photo") {
     bench::PhotoBench asked;
@@ -556,7 +579,7 @@ int main(int argc, char** argv) {
   } else {
     std::printf(
         "sillon_bench quality [none|soft|N|RECIPE] [SCENE.json ...] | time [SCENE.json ...] | live [SCENE.json ...] | "
-        "roof "
+        "turns SCENE.json [THREADS] | roof "
         "| look [PICTURE ...] | measure SCENE.json [PATHS] | photo [N [SEED]] [elevation] [lamp] [xN] | photograph "
         "FILE | growth [MILLIONS] | "
         "random [N "
