@@ -1,6 +1,6 @@
 #include "sillon/look/thumbnails.hpp"
 
-#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "look/qoi.hpp"
@@ -9,29 +9,19 @@
 namespace sillon {
 namespace {
 
-// A picture of the same proportions, by the mean over each of its pixels.
+// A picture of the same proportions, each of its pixels the mean of those that lie there.
 RgbImage reduced(const RgbImage& large, int width, int height) {
   RgbImage small{width, height, {}};
-  small.rgb.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  // Pixels of one picture in units of the other's: where they begin, and how much of each lies within one of the other.
-  const auto common = [](int in, int of, int out, int by) {
-    return std::min((in + 1) * by, (out + 1) * of) - std::max(in * by, out * of);
-  };
-  const std::uint32_t all = static_cast<std::uint32_t>(large.width) * static_cast<std::uint32_t>(large.height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      std::uint32_t sum[3] = {all / 2, all / 2, all / 2};
-      for (int v = y * large.height / height; v * height < (y + 1) * large.height; ++v) {
-        const int rows = common(v, large.height, y, height);
-        const std::uint8_t* const row =
-            &large.rgb[static_cast<std::size_t>(v) * static_cast<std::size_t>(large.width) * 3];
-        for (int u = x * large.width / width; u * width < (x + 1) * large.width; ++u) {
-          const auto share = static_cast<std::uint32_t>(rows * common(u, large.width, x, width));
-          for (int c = 0; c < 3; ++c) sum[c] += share * row[3 * u + c];
-        }
+  for (int k = 0; k < width * height; ++k) {
+    const int x = k % width, y = k / width;
+    std::array<unsigned, 3> sum{};
+    unsigned count = 0;
+    for (int v = y * large.height / height; v < (y + 1) * large.height / height; ++v) {
+      for (int u = x * large.width / width; u < (x + 1) * large.width / width; ++u, ++count) {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += large.rgb[static_cast<std::size_t>(v * large.width + u) * 3 + c];
       }
-      for (const std::uint32_t s : sum) small.rgb.push_back(static_cast<std::uint8_t>(s / all));
     }
+    for (const unsigned s : sum) small.rgb.push_back(static_cast<std::uint8_t>((s + count / 2) / count));
   }
   return small;
 }

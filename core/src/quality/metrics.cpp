@@ -159,13 +159,7 @@ float weightedQuantile(std::vector<std::pair<float, float>>& weighted, double be
 }
 
 WidthMeasures widthsOf(const Toolpath& toolpath, const ToolpathParams& params, double totalLength) {
-  // Sorted roughly as they come: to halve all of them once for each quantile takes several times as long.
-  struct Bucket {
-    std::vector<std::pair<float, float>> weighted;  // width, length
-    double length = 0;
-  };
-  constexpr int kPerSpacing = 128;
-  std::vector<Bucket> buckets(2 * kPerSpacing);
+  std::vector<std::pair<float, float>> weighted;  // width, length
   WidthMeasures out;
   const double spacing = toolpath.spacing;
   for (const Cycle& cycle : toolpath.cycles) {
@@ -175,25 +169,15 @@ WidthMeasures widthsOf(const Toolpath& toolpath, const ToolpathParams& params, d
       const float before = after;
       after = length(cycle.points[k + 1 < n ? k + 1 : 0] - cycle.points[k]);
       const float share = 0.5f * (before + after);
+      weighted.emplace_back(cycle.widths[k], share);
       const double w = static_cast<double>(cycle.widths[k]) / spacing;
-      Bucket& bucket = buckets[static_cast<std::size_t>(std::clamp(w * kPerSpacing, 0.0, 2.0 * kPerSpacing - 1))];
-      bucket.weighted.emplace_back(cycle.widths[k], share);
-      bucket.length += static_cast<double>(share);
       if (w < 0.5 - 1e-9) out.belowHalf += static_cast<double>(share);
       if (w <= params.minWidth + 1e-3 || w >= params.maxWidth - 1e-3) out.clamped += static_cast<double>(share);
     }
   }
   if (totalLength <= 0) return out;
   for (const auto& [q, value] : {std::pair{0.01, &out.p01}, std::pair{0.5, &out.median}, std::pair{0.99, &out.p99}}) {
-    double below = q * totalLength;
-    Bucket* found = nullptr;
-    for (Bucket& bucket : buckets) {
-      if (bucket.weighted.empty()) continue;
-      found = &bucket;
-      if (bucket.length > below) break;
-      below -= bucket.length;
-    }
-    *value = static_cast<double>(weightedQuantile(found->weighted, below)) / spacing;
+    *value = static_cast<double>(weightedQuantile(weighted, q * totalLength)) / spacing;
   }
   out.belowHalf /= totalLength;
   out.clamped /= totalLength;
