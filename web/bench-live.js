@@ -1,5 +1,7 @@
 // How soon the studio shows what a hand does: from a move of the comb, and from a step of a slider, to the first frame that
-// differs there, and to the plate made anew. Without a GPU, as here, frames of the appearance take most of the time. Prints; asserts nothing.   ./dev bench live
+// differs there, and to the plate made anew. Where there is no graphics card, frames of the appearance take most of the time.
+// Prints; asserts nothing.   ./dev bench live
+
 import { start } from './test/browser/support/studio.js';
 
 const rounds = Number(process.argv[2] ?? 9);
@@ -143,7 +145,10 @@ try {
     const found = [];
     for (let k = 0; k < warmUps + rounds; ++k) {
       found.push(
-        await page.evaluate(([box, key, value]) => globalThis.slide(box, key, value), [middle, key, from + step * (k + 1)]),
+        await page.evaluate(
+          ([box, key, value]) => globalThis.slide(box, key, value),
+          [middle, key, from + step * (k + 1)],
+        ),
       );
     }
     await page.evaluate(() => globalThis.rest());
