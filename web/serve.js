@@ -1,10 +1,12 @@
 // Serves web/dist, or another folder of static files, on this machine: node web/serve.js [--port N]
 // [--host NAME] [FOLDER]
 import { createReadStream, realpathSync, statSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { parseArgs } from 'node:util';
+import { parseArgs, promisify } from 'node:util';
+import { brotliCompress, constants } from 'node:zlib';
 
 import { headers } from './headers.js';
 
@@ -22,7 +24,12 @@ const types = {
   '.zip': 'application/zip',
 };
 
-/** @returns {{ file: string, size: number } | undefined} the file that an address means; nothing outside of the folder. */
+const compressible = new Set(['.css', '.html', '.js', '.json', '.svg', '.txt', '.wasm', '.webmanifest']);
+const largest = 8 * 2 ** 20; // [bytes] of a file that is compressed
+const mostKept = 64 * 2 ** 20; // [bytes] of compressed files
+
+/** @returns {{ file: string, size: number, tag: string } | undefined} the file that an address means, and the tag of what it
+ * holds now; nothing outside of the folder. */
 function find(folder, url) {
   let path;
   try {
@@ -35,29 +42,74 @@ function find(folder, url) {
     const root = realpathSync(folder);
     const file = realpathSync(join(root, path.endsWith('/') ? `${path}index.html` : path));
     const status = statSync(file);
-    return file.startsWith(root + sep) && status.isFile() ? { file, size: status.size } : undefined;
+    if (!file.startsWith(root + sep) || !status.isFile()) return undefined;
+    const tag = `W/"${status.size.toString(36)}-${Math.round(status.mtimeMs * 1000).toString(36)}"`;
+    return { file, size: status.size, tag };
   } catch {
     return undefined; // not there
   }
 }
 
+const squeeze = promisify(brotliCompress);
+
+/** Compresses each file once, and keeps the last ones. */
+function compressor() {
+  const kept = new Map(); // of tag and file
+  let bytes = 0;
+  return async ({ file, size, tag }) => {
+    const key = `${tag} ${file}`;
+    const known = kept.get(key);
+    if (known !== undefined) return known;
+    // 5 of 11: nearly as small, and the first visitor does not wait for it.
+    const params = { [constants.BROTLI_PARAM_QUALITY]: 5, [constants.BROTLI_PARAM_SIZE_HINT]: size };
+    const packed = await squeeze(await readFile(file), { params });
+    if (!kept.has(key)) bytes += packed.length;
+    kept.set(key, packed);
+    for (const [oldest, { length }] of kept) {
+      if (bytes <= mostKept) break;
+      kept.delete(oldest);
+      bytes -= length;
+    }
+    return packed;
+  };
+}
+
 /** Answers requests for files; `missing` answers what is not there. */
 export function filesOf(folder, missing) {
-  return (request, response) => {
+  const compressed = compressor();
+  return async (request, response) => {
     const found = request.method === 'GET' || request.method === 'HEAD' ? find(folder, request.url ?? '/') : undefined;
     if (found === undefined) {
       missing(request, response);
       return;
     }
-    const { file, size } = found;
-    response.writeHead(200, {
+    const { file, size, tag } = found;
+    const ending = extname(file).toLowerCase();
+    const about = {
       ...headers,
-      'Content-Type': types[extname(file).toLowerCase()] ?? 'application/octet-stream',
-      'Content-Length': size,
+      ETag: tag,
+      Vary: 'Accept-Encoding',
       // Names of assets hold their hash; all else is asked for anew.
       'Cache-Control': /[\\/]assets[\\/][^\\/]*$/.test(file) ? 'max-age=31536000, immutable' : 'no-cache',
-    });
+    };
+    if (request.headers['if-none-match']?.split(/, */).includes(tag)) {
+      response.writeHead(304, about);
+      response.end();
+      return;
+    }
+    about['Content-Type'] = types[ending] ?? 'application/octet-stream';
+    const accepts = /\bbr\b(?!\s*;\s*q=0(?:\.0*)?\s*(?:,|$))/.test(request.headers['accept-encoding'] ?? '');
+    const packed =
+      accepts && compressible.has(ending) && size <= largest
+        ? await compressed(found).catch(() => undefined)
+        : undefined;
+    if (packed === undefined) {
+      response.writeHead(200, { ...about, 'Content-Length': size });
+    } else {
+      response.writeHead(200, { ...about, 'Content-Encoding': 'br', 'Content-Length': packed.length });
+    }
     if (request.method === 'HEAD') response.end();
+    else if (packed !== undefined) response.end(packed);
     else
       createReadStream(file)
         .on('error', () => response.destroy())

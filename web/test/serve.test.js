@@ -34,10 +34,10 @@ after(() => {
 });
 
 /** As it is written: fetch would tidy the path first. */
-function raw(path, method = 'GET') {
+function raw(path, method = 'GET', asked = {}) {
   return new Promise((done, failed) => {
     const { hostname, port } = new URL(site.origin);
-    request({ hostname, port, path, method }, (response) => {
+    request({ hostname, port, path, method, headers: asked }, (response) => {
       let body = '';
       response.setEncoding('utf8');
       response.on('data', (text) => (body += text));
@@ -78,6 +78,45 @@ test('every response, an error too, has the headers for threads and the policy',
 test('only files with a hash in their names are kept without asking', async () => {
   assert.match((await raw('/assets/a-1.js')).headers['cache-control'], /immutable/);
   for (const path of ['/', '/engine/e.wasm']) assert.equal((await raw(path)).headers['cache-control'], 'no-cache');
+});
+
+test('a file that is known already is not sent again, until it changes', async () => {
+  const path = join(folder, 'dist/changing.js');
+  writeFileSync(path, 'export const a = 1;');
+  const first = await raw('/changing.js');
+  const known = { 'If-None-Match': `"other", ${first.headers.etag}` };
+  for (const method of ['GET', 'HEAD']) {
+    const again = await raw('/changing.js', method, known);
+    assert.deepEqual([again.status, again.body], [304, '']);
+    assert.equal(again.headers.etag, first.headers.etag);
+    for (const [name, value] of Object.entries(isolation)) assert.equal(again.headers[name.toLowerCase()], value);
+  }
+  assert.equal((await raw('/changing.js', 'GET', { 'If-None-Match': '"other"' })).status, 200);
+  writeFileSync(path, 'export const a = 12;');
+  const changed = await raw('/changing.js', 'GET', known);
+  assert.deepEqual([changed.status, changed.body], [200, 'export const a = 12;']);
+});
+
+test('who takes Brotli gets it, of what it makes smaller; the same bytes come out', async () => {
+  const text = `export const words = '${'groove '.repeat(1000)}';`;
+  writeFileSync(join(folder, 'dist/long.js'), text);
+  writeFileSync(join(folder, 'dist/picture.png'), text);
+  const plain = await raw('/long.js');
+  assert.deepEqual([plain.headers['content-encoding'], plain.body], [undefined, text]);
+  const fetched = await fetch(`${site.origin}/long.js`, { headers: { 'Accept-Encoding': 'gzip, br' } });
+  assert.equal(fetched.headers.get('content-encoding'), 'br');
+  assert.ok(Number(fetched.headers.get('content-length')) < text.length / 10);
+  assert.equal(await fetched.text(), text);
+  for (const [path, accepted] of [
+    ['/picture.png', 'br'],
+    ['/long.js', 'gzip'],
+    ['/long.js', 'br;q=0'],
+  ]) {
+    const { headers, body } = await raw(path, 'GET', { 'Accept-Encoding': accepted });
+    assert.deepEqual([headers['content-encoding'], body], [undefined, text], `${path} ${accepted}`);
+  }
+  const head = await raw('/long.js', 'HEAD', { 'Accept-Encoding': 'br' });
+  assert.deepEqual([head.headers['content-encoding'], head.body], ['br', '']);
 });
 
 test('nothing outside of the folder is served', async () => {
