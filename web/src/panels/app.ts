@@ -198,6 +198,12 @@ export class App extends StudioElement {
           min-height: 52px;
         }
       }
+      /* Some fonts are wide: here the longest word has the most room. */
+      @media (max-width: 380px) {
+        nav button {
+          flex: auto;
+        }
+      }
     `,
   ];
 

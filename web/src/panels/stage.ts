@@ -173,7 +173,7 @@ export class StageElement extends StudioElement {
           transform: none;
         }
         .views button {
-          flex: 1;
+          flex: auto; /* the longest word has the most room */
           min-width: 0;
           padding: 0 4px;
           font-size: var(--note);
