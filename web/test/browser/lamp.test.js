@@ -88,7 +88,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
 
   // The pointer leads the light away; it comes back once the pointer has gone.
   const box = await visit.canvas();
-  await visit.page.mouse.move(box.x + box.width * 0.2, box.y + box.height * 0.5, { steps: 4 });
+  await visit.page.mouse.move(box.x + box.width * 0.2, box.y + box.height * 0.3, { steps: 4 });
   await visit.until('({ light }) => Math.abs(light.azimuth - 60) > 60');
   await visit.page.mouse.move(3, 3);
   await visit.until('({ light }) => light.azimuth === 60 && light.elevation === 35');
