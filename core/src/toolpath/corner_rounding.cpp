@@ -25,7 +25,7 @@ bool hasKink(const std::vector<Vec2f>& path, float spacing) {
   const float step = spacing / 16;
   std::vector<Vec2f> samples;
   samples.reserve(8 * path.size());  // points are some four steps apart
-  float at = 0;  // from a segment's begin to the next sample
+  float at = 0;                      // from a segment's begin to the next sample
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     const Vec2f along = path[k + 1] - path[k];
     const float size = length(along);
