@@ -83,10 +83,13 @@ test('range and filament are those that were asked for', async () => {
   assert.notEqual(await blue.blob.text(), await made.blob.text()); // its pictures are of another colour
 });
 
-const rounded = ({ value, error }, digits) => ({
-  value: Number(value.toFixed(digits)),
-  error: Number(error.toFixed(digits)),
-});
+/** The native program prints so many digits. Sines differ in their last one, and a fit may stop a step earlier: that moves
+ * figures by less than a fiftieth of their bar. */
+function assertPrinted({ value, error }, told, digits) {
+  const allowed = 0.5 * 10 ** -digits + 0.02 * error;
+  assert.ok(Math.abs(value - told.value) <= allowed, `${value}, ${told.value} natively`);
+  assert.ok(Math.abs(error - told.error) <= allowed, `±${error}, ±${told.error} natively`);
+}
 
 test('a photograph is read as the native program reads it, and gives a spool', async () => {
   const { status, stdout, stderr } = native(
@@ -95,11 +98,12 @@ test('a photograph is read as the native program reads it, and gives a spool', a
   assert.equal(status, 0, stderr);
   const told = JSON.parse(stdout);
   const read = await engine.readCoupon(photograph, { lampElevation: 44 });
-  assert.deepEqual(rounded(read.along, 2), told.along);
-  assert.deepEqual(rounded(read.across, 2), told.across);
-  assert.deepEqual(rounded(read.flow, 3), told.flow);
-  assert.deepEqual({ ...rounded(read.width, 3), asked: Number(read.widthAsked.toFixed(3)) }, told.width);
-  assert.deepEqual(rounded(read.azimuth, 2), told.lamp.azimuth);
+  assertPrinted(read.along, told.along, 2);
+  assertPrinted(read.across, told.across, 2);
+  assertPrinted(read.flow, told.flow, 3);
+  assertPrinted(read.width, told.width, 3);
+  assert.equal(Number(read.widthAsked.toFixed(3)), told.width.asked);
+  assertPrinted(read.azimuth, told.lamp.azimuth, 2);
   assert.equal(read.allDiscsClosed, told.allDiscsClosed);
   const { spools } = JSON.parse(readFileSync(join(folder, 'mine.spools.json'), 'utf8'));
   assert.deepEqual(read.spool, spools.mySpool);
