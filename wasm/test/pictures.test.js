@@ -1,16 +1,11 @@
 // Pictures that are handed over again are decoded once. The engine's worker runs here, in the test's own thread, around a
 // module that counts what it decodes.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { before, beforeEach, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 
+import { ask, at, startHere } from './support/own-worker.js';
 import { png } from './support/png.js';
-import { root } from './support/projects.js';
 
-const folder = join(root, 'wasm/dist/engine');
-const at = (name) => pathToFileURL(join(folder, name)).href;
 const counting = `
   import create from ${JSON.stringify(at('sillon-st.js'))};
   export default async (args) => {
@@ -26,36 +21,10 @@ const counting = `
     };
     return module;
   };`;
-let told = () => {};
-
-async function ask(message) {
-  const last = new Promise((resolve) => {
-    told = resolve;
-  });
-  globalThis.onmessage({ data: message });
-  return last;
-}
-
-before(async () => {
-  Object.assign(globalThis, {
-    self: globalThis,
-    WorkerGlobalScope: EventTarget, // only asked for, as the mark of a worker
-    importScripts: () => assert.fail('importScripts is not available'),
-    location: new URL(at('worker.js')),
-    onmessage: null,
-    postMessage: (message) => {
-      if (['started', 'done', 'failed'].includes(message.type)) told(message);
-    },
-    decoded: [],
-    taken: [],
-  });
-  await import(at('worker.js'));
-  const compiled = await WebAssembly.compile(readFileSync(join(folder, 'sillon-st.wasm')));
-  const script = `data:text/javascript,${encodeURIComponent(counting)}`;
-  // An eighth of the memory is for pictures: 8 MiB.
-  const start = { type: 'start', threads: 1, memory: 64, script, wasm: '', threadScript: '', compiled };
-  const { type, message } = await ask(start);
-  assert.equal(type, 'started', message);
+// An eighth of the memory is for pictures: 8 MiB.
+before(() => {
+  Object.assign(globalThis, { decoded: [], taken: [] });
+  return startHere('st', 64, `data:text/javascript,${encodeURIComponent(counting)}`);
 });
 
 beforeEach(() => {

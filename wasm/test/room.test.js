@@ -4,14 +4,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 
+import { answers, ask, startHere } from './support/own-worker.js';
 import { root } from './support/projects.js';
-
-const folder = join(root, 'wasm/dist/engine');
-const at = (name) => pathToFileURL(join(folder, name)).href;
-let answers = [];
-let told = () => {};
 
 /** A file on disk of this size, whose bytes nobody may read. */
 function fileOf(size) {
@@ -19,34 +14,7 @@ function fileOf(size) {
   return Object.defineProperties(new Blob([]), { size: { value: size }, slice: { value: slice } });
 }
 
-async function ask(message) {
-  answers = [];
-  const last = new Promise((resolve) => {
-    told = resolve;
-  });
-  globalThis.onmessage({ data: message });
-  return last;
-}
-
-before(async () => {
-  Object.assign(globalThis, {
-    self: globalThis,
-    WorkerGlobalScope: EventTarget, // only asked for, as the mark of a worker
-    importScripts: () => assert.fail('importScripts is not available'),
-    location: new URL(at('worker.js')),
-    onmessage: null,
-    postMessage: (message) => {
-      answers.push(message);
-      if (['started', 'done', 'failed'].includes(message.type)) told(message);
-    },
-  });
-  await import(at('worker.js'));
-  const compiled = await WebAssembly.compile(readFileSync(join(folder, 'sillon-rebrush.wasm')));
-  const script = at('sillon-rebrush.js');
-  const start = { type: 'start', threads: 1, memory: 1024, script, wasm: '', threadScript: '', compiled };
-  const { type, message } = await ask(start);
-  assert.equal(type, 'started', message);
-});
+before(() => startHere('rebrush', 1024));
 
 const call = (call) => ask({ type: 'call', call, wanted: undefined });
 const list = (file, number = 0) => call({ name: 'listSurfaces', print: { file, number } });
