@@ -4,8 +4,7 @@
 //   sillon_bench time [SCENE.json ...]                    stages, 1 against 2 threads in one interleaved run; what
 //                                                         measures and the G-code file add, in processor time
 //   sillon_bench live [SCENE.json ...]                    edits of a kept session against runs from nothing
-//   sillon_bench turns SCENE.json [THREADS]               a plate for each byte that comes in, for benches that take
-//   turns:
+//   sillon_bench turns SCENE.json [THREADS]               a plate for each byte that comes in, for other benches:
 //                                                         seconds of its stages, and of all threads' processor time
 //   sillon_bench roof                                     the sweeps of the alignment against the machine's limits
 //   sillon_bench photo [N [SEED]] [elevation] [lamp] [x3]  rendered photographs of coupons, read back
@@ -15,9 +14,8 @@
 //   1);
 //                                                         every fifth is a drawing: made here, or one of
 //                                                         SILLON_DRAWINGS
-//   sillon_bench measure SCENE.json [PATHS]               figures of these paths, or of the plate, as JSON: for
-//   peers.py sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent and bytes
-//   per cell
+//   sillon_bench measure SCENE.json [PATHS]               figures of these paths, or of the plate, as JSON
+//   sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent, bytes per cell
 
 #include <sys/resource.h>
 #include <sys/wait.h>
