@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kFineNozzle = 0.4, kWideNozzle = 0.8;  // [mm], of Tab. 1
 
-Roughness roughness(const nlohmann::json& pair) { return {pair[0].get<double>(), pair[1].get<double>()}; }
+Roughness roughness(const Json& pair) { return {pair[0].get<double>(), pair[1].get<double>()}; }
 
-SideRoughness sides(const nlohmann::json& json) { return {roughness(json["nozzleSide"]), roughness(json["bedSide"])}; }
+SideRoughness sides(const Json& json) { return {roughness(json["nozzleSide"]), roughness(json["bedSide"])}; }
 
 double mix(double a, double b, double share) { return a * (1 - share) + b * share; }
 
