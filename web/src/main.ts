@@ -435,11 +435,11 @@ const pictureAfter = 800; // [ms] without another plate
 const pictureSide = 240; // [pixels]
 
 /** Of a finished plate, for the list of plates. */
-function picture({ plate, toolpath, coarse }: PlateResult): void {
+function picture({ toolpath, coarse }: PlateResult): void {
   if (coarse) return;
   setTimeout(() => {
-    const { result } = store.state;
-    if (result?.plate !== plate || store.state.plate !== plate) return;
+    const { plate, result } = store.state; // the plate may have been renamed since
+    if (result?.toolpath.cycles !== toolpath.cycles) return; // another picture follows
     void Promise.all([import('./views/miniature.js'), import('./model/filaments.js')])
       .then(async ([{ miniature }, { viewLook }]) =>
         autosave?.picture(
