@@ -34,11 +34,11 @@ const framed = document.documentElement.dataset['page'] === 'frame';
 const asked = addressed(location.search);
 const threads = asked.given.threads ?? 'auto';
 const store = new Store(newShown());
+const firstVisit = !framed && asked.files.length === 0 && location.hash === '' && recallText('welcomed') === undefined;
 /** Of what a first visit sees first; asked for before anything else. */
-const shimmer =
-  framed || asked.files.length > 0 || location.hash !== '' || recallText('welcomed') !== undefined
-    ? undefined
-    : import('./shimmer.js').then(({ loadShimmer }) => loadShimmer()).catch(() => undefined); // it can be done without: the beads will be there soon
+const shimmer = firstVisit
+  ? import('./shimmer.js').then(({ loadShimmer }) => loadShimmer()).catch(() => undefined) // the beads will be there soon
+  : undefined;
 const studio = new Studio(store, threads);
 
 const engine = new StudioEngine(
@@ -256,17 +256,18 @@ async function restore(): Promise<void> {
     return;
   }
   const first = store.state.plate;
+  const opening = firstVisit ? opener.first() : undefined; // while the storage is asked
+  opening?.catch(() => undefined);
   const kept = keeper().then((made) => made.load());
   const opened = (await openLink(kept)) || (await openAddress(kept));
   const restored = await restoreKept(kept, () => !opened);
-  if (!opened && !restored && store.state.plate === first && recallText('welcomed') === undefined) {
-    await greet(first);
+  if (!opened && !restored && recallText('welcomed') === undefined) {
+    greet(await (opening ?? opener.first()).catch(() => first), first); // it can be done without
   }
 }
 
 /** A first visit: a plate that moves by itself until somebody touches it. @param first  what is shown so far */
-async function greet(first: Plate): Promise<void> {
-  const plate = await opener.first().catch(() => first); // it can be done without
+function greet(plate: Plate, first: Plate): void {
   if (store.state.plate !== first) return; // a hand was faster
   store.change(() => plate);
   look();
