@@ -156,11 +156,25 @@ async function visit(context, site) {
   return { page, seen, sent };
 }
 
+/** The next visitor is new, the files are not. From a page without the studio's: its connections would hold its storage. */
+async function forget(context, site) {
+  const page = await context.newPage();
+  await page.goto(`${site.origin}/icon.svg`);
+  await page.evaluate(async () => {
+    localStorage.clear();
+    for (const { name } of await indexedDB.databases()) {
+      await new Promise((resolve) => (indexedDB.deleteDatabase(name).onsuccess = resolve));
+    }
+  });
+  await page.close();
+}
+
 const kb = (bytes) => `${(bytes / 1000).toFixed(0).padStart(4)} kB`;
 const ms = (values) => `${median(values).toFixed(0).padStart(5)} ms (${Math.min(...values).toFixed(0)})`.padEnd(17);
 
-const cold = [];
-const warm = [];
+const first = [];
+const second = [];
+const third = [];
 const firstPlates = [];
 const nextPlates = [];
 for (let k = 0; k < rounds; ++k) {
@@ -168,20 +182,21 @@ for (let k = 0; k < rounds; ++k) {
   const site = await serveSlowly();
   try {
     const context = await browser.newContext({ viewport: { width: 1000, height: 600 }, serviceWorkers: 'allow' });
-    const first = await visit(context, site);
-    cold.push(first);
-    firstPlates.push(first.seen.plate - first.seen.engine);
+    const arrival = await visit(context, site);
+    first.push(arrival);
+    firstPlates.push(arrival.seen.plate - arrival.seen.engine);
     for (let j = 0; j < 4; ++j) {
-      const took = await another(first.page, 1 + 4 * k + j);
+      const took = await another(arrival.page, 1 + 4 * k + j);
       if (j > 0) nextPlates.push(took); // what the first measures compiled may still be on its way
     }
-    await first.page.evaluate(() => navigator.serviceWorker.ready);
-    await first.page.evaluate(async () => {
-      for (const { name } of await indexedDB.databases()) indexedDB.deleteDatabase(name);
-      localStorage.clear(); // the visitor is new, the files are not
-    });
-    await first.page.close();
-    warm.push(await visit(context, site));
+    await arrival.page.evaluate(() => navigator.serviceWorker.ready);
+    await arrival.page.close();
+    for (const later of [second, third]) {
+      await forget(context, site);
+      const { page, ...told } = await visit(context, site);
+      later.push(told);
+      await page.close();
+    }
   } finally {
     await browser.close();
     site.close();
@@ -192,11 +207,12 @@ console.log(
   `${megabits} Mbit/s, ${latency} ms; Chromium without a GPU; medians of ${rounds} (least), since the navigation`,
 );
 console.log(
-  'cache     page              first shimmer     engine            first plate       sent until shimmer, plate',
+  'visit     page              first shimmer     engine            first plate       sent until shimmer, plate',
 );
 for (const [name, visits] of [
-  ['cold', cold],
-  ['warm', warm],
+  ['first', first],
+  ['second', second],
+  ['third', third],
 ]) {
   const at = (what) => ms(visits.map(({ seen }) => seen[what] ?? NaN));
   const sent = ['shimmer', 'plate'].map((what) => kb(median(visits.map(({ sent }) => sent[what]))));
