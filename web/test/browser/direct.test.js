@@ -199,7 +199,7 @@ test('on a phone buttons leave the plate free, are large enough, and a finger le
 });
 
 test('a photo that another app shares is opened', { skip }, async () => {
-  const visit = await bench.open({ small: true });
+  const visit = await bench.open({ small: true, serviceWorkers: 'allow' });
   await visit.idle();
   await visit.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   // As the system does it: a page's own forms are not let out.

@@ -139,6 +139,7 @@ test('the lamp of the first plate turns by itself until somebody does something'
 test('what the next visit needs is fetched once this one has its plate', { skip }, async () => {
   const visit = await bench.open({
     small: true,
+    serviceWorkers: 'allow',
     prepare: () => {
       const { serviceWorker } = navigator;
       const register = serviceWorker.register.bind(serviceWorker);

@@ -11,9 +11,9 @@ const dist = fileURLToPath(new URL('../../../dist', import.meta.url));
 const pages = fileURLToPath(new URL('../pages/', import.meta.url));
 const examples = fileURLToPath(new URL('../../../../examples/', import.meta.url));
 
-/** One browser, the studio, and a site of hosts. */
-export async function startHosts() {
-  const browser = await startChromium();
+/** One browser, the studio, and a site of hosts. @param name  of the browser, as startChromium has them */
+export async function startHosts(name) {
+  const browser = await startChromium([], name);
   const studio = await serve(dist, 0);
   const host = await servePlain({ '/': pages, '/examples/': examples });
   return {

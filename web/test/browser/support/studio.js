@@ -50,6 +50,7 @@ export async function start() {
           reducedMotion: 'reduce',
           locale: 'en-US',
           acceptDownloads: true,
+          serviceWorkers: 'block', // it would fetch and keep all of the studio: a fifth of a visit's CPU time
           ...options,
         }));
       // Playwright answers inputs alone; files in their place have a test of their own.
