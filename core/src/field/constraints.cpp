@@ -66,14 +66,19 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
   for (Vec2f& line : lineOf) line = acrossBead(line);
   const auto columns = footprints(grid.nx, grid.origin.x, grid.cell, page.x, directions.width, false);
   const auto rows = footprints(grid.ny, grid.origin.y, grid.cell, page.y, directions.height, true);
-  const auto texel = [&](int x, int y) {
-    return lineOf[directions.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(directions.width) +
-                                   static_cast<std::size_t>(x)]];
+  std::vector<int> modeColumn;
+  for (int x = 0; x < grid.nx; ++x) modeColumn.push_back(texelColumn(grid.centre(x, 0).x, page.x, modes.width));
+  const auto angles = [&](int x, int y) {  // of the texel and those to the right of it
+    return &directions.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(directions.width) +
+                             static_cast<std::size_t>(x)];
   };
 
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const Footprint& row = rows[static_cast<std::size_t>(y)];
+      const DirectionMode* const modeRow =
+          &modes.mode[static_cast<std::size_t>(texelRow(grid.centre(0, y).y, page.y, modes.height)) *
+                      static_cast<std::size_t>(modes.width)];
       for (int x = 0; x < grid.nx; ++x) {
         const std::size_t i = grid.index(x, y);
         const float distance = sdf.distance[i];
@@ -82,18 +87,16 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
                         : distance > -shellDepth   ? Zone::Shell
                                                    : Zone::Infill;
         if (cells.zone[i] == Zone::Masked) continue;
-        const Vec2 centre = grid.centre(x, y);
-        const TexelIndex m = texelAt(centre, page, modes.width, modes.height);
-        cells.mode[i] = modes.mode[static_cast<std::size_t>(m.y) * static_cast<std::size_t>(modes.width) +
-                                   static_cast<std::size_t>(m.x)];
+        cells.mode[i] = modeRow[modeColumn[static_cast<std::size_t>(x)]];
         Vec2f sum{};
         float total = 0;
         if (params.mapFilter == MapFilter::Average) {
           const Footprint& column = columns[static_cast<std::size_t>(x)];
           for (std::size_t v = 0; v < row.weight.size(); ++v) {
+            const std::uint16_t* const angle = angles(column.first, row.first + static_cast<int>(v));
             for (std::size_t u = 0; u < column.weight.size(); ++u) {
               const float weight = row.weight[v] * column.weight[u];
-              sum = sum + texel(column.first + static_cast<int>(u), row.first + static_cast<int>(v)) * weight;
+              sum = sum + lineOf[angle[u]] * weight;
               total += weight;
             }
           }
@@ -102,8 +105,8 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
         if (size > kNoAverage * total) {
           cells.mapLine[i] = sum * (1 / size);
         } else {
-          const TexelIndex t = texelAt(centre, page, directions.width, directions.height);
-          cells.mapLine[i] = texel(t.x, t.y);
+          const TexelIndex t = texelAt(grid.centre(x, y), page, directions.width, directions.height);
+          cells.mapLine[i] = lineOf[*angles(t.x, t.y)];
         }
       }
     }

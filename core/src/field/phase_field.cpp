@@ -46,8 +46,9 @@ struct PhaseLevel {
 class Jitter {
  public:
   Jitter(std::uint64_t seed, float most) : seed_(seed), most_(2 * most) {}
+  [[nodiscard]] bool none() const { return seed_ == 0; }
   [[nodiscard]] Vec2f at(int depth, int x, int y) const {
-    if (seed_ == 0) return {};
+    if (none()) return {};
     const std::uint64_t cell =
         (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
     const std::uint64_t bits = hash64(hash64(seed_ + static_cast<std::uint64_t>(depth)) ^ cell);
@@ -116,7 +117,7 @@ void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run
             const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
             F4 ox = splat(static_cast<float>(-kEdgeX[e]));
             F4 oy = splat(static_cast<float>(-kEdgeY[e]));
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < 4 && !jitter.none(); ++k) {
               const int cx = 2 * (x + k) + colourX(colour);
               const int cy = 2 * y + colourY(colour);
               const Vec2f move =
@@ -325,21 +326,48 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
   return coarse;
 }
 
+// As `transported`, from four parents to a child of each.
 void prolong(const PhaseLevel& coarse, PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
+  const bool midpoint = fine.transport == PhaseTransport::Midpoint;
   parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < fine.shape.px; ++x) {
-        const std::size_t colour = colourOf(x, y);
-        const std::size_t parent = coarse.shape.atCell(x, y);
+      for (int x = 0; x < fine.shape.px; x += 4) {
         const std::size_t child = fine.shape.at(x, y);
-        const Vec2f kp = waveAt(coarse, colour, parent);
-        const Vec2f qp{coarse.qr[colour][parent], coarse.qi[colour][parent]};
+        // Parents alternate between two planes; those beyond the last are masked, and so are their children.
+        const std::size_t parent = coarse.shape.atCell(x, y);
+        const std::size_t even = colourOf(0, y);
+        const std::size_t odd = colourOf(1, y);
+        const auto parents = [&](const Planes& planes) {
+          const std::vector<float>& e = planes[even];
+          const std::vector<float>& o = planes[odd];
+          return F4{e[parent], o[parent], e[parent + 1], o[parent + 1]};
+        };
+        const F4 frequency = parents(coarse.f);
+        const F4 kpx = parents(coarse.dx) * frequency;
+        const F4 kpy = parents(coarse.dy) * frequency;
+        const F4 qpr = parents(coarse.qr);
+        const F4 qpi = parents(coarse.qi);
         for (std::size_t c = 0; c < kColours; ++c) {
-          if (fine.free[c][child] == 0) continue;
-          const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
-          const Vec2f q = transported(fine.transport, offset, waveAt(fine, c, child), kp, qp);
-          fine.qr[c][child] = q.x;
-          fine.qi[c][child] = q.y;
+          const Vec2f towards = toParent(c) * -fine.step;
+          F4 ox = splat(towards.x);
+          F4 oy = splat(towards.y);
+          for (int k = 0; k < 4 && !jitter.none(); ++k) {
+            const Vec2f offset = parentOffset(fine, c, x + k, y, jitter) * -fine.step;
+            ox[k] = offset.x;
+            oy[k] = offset.y;
+          }
+          const F4 f = load4(&fine.f[c][child]);
+          const F4 kx = load4(&fine.dx[c][child]) * f;
+          const F4 ky = load4(&fine.dy[c][child]) * f;
+          const F4 s = select4(kx * kpx + ky * kpy > splat(0), splat(1), splat(-1));
+          const F4 betweenX = midpoint ? (kpx + kx * s) * splat(0.5f) : kpx;
+          const F4 betweenY = midpoint ? (kpy + ky * s) * splat(0.5f) : kpy;
+          const SinCos4 turn = sinCos(ox * betweenX + oy * betweenY);
+          const I4 change = load4(&fine.free[c][child]) > splat(0);
+          const F4 re = s * (turn.cos * qpr - turn.sin * qpi);
+          const F4 im = turn.cos * qpi + turn.sin * qpr;
+          store4(&fine.qr[c][child], select4(change, re, load4(&fine.qr[c][child])));
+          store4(&fine.qi[c][child], select4(change, im, load4(&fine.qi[c][child])));
         }
       }
     }

@@ -47,11 +47,15 @@ struct TexelIndex {
   int x = 0;
   int y = 0;
 };
+inline int texelColumn(double x, double page, int width) {
+  return static_cast<int>(std::clamp(x / page * width, 0.0, width - 1.0));
+}
+inline int texelRow(double y, double page, int height) {
+  return static_cast<int>(std::clamp((page - y) / page * height, 0.0, height - 1.0));
+}
 /// The texel under a point of the page [mm], clamped at the edges. \param width, height  of the map [texels].
 inline TexelIndex texelAt(Vec2 p, Vec2 page, int width, int height) {
-  const double u = std::clamp(p.x / page.x * width, 0.0, width - 1.0);
-  const double v = std::clamp((page.y - p.y) / page.y * height, 0.0, height - 1.0);
-  return {static_cast<int>(u), static_cast<int>(v)};
+  return {texelColumn(p.x, page.x, width), texelRow(p.y, page.y, height)};
 }
 
 }  // namespace sillon
