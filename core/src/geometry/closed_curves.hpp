@@ -35,6 +35,14 @@ inline int previousOf(const ClosedCurves& curves, int curve, int point) {
   return point == curves.begin[c] ? curves.begin[c + 1] - 1 : point - 1;
 }
 
+/// Unit tangent at a point: the chord between its neighbours on the curve; zero if they coincide.
+inline Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
+  const Vec2f chord = curves.points[static_cast<std::size_t>(nextOf(curves, curve, point))] -
+                      curves.points[static_cast<std::size_t>(previousOf(curves, curve, point))];
+  const float size = length(chord);
+  return size > 0 ? chord * (1 / size) : Vec2f{};
+}
+
 /// Whether the segments ab and cd share a point, exact on coordinates rounded to 1 µm.
 bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d);
 

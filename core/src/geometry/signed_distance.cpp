@@ -292,6 +292,11 @@ std::size_t BorderIndex::blockOf(Vec2 p) const {
 
 float BorderIndex::blockDistance(Vec2 p) const { return lowest_[blockOf(p)]; }
 
+float BorderIndex::blockDepth(Vec2 p) const {
+  const std::size_t block = blockOf(p);
+  return outside_[block] != 0 ? 0 : lowest_[block];
+}
+
 bool BorderIndex::outside(Vec2 p) const {
   const std::size_t block = blockOf(p);
   return lowest_[block] > 0 ? outside_[block] != 0 : nearest(p).distance > 0;

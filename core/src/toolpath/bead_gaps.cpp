@@ -4,6 +4,7 @@
 
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
+#include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 #include "toolpath/eight_points.hpp"
@@ -20,8 +21,7 @@ namespace {
 
 constexpr int kOwnChain = 4;               ///< points tau/4 apart
 constexpr int kFollowing = kOwnChain + 2;  ///< points after one that are looked at for a turn
-constexpr float kTight = 0.3f;        ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
-constexpr double kBorderReach = 1.2;  ///< the border is a neighbour nearer than this [tau]
+constexpr float kTight = 0.3f;  ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
 
 // Curvatures 1/g of the touching circles, the largest on either side.
 struct Nearest {
@@ -94,13 +94,6 @@ void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
 
 }  // namespace
 
-Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
-  const Vec2f chord = curves.points[static_cast<std::size_t>(nextOf(curves, curve, point))] -
-                      curves.points[static_cast<std::size_t>(previousOf(curves, curve, point))];
-  const float size = length(chord);
-  return size > 0 ? chord * (1 / size) : Vec2f{};
-}
-
 BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
                   const RunContext& run) {
   const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
@@ -108,15 +101,13 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
   BeadGaps gaps{std::vector<float>(count, cap), std::vector<float>(count, cap), std::vector<char>(count, 0)};
   const float tight = kTight * static_cast<float>(spacing);
   const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
-  const auto note = [&](int k, Vec2f normal, Nearest nearest, bool back) {
+  const auto note = [&](int k, Vec2f normal, Nearest nearest, bool back, BorderDepth& depth) {
     const std::size_t i = static_cast<std::size_t>(k);
-    const Vec2f p = curves.points[i];
-    const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
-    if (static_cast<double>(border.blockDistance(at)) < kBorderReach * spacing) {
-      const NearestBorder b = border.nearest(at);
-      const float along = dot(b.normal, normal);
-      if (static_cast<double>(b.distance) > -kBorderReach * spacing && std::abs(along) > 0.5f) {
-        const float curvature = std::abs(along) / std::max(2 * std::abs(b.distance), 1e-6f);
+    // Deeper inside, twice the distance is more than the cap.
+    if (const auto b = depth.nearerThan(0.5f * cap, curves.points[i])) {
+      const float along = dot(b->normal, normal);
+      if (std::abs(along) > 0.5f) {
+        const float curvature = std::abs(along) / std::max(2 * std::abs(b->distance), 1e-6f);
         (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
       }
     }
@@ -126,6 +117,7 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
   };
   // In path order: the next point's buckets are mostly the same.
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
+    BorderDepth depth(border);
     for (int k = begin; k < end; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
       const int curve = curveOf[i];
@@ -139,7 +131,7 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
                            grid.within({row.lowX, row.lowY}, {row.highX, row.highY}), row.points, cap, kOwnChain);
         for (int l = 0; l < kEight; ++l) {
           note(k + l, {-row.points.tangentY[l], row.points.tangentX[l]},
-               {nearest.left[l], nearest.right[l], nearest.distance2[l]}, row.turnsBack[l] != 0);
+               {nearest.left[l], nearest.right[l], nearest.distance2[l]}, row.turnsBack[l] != 0, depth);
         }
         k += kEight - 1;
         continue;
@@ -147,7 +139,8 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
 #endif
       const Vec2f tangent = tangentAt(curves, curve, k);
       const Vec2f normal{-tangent.y, tangent.x};
-      note(k, normal, nearestOn(grid, curves.points[i], normal, cap, k, first, size), turnsBack(curves, curve, k));
+      note(k, normal, nearestOn(grid, curves.points[i], normal, cap, k, first, size), turnsBack(curves, curve, k),
+           depth);
     }
   });
   markFollowing(curves, gaps.tight);

@@ -1,10 +1,12 @@
 #include "sillon/toolpath/bead_width.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
+#include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 #include "toolpath/eight_points.hpp"
@@ -198,20 +200,26 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
   const float high = static_cast<float>(params.maxWidth) * spacing;
   BeadWidths widths{std::vector<float>(curves.points.size()), std::vector<float>(curves.points.size(), 1e9f)};
   const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
+  const float tolerance = static_cast<float>(params.simplifyTolerance);
   parallelFor(run, static_cast<int>(curves.points.size()), 4096, [&](int begin, int end) {
+    BorderDepth depth(border);
     for (int k = begin; k < end; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
       const float least = std::min(gaps.left[i], gaps.right[i]);  // Eq. 16
       const float both = 0.5f * (gaps.left[i] + gaps.right[i]);
       float width = std::clamp(least + balance * (both - least), low, high);
-      const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
-      if (border.blockDistance(p) < spacing || border.outside(p)) {
+      const Vec2f p = curves.points[i];
+      const std::array<Vec2f, 2> neighbours = {
+          curves.points[static_cast<std::size_t>(previousOf(curves, curveOf[i], k))],
+          curves.points[static_cast<std::size_t>(nextOf(curves, curveOf[i], k))]};
+      // Deeper than this the border limits no width of the bead between its neighbours.
+      const float deep = 0.5f * high + 2 * tolerance + std::max(length(neighbours[0] - p), length(neighbours[1] - p));
+      if (const auto at = depth.nearerThan(deep, p)) {
         // Half-way to the neighbours too: round a reflex corner the bead's straight segments pass nearer than its
         // points. And at a neighbour that lies outside: what reaches out to it is a thread from here on.
-        float distance = border.nearest(p).distance;
-        for (const int neighbour : {previousOf(curves, curveOf[i], k), nextOf(curves, curveOf[i], k)}) {
-          const Vec2f end = curves.points[static_cast<std::size_t>(neighbour)];
-          const Vec2f q = (curves.points[i] + end) * 0.5f;
+        float distance = at->distance;
+        for (const Vec2f end : neighbours) {
+          const Vec2f q = (p + end) * 0.5f;
           distance = std::max(distance, border.nearest({static_cast<double>(q.x), static_cast<double>(q.y)}).distance);
           if (distance > -0.25f * spacing && border.outside({static_cast<double>(end.x), static_cast<double>(end.y)}))
             distance = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 
@@ -98,9 +99,6 @@ class Rounding {
   void put(const std::vector<int>& ids, const std::vector<Vec2f>& points) {
     for (std::size_t k = 0; k < ids.size(); ++k) curves_.points[static_cast<std::size_t>(ids[k])] = points[k];
   }
-  [[nodiscard]] float borderAt(Vec2f p) const {
-    return border_.nearest({static_cast<double>(p.x), static_cast<double>(p.y)}).distance;
-  }
 
   // Whether there is no kink, or the remedy took it away.
   bool isRound(int point, const Remedy& remedy) {
@@ -130,10 +128,16 @@ class Rounding {
 
   [[nodiscard]] bool movesTooFar(const std::vector<Vec2f>& before, const std::vector<Vec2f>& after,
                                  const Remedy& remedy) const {
-    float nearest = -remedy.border * spacing_;
-    for (const Vec2f p : before) nearest = std::max(nearest, borderAt(p));
+    const float kept = remedy.border * spacing_;
+    BorderDepth depth(border_);
+    float nearest = -kept;
+    for (const Vec2f p : before) {
+      if (const auto border = depth.nearerThan(kept, p)) nearest = std::max(nearest, border->distance);
+    }
     for (std::size_t k = kFixed; k + kFixed < after.size(); ++k) {
-      if (length(after[k] - before[k]) > remedy.mostMoved * spacing_ || borderAt(after[k]) > nearest) return true;
+      if (length(after[k] - before[k]) > remedy.mostMoved * spacing_) return true;
+      const auto border = depth.nearerThan(kept, after[k]);
+      if (border && border->distance > nearest) return true;
     }
     return false;
   }

@@ -4,6 +4,7 @@
 
 #include "base/free_memory.hpp"
 #include "base/parallel_for.hpp"
+#include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "toolpath/corner_rounding.hpp"
 #include "toolpath/damping.hpp"
@@ -63,14 +64,11 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
 }
 
 // No point may come nearer to the border than a quarter of a spacing, or than it was: back to where it was if it would.
-Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, float spacing) {
-  const Vec2 p{static_cast<double>(to.x), static_cast<double>(to.y)};
-  const float least = 0.25f * spacing;
-  if (border.blockDistance(p) > least) return to;
-  const float after = border.nearest(p).distance;
-  if (after <= -least) return to;
+Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, BorderDepth& depth, float spacing) {
+  const auto after = depth.nearerThan(0.25f * spacing, to);
+  if (!after) return to;
   const float before = border.nearest({static_cast<double>(from.x), static_cast<double>(from.y)}).distance;
-  return after <= before ? to : from;
+  return after->distance <= before ? to : from;
 }
 
 // How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
@@ -99,11 +97,12 @@ ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, 
       return curves.points[i] + moves[i] * share[i];
     };
     parallelFor(run, n, 8192, [&](int begin, int end) {
+      BorderDepth depth(border);
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(first + k);
         const Vec2f p = at(k);
         const Vec2f to = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (smoothing * share[i]);
-        out.points[i] = heldInside(curves.points[i], to, border, spacing);
+        out.points[i] = heldInside(curves.points[i], to, border, depth, spacing);
       }
     });
   }

@@ -25,6 +25,9 @@ class BorderIndex {
   /// Lower bound of the unsigned distance over the block that holds p: a cheap way to skip the interior.
   [[nodiscard]] float blockDistance(Vec2 p) const;
 
+  /// The same of the depth inside the shape: 0 where the block is not inside.
+  [[nodiscard]] float blockDepth(Vec2 p) const;
+
   /// Whether p lies outside the shape; cheap away from the border.
   [[nodiscard]] bool outside(Vec2 p) const;
 

@@ -26,7 +26,4 @@ struct BeadGaps {
 BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
                   const RunContext& run);
 
-/// Unit tangent at a point: the chord between its neighbours on the curve; zero if they coincide.
-Vec2f tangentAt(const ClosedCurves& curves, int curve, int point);
-
 }  // namespace sillon
