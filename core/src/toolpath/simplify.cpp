@@ -9,9 +9,10 @@
 namespace sillon {
 namespace {
 
-constexpr float kMaxSegment = 2;   ///< [mm]
-constexpr float kSpill = 0.0005f;  ///< half a µm on either side, the rounding [mm]
-constexpr int kMaxSkipped = 64;    ///< points left out in a row, which bounds the work
+constexpr float kMaxSegment = 2;      ///< [mm]
+constexpr float kSpill = 0.0005f;     ///< half a µm on either side, the rounding [mm]
+constexpr int kMaxSkipped = 64;       ///< points left out in a row, which bounds the work
+constexpr std::size_t kPiece = 8192;  ///< points of a curve that are walked in one go
 
 float floored(float v) { return static_cast<float>(std::floor(static_cast<double>(v) * 1000) / 1000); }
 float rounded(float v) {
@@ -48,17 +49,54 @@ bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance
   return true;
 }
 
-// Greedy: from each kept point as far as one bead can stand for. `keep` forces points to stay.
-std::vector<std::size_t> keptPoints(const Curve& curve, float tolerance, const std::vector<char>& keep,
-                                    const RunContext& run) {
-  const std::size_t n = curve.points.size();
-  std::vector<std::size_t> kept;
-  for (std::size_t at = 0; at < n;) {
-    if (kept.size() % 1024 == 0 && run.cancelled()) break;
-    kept.push_back(at);
-    std::size_t next = at + 1;
-    while (next < n && !keep[next] && next - at < kMaxSkipped && standsFor(curve, at, next + 1, tolerance)) ++next;
-    at = next;
+// Greedy: the point that is kept after `at`, as far as one bead can stand for. `keep` forces points to stay.
+std::size_t keptAfter(const Curve& curve, std::size_t at, float tolerance, const std::vector<char>& keep) {
+  std::size_t next = at + 1;
+  while (next < curve.points.size() && !keep[next] && next - at < kMaxSkipped &&
+         standsFor(curve, at, next + 1, tolerance))
+    ++next;
+  return next;
+}
+
+// Of each curve the points that are kept, from the first on. What follows a point depends on nothing before it: pieces
+// of a curve are walked at the same time, and the walk that comes from the piece before goes on until it meets a point
+// of the next one's, mostly within a few; from there on both are the same.
+std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curves, float tolerance,
+                                                 const std::vector<std::vector<char>>& keep, const RunContext& run) {
+  struct Piece {
+    std::size_t curve, begin, end;
+    std::vector<std::size_t> walk;
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (std::size_t begin = 0; begin < curves[c].points.size(); begin += kPiece)
+      pieces.push_back({c, begin, std::min(begin + kPiece, curves[c].points.size()), {}});
+  }
+  parallelFor(run, static_cast<int>(pieces.size()), 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      Piece& piece = pieces[static_cast<std::size_t>(k)];
+      for (std::size_t at = piece.begin; at < piece.end;
+           at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]))
+        piece.walk.push_back(at);
+    }
+  });
+  std::vector<std::vector<std::size_t>> kept(curves.size());
+  if (run.cancelled()) return kept;
+  std::size_t at = 0;
+  for (const Piece& piece : pieces) {
+    std::vector<std::size_t>& all = kept[piece.curve];
+    if (piece.begin == 0) at = 0;
+    auto own = piece.walk.begin();
+    while (at < piece.end) {
+      own = std::lower_bound(own, piece.walk.end(), at);
+      if (own != piece.walk.end() && *own == at) {
+        all.insert(all.end(), own, piece.walk.end());
+        at = piece.walk.back();
+      } else {
+        all.push_back(at);
+      }
+      at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]);
+    }
   }
   return kept;
 }
@@ -97,13 +135,8 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
   constexpr int kAttempts = 6;
   for (int attempt = 0;; ++attempt) {
     ClosedCurves path;
-    std::vector<std::vector<std::size_t>> kept(full.size());
-    parallelFor(run, static_cast<int>(full.size()), 1, [&](int begin, int end) {
-      for (int c = begin; c < end; ++c) {
-        const std::size_t i = static_cast<std::size_t>(c);
-        kept[i] = keptPoints(full[i], attempt < kAttempts ? tolerance : 0.0f, keep[i], run);
-      }
-    });
+    const std::vector<std::vector<std::size_t>> kept =
+        keptPoints(full, attempt < kAttempts ? tolerance : 0.0f, keep, run);
     if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
     std::vector<std::pair<std::size_t, std::size_t>> source;  // curve and point of each point kept
     for (std::size_t c = 0; c < full.size(); ++c) {
