@@ -9,12 +9,12 @@
 #include "base/simd.hpp"
 #include "field/double_angle.hpp"
 #include "field/hierarchy.hpp"
+#include "field/phase_rows.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr float kNoPhase = 1e-9f;  ///< a sum shorter than this keeps the old phase
-constexpr std::size_t kEdges = 4;  ///< edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1)
 constexpr int kEdgeX[kEdges] = {1, 0, 1, -1};
 constexpr int kEdgeY[kEdges] = {0, 1, 1, 1};
 
@@ -102,74 +102,52 @@ PhaseLevel makeLevel(LevelShape shape, float step, int depth, PhaseTransport tra
 // Precomputes w |d_i.d_j| e^{i theta} per edge; masked ends get 0.
 void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run) {
   const LevelShape& shape = level.shape;
+  const bool midpoint = level.transport == PhaseTransport::Midpoint;
   for (std::size_t e = 0; e < kEdges; ++e) {
     level.edges[e] = {makePlanes(shape), makePlanes(shape), makePlanes(shape), {}, {}};
-    const bool midpoint = level.transport == PhaseTransport::Midpoint;
-    if (!midpoint) level.edges[e].backRe = level.edges[e].backIm = makePlanes(shape);
+    Transport& edge = level.edges[e];
+    if (!midpoint) edge.backRe = edge.backIm = makePlanes(shape);
     const bool corner = kEdgeX[e] != 0 && kEdgeY[e] != 0;
     for (std::size_t colour = 0; colour < kColours; ++colour) {
       const NeighbourPlane n = neighbourPlane(shape, colour, kEdgeX[e], kEdgeY[e]);
-      Transport& edge = level.edges[e];
       parallelFor(run, shape.py, rowGrain(run, shape.py, 10.0 * shape.px), [&](int begin, int end) {
+        std::vector<float> moveX;
+        std::vector<float> moveY;
+        if (!jitter.none()) moveX = moveY = std::vector<float>(static_cast<std::size_t>(shape.stride));
         for (int y = begin; y < end; ++y) {
-          for (int x = 0; x < shape.px; x += 4) {
-            const std::size_t i = shape.at(x, y);
-            const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
-            F4 ox = splat(static_cast<float>(-kEdgeX[e]));
-            F4 oy = splat(static_cast<float>(-kEdgeY[e]));
-            for (int k = 0; k < 4 && !jitter.none(); ++k) {
-              const int cx = 2 * (x + k) + colourX(colour);
-              const int cy = 2 * y + colourY(colour);
-              const Vec2f move =
-                  jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
-              ox[k] += move.x;
-              oy[k] += move.y;
-            }
-            const F4 dix = load4(&level.dx[colour][i]);
-            const F4 diy = load4(&level.dy[colour][i]);
-            const F4 djx = load4(&level.dx[n.colour][j]);
-            const F4 djy = load4(&level.dy[n.colour][j]);
-            const F4 along = dix * djx + diy * djy;
-            const F4 sign = select4(along > splat(0), splat(1), splat(-1));
-            const F4 fi = sign * load4(&level.f[colour][i]);
-            const F4 fj = load4(&level.f[n.colour][j]);
-            const F4 weight = splat(corner ? kCornerWeight : kSideWeight) * (sign * along);
-            const F4 step = splat(midpoint ? 0.5f * level.step : level.step);
-            const F4 kx = midpoint ? fj * djx + fi * dix : fj * djx;
-            const F4 ky = midpoint ? fj * djy + fi * diy : fj * djy;
-            const SinCos4 turn = sinCos(step * (ox * kx + oy * ky));
-            store4(&edge.re[colour][i], weight * turn.cos);
-            store4(&edge.im[colour][i], weight * turn.sin);
-            store4(&edge.sign[colour][i], sign);
-            if (midpoint) continue;
-            const SinCos4 back = sinCos(step * (ox * fi * dix + oy * fi * diy));
-            store4(&edge.backRe[colour][i], weight * back.cos);
-            store4(&edge.backIm[colour][i], weight * back.sin);
+          for (int x = 0; x < shape.px && !jitter.none(); ++x) {
+            const int cx = 2 * x + colourX(colour);
+            const int cy = 2 * y + colourY(colour);
+            const Vec2f move = jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
+            moveX[static_cast<std::size_t>(x)] = move.x;
+            moveY[static_cast<std::size_t>(x)] = move.y;
           }
+          const std::size_t i = shape.at(0, y);
+          const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
+          fillEdges({.dix = &level.dx[colour][i],
+                     .diy = &level.dy[colour][i],
+                     .fi = &level.f[colour][i],
+                     .djx = &level.dx[n.colour][j],
+                     .djy = &level.dy[n.colour][j],
+                     .fj = &level.f[n.colour][j],
+                     .offsetX = static_cast<float>(-kEdgeX[e]),
+                     .offsetY = static_cast<float>(-kEdgeY[e]),
+                     .moveX = jitter.none() ? nullptr : moveX.data(),
+                     .moveY = jitter.none() ? nullptr : moveY.data(),
+                     .weight = corner ? kCornerWeight : kSideWeight,
+                     .step = level.step,
+                     .midpoint = midpoint,
+                     .re = &edge.re[colour][i],
+                     .im = &edge.im[colour][i],
+                     .sign = &edge.sign[colour][i],
+                     .backRe = midpoint ? nullptr : &edge.backRe[colour][i],
+                     .backIm = midpoint ? nullptr : &edge.backIm[colour][i]},
+                    shape.px);
         }
       });
     }
   }
 }
-
-struct Source {
-  const float* re;
-  const float* im;
-  const float* sign;
-  const float* qr;
-  const float* qi;
-};
-
-// What the update of one colour reads and writes.
-struct ColourSweep {
-  std::array<Source, kEdges> ahead;   ///< edges the cell owns
-  std::array<Source, kEdges> behind;  ///< edges owned by the neighbour
-  float* qr;
-  float* qi;
-  const float* free;
-  const float* ar;  ///< null without a soft border
-  const float* ai;
-};
 
 ColourSweep colourSweep(PhaseLevel& level, std::size_t colour) {
   const bool anchors = !level.ar[colour].empty();
@@ -196,37 +174,6 @@ ColourSweep colourSweep(PhaseLevel& level, std::size_t colour) {
   return sweep;
 }
 
-// Eq. 10 for one row of one colour, in place: q_i <- the normalised sum of the neighbours' transported phases.
-void sweepRow(const ColourSweep& sweep, const LevelShape& shape, int y) {
-  for (int x = 0; x < shape.px; x += 4) {
-    const std::size_t i = shape.at(x, y);
-    F4 sumRe = sweep.ar != nullptr ? load4(sweep.ar + i) : splat(0);
-    F4 sumIm = sweep.ai != nullptr ? load4(sweep.ai + i) : splat(0);
-    for (const Source& s : sweep.ahead) {
-      const F4 re = load4(s.re + i);
-      const F4 im = load4(s.im + i);
-      const F4 jr = load4(s.qr + i);
-      const F4 ji = load4(s.qi + i);
-      sumRe = sumRe + load4(s.sign + i) * (re * jr - im * ji);
-      sumIm = sumIm + (re * ji + im * jr);
-    }
-    for (const Source& s : sweep.behind) {
-      const F4 sign = load4(s.sign + i);
-      const F4 re = load4(s.re + i);
-      const F4 im = load4(s.im + i);
-      const F4 jr = load4(s.qr + i);
-      const F4 ji = load4(s.qi + i);
-      sumRe = sumRe + (sign * (re * jr) + im * ji);
-      sumIm = sumIm + (re * ji - sign * (im * jr));
-    }
-    const F4 size2 = sumRe * sumRe + sumIm * sumIm;
-    const I4 change = (size2 > splat(kNoPhase * kNoPhase)) & (load4(sweep.free + i) > splat(0));
-    const F4 scale = splat(1) / sqrt4(max4(size2, splat(kNoPhase * kNoPhase)));
-    store4(sweep.qr + i, select4(change, sumRe * scale, load4(sweep.qr + i)));
-    store4(sweep.qi + i, select4(change, sumIm * scale, load4(sweep.qi + i)));
-  }
-}
-
 // One sweep over the four colours: the update of Eq. 11, which lowers the field's energy (Eq. 9). The colours of even
 // rows (0, 1) see the odd rows (2, 3) above and below, and so the odd rows may follow one row behind: the level passes
 // through the cache once instead of four times, with the same result (measured at 16 million cells: half the time). The
@@ -234,12 +181,12 @@ void sweepRow(const ColourSweep& sweep, const LevelShape& shape, int y) {
 void sweepOnce(const std::array<ColourSweep, kColours>& colours, const LevelShape& shape, const RunContext& run) {
   const int grain = std::max(4, rowGrain(run, shape.py, 32.0 * shape.px));
   const auto evenRow = [&](int y) {
-    sweepRow(colours[0], shape, y);
-    sweepRow(colours[1], shape, y);
+    sweepCells(colours[0], shape.at(0, y), shape.px);
+    sweepCells(colours[1], shape.at(0, y), shape.px);
   };
   const auto oddRow = [&](int y) {
-    sweepRow(colours[2], shape, y);
-    sweepRow(colours[3], shape, y);
+    sweepCells(colours[2], shape.at(0, y), shape.px);
+    sweepCells(colours[3], shape.at(0, y), shape.px);
   };
   parallelFor(run, shape.py, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
@@ -326,48 +273,21 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
   return coarse;
 }
 
-// As `transported`, from four parents to a child of each.
 void prolong(const PhaseLevel& coarse, PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
-  const bool midpoint = fine.transport == PhaseTransport::Midpoint;
   parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < fine.shape.px; x += 4) {
-        const std::size_t child = fine.shape.at(x, y);
-        // Parents alternate between two planes; those beyond the last are masked, and so are their children.
+      for (int x = 0; x < fine.shape.px; ++x) {
+        const std::size_t colour = colourOf(x, y);
         const std::size_t parent = coarse.shape.atCell(x, y);
-        const std::size_t even = colourOf(0, y);
-        const std::size_t odd = colourOf(1, y);
-        const auto parents = [&](const Planes& planes) {
-          const std::vector<float>& e = planes[even];
-          const std::vector<float>& o = planes[odd];
-          return F4{e[parent], o[parent], e[parent + 1], o[parent + 1]};
-        };
-        const F4 frequency = parents(coarse.f);
-        const F4 kpx = parents(coarse.dx) * frequency;
-        const F4 kpy = parents(coarse.dy) * frequency;
-        const F4 qpr = parents(coarse.qr);
-        const F4 qpi = parents(coarse.qi);
+        const std::size_t child = fine.shape.at(x, y);
+        const Vec2f kp = waveAt(coarse, colour, parent);
+        const Vec2f qp{coarse.qr[colour][parent], coarse.qi[colour][parent]};
         for (std::size_t c = 0; c < kColours; ++c) {
-          const Vec2f towards = toParent(c) * -fine.step;
-          F4 ox = splat(towards.x);
-          F4 oy = splat(towards.y);
-          for (int k = 0; k < 4 && !jitter.none(); ++k) {
-            const Vec2f offset = parentOffset(fine, c, x + k, y, jitter) * -fine.step;
-            ox[k] = offset.x;
-            oy[k] = offset.y;
-          }
-          const F4 f = load4(&fine.f[c][child]);
-          const F4 kx = load4(&fine.dx[c][child]) * f;
-          const F4 ky = load4(&fine.dy[c][child]) * f;
-          const F4 s = select4(kx * kpx + ky * kpy > splat(0), splat(1), splat(-1));
-          const F4 betweenX = midpoint ? (kpx + kx * s) * splat(0.5f) : kpx;
-          const F4 betweenY = midpoint ? (kpy + ky * s) * splat(0.5f) : kpy;
-          const SinCos4 turn = sinCos(ox * betweenX + oy * betweenY);
-          const I4 change = load4(&fine.free[c][child]) > splat(0);
-          const F4 re = s * (turn.cos * qpr - turn.sin * qpi);
-          const F4 im = turn.cos * qpi + turn.sin * qpr;
-          store4(&fine.qr[c][child], select4(change, re, load4(&fine.qr[c][child])));
-          store4(&fine.qi[c][child], select4(change, im, load4(&fine.qi[c][child])));
+          if (fine.free[c][child] == 0) continue;
+          const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
+          const Vec2f q = transported(fine.transport, offset, waveAt(fine, c, child), kp, qp);
+          fine.qr[c][child] = q.x;
+          fine.qi[c][child] = q.y;
         }
       }
     }

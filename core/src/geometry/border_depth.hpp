@@ -15,23 +15,9 @@ class BorderDepth {
   explicit BorderDepth(const BorderIndex& border) : border_(border) {}
 
   /// The border nearest to p, unless p lies `depth` [mm] or deeper inside.
-  std::optional<NearestBorder> nearerThan(float depth, Vec2f p) {
-    const Vec2f move = p - at_;
-    const float spare = known_ - depth;
-    if (spare > 0 && dot(move, move) < spare * spare) return std::nullopt;
-    const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
-    at_ = p;
-    known_ = kRounding * border_.blockDepth(at);
-    if (known_ > depth) return std::nullopt;
-    const NearestBorder nearest = border_.nearest(at);
-    known_ = kRounding * -nearest.distance;
-    if (nearest.distance <= -depth) return std::nullopt;
-    return nearest;
-  }
+  std::optional<NearestBorder> nearerThan(float depth, Vec2f p);
 
  private:
-  static constexpr float kRounding = 0.999f;  ///< of a depth, to be sure of the rest: far more than rounding takes
-
   const BorderIndex& border_;
   Vec2f at_{};
   float known_ = 0;  ///< at_ lies at least so deep

@@ -11,12 +11,6 @@
 
 namespace sillon {
 
-#if defined(SILLON_AVX2)
-bool eightAtOnce = __builtin_cpu_supports("avx2") != 0;
-#else
-bool eightAtOnce = false;
-#endif
-
 namespace {
 
 constexpr int kOwnChain = 4;               ///< points tau/4 apart

@@ -3,27 +3,22 @@
 
 #if defined(SILLON_AVX2)
 
-#include <immintrin.h>
+#include "base/eight_lanes.hpp"
 
 namespace sillon {
 namespace {
 
-using F8 = float __attribute__((vector_size(32)));
-using I8 = std::int32_t __attribute__((vector_size(32)));
-
-F8 load8(const float* p) { return (F8)_mm256_loadu_ps(p); }
-I8 load8(const std::int32_t* p) { return (I8)_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)); }
-void store8(float* p, F8 v) { _mm256_storeu_ps(p, (__m256)v); }
-void store8(std::int32_t* p, I8 v) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), (__m256i)v); }
-F8 splat8(float v) { return (F8)_mm256_set1_ps(v); }
-I8 splat8(std::int32_t v) { return (I8)_mm256_set1_epi32(v); }
+F8 load8(const float* p) { return Eight::load(p); }
+I8 load8(const std::int32_t* p) { return Eight::load(p); }
+void store8(float* p, F8 v) { Eight::store(p, v); }
+void store8(std::int32_t* p, I8 v) { Eight::store(p, v); }
+F8 splat8(float v) { return Eight::all(v); }
+I8 splat8(std::int32_t v) { return Eight::all(v); }
 I8 abs8(I8 a) { return (I8)_mm256_abs_epi32((__m256i)a); }
 F8 abs8(F8 a) { return (F8)((I8)a & splat8(INT32_MAX)); }
-F8 sqrt8(F8 a) { return (F8)_mm256_sqrt_ps((__m256)a); }
-
-// As max4 and min4: of two equal ones, and where either is no number, b.
-F8 max8(F8 a, F8 b) { return (F8)_mm256_max_ps((__m256)a, (__m256)b); }
-F8 min8(F8 a, F8 b) { return (F8)_mm256_min_ps((__m256)a, (__m256)b); }
+F8 sqrt8(F8 a) { return Eight::sqrt(a); }
+F8 max8(F8 a, F8 b) { return Eight::max(a, b); }
+F8 min8(F8 a, F8 b) { return Eight::min(a, b); }
 
 float leastLane(F8 v) {
   float least = v[0];

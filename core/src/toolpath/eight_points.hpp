@@ -9,10 +9,6 @@
 
 namespace sillon {
 
-/// Whether eight points are taken at once: whether the processor has AVX2, and the program code for it. Tests clear it
-/// to compare.
-extern bool eightAtOnce;
-
 constexpr int kEight = 8;
 
 /// Points of one curve, a lane each.

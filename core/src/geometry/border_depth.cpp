@@ -1,0 +1,24 @@
+#include "geometry/border_depth.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kRounding = 0.999f;  ///< of a depth, to be sure of the rest: far more than rounding takes
+
+}  // namespace
+
+std::optional<NearestBorder> BorderDepth::nearerThan(float depth, Vec2f p) {
+  const Vec2f move = p - at_;
+  const float spare = known_ - depth;
+  if (spare > 0 && dot(move, move) < spare * spare) return std::nullopt;
+  const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+  at_ = p;
+  known_ = kRounding * border_.blockDepth(at);
+  if (known_ > depth) return std::nullopt;
+  const NearestBorder nearest = border_.nearest(at);
+  known_ = kRounding * -nearest.distance;
+  if (nearest.distance <= -depth) return std::nullopt;
+  return nearest;
+}
+
+}  // namespace sillon
