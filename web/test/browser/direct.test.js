@@ -62,7 +62,7 @@ test(
   'a brush shows where it went before beads follow it, and goes over beads without their being drawn again',
   { skip },
   async () => {
-    const visit = await bench.open({ small: true });
+    const visit = await bench.open({ small: true, deviceScaleFactor: 1 });
     await visit.idle();
     await visit.page.evaluate(() => {
       const { store } = document.querySelector('sillon-app').studio;

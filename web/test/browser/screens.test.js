@@ -76,7 +76,7 @@ test('the views look as they should', { skip }, async () => {
   const visit = await bench.open({
     viewport: { width: 1000, height: 700 },
     colorScheme: 'light',
-    serviceWorkers: 'block',
+    deviceScaleFactor: 1,
     visited: true,
   });
   await visit.idle();
@@ -102,7 +102,7 @@ for (const [name, options] of [
   ['narrow-light', { viewport: { width: 360, height: 740 }, colorScheme: 'light', isMobile: true, hasTouch: true }],
 ]) {
   test(`the page looks as it should, ${name}`, { skip }, async () => {
-    const visit = await bench.open({ ...options, serviceWorkers: 'block' });
+    const visit = await bench.open({ ...options, deviceScaleFactor: 1 });
     await visit.idle();
     await visit.page.evaluate(() => {
       const { store } = document.querySelector('sillon-app').studio;

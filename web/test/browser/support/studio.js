@@ -46,7 +46,8 @@ export async function start() {
       const context =
         keep ??
         (await browser.newContext({
-          viewport: { width: 1000, height: 600 }, // small: the pictures are drawn in software
+          viewport: { width: 1000, height: 600 },
+          deviceScaleFactor: 0.5, // pictures are drawn in software
           reducedMotion: 'reduce',
           locale: 'en-US',
           acceptDownloads: true,
