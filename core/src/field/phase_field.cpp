@@ -14,7 +14,6 @@
 namespace sillon {
 namespace {
 
-constexpr float kNoPhase = 1e-9f;  ///< a sum shorter than this keeps the old phase
 constexpr int kEdgeX[kEdges] = {1, 0, 1, -1};
 constexpr int kEdgeY[kEdges] = {0, 1, 1, 1};
 

@@ -7,8 +7,6 @@
 namespace sillon {
 namespace {
 
-constexpr float kNoPhase = 1e-9f;  ///< a sum shorter than this keeps the old phase
-
 template <class Lanes>
 void fillEdgesBy(const EdgeRow& row, int cells) {
   using F = typename Lanes::F;

@@ -9,6 +9,9 @@ namespace sillon {
 /// Edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1).
 inline constexpr std::size_t kEdges = 4;
 
+/// A sum of phases shorter than this keeps the old phase.
+inline constexpr float kNoPhase = 1e-9f;
+
 /// A row of cells i, and of their neighbours j across one of the edges.
 struct EdgeRow {
   const float* dix;  ///< lines; 0 where masked
