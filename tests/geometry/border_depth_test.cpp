@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <random>
-
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -16,18 +14,15 @@ TEST_CASE("whatever was asked before, a border is found exactly where one is nea
   const auto border = buildBorderIndex(outline.value(), makeGrid(outline.value().bounds, 0.4), RunContext(1));
   REQUIRE(border.ok());
 
-  std::mt19937 random(7);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-  };
+  scenes::Random random(7);
   BorderDepth depth(border.value());
   Vec2f p{10, 20};
   int deep = 0, found = 0;
   for (int step = 0; step < 20000; ++step) {
     const double most = step % 500 == 0 ? 20 : 0.2;  // mostly the next point of a path, at times another path
-    p = p + Vec2f{static_cast<float>(between(-most, most)), static_cast<float>(between(-most, most))};
+    p = p + Vec2f{static_cast<float>(random.in(-most, most)), static_cast<float>(random.in(-most, most))};
     p = {std::clamp(p.x, 4.0f, 36.0f), std::clamp(p.y, 4.0f, 36.0f)};
-    const float asked = static_cast<float>(between(0.05, 2));
+    const float asked = static_cast<float>(random.in(0.05, 2));
     const NearestBorder truth = border.value().nearest({static_cast<double>(p.x), static_cast<double>(p.y)});
     const auto answer = depth.nearerThan(asked, p);
     CAPTURE(p.x);

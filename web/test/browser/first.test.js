@@ -113,8 +113,7 @@ test(
 );
 
 test('the lamp of the first plate turns by itself until somebody does something', { skip }, async () => {
-  // A quarter of the pixels: however slow its frames are, the lamp makes no leaps between them.
-  const visit = await bench.open({ reducedMotion: 'no-preference', deviceScaleFactor: 0.5 });
+  const visit = await bench.open({ reducedMotion: 'no-preference' });
   await welcome(visit).waitFor();
   assert.equal(await visit.state(({ flipping }) => flipping), true);
   await visit.until(({ lamp }) => lamp === 1);
