@@ -1,6 +1,6 @@
 // Draws views with one WebGL2 context for the whole page: each into the same hidden canvas, from where it is copied.
 import { appearance } from '../model/appearance.js';
-import { lampOf } from '../views/light.js';
+import { setLook } from '../views/look.js';
 import { compile, type Program } from '../views/program.js';
 import type { Light } from '../model/view.js';
 import { lookOfBead } from '../views/shaders.js';
@@ -100,12 +100,14 @@ export class ViewRenderer {
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.uniform1i(at('texels'), 0);
-    gl.uniform3f(at('lamp'), ...lampOf(light));
-    gl.uniform3f(at('body'), linear(colour[0]), linear(colour[1]), linear(colour[2]));
-    gl.uniform2f(at('slopes'), ...file.slopes);
-    gl.uniform1f(at('lampSlope'), appearance.softbox);
-    gl.uniform1f(at('eyeNear'), fromAfar ? 0 : 1);
-    gl.uniform2f(at('page'), ...file.page);
+    setLook(gl, this.#program, {
+      light,
+      lampSlope: appearance.softbox,
+      fromAfar,
+      body: [linear(colour[0]), linear(colour[1]), linear(colour[2])],
+      slopes: file.slopes,
+      page: file.page,
+    });
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     const context = target.getContext('2d');
     if (context === null) return false;

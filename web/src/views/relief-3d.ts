@@ -3,7 +3,7 @@
 import type { PrintRelief, Toolpath } from 'sillon';
 import { appearance } from '../model/appearance.js';
 import type { FilamentLook, Light } from '../model/view.js';
-import { lampOf } from './light.js';
+import { setLook } from './look.js';
 import { isBelow, type Orbit } from './orbit.js';
 import { compile } from './program.js';
 import { lookOfBead } from './shaders.js';
@@ -224,12 +224,9 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     gl.uniform1f(at('highest'), highest);
     gl.uniform3f(at('plastic'), body[0] / 255, body[1] / 255, body[2] / 255);
     gl.uniform1f(at('layer'), layer);
-    gl.uniform3f(at('lamp'), ...lampOf(light));
-    gl.uniform1f(at('lampSlope'), appearance.softbox);
-    gl.uniform1f(at('eyeNear'), 1);
-    gl.uniform2f(at('page'), 1, 1);
-    gl.uniform3f(at('body'), ...filament.colour);
-    gl.uniform2f(at('slopes'), filament.along, filament.across);
+    const { colour, along, across } = filament;
+    const seen = { light, lampSlope: appearance.softbox, fromAfar: false };
+    setLook(gl, program, { ...seen, body: colour, slopes: [along, across], page: [1, 1] });
     const [columns, rows] = [Math.ceil(relief.columns / stride), Math.ceil(relief.rows / stride)];
     for (const under of isBelow(orbit) ? [0, 1] : [0]) {
       gl.uniform1i(at('under'), under);

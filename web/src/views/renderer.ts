@@ -1,16 +1,19 @@
-// Draws the plate with WebGL2: beads as instanced capsules, their look by an anisotropic microfacet lobe (Beckmann).
+// Draws the plate with WebGL2: beads as capsules, their look by an anisotropic microfacet lobe (Beckmann).
 import type { Toolpath } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
 import type { ColourBy } from '../model/view.js';
-import { lampOf } from './light.js';
+import { setLook } from './look.js';
 import { directionPalette } from './palette.js';
 import { compile, type Program } from './program.js';
 import type { Camera, Renderer, Scene } from './scene.js';
 import { beadFragment, beadVertex, fieldFragment, fieldVertex } from './shaders.js';
 import { zigzag } from './zigzag.js';
 
-/** Floats per point: x, y, width, share of the print. Segments read their neighbours' points too. */
+/** Floats per point, which is a texel: x, y, width, share of the print. Segments read their neighbours' points too. */
 const stride = 4;
+
+/** Texels of a row of points; every WebGL2 has this many. */
+const columns = 2048;
 
 /** Segments that follow each other, and the box around them [mm]; what is off the screen is not drawn. */
 interface Run {
@@ -20,7 +23,7 @@ interface Run {
 }
 
 interface Beads {
-  buffer: WebGLBuffer;
+  points: WebGLTexture;
   runs: Run[];
   spacing: number;
 }
@@ -48,7 +51,8 @@ function integerTexture(
 function upload(gl: WebGL2RenderingContext, toolpath: Toolpath): Beads {
   const counts = toolpath.cycles.map((cycle) => cycle.widths.length);
   const total = counts.reduce((sum, count) => sum + count + 3, 0);
-  const data = new Float32Array(total * stride);
+  const rows = Math.ceil(total / columns);
+  const data = new Float32Array(rows * columns * stride);
   const all = counts.reduce((sum, count) => sum + count, 0);
   const runs: Run[] = [];
   let at = 0;
@@ -69,10 +73,12 @@ function upload(gl: WebGL2RenderingContext, toolpath: Toolpath): Beads {
     }
     done += count;
   }
-  const buffer = gl.createBuffer();
-  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-  gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-  return { buffer, runs, spacing: toolpath.spacing };
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, columns, rows, 0, gl.RGBA, gl.FLOAT, data);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return { points: texture, runs, spacing: toolpath.spacing };
 }
 
 function boxOf(points: Float32Array, widths: Float32Array, first: number, segments: number): Run['box'] {
@@ -90,13 +96,12 @@ function boxOf(points: Float32Array, widths: Float32Array, first: number, segmen
 
 /** @throws Error where there is no WebGL2. */
 export function createRenderer(canvas: HTMLCanvasElement): Renderer {
-  const context = canvas.getContext('webgl2', { antialias: true, alpha: true, preserveDrawingBuffer: false });
+  const context = canvas.getContext('webgl2', { antialias: false, alpha: true, preserveDrawingBuffer: false });
   if (context === null) throw new Error('this browser has no WebGL2');
   const gl = context;
   let beadProgram: Program;
   let fieldProgram: Program;
   let palette: WebGLTexture;
-  let array: WebGLVertexArrayObject;
   let fieldTextures: { angle: WebGLTexture; mode: WebGLTexture; of: DirectionRaster } | undefined;
   const uploaded = new Map<Toolpath, Beads>();
   const zigzags = new WeakMap<Toolpath, Toolpath>();
@@ -105,7 +110,6 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   function prepare(): void {
     beadProgram = compile(gl, beadVertex, beadFragment);
     fieldProgram = compile(gl, fieldVertex, fieldFragment);
-    array = gl.createVertexArray();
     palette = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, palette);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, directionPalette());
@@ -131,7 +135,7 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   function beadsOf(wanted: Toolpath[]): Beads[] {
     for (const [toolpath, beads] of uploaded) {
       if (wanted.includes(toolpath)) continue;
-      gl.deleteBuffer(beads.buffer);
+      gl.deleteTexture(beads.points);
       uploaded.delete(toolpath);
     }
     return wanted.map((toolpath) => {
@@ -150,16 +154,10 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   function drawBeads(beads: Beads, scene: Scene, camera: Camera, offset: number): void {
     gl.useProgram(beadProgram.program);
     const { at } = beadProgram;
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, beads.buffer);
     gl.uniform4f(at('camera'), camera.x - offset, camera.y, camera.scale, 1);
     gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
-    gl.uniform3f(at('lamp'), ...lampOf(scene.light));
-    gl.uniform1f(at('lampSlope'), scene.lampSlope);
-    gl.uniform1f(at('eyeNear'), scene.fromAfar ? 0 : 1);
-    gl.uniform3f(at('body'), ...scene.filament.colour);
-    gl.uniform2f(at('slopes'), scene.filament.along, scene.filament.across);
-    gl.uniform2f(at('page'), ...scene.page);
+    const { colour: body, along, across } = scene.filament;
+    setLook(gl, beadProgram, { ...scene, body, slopes: [along, across] });
     gl.uniform3f(at('feed'), scene.feed.speed, scene.feed.maxFlow, scene.feed.layerHeight);
     gl.uniform1f(at('progress'), scene.progress);
     gl.uniform1f(at('blended'), scene.blended === true ? 1 : 0);
@@ -167,6 +165,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.uniform1i(at('view'), scene.view === 'appearance' ? 0 : scene.view === 'quality' ? 2 : 1);
     gl.uniform1i(at('colourBy'), colourModes[scene.colourBy]);
     gl.uniform1i(at('palette'), 0);
+    gl.uniform1i(at('points'), 1);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, beads.points);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, palette);
     const [acrossHalf, tallHalf] = [
@@ -177,14 +178,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     for (const { first, segments, box } of beads.runs) {
       if (box[0] > x + acrossHalf || box[2] < x - acrossHalf) continue;
       if (box[1] > camera.y + tallHalf || box[3] < camera.y - tallHalf) continue;
-      for (let k = 0; k < 4; ++k) {
-        gl.enableVertexAttribArray(k);
-        gl.vertexAttribPointer(k, 4, gl.FLOAT, false, 4 * stride, 4 * stride * (first + k));
-        gl.vertexAttribDivisor(k, 1);
-      }
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, segments);
+      gl.uniform1i(at('first'), first);
+      gl.drawArrays(gl.TRIANGLES, 0, 6 * segments);
     }
-    gl.bindVertexArray(null);
   }
 
   function drawField(raster: DirectionRaster, scene: Scene, camera: Camera): void {
@@ -199,7 +195,6 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     }
     gl.useProgram(fieldProgram.program);
     const { at } = fieldProgram;
-    gl.bindVertexArray(null);
     gl.uniform4f(at('camera'), camera.x, camera.y, camera.scale, 1);
     gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.uniform2f(at('page'), ...scene.page);
@@ -269,7 +264,7 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     dispose() {
       canvas.removeEventListener('webglcontextlost', onLost);
       canvas.removeEventListener('webglcontextrestored', onRestored);
-      for (const beads of uploaded.values()) gl.deleteBuffer(beads.buffer);
+      for (const beads of uploaded.values()) gl.deleteTexture(beads.points);
       gl.getExtension('WEBGL_lose_context')?.loseContext();
     },
   };

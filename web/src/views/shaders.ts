@@ -7,13 +7,12 @@ uniform vec2 screen;
 vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0.0, 1.0); }
 `;
 
-/** One segment of a path as a capsule: its two points, and those before and after for a smooth tangent. */
+/** One segment of a path as a capsule, two triangles: its two points, and those before and after for a smooth tangent, are read
+ * from a texture. Instances of four corners would be one draw each for software and a near empty wave for a graphics card. */
 export const beadVertex = `#version 300 es
 precision highp float;
-layout(location = 0) in vec4 before;
-layout(location = 1) in vec4 a;
-layout(location = 2) in vec4 b;
-layout(location = 3) in vec4 after;
+uniform highp sampler2D points;  // x, y, width, share of the print
+uniform int first;               // point before the first segment
 uniform float progress;
 ${toScreen}
 out vec2 p;
@@ -27,14 +26,23 @@ vec2 direction(vec2 v) { float l = length(v); return l > 0.0 ? v / l : vec2(1.0,
 // The mean of both pieces, so that curves look round; their own direction at sharp turns.
 vec2 joint(vec2 own, vec2 other) { return dot(own, other) > 0.5 ? direction(own + other) : own; }
 
+vec4 point(int k) {
+  int columns = textureSize(points, 0).x;
+  return texelFetch(points, ivec2(k % columns, k / columns), 0);
+}
+
 void main() {
+  int segment = first + gl_VertexID / 6;
+  vec4 before = point(segment), a = point(segment + 1), b = point(segment + 2), after = point(segment + 3);
   vec2 along = direction(b.xy - a.xy);
   tangents = vec4(joint(along, direction(a.xy - before.xy)), joint(along, direction(after.xy - b.xy)));
   ends = vec4(a.xy, b.xy);
   radii = 0.5 * vec2(a.z, b.z);
   order = a.w;
   float reach = max(radii.x, radii.y) + 1.0 / camera.z;
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  int at = gl_VertexID % 6;
+  at = at < 3 ? at : at - 2;
+  vec2 corner = vec2(at & 1, at >> 1) * 2.0 - 1.0;
   vec2 end = corner.x < 0.0 ? a.xy : b.xy;
   p = end + along * corner.x * reach + vec2(-along.y, along.x) * corner.y * reach;
   gl_Position = a.w >= progress && progress < 1.0 ? vec4(2.0, 2.0, 2.0, 1.0) : toScreen(p);
@@ -56,13 +64,11 @@ float highlightOf(float tiltAlong, float tiltAcross, float alongVariance, float 
 }
 `;
 
-/** The look, as the native preview draws it (core/src/look/preview.cpp). `lampSlope` is the lamp's size as the slope that
- * would blur a point as much. */
+/** The look, as the native preview draws it (core/src/look/preview.cpp); `setLook` tells it what it needs. */
 export const lookOfBead = `
 uniform vec3 lamp;
 uniform vec3 body;
-uniform vec2 slopes;
-uniform float lampSlope;
+uniform vec3 surface;   // variances along and across, light of the brightest direction
 uniform float eyeNear;  // 1: some page widths above the plate; 0: so far away that it sees all of it from straight above
 uniform vec2 page;
 
@@ -80,14 +86,8 @@ vec3 look(vec2 p, vec2 along, float side, float relief) {
   vec2 eye = eyeNear * (0.5 * page - p) / (2.4 * max(page.x, page.y));
   float eyeSize = inversesqrt(dot(eye, eye) + 1.0);
   vec2 tilt = (lamp.xy + eye * eyeSize) / (lamp.z + eyeSize);
-  vec2 rough = tan(radians(slopes));
-  vec2 variance = rough * rough + lampSlope * lampSlope;
-  // Exposed for the brightest direction, which is across the light, or along it where beads are rougher that way.
-  float middle = length(lamp.xy) / (1.0 + lamp.z);
-  float brightest = max(highlightOf(0.0, middle, variance.x, variance.y, 0.0, 1.0),
-                        highlightOf(middle, 0.0, variance.x, variance.y, 0.0, 1.0));
-  float highlight = highlightOf(dot(tilt, along), along.x * tilt.y - along.y * tilt.x, variance.x, variance.y,
-                                side * relief, 1.0 - relief) / max(brightest, 1e-6);
+  float highlight = highlightOf(dot(tilt, along), along.x * tilt.y - along.y * tilt.x, surface.x, surface.y,
+                                side * relief, 1.0 - relief) / surface.z;
   vec3 lit = mix(vec3(1.0), body, 0.85) * vec3(1.0, 0.97, 0.92);
   lit *= 0.88 / max(lit.r, max(lit.g, lit.b));
   vec3 diffuse = body * (luminance(lit) / max(luminance(body), 1e-4));
