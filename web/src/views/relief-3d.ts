@@ -201,7 +201,11 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     last = orbit;
     if (scene === undefined || gl.isContextLost()) return;
     const { relief, layer, body, filament, light } = scene;
-    const stride = Math.max(1, Math.ceil(Math.max(relief.columns, relief.rows) / mostCells));
+    const stride = Math.max(
+      1,
+      Math.ceil(Math.max(relief.columns, relief.rows) / mostCells),
+      Math.floor(1 / (relief.cell * orbit.scale)), // several cells in a pixel are not told apart
+    );
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
