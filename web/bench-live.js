@@ -67,13 +67,23 @@ function prepare() {
     }
     return { first, came, made, spacing };
   };
-  globalThis.slide = (box, key, value) => {
-    let began;
-    const watched = globalThis.watch(box, () => began);
-    began = performance.now();
-    studio().change((plate) => ({ ...plate, toolpath: { ...plate.toolpath, [key]: value } }), key);
-    return watched;
-  };
+  /** A slider shows nothing before its preview: nothing is read, and so waited for, until that has been drawn. */
+  globalThis.slide = (box, key, value) =>
+    new Promise((resolve) => {
+      const { store } = studio();
+      look(box);
+      const began = performance.now();
+      const end = store.subscribe(async ({ plate, result }) => {
+        if (result?.plate !== plate) return;
+        end();
+        const came = performance.now() - began;
+        await afterFrame();
+        look(box);
+        const made = performance.now() - began;
+        resolve({ first: made, came, made, spacing: result.toolpath.spacing });
+      });
+      studio().change((plate) => ({ ...plate, toolpath: { ...plate.toolpath, [key]: value } }), key);
+    });
   globalThis.rest = () => studio().settle();
 }
 
@@ -92,7 +102,7 @@ function tell(what, found) {
 
 const site = await start();
 try {
-  const visit = await site.open({ visited: true, path: `/?threads=${threads}`, prepare });
+  const visit = await site.open({ visited: true, path: `/?threads=${threads}`, deviceScaleFactor: 1, prepare });
   const { page } = visit;
   await visit.until(({ result }) => result?.measured === true);
   await visit.idle();

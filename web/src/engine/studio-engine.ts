@@ -1,3 +1,4 @@
+// The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
 import type { Engine, EngineInfo, Gcode, GcodeCheck, Toolpath, ViewParams } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';

@@ -23,8 +23,13 @@ flat out float order;
 
 vec2 direction(vec2 v) { float l = length(v); return l > 0.0 ? v / l : vec2(1.0, 0.0); }
 
-// The mean of both pieces, so that curves look round; their own direction at sharp turns.
-vec2 joint(vec2 own, vec2 other) { return dot(own, other) > 0.5 ? direction(own + other) : own; }
+// Where two pieces meet: the mean of both directions, so that curves look round, and how far each of them must reach beyond
+// the joint for no gap to open. At sharp turns a piece keeps its own direction and goes round its end.
+vec3 joint(vec2 own, vec2 other, float reach) {
+  if (dot(own, other) <= 0.5) return vec3(own, reach);
+  vec2 mean = direction(own + other);
+  return vec3(mean, reach * abs(own.x * mean.y - own.y * mean.x) / dot(own, mean) + 0.25 / camera.z);
+}
 
 vec4 point(int k) {
   int columns = textureSize(points, 0).x;
@@ -35,16 +40,18 @@ void main() {
   int segment = first + gl_VertexID / 6;
   vec4 before = point(segment), a = point(segment + 1), b = point(segment + 2), after = point(segment + 3);
   vec2 along = direction(b.xy - a.xy);
-  tangents = vec4(joint(along, direction(a.xy - before.xy)), joint(along, direction(after.xy - b.xy)));
   ends = vec4(a.xy, b.xy);
   radii = 0.5 * vec2(a.z, b.z);
   order = a.w;
   float reach = max(radii.x, radii.y) + 1.0 / camera.z;
+  vec3 atA = joint(along, direction(a.xy - before.xy), reach);
+  vec3 atB = joint(along, direction(after.xy - b.xy), reach);
+  tangents = vec4(atA.xy, atB.xy);
+  if (b.w >= progress) atB.z = reach;  // the last that is shown
   int at = gl_VertexID % 6;
   at = at < 3 ? at : at - 2;
   vec2 corner = vec2(at & 1, at >> 1) * 2.0 - 1.0;
-  vec2 end = corner.x < 0.0 ? a.xy : b.xy;
-  p = end + along * corner.x * reach + vec2(-along.y, along.x) * corner.y * reach;
+  p = (corner.x < 0.0 ? a.xy - along * atA.z : b.xy + along * atB.z) + vec2(-along.y, along.x) * corner.y * reach;
   gl_Position = a.w >= progress && progress < 1.0 ? vec4(2.0, 2.0, 2.0, 1.0) : toScreen(p);
 }
 `;
@@ -125,7 +132,8 @@ void main() {
   float radius = mix(radii.x, radii.y, t);
   float distance = length(off);
   float pixels = radius * camera.z;
-  float alpha = clamp((radius - distance) * camera.z + 0.5, 0.0, 1.0);
+  // Half covered by each of two beads that touch, a pixel would show a quarter of the ground: edges lie a quarter pixel out.
+  float alpha = clamp((radius - distance) * camera.z + 0.75, 0.0, 1.0);
   if (alpha <= 0.0) discard;
   vec2 along = normalize(mix(tangents.xy, tangents.zw, t));
   float side = clamp((along.x * off.y - along.y * off.x) / max(radius, 1e-6), -1.0, 1.0);
