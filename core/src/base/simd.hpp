@@ -72,6 +72,7 @@ inline I4 operator+(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] + b.lane[k]); }
 inline I4 operator-(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] - b.lane[k]); }
 inline I4 operator&(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] & b.lane[k]); }
 inline I4 operator|(I4 a, I4 b) { SILLON_LANES(I4, a.lane[k] | b.lane[k]); }
+inline I4 operator~(I4 a) { SILLON_LANES(I4, ~a.lane[k]); }
 inline F4 select4(I4 m, F4 a, F4 b) { SILLON_LANES(F4, m.lane[k] ? a.lane[k] : b.lane[k]); }
 inline F4 toFloat(I4 v) { SILLON_LANES(F4, static_cast<float>(v.lane[k])); }
 inline I4 toInt(F4 v) { SILLON_LANES(I4, static_cast<std::int32_t>(v.lane[k])); }

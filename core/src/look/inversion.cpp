@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "base/simd.hpp"
 
 namespace sillon {
 namespace {
@@ -129,24 +131,33 @@ Harmonics neighboursOf(const Grid& grid, int x, int y) {
   return h;
 }
 
-void energiesOf(const Grid& grid, const Tables& t, int x, int y, float toneWeight, float* energy) {
+/// Energies of a cell's labels. \return the label of the least, the first of equal ones.
+int energiesOf(const Grid& grid, const Tables& t, int x, int y, float toneWeight, float* energy) {
   const Harmonics h = neighboursOf(grid, x, y);
-  for (int k = 0; k < kLabels; ++k) {
-    energy[k] = h.a1 * t.cos2[k] + h.b1 * t.sin2[k] + h.a2 * t.cos4[k] + h.b2 * t.sin4[k];
+  const std::size_t here = grid.at(x, y), pictures = t.error.size();
+  const float* error[kMaxPictures];
+  for (std::size_t p = 0; p < pictures; ++p) {
+    const auto asked = static_cast<int>(grid.asked[p][here] * (kCodes - 1) + 0.5f);
+    error[p] = &t.error[p][static_cast<std::size_t>(std::clamp(asked, 0, kCodes - 1)) * kLabels];
   }
-  for (std::size_t p = 0; p < t.error.size(); ++p) {
-    const auto asked = static_cast<int>(grid.asked[p][grid.at(x, y)] * (kCodes - 1) + 0.5f);
-    const float* row = &t.error[p][static_cast<std::size_t>(std::clamp(asked, 0, kCodes - 1)) * kLabels];
-    for (int k = 0; k < kLabels; ++k) energy[k] += toneWeight * row[k];
+  const F4 a1 = splat(h.a1), b1 = splat(h.b1), a2 = splat(h.a2), b2 = splat(h.b2), weight = splat(toneWeight);
+  F4 least = splat(std::numeric_limits<float>::infinity());
+  I4 labels{0, 1, 2, 3}, best = labels;
+  for (int k = 0; k < kLabels; k += 4) {
+    F4 sum = a1 * load4(t.cos2 + k) + b1 * load4(t.sin2 + k) + a2 * load4(t.cos4 + k) + b2 * load4(t.sin4 + k);
+    for (std::size_t p = 0; p < pictures; ++p) sum = sum + weight * load4(error[p] + k);
+    store4(energy + k, sum);
+    const I4 less = sum < least;
+    least = select4(less, sum, least);
+    best = (less & labels) | (~less & best);
+    labels = labels + splatInt(4);
   }
-}
-
-int leastOf(const float* energy) {
-  int best = 0;
-  for (int k = 1; k < kLabels; ++k) {
-    if (energy[k] < energy[best]) best = k;
+  int found = best[0];
+  for (int lane = 1; lane < 4; ++lane) {
+    const int k = best[lane];
+    if (energy[k] < energy[found] || (energy[k] == energy[found] && k < found)) found = k;
   }
-  return best;
+  return found;
 }
 
 /// Cells of one colour have no neighbours of it: the order within it does not matter.
@@ -157,8 +168,7 @@ void sweep(Grid& grid, const Tables& t, float toneWeight, const RunContext& run)
       float energy[kLabels];
       for (int y = y0 + 2 * begin; y < y0 + 2 * end; y += 2) {
         for (int x = x0; x < grid.width; x += 2) {
-          energiesOf(grid, t, x, y, toneWeight, energy);
-          const int k = leastOf(energy);
+          const int k = energiesOf(grid, t, x, y, toneWeight, energy);
           grid.z[grid.at(x, y)] = {t.cos2[k], t.sin2[k]};
         }
       }
@@ -216,8 +226,7 @@ DirectionMap refined(const Grid& grid, const Tables& t, double smoothness, const
     float energy[kLabels];
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < grid.width; ++x) {
-        energiesOf(grid, t, x, y, static_cast<float>(1 / smoothness), energy);
-        const int k = leastOf(energy);
+        const int k = energiesOf(grid, t, x, y, static_cast<float>(1 / smoothness), energy);
         const float before = energy[(k + kLabels - 1) % kLabels], after = energy[(k + 1) % kLabels];
         const float bend = before - 2 * energy[k] + after;
         const float off = bend > 0 ? std::clamp((before - after) / (2 * bend), -0.5f, 0.5f) : 0;
