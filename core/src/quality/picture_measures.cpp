@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <utility>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "base/simd.hpp"
 #include "sillon/input/image_io.hpp"
 #include "toolpath/toolpath_check.hpp"
 
@@ -32,33 +34,46 @@ struct Cells {
 /// Row by row: light per picture of each cell, negative where less than half of it is covered.
 using Lights = std::vector<std::vector<float>>;
 
-void drawBand(const std::vector<Segment>& segments, const std::vector<float>& lightOfSegment, std::size_t pictures,
-              Cells cells, int firstCell, int endCell, Lights& lights) {
+/// Rows of points that a segment reaches, first and last; they may lie off the page.
+std::pair<int, int> rowsOf(const Segment& s) {
+  return {static_cast<int>(std::floor(std::min(s.a.y, s.b.y) - s.radius)),
+          static_cast<int>(std::ceil(std::max(s.a.y, s.b.y) + s.radius))};
+}
+
+/// \param inBand  the segments that reach its rows, in their order: of equally near ones the first counts.
+void drawBand(const std::vector<Segment>& segments, const std::vector<std::uint32_t>& inBand,
+              const std::vector<float>& lightOfSegment, std::size_t pictures, Cells cells, int firstCell, int endCell,
+              Lights& lights) {
   const int width = cells.width * kPointsPerCell, top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
-  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
-  std::vector<float> distance(count, 1e30f);
-  std::vector<std::uint32_t> nearest(count, 0);
-  for (std::size_t k = 0; k < segments.size(); ++k) {
+  const auto stride = static_cast<std::size_t>(width) + 3;  // four at a time may go beyond a row's end
+  std::vector<float> distance(stride * static_cast<std::size_t>(rows), 1e30f);
+  std::vector<std::uint32_t> nearest(distance.size(), 0);
+  for (const std::uint32_t k : inBand) {
     const Segment& s = segments[k];
-    const int y0 = std::max(top, static_cast<int>(std::floor(std::min(s.a.y, s.b.y) - s.radius)));
-    const int y1 = std::min(top + rows - 1, static_cast<int>(std::ceil(std::max(s.a.y, s.b.y) + s.radius)));
+    const auto [from, to] = rowsOf(s);
+    const int y0 = std::max(top, from), y1 = std::min(top + rows - 1, to);
     const int x0 = std::max(0, static_cast<int>(std::floor(std::min(s.a.x, s.b.x) - s.radius)));
     const int x1 = std::min(width - 1, static_cast<int>(std::ceil(std::max(s.a.x, s.b.x) + s.radius)));
     const Vec2f d = s.b - s.a;
     const float squared = dot(d, d);
-    const float perSquared = squared > 0 ? 1 / squared : 0;
+    const F4 perSquared = splat(squared > 0 ? 1 / squared : 0), none = splat(0), all = splat(1);
+    const F4 dx = splat(d.x), dy = splat(d.y), within = splat(s.radius * s.radius);
+    const I4 label = splatInt(static_cast<std::int32_t>(k));
     for (int y = y0; y <= y1; ++y) {
-      for (int x = x0; x <= x1; ++x) {
-        const Vec2f p{static_cast<float>(x) + 0.5f - s.a.x, static_cast<float>(y) + 0.5f - s.a.y};
-        const Vec2f off = p - d * std::clamp(dot(p, d) * perSquared, 0.0f, 1.0f);
-        const float away = dot(off, off);
-        const std::size_t at =
-            static_cast<std::size_t>(y - top) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-        if (away < s.radius * s.radius && away < distance[at]) {
-          distance[at] = away;
-          nearest[at] = static_cast<std::uint32_t>(k);
-        }
+      const F4 py = splat(static_cast<float>(y) + 0.5f - s.a.y);
+      const std::size_t row = static_cast<std::size_t>(y - top) * stride;
+      for (int x = x0; x <= x1; x += 4) {
+        const F4 px = toFloat(I4{x, x + 1, x + 2, x + 3}) + splat(0.5f) - splat(s.a.x);
+        const F4 t = max4(min4((px * dx + py * dy) * perSquared, all), none);
+        const F4 offX = px - dx * t, offY = py - dy * t;
+        const F4 away = offX * offX + offY * offY;
+        const std::size_t at = row + static_cast<std::size_t>(x);
+        const F4 before = load4(&distance[at]);
+        const I4 nearer = (away < within) & (away < before);
+        store4(&distance[at], select4(nearer, away, before));
+        const I4 labels = loadInt4(&nearest[at]);
+        storeInt4(&nearest[at], (nearer & label) | (~nearer & labels));
       }
     }
   }
@@ -68,9 +83,9 @@ void drawBand(const std::vector<Segment>& segments, const std::vector<float>& li
         float sum = 0;
         int seen = 0;
         for (int j = 0; j < kPointsPerCell * kPointsPerCell; ++j) {
-          const std::size_t at = static_cast<std::size_t>((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) *
-                                     static_cast<std::size_t>(width) +
-                                 static_cast<std::size_t>(cx * kPointsPerCell + j % kPointsPerCell);
+          const std::size_t at =
+              static_cast<std::size_t>((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) * stride +
+              static_cast<std::size_t>(cx * kPointsPerCell + j % kPointsPerCell);
           if (!(distance[at] < 1e30f)) continue;
           sum += lightOfSegment[nearest[at] * pictures + k];
           ++seen;
@@ -210,10 +225,20 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
     }
     Lights lights(lamps.size(),
                   std::vector<float>(static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height)));
-    parallelFor(run, (cells.height + kBandCells - 1) / kBandCells, 1, [&](int begin, int end) {
+    constexpr int kBandRows = kBandCells * kPointsPerCell;
+    const int bands = (cells.height + kBandCells - 1) / kBandCells;
+    std::vector<std::vector<std::uint32_t>> inBand(static_cast<std::size_t>(bands));
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const auto [from, to] = rowsOf(segments[k]);
+      const int last = std::min(to / kBandRows, bands - 1);
+      for (int band = std::max(0, from / kBandRows); band <= last; ++band) {
+        inBand[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(k));
+      }
+    }
+    parallelFor(run, bands, 1, [&](int begin, int end) {
       for (int band = begin; band < end; ++band) {
-        drawBand(segments, lightOfSegment, lamps.size(), cells, band * kBandCells,
-                 std::min(cells.height, (band + 1) * kBandCells), lights);
+        drawBand(segments, inBand[static_cast<std::size_t>(band)], lightOfSegment, lamps.size(), cells,
+                 band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
       }
     });
     if (run.cancelled()) return Error{ErrorCode::Cancelled, "judging the pictures was cancelled"};
