@@ -30,7 +30,9 @@ using convert::failure;
 using convert::success;
 using emscripten::val;
 
-sillon::Session session;  // lives as long as the module: what one plate leaves serves the next
+// They live as long as the module: what one plate leaves serves the next.
+sillon::Session session;
+sillon::KeptPictures keptPictures;
 
 constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
 constexpr double kShownShare = 0.8;   // of a plate with pictures and the path across it
@@ -45,7 +47,8 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     const sillon::ToolpathParams& params = project.value().toolpath;
     auto input = sillon::readPlateInput(project.value(), convert::reader(files), run);
     if (!input) return failure(input.error());
-    const auto pictures = sillon::solvePictures(project.value(), convert::reader(files), input.value(), run);
+    const auto pictures =
+        sillon::solvePictures(project.value(), convert::reader(files), input.value(), run, &keptPictures);
     if (!pictures) return failure(pictures.error());
     const sillon::PlateInput& plateInput = input.value();
     const double making = measure ? kMakingShare : across ? kShownShare : 1;

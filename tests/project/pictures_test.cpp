@@ -189,6 +189,46 @@ TEST_CASE("without pictures directions stay as they were read") {
   CHECK_FALSE(plate.showsPictures);
 }
 
+TEST_CASE("pictures that were solved for before are what they would be, whatever changed since") {
+  const RunContext run(1);
+  KeptPictures kept;
+  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
+  const auto check = [&](bool again) {
+    auto input = readPlateInput(project, readBall);
+    REQUIRE(input.ok());
+    PlateInput anew = input.value(), after = input.value();
+    // What is kept can only be seen where it is made to differ.
+    const float mark = 0.125f;
+    if (!kept.pictures.shown.empty()) kept.pictures.shown[0].tones.value[0] = mark;
+    const auto expected = solvePictures(project, readBall, anew, run);
+    const auto got = solvePictures(project, readBall, after, run, &kept);
+    REQUIRE(expected.ok());
+    REQUIRE(got.ok());
+    CHECK(after.directions == anew.directions);
+    CHECK(after.showsPictures);
+    CHECK(got.value().shown[0].file == expected.value().shown[0].file);
+    CHECK(got.value().shown[0].lamp == expected.value().shown[0].lamp);
+    CHECK(got.value().level == expected.value().level);
+    CHECK((got.value().shown[0].tones.value[0] == mark) == again);
+  };
+  check(false);
+  check(true);
+  project.toolpath.maxWidth = 1.9;  // of beads, not of directions
+  check(true);
+  project.pictures.files[0].lamp = Vec2{70, 45};
+  check(false);
+  project.pictures.smoothness *= 2;
+  check(false);
+  project.pictures.spool = SpoolName::GoldPla;
+  check(false);
+  project.toolpath.spacing *= 1.25;
+  check(false);
+  project.builtin = BuiltinShape::Rectangle;
+  project.builtinSize = {24, 20};
+  check(false);
+  check(true);
+}
+
 TEST_CASE("a spool of one's own counts, and the side that is seen") {
   Project project;
   const Roughness up = roughnessOf(project);

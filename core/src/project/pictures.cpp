@@ -79,16 +79,26 @@ Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const 
 }
 
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run) {
+                                    const RunContext& run, KeptPictures* kept) {
   const PictureParams& params = project.pictures;
   PlatePictures pictures;
   pictures.roughness = roughnessOf(project);
   if (params.files.empty()) return pictures;
-  const Result<std::vector<LitPicture>> decoded = readPictures(params, read);
+  Result<std::vector<LitPicture>> decoded = readPictures(params, read);
   if (!decoded) return decoded.error();
-  const std::vector<LitPicture>& lit = decoded.value();
-  auto solved =
-      solveDirections(lit, pictures.roughness, input.shape.page, project.toolpath.spacing, inversionOf(params), run);
+  std::vector<LitPicture> lit = std::move(decoded).value();
+  const Vec2 page = input.shape.page;
+  const double spacing = project.toolpath.spacing;
+  const InversionParams inversion = inversionOf(params);
+  if (kept != nullptr && kept->lit == lit && kept->pictures.roughness == pictures.roughness && kept->page == page &&
+      kept->spacing == spacing && kept->inversion == inversion) {
+    PlatePictures again = kept->pictures;
+    for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = params.files[k].file;
+    input.directions = kept->directions;
+    input.showsPictures = true;
+    return again;
+  }
+  auto solved = solveDirections(lit, pictures.roughness, page, spacing, inversion, run);
   if (!solved) return solved.error();
   for (std::size_t k = 0; k < lit.size(); ++k) {
     pictures.chosen.push_back(lit[k].chooseAzimuth);
@@ -99,6 +109,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   input.directions = std::move(solved.value().directions);
   input.showsPictures = true;
   pictures.fieldR = fieldR(pictures, input.directions);
+  if (kept != nullptr) *kept = {std::move(lit), page, spacing, inversion, pictures, input.directions};
   return pictures;
 }
 

@@ -23,6 +23,8 @@ struct LitPicture {
   Lamp lamp;                   ///< towards which the plate's +x is turned
   bool chooseAzimuth = false;  ///< take the azimuth that suits the picture, or the pictures together; lamp.azimuth is
                                ///< then where the first of several lamps stands
+
+  friend bool operator==(const LitPicture&, const LitPicture&) = default;
 };
 
 /// A picture and the lamp that shows it.
@@ -41,6 +43,8 @@ struct InversionParams {
                              ///< other tones than the picture has
   double level = 0;          ///< light of white against the brightest direction, 0.05..1; 0: 1 for one picture, chosen
                              ///< for several: less leaves room for the tones of the others
+
+  friend bool operator==(const InversionParams&, const InversionParams&) = default;
 };
 
 struct SolvedDirections {

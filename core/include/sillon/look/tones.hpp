@@ -17,6 +17,7 @@ struct Tones {
   [[nodiscard]] float at(int x, int y) const {
     return value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
   }
+  friend bool operator==(const Tones&, const Tones&) = default;
 };
 
 /// IEC 61966-2-1, within 1e-6. \param code  0..1; others are clamped.

@@ -25,6 +25,16 @@ struct PlatePictures {
   std::vector<double> fieldR;  ///< of what the directions alone show and what is asked for; beads only lower it
 };
 
+/// What solvePictures found last, and what it had been asked for.
+struct KeptPictures {
+  std::vector<LitPicture> lit;
+  Vec2 page;
+  double spacing = 0;
+  InversionParams inversion;
+  PlatePictures pictures;
+  DirectionMap directions;
+};
+
 /// Slopes of the project's spool as its nozzle prints it, on the side that is seen.
 Roughness roughnessOf(const Project& project);
 
@@ -36,9 +46,10 @@ Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const 
 InversionParams inversionOf(const PictureParams& params);
 
 /// Reads the pictures and puts the directions that show them into the input. A project without pictures: nothing is
-/// read and none are shown. \return what reading, decodeImage and solveDirections return.
+/// read and none are shown. \param kept  of the plate before, as while somebody edits: what is asked for once more is
+/// taken from there. \return what reading, decodeImage and solveDirections return.
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run);
+                                    const RunContext& run, KeptPictures* kept = nullptr);
 
 /// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
 using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
