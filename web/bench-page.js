@@ -125,9 +125,10 @@ const another = (page, k) =>
     };
     while (!idle()) await new Promise((resolve) => setTimeout(resolve, 100));
     const begin = performance.now();
-    studio.change((plate) => ({
+    studio.change(({ directions, toolpath, ...plate }) => ({
       ...plate,
-      toolpath: { ...plate.toolpath, bridge: plate.toolpath.spacing + k / 1000 },
+      directions: { ...directions, lampSize: directions.lampSize + k / 10_000 },
+      toolpath: { ...toolpath, bridge: toolpath.spacing + k / 1000 },
     }));
     return new Promise((resolve) => {
       const end = store.subscribe(({ result, plate }) => {
