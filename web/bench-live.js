@@ -84,20 +84,26 @@ function prepare() {
       });
       studio().change((plate) => ({ ...plate, toolpath: { ...plate.toolpath, [key]: value } }), key);
     });
+  /** A move of the lamp. @returns [ms] until the plate is drawn under it */
+  globalThis.light = async (box, azimuth) => {
+    look(box);
+    const began = performance.now();
+    studio().setLight({ azimuth });
+    await afterFrame();
+    look(box);
+    return performance.now() - began;
+  };
   globalThis.rest = () => studio().settle();
 }
 
+const inMs = (values) =>
+  `${median(values).toFixed(0).padStart(6)} ms ${`(${Math.min(...values).toFixed(0)})`.padEnd(7)}`;
+
 function tell(what, found) {
   const kept = found.slice(warmUps);
-  const of = (key) =>
-    `${median(kept.map((one) => one[key]))
-      .toFixed(0)
-      .padStart(6)} ms`;
-  const least = (key) => `(${Math.min(...kept.map((one) => one[key])).toFixed(0)})`.padEnd(7);
+  const of = (key) => inMs(kept.map((one) => one[key]));
   const spacing = median(kept.map((one) => one.spacing)).toFixed(2);
-  console.log(
-    `  ${what.padEnd(28)} ${of('first')} ${least('first')}   ${of('came')} ${least('came')}   ${of('made')} ${least('made')}   ${spacing} mm`,
-  );
+  console.log(`  ${what.padEnd(28)} ${of('first')}   ${of('came')}   ${of('made')}   ${spacing} mm`);
 }
 
 const site = await start();
@@ -145,8 +151,14 @@ try {
     await visit.idle();
     tell(`comb, ${view}`, found);
   }
-  await page.evaluate(() => document.querySelector('sillon-app').studio.setView('toolpath'));
+  await page.evaluate(() => document.querySelector('sillon-app').studio.setView('appearance'));
   const middle = [Math.round(box.width / 2) - 100, Math.round(box.height / 2) - 100, 200];
+  const lit = [];
+  for (let k = 0; k < warmUps + rounds; ++k) {
+    lit.push(await page.evaluate(([box, azimuth]) => globalThis.light(box, azimuth), [middle, 20 * k]));
+  }
+  console.log(`  ${'lamp, appearance'.padEnd(28)} ${inMs(lit.slice(warmUps))}`);
+  await page.evaluate(() => document.querySelector('sillon-app').studio.setView('toolpath'));
   for (const [key, from, step] of [
     ['spacing', 0.4, 0.005],
     ['maxWidth', 1.5, 0.01],
