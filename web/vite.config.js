@@ -77,6 +77,16 @@ const printerTable = {
   },
 };
 
+/** Shaders are fetched without their comments and indents, which no minifier takes out of strings. */
+const shaders = {
+  name: 'studio-shaders',
+  enforce: 'pre',
+  transform(code, id) {
+    if (!/src[\\/]views[\\/]shaders\.ts$/.test(id)) return undefined;
+    return code.replaceAll(/`[^`]*`/g, (text) => text.replaceAll(/ *\/\/.*$/gm, '').replaceAll(/\n\s+/g, '\n'));
+  },
+};
+
 /** What both pages have in their heads. */
 const head = {
   name: 'studio-head',
@@ -131,7 +141,7 @@ const offline = {
 export default {
   root: at('.'),
   base: './',
-  plugins: [head, engineFiles, exampleFiles, printerTable, policy, offline],
+  plugins: [head, engineFiles, exampleFiles, printerTable, shaders, policy, offline],
   server: { headers: isolation },
   preview: { headers },
   worker: { format: 'iife' }, // sandboxed frames start no modules
