@@ -32,17 +32,17 @@ const segmentsPerRun = 4096;
 
 const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3 };
 
-function integerTexture(
+/** Values that shaders read one by one. @param kind  internal format, format and type */
+function dataTexture(
   gl: WebGL2RenderingContext,
-  { width, height }: DirectionRaster,
-  format: GLenum,
-  type: GLenum,
-  texels: Uint16Array | Uint8Array,
+  [width, height]: readonly [number, number],
+  [internalFormat, format, type]: readonly [GLenum, GLenum, GLenum],
+  texels: Uint8Array | Uint16Array | Float32Array,
 ): WebGLTexture {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, gl.RED_INTEGER, type, texels);
+  gl.texImage2D(gl.TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, texels);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   return texture;
@@ -57,28 +57,25 @@ function upload(gl: WebGL2RenderingContext, toolpath: Toolpath): Beads {
   const runs: Run[] = [];
   let at = 0;
   let done = 0;
-  for (const { points, widths } of toolpath.cycles) {
+  for (const cycle of toolpath.cycles) {
+    const { widths } = cycle;
     const count = widths.length;
     for (let from = 0; from < count; from += segmentsPerRun) {
       const segments = Math.min(segmentsPerRun, count - from);
-      runs.push({ first: at + from, segments, box: boxOf(points, widths, from, segments) });
+      runs.push({ first: at + from, segments, box: boxOf(cycle.points, widths, from, segments) });
     }
     // One point before the first, and two after the last: every segment has neighbours.
     for (let k = -1; k < count + 2; ++k, ++at) {
       const from = (k + count) % count;
-      data[at * stride] = points[2 * from] ?? 0;
-      data[at * stride + 1] = points[2 * from + 1] ?? 0;
+      data[at * stride] = cycle.points[2 * from] ?? 0;
+      data[at * stride + 1] = cycle.points[2 * from + 1] ?? 0;
       data[at * stride + 2] = widths[from] ?? 0;
       data[at * stride + 3] = (done + Math.max(0, k)) / all;
     }
     done += count;
   }
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, columns, rows, 0, gl.RGBA, gl.FLOAT, data);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  return { points: texture, runs, spacing: toolpath.spacing };
+  const points = dataTexture(gl, [columns, rows], [gl.RGBA32F, gl.RGBA, gl.FLOAT], data);
+  return { points, runs, spacing: toolpath.spacing };
 }
 
 function boxOf(points: Float32Array, widths: Float32Array, first: number, segments: number): Run['box'] {
@@ -189,8 +186,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
         gl.deleteTexture(fieldTextures.angle);
         gl.deleteTexture(fieldTextures.mode);
       }
-      const angle = integerTexture(gl, raster, gl.R16UI, gl.UNSIGNED_SHORT, raster.angle);
-      const mode = integerTexture(gl, raster, gl.R8UI, gl.UNSIGNED_BYTE, raster.mode);
+      const size = [raster.width, raster.height] as const;
+      const angle = dataTexture(gl, size, [gl.R16UI, gl.RED_INTEGER, gl.UNSIGNED_SHORT], raster.angle);
+      const mode = dataTexture(gl, size, [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE], raster.mode);
       fieldTextures = { angle, mode, of: raster };
     }
     gl.useProgram(fieldProgram.program);
