@@ -9,7 +9,7 @@ import { createEngine } from 'sillon';
 
 import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
-import { patience } from './support/waits.js';
+import { patience, settled } from './support/waits.js';
 
 const folder = fileURLToPath(new URL('reference/', import.meta.url));
 const side = 20; // [pixels] of a block
@@ -95,6 +95,94 @@ test('the views look as they should', { skip }, async () => {
   await visit.view('Beads');
   await visit.page.locator('sillon-stage select').selectOption('width');
   await compare('widths', () => canvas.screenshot(picture));
+});
+
+/** Runs in the page. How opaque its picture is at places of the plate that lie inside beads, and outside of all: by the path itself.
+ * @returns the least inside, the most outside, 0..255, and how many were looked at */
+function coverage() {
+  const { studio } = document.querySelector('sillon-app');
+  const { camera, renderRoot } = studio.stage;
+  const { cycles, shape } = studio.store.state.result.toolpath;
+  const { page } = shape;
+  const drawing = renderRoot.querySelector('.drawing');
+  const gl = drawing.getContext('webgl2');
+  const opaque = (x, y) => {
+    const pixel = new Uint8Array(4);
+    const column = Math.floor(drawing.width / 2 + (x - camera.x) * camera.scale);
+    const row = Math.floor(drawing.height / 2 + (y - camera.y) * camera.scale);
+    gl.readPixels(column, row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return pixel[3];
+  };
+  const segments = cycles.flatMap(({ points, widths }) =>
+    Array.from(widths, (width, k) => {
+      const next = (k + 1) % widths.length;
+      const at = (n) => [points[2 * n], points[2 * n + 1]];
+      return {
+        a: at(k),
+        b: at(next),
+        radius: Math.min(width, widths[next]) / 2,
+        most: Math.max(width, widths[next]) / 2,
+      };
+    }),
+  );
+  /** How far beyond the edges of the nearest bead [mm]; negative: inside, by no less than that. */
+  const beyond = (x, y) => {
+    let [least, surely] = [Infinity, Infinity];
+    for (const { a, b, radius, most } of segments) {
+      const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+      const share = ((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy || 1);
+      const t = Math.min(1, Math.max(0, share));
+      const away = Math.hypot(x - a[0] - t * dx, y - a[1] - t * dy);
+      least = Math.min(least, away - most);
+      surely = Math.min(surely, away - radius);
+    }
+    return { least, surely };
+  };
+  const found = { inside: 255, outside: 0, insides: 0, outsides: 0 };
+  const pixel = 1 / camera.scale;
+  for (let k = 0; k < 3000; ++k) {
+    // Around joints, where something might be missing; every third anywhere on the page, of which corners stay free.
+    const { a } = segments[(k * 7919) % segments.length];
+    const [turn, away] = [k * 2.399963, ((k % 13) / 13) * 0.2];
+    const place =
+      k % 3 === 0
+        ? [(k * 0.618034) % 1, (k * 0.754878) % 1].map((share, axis) => share * page[axis])
+        : [a[0] + away * Math.cos(turn), a[1] + away * Math.sin(turn)];
+    // The middle of its pixel.
+    const [x, y] = place.map((v, axis) => {
+      const [middle, half] = axis === 0 ? [camera.x, drawing.width / 2] : [camera.y, drawing.height / 2];
+      return middle + (Math.floor(half + (v - middle) * camera.scale) + 0.5 - half) * pixel;
+    });
+    const { least, surely } = beyond(x, y);
+    if (surely < -0.3 * pixel) {
+      found.inside = Math.min(found.inside, opaque(x, y));
+      found.insides += 1;
+    } else if (least > pixel) {
+      found.outside = Math.max(found.outside, opaque(x, y));
+      found.outsides += 1;
+    }
+  }
+  return found;
+}
+
+test('beads are drawn whole, wherever pieces of the path meet, and nothing else is', { skip }, async () => {
+  const visit = await bench.open({
+    small: true,
+    deviceScaleFactor: 1,
+    prepare: () => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, options) {
+        return getContext.call(this, kind, kind === 'webgl2' ? { ...options, preserveDrawingBuffer: true } : options);
+      };
+    },
+  });
+  await visit.idle();
+  await visit.view('Beads');
+  await settled(visit.page);
+  const { inside, outside, insides, outsides } = await visit.page.evaluate(coverage);
+  assert.ok(insides > 1500 && outsides > 100, `${insides} inside, ${outsides} outside`);
+  assert.equal(inside, 255);
+  assert.equal(outside, 0);
 });
 
 for (const [name, options] of [
