@@ -4,8 +4,6 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { highlightOf as brightness } from '../build/unit/web/src/views/look.js';
-
 const read = (path) => readFileSync(new URL(path, import.meta.url), 'utf8');
 const made = read('../src/model/appearance.ts');
 const constant = (name) => Number(new RegExp(`${name}: ([\\d.]+)`).exec(made)[1]);
@@ -52,21 +50,4 @@ test('what is seen of one place of a bead is the light of its slope there', () =
   const slope = constant('profileSlope') * 0.5;
   assert.equal(highlight(0, slope, 0.01, 0.1, 0.5, 0), 1);
   assert.ok(highlight(0, slope, 0.01, 0.1, -0.5, 0) < 0.9);
-});
-
-test('the brightest light of a picture is the shader’s', () => {
-  const inShader = highlightOf();
-  for (const [along, across] of [
-    [0, 0],
-    [0, 0.41],
-    [0.41, 0],
-    [-0.2, 0.3],
-  ])
-    for (const variances of [
-      [0.0017, 0.095],
-      [0.06, 0.0108],
-    ]) {
-      const expected = inShader(along, across, ...variances, 0, 1);
-      assert.ok(Math.abs(brightness(along, across, variances) - expected) < 1e-12);
-    }
 });
