@@ -32,7 +32,7 @@ using emscripten::val;
 
 // They live as long as the module: what one plate leaves serves the next.
 sillon::Session session;
-sillon::KeptPictures keptPictures;
+std::optional<sillon::KeptPictures> keptPictures;
 
 constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
 constexpr double kShownShare = 0.8;   // of a plate with pictures and the path across it

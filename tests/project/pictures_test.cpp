@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -191,7 +192,7 @@ TEST_CASE("without pictures directions stay as they were read") {
 
 TEST_CASE("pictures that were solved for before are what they would be, whatever changed since") {
   const RunContext run(1);
-  KeptPictures kept;
+  std::optional<KeptPictures> kept;
   Project project = projectOf({{"ball.png", Vec2{60, 45}}});
   const auto check = [&](bool again) {
     auto input = readPlateInput(project, readBall);
@@ -199,7 +200,7 @@ TEST_CASE("pictures that were solved for before are what they would be, whatever
     PlateInput anew = input.value(), after = input.value();
     // What is kept can only be seen where it is made to differ.
     const float mark = 0.125f;
-    if (!kept.pictures.shown.empty()) kept.pictures.shown[0].tones.value[0] = mark;
+    if (kept) kept->pictures.shown[0].tones.value[0] = mark;
     const auto expected = solvePictures(project, readBall, anew, run);
     const auto got = solvePictures(project, readBall, after, run, &kept);
     REQUIRE(expected.ok());
@@ -227,6 +228,26 @@ TEST_CASE("pictures that were solved for before are what they would be, whatever
   project.builtinSize = {24, 20};
   check(false);
   check(true);
+}
+
+TEST_CASE("large pictures are not kept, and nothing of those before") {
+  const RunContext run(1);
+  std::optional<KeptPictures> kept;
+  const Project project = projectOf({{"ball.png", Vec2{60, 45}}});
+  const auto solve = [&](int side) {
+    Image image{side, side, 1, {}};
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) image.samples.push_back(static_cast<std::uint16_t>(65535LL * x / side));
+    }
+    const auto read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(image)); };
+    auto input = readPlateInput(project, read);
+    REQUIRE(input.ok());
+    REQUIRE(solvePictures(project, read, input.value(), run, &kept).ok());
+  };
+  solve(2000);
+  CHECK(kept.has_value());
+  solve(2001);
+  CHECK_FALSE(kept.has_value());
 }
 
 TEST_CASE("a spool of one's own counts, and the side that is seen") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,15 @@
 namespace sillon {
 
 namespace {
+
+/// Of larger pictures nothing is kept: 16 MB of tones.
+constexpr std::size_t kMostKeptTones = 4'000'000;
+
+std::size_t tonesIn(const std::vector<LitPicture>& lit) {
+  std::size_t count = 0;
+  for (const LitPicture& picture : lit) count += picture.tones.value.size();
+  return count;
+}
 
 /// What the directions alone show of each picture, on another raster. What pictures take from each other is missing
 /// from it: no correction brings that back.
@@ -79,7 +89,7 @@ Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const 
 }
 
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run, KeptPictures* kept) {
+                                    const RunContext& run, std::optional<KeptPictures>* kept) {
   const PictureParams& params = project.pictures;
   PlatePictures pictures;
   pictures.roughness = roughnessOf(project);
@@ -90,13 +100,17 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   const Vec2 page = input.shape.page;
   const double spacing = project.toolpath.spacing;
   const InversionParams inversion = inversionOf(params);
-  if (kept != nullptr && kept->lit == lit && kept->pictures.roughness == pictures.roughness && kept->page == page &&
-      kept->spacing == spacing && kept->inversion == inversion) {
-    PlatePictures again = kept->pictures;
-    for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = params.files[k].file;
-    input.directions = kept->directions;
-    input.showsPictures = true;
-    return again;
+  if (kept != nullptr && *kept) {
+    const KeptPictures& before = **kept;
+    if (before.lit == lit && before.pictures.roughness == pictures.roughness && before.page == page &&
+        before.spacing == spacing && before.inversion == inversion) {
+      PlatePictures again = before.pictures;
+      for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = params.files[k].file;
+      input.directions = before.directions;
+      input.showsPictures = true;
+      return again;
+    }
+    kept->reset();  // its memory is of use now
   }
   auto solved = solveDirections(lit, pictures.roughness, page, spacing, inversion, run);
   if (!solved) return solved.error();
@@ -109,7 +123,9 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   input.directions = std::move(solved.value().directions);
   input.showsPictures = true;
   pictures.fieldR = fieldR(pictures, input.directions);
-  if (kept != nullptr) *kept = {std::move(lit), page, spacing, inversion, pictures, input.directions};
+  if (kept != nullptr && tonesIn(lit) <= kMostKeptTones) {
+    kept->emplace(KeptPictures{std::move(lit), page, spacing, inversion, pictures, input.directions});
+  }
   return pictures;
 }
 

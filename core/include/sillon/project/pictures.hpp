@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,10 @@ InversionParams inversionOf(const PictureParams& params);
 
 /// Reads the pictures and puts the directions that show them into the input. A project without pictures: nothing is
 /// read and none are shown. \param kept  of the plate before, as while somebody edits: what is asked for once more is
-/// taken from there. \return what reading, decodeImage and solveDirections return.
+/// taken from there; none after pictures of more than 4 million pixels. \return what reading, decodeImage and
+/// solveDirections return.
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run, KeptPictures* kept = nullptr);
+                                    const RunContext& run, std::optional<KeptPictures>* kept = nullptr);
 
 /// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
 using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
