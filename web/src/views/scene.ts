@@ -1,7 +1,8 @@
 // What the views draw. Arrays are read, never changed.
 import type { Toolpath } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
-import type { ColourBy, FilamentLook, Light, Mark, ViewName } from '../model/view.js';
+import type { ColourBy, FilamentLook, Mark, ViewName } from '../model/view.js';
+import type { Look } from './look.js';
 
 /** What limits the speed of a bead [mm/s, mm³/s, mm]; corners are left out. */
 export interface Feed {
@@ -10,8 +11,7 @@ export interface Feed {
   layerHeight: number;
 }
 
-export interface Scene {
-  page: [number, number];
+export interface Scene extends Pick<Look, 'light' | 'lampSlope' | 'fromAfar' | 'page'> {
   toolpath: Toolpath | undefined;
   directions: DirectionRaster | undefined;
   view: ViewName;
@@ -25,11 +25,6 @@ export interface Scene {
   wipe?: number | undefined;
   /** No bead is told from its neighbours. */
   blended?: boolean;
-  light: Light;
-  /** The slope of the surface that blurs a point as much as the lamp's size. */
-  lampSlope: number;
-  /** Seen from straight above all over, as pictures are solved for. */
-  fromAfar: boolean;
   filament: FilamentLook;
   marks: readonly Mark[];
   dark: boolean;

@@ -8,7 +8,7 @@ vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0
 `;
 
 /** One segment of a path as a capsule, two triangles: its two points, and those before and after for a smooth tangent, are read
- * from a texture. Instances of four corners would be one draw each for software and a near empty wave for a graphics card. */
+ * from a texture. As an instance of four corners each would be a draw of its own where there is no graphics card. */
 export const beadVertex = `#version 300 es
 precision highp float;
 uniform highp sampler2D points;  // x, y, width, share of the print
