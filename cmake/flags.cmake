@@ -7,7 +7,8 @@ else()
   target_compile_options(sillon_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion
     -ffp-contract=off   # same bytes everywhere: no fused multiply-add
-    -fno-math-errno)    # sqrt becomes one instruction; its value does not change
+    -fno-math-errno     # sqrt becomes one instruction; its value does not change
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)  # asserts name files: the same bytes and sizes wherever it is built
   if(SILLON_WERROR)
     target_compile_options(sillon_flags INTERFACE -Werror)
   endif()
