@@ -20,12 +20,6 @@ namespace {
 /// Of larger pictures nothing is kept: 16 MB of tones.
 constexpr std::size_t kMostKeptTones = 4'000'000;
 
-std::size_t tonesIn(const std::vector<LitPicture>& lit) {
-  std::size_t count = 0;
-  for (const LitPicture& picture : lit) count += picture.tones.value.size();
-  return count;
-}
-
 /// What the directions alone show of each picture, on another raster. What pictures take from each other is missing
 /// from it: no correction brings that back.
 std::vector<Tones> shownTones(const PlatePictures& pictures, const DirectionMap& directions, int width, int height) {
@@ -114,7 +108,9 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   }
   auto solved = solveDirections(lit, pictures.roughness, page, spacing, inversion, run);
   if (!solved) return solved.error();
+  std::size_t tones = 0;
   for (std::size_t k = 0; k < lit.size(); ++k) {
+    tones += lit[k].tones.value.size();
     pictures.chosen.push_back(lit[k].chooseAzimuth);
     pictures.shown.push_back({params.files[k].file, solved.value().lamps[k], std::move(solved.value().shown[k])});
   }
@@ -123,7 +119,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   input.directions = std::move(solved.value().directions);
   input.showsPictures = true;
   pictures.fieldR = fieldR(pictures, input.directions);
-  if (kept != nullptr && tonesIn(lit) <= kMostKeptTones) {
+  if (kept != nullptr && tones <= kMostKeptTones) {
     kept->emplace(KeptPictures{std::move(lit), page, spacing, inversion, pictures, input.directions});
   }
   return pictures;
