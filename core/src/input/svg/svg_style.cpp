@@ -32,7 +32,7 @@ void Style::declare(std::string_view declarations, std::int64_t weight) {
     const std::size_t colon = declaration.find(':');
     if (colon == std::string_view::npos) return;
     const std::string name = lowered(trimmed(declaration.substr(0, colon)).substr(0, 32));
-    const auto* const found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
+    const auto found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
     if (found == kPropertyNames.end()) return;
     std::string_view value = declaration.substr(colon + 1);
     const std::size_t mark = value.find('!');
@@ -87,7 +87,7 @@ Style StyleSheet::styleOf(const Node& node) const {
   Style style;
   for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
     const std::string_view name(a->name(), a->name_size());
-    const auto* const found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
+    const auto found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
     if (found == kPropertyNames.end()) continue;
     style.set(static_cast<Property>(found - kPropertyNames.begin()), {a->value(), a->value_size()}, 0);
   }
