@@ -2,7 +2,7 @@
 // blobs first; so do those that a bundler has turned into data: addresses.
 import { SillonError, invalid, messageOf } from './errors.js';
 import type { Platform } from './platform.js';
-import type { EngineFiles, FromWorker } from './protocol.js';
+import type { EngineFiles, FromWorker, ThreadScripts } from './protocol.js';
 
 // Written out one by one: bundlers find and copy only these.
 const beside: EngineFiles = {
@@ -84,14 +84,28 @@ function decodeData(url: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0));
 }
 
+function isOwn(url: string): boolean {
+  const { origin } = new URL(url);
+  return origin === self.origin && origin !== 'null';
+}
+
+const blobOf = (script: string): string => URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+
 /** An address that a worker may be started from; a blob's as a classic worker: Chromium starts no module workers from
  * blobs in frames of opaque origin. */
 async function startable(url: string): Promise<string> {
-  const { origin } = new URL(url);
-  if (origin === self.origin && origin !== 'null') return url;
+  if (isOwn(url)) return url;
   const text = new TextDecoder().decode(await fetchScript(url));
-  const classic = text.replace(/\bexport\s*\{\s*\};?/, ''); // the compiler's mark of a module
-  return URL.createObjectURL(new Blob([classic], { type: 'text/javascript' }));
+  return blobOf(text.replace(/\bexport\s*\{\s*\};?/, '')); // the compiler's mark of a module
+}
+
+/** Threads have a script of their own. From Emscripten 3.1.58 on it is empty, and they are module workers of the main one:
+ * in Chromium's frames of opaque origin none can start, and one thread works. */
+async function startableThreads({ script, threadScript }: EngineFiles['mt']): Promise<ThreadScripts> {
+  if (isOwn(threadScript)) return { threadScript, mainScript: script };
+  const text = new TextDecoder().decode(await fetchScript(threadScript));
+  const mainScript = text === '' ? blobOf(`export { default } from ${JSON.stringify(script)};`) : script;
+  return { threadScript: blobOf(text), mainScript };
 }
 
 /** Why a worker failed. Browsers do not say what kept its script from being loaded. */
@@ -117,9 +131,12 @@ export const browser: Platform = {
 
   async startWorker(files, threads, _memory, events) {
     const script = await startable(files.worker);
-    const threadScript = threads > 1 ? await startable(files.mt.threadScript) : '';
+    const threadScripts: ThreadScripts =
+      threads > 1 ? await startableThreads(files.mt) : { threadScript: '', mainScript: '' };
     const forgetBlobs = (): void => {
-      for (const url of [script, threadScript]) if (url.startsWith('blob:')) URL.revokeObjectURL(url);
+      for (const url of [script, threadScripts.threadScript, threadScripts.mainScript]) {
+        if (url.startsWith('blob:')) URL.revokeObjectURL(url);
+      }
     };
     let worker: Worker;
     try {
@@ -138,7 +155,7 @@ export const browser: Platform = {
       });
     };
     return {
-      threadScript,
+      threadScripts,
       post(message) {
         worker.postMessage(message);
       },

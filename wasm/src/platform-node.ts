@@ -101,7 +101,7 @@ export const node: Platform = {
       events.onFailure('the worker ended by itself');
     });
     return Promise.resolve({
-      threadScript: files.mt.threadScript,
+      threadScripts: { threadScript: files.mt.threadScript, mainScript: files.mt.script },
       post(message) {
         worker.postMessage(message);
       },

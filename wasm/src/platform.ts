@@ -1,5 +1,5 @@
 // What differs between browsers and Node.
-import type { Call, EngineFiles, FromWorker, ToWorker } from './protocol.js';
+import type { Call, EngineFiles, FromWorker, ThreadScripts, ToWorker } from './protocol.js';
 
 export interface Platform {
   /** @throws SillonError InvalidArgument */
@@ -23,8 +23,7 @@ export interface WorkerEvents {
 }
 
 export interface EngineWorker {
-  /** The address that the engine starts its threads from. */
-  readonly threadScript: string;
+  readonly threadScripts: ThreadScripts;
   post(message: ToWorker): void;
   /** Whether the process must wait for the worker. */
   hold(busy: boolean): void;

@@ -107,6 +107,12 @@ export type PhotoCall =
     }
   | { name: 'joinReadings'; readings: ReadingFields[]; lampSize: number | undefined };
 
+/** Addresses that the engine starts its threads from: Emscripten before 3.1.58 takes the first, which then gets the other. */
+export interface ThreadScripts {
+  threadScript: string;
+  mainScript: string;
+}
+
 export interface StartMessage {
   type: 'start';
   threads: number;
@@ -115,7 +121,7 @@ export interface StartMessage {
   script: string;
   wasm: string;
   /** Used with several threads only. */
-  threadScript: string;
+  threadScripts: ThreadScripts;
   /** If it has been compiled before. */
   compiled: WebAssembly.Module | undefined;
 }

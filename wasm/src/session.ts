@@ -63,7 +63,7 @@ export class Session {
       throw this.#end;
     }
 
-    const { threadScript } = this.#worker;
+    const { threadScripts } = this.#worker;
     const started = this.#answer((message) => {
       if (message.type === 'loaded') {
         compiled = message.compiled;
@@ -73,7 +73,7 @@ export class Session {
         this.#cancelFlag = message.cancelFlag;
       }
     });
-    this.#worker.post({ type: 'start', threads, memory, script, wasm, threadScript, compiled });
+    this.#worker.post({ type: 'start', threads, memory, script, wasm, threadScripts, compiled });
     await started;
     return compiled;
   }

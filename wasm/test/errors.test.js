@@ -10,6 +10,7 @@ import { SillonError, createEngine } from 'sillon';
 
 import { copyEngine } from './support/engine-copy.js';
 import { small, turning } from './support/jobs.js';
+import { threadsHaveScript } from './support/pages.js';
 import { png } from './support/png.js';
 
 let engine;
@@ -415,7 +416,7 @@ describe('createEngine', () => {
     });
   }
 
-  for (const name of ['sillon-mt.wasm', 'sillon-mt.js', 'sillon-mt.worker.js']) {
+  for (const name of ['sillon-mt.wasm', 'sillon-mt.js', ...(threadsHaveScript ? ['sillon-mt.worker.js'] : [])]) {
     test(`without ${name} one thread works, and the reason names it`, async () => {
       const copy = copyEngine({ [name]: null });
       const alone = await createEngine({ assetBase: copy.folder, threads: 2 });

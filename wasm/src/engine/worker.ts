@@ -267,7 +267,8 @@ function limitGrowth(exports: WebAssembly.Exports, most: number): void {
   }
 }
 
-async function start({ threads, memory: most, script, wasm, threadScript, compiled }: StartMessage): Promise<void> {
+async function start({ threads, memory: most, script, wasm, threadScripts, compiled }: StartMessage): Promise<void> {
+  const { threadScript, mainScript } = threadScripts;
   mostKept = most * 2 ** 20;
   mostPictures = Math.min(128 * 2 ** 20, mostKept / 8);
   const [wasmModule, glue] = await Promise.all([
@@ -291,7 +292,7 @@ async function start({ threads, memory: most, script, wasm, threadScript, compil
       locateFile: (name) => (name.endsWith('.wasm') ? wasm : threadScript),
       print() {},
       printErr() {}, // what goes wrong is thrown as well
-      mainScriptUrlOrBlob: script,
+      mainScriptUrlOrBlob: mainScript,
     };
     if (memory !== undefined) Object.assign(args, { wasmMemory: memory, poolSize: threads - 1 });
     // The glue code throws what keeps a thread from starting, where only this sees it.

@@ -7,7 +7,7 @@ import { after, before, describe, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 
 import { lacking, launch } from '../support/browsers.js';
-import { engineFolder, serveSite } from '../support/pages.js';
+import { engineFolder, serveSite, threadsHaveScript } from '../support/pages.js';
 import { publishedScenes } from '../support/projects.js';
 import { headerSets } from '../support/server.js';
 
@@ -15,7 +15,7 @@ const brain = existsSync(join(publishedScenes, 'brain.json'));
 const projects = { usual: '/examples/stress_35.json', cold: brain ? '/scenes/brain.json' : '/examples/islands.json' };
 const engineFiles = {
   st: ['worker.js', 'sillon-st.js', 'sillon-st.wasm'],
-  mt: ['sillon-mt.js', 'sillon-mt.wasm', 'sillon-mt.worker.js'],
+  mt: ['sillon-mt.js', 'sillon-mt.wasm', ...(threadsHaveScript ? ['sillon-mt.worker.js'] : [])],
 };
 const inMs = (time) => `${time.toFixed(0)} ms`;
 

@@ -38,7 +38,15 @@ export async function startHere(module, memory, script = at(`sillon-${module}.js
   });
   await import(at('worker.js'));
   const compiled = await WebAssembly.compile(readFileSync(join(folder, `sillon-${module}.wasm`)));
-  const start = { type: 'start', threads: 1, memory, script, wasm: '', threadScript: '', compiled };
+  const start = {
+    type: 'start',
+    threads: 1,
+    memory,
+    script,
+    wasm: '',
+    threadScripts: { threadScript: '', mainScript: '' },
+    compiled,
+  };
   const { type, message } = await ask(start);
   assert.equal(type, 'started', message);
 }

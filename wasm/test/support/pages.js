@@ -1,4 +1,5 @@
 // Pages of tests: what a site serves beside the package, and what its visitor sees.
+import { statSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -6,6 +7,9 @@ import { publishedScenes, root } from './projects.js';
 import { serve } from './server.js';
 
 export const engineFolder = join(root, 'wasm/dist/engine');
+
+/** Emscripten before 3.1.58 gives threads a script of their own. */
+export const threadsHaveScript = statSync(join(engineFolder, 'sillon-mt.worker.js')).size > 0;
 
 /** A site with the package, a test page at `page` and the example projects. @param more  folders of its own */
 export async function serveSite(headers, more = {}, missingStatus = 404) {
