@@ -15,10 +15,10 @@ namespace sillon {
 
 /// One line and its place. The views live until the parser goes on.
 struct GcodeLine {
-  std::string_view text;     ///< without its end
-  std::string_view end;      ///< "\n", "\r\n" or "\r"; empty at the end of a file
-  std::uint64_t offset = 0;  ///< of its first byte
-  std::int64_t number = 0;   ///< from 1
+  std::string_view text;    ///< without its end
+  std::string_view end;     ///< "\n", "\r\n" or "\r"; empty at the end of a file
+  std::size_t offset = 0;   ///< of its first byte
+  std::int64_t number = 0;  ///< from 1
 };
 
 /// Cuts bytes into lines. LF, CR LF and CR end a line, as they do for firmwares; a line without an end is cut after 1
@@ -94,7 +94,7 @@ class GcodeParser {
   }
 
   std::string kept_;
-  std::uint64_t offset_ = 0;
+  std::size_t offset_ = 0;
   std::int64_t number_ = 0;
 };
 

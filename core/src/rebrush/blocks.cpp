@@ -37,8 +37,8 @@ constexpr std::size_t kMostItems = 5'000'000;  // lines of one stretch
 
 // A line within a stretch of one role.
 struct Item {
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
   std::int64_t number = 0;
   std::optional<MachineMove> move;
   MachineState before;
@@ -502,12 +502,12 @@ void Reader::lookAhead(SurfaceBlock& block) const {
   bool done = false;
   int lines = 0;
   std::string_view rest = text_.substr(block.surface.end);
-  std::uint64_t offset = block.surface.end;
+  std::size_t offset = block.surface.end;
   while (!rest.empty() && !done && lines++ < kLookAhead) {
     const std::size_t lineFeed = rest.find('\n');
     const std::size_t size = lineFeed == std::string_view::npos ? rest.size() : lineFeed + 1;
     const GcodeParts parts = partsOf(trimmed(rest.substr(0, size - (lineFeed == std::string_view::npos ? 0 : 1))));
-    const std::uint64_t begin = offset;
+    const std::size_t begin = offset;
     rest.remove_prefix(size);
     offset += size;
     if (parts.code.empty()) continue;

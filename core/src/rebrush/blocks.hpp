@@ -1,6 +1,7 @@
 // The moves that lay a surface, with everything that must hold before and after them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,8 +17,8 @@ namespace sillon {
 /// A wipe after the last bead: a move that pulls filament while it goes back over beads that will no longer be there,
 /// or a short one straight on that pushes nothing (Cura).
 struct WipeMove {
-  std::uint64_t begin = 0;  ///< of its line [bytes]
-  std::uint64_t end = 0;
+  std::size_t begin = 0;  ///< of its line [bytes]
+  std::size_t end = 0;
   double length = 0;  ///< [mm]
 };
 

@@ -160,7 +160,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
       edit.begin -= surface.begin;
       edit.end -= surface.begin;
     }
-    const std::uint64_t last = local.back().end;
+    const std::size_t last = local.back().end;
     const std::string_view old = gcode.substr(surface.begin, last + kBehind);
     const std::string fresh = withEdits(old, local);
     if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {

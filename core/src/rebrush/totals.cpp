@@ -239,10 +239,10 @@ std::int64_t changeTotals(std::string_view gcode, const std::vector<TimeChange>&
     return text == line ? std::nullopt : std::optional(std::move(text));
   };
   // What changes of one part of the file, at its place there.
-  const auto changesOf = [&](std::string_view text, std::uint64_t offset, bool edited) {
+  const auto changesOf = [&](std::string_view text, std::size_t offset, bool edited) {
     std::vector<Edit> found;
     forEachLine(text, [&](const GcodeLine& line) {
-      const std::uint64_t at = edited ? offset : offset + line.offset;
+      const std::size_t at = edited ? offset : offset + line.offset;
       for (; next < changes.size() && changes[next].at <= at; ++next) before += changes[next].seconds;
       if (auto fresh = changed(line.text)) {
         found.push_back({line.offset, line.offset + line.text.size(), std::move(*fresh)});
@@ -252,8 +252,8 @@ std::int64_t changeTotals(std::string_view gcode, const std::vector<TimeChange>&
   };
   std::vector<Edit> out;
   std::int64_t told = 0;
-  std::uint64_t at = 0;
-  const auto keep = [&](std::uint64_t end) {
+  std::size_t at = 0;
+  const auto keep = [&](std::size_t end) {
     for (Edit& edit : changesOf(gcode.substr(at, end - at), at, false)) {
       out.push_back({edit.begin + at, edit.end + at, std::move(edit.text)});
       ++told;

@@ -1,6 +1,7 @@
 // What a file tells of its own duration: comments and progress commands.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@ namespace sillon {
 
 /// Somewhere the print takes longer, or shorter.
 struct TimeChange {
-  std::uint64_t at = 0;  ///< behind it [bytes of the file as it was]
+  std::size_t at = 0;  ///< behind it [bytes of the file as it was]
   double seconds = 0;
   bool firstLayer = false;
 };

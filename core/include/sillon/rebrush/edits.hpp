@@ -1,7 +1,7 @@
 // A text with some of its bytes changed and all others kept.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,8 +10,8 @@ namespace sillon {
 
 /// Bytes of a text that become others.
 struct Edit {
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
   std::string text;
 };
 

@@ -1,6 +1,7 @@
 // The top and bottom surfaces of a sliced file, found by the slicer's own marks and measured from its moves.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -64,8 +65,8 @@ struct SlicedSurface {
   Vec2 exit;                   ///< where it ends
   std::int64_t firstLine = 0;  ///< of the moves that lay it, from 1
   std::int64_t lastLine = 0;
-  std::uint64_t begin = 0;  ///< of those lines [bytes]
-  std::uint64_t end = 0;
+  std::size_t begin = 0;  ///< of those lines [bytes]
+  std::size_t end = 0;
   LeftBecause left = LeftBecause::None;
 };
 
