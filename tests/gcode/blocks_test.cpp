@@ -142,7 +142,7 @@ struct Start {
 
 Start startOf(const std::string& text, const std::string& block) {
   Start start;
-  double x = 0, y = 0, z = 0, e = 0;
+  double x = 0, y = 0, z = 0;
   bool low = false;
   Vec2 lowAt;
   const std::size_t after = text.find(block) + block.size();
@@ -180,7 +180,6 @@ Start startOf(const std::string& text, const std::string& block) {
       start.lowestTravel = std::min(start.lowestTravel, z);
       if (begun) start.firstBeadTravel = z;
     }
-    e += de;
     if (!begun && way == 0) start.drawnBack -= de;
     x = nx, y = ny, z = nz;
   }

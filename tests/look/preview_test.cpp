@@ -226,29 +226,30 @@ TEST_CASE("parameters, pages and toolpaths out of range are errors that name the
     return !image.ok() && image.error().code == code && !image.error().message.empty();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const int width : {-1, 0, 15, 16385}) CHECK(fails({}, {20, 20}, {width, 60, 35}, ErrorCode::InvalidArgument));
+  for (const int width : {-1, 0, 15, 16385})
+    CHECK(fails({}, {20, 20}, {width, {{60, 35}}}, ErrorCode::InvalidArgument));
   for (const double elevation : {0.0, 91.0, nan})
-    CHECK(fails({}, {20, 20}, {100, 60, elevation}, ErrorCode::InvalidArgument));
-  CHECK(fails({}, {20, 20}, {100, nan, 35}, ErrorCode::InvalidArgument));
+    CHECK(fails({}, {20, 20}, {100, {{60, elevation}}}, ErrorCode::InvalidArgument));
+  CHECK(fails({}, {20, 20}, {100, {{nan, 35}}}, ErrorCode::InvalidArgument));
   for (const Vec2 page : {Vec2{0, 20}, Vec2{20, -1}, Vec2{nan, 20}, Vec2{20, 1e30}}) {
-    CHECK(fails({}, page, {100, 60, 35}, ErrorCode::InvalidArgument));
+    CHECK(fails({}, page, {100, {{60, 35}}}, ErrorCode::InvalidArgument));
   }
-  CHECK(fails({}, {0.01, 1000}, {100, 60, 35}, ErrorCode::TooLarge));
-  CHECK(fails({}, {20, 20}, {16384, 60, 35}, ErrorCode::TooLarge));
+  CHECK(fails({}, {0.01, 1000}, {100, {{60, 35}}}, ErrorCode::TooLarge));
+  CHECK(fails({}, {20, 20}, {16384, {{60, 35}}}, ErrorCode::TooLarge));
   Toolpath toolpath = pairOfBeads(0, 2);
   toolpath.cycles[0].points[1].x = std::numeric_limits<float>::quiet_NaN();
-  CHECK(fails(toolpath, {20, 20}, {100, 60, 35}, ErrorCode::InvalidArgument));
+  CHECK(fails(toolpath, {20, 20}, {100, {{60, 35}}}, ErrorCode::InvalidArgument));
   toolpath = pairOfBeads(0, 2);
   toolpath.cycles[0].widths[1] = std::numeric_limits<float>::infinity();
-  CHECK(fails(toolpath, {20, 20}, {100, 60, 35}, ErrorCode::InvalidArgument));
+  CHECK(fails(toolpath, {20, 20}, {100, {{60, 35}}}, ErrorCode::InvalidArgument));
   toolpath.cycles[0].widths.pop_back();
-  CHECK(fails(toolpath, {20, 20}, {100, 60, 35}, ErrorCode::InvalidArgument));
+  CHECK(fails(toolpath, {20, 20}, {100, {{60, 35}}}, ErrorCode::InvalidArgument));
 }
 
 TEST_CASE("a cancelled preview says so") {
   RunContext run(1);
   run.requestCancel();
-  const auto image = renderPreview(pairOfBeads(0, 2), {20, 20}, {100, 60, 35}, run);
+  const auto image = renderPreview(pairOfBeads(0, 2), {20, 20}, {100, {{60, 35}}}, run);
   REQUIRE_FALSE(image.ok());
   CHECK(image.error().code == ErrorCode::Cancelled);
 }

@@ -70,7 +70,7 @@ TEST_CASE("row 0 lies on top") {
 }
 
 TEST_CASE("page, spacing and look are told as whole numbers") {
-  const auto file = sillon::viewFile(hatched(30), {20, 20.5}, {{1, 2, 255}, 2.345, 20.9});
+  const auto file = sillon::viewFile(hatched(30), {20, 20.5}, {{1, 2, 255}, {2.345, 20.9}});
   REQUIRE(file);
   CHECK(textOf(file.value()).find("sillon-view 1 page 20000 20500 spacing 400 colour 1 2 255 slopes 235 2090") !=
         std::string::npos);
@@ -108,7 +108,7 @@ TEST_CASE("what cannot be shown is refused with its range") {
   Toolpath odd = hatched(0);
   CHECK(message(odd, {0, 20}, {}).find("page") != std::string::npos);
   CHECK(message(odd, {20, NAN}, {}).find("page") != std::string::npos);
-  CHECK(message(odd, {20, 20}, {{}, 0, 10}).find("0.1 to 45") != std::string::npos);
+  CHECK(message(odd, {20, 20}, {{}, {0, 10}}).find("0.1 to 45") != std::string::npos);
   odd.spacing = 0;
   CHECK(message(odd, {20, 20}, {}).find("spacing") != std::string::npos);
   odd = hatched(0);

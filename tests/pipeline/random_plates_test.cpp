@@ -144,7 +144,7 @@ TEST_CASE("two paths on one solid, or on solids that a bridge joins, are joinabl
 TEST_CASE("solids at the ends of a line too thin for a bead are not joined by threads beside it") {
   // Frames of icons: joints of up to 9 mm ran along them, outside of the shape (5835).
   const RunContext run(2);
-  for (const std::uint64_t seed : {5835, 5965}) {
+  for (const std::uint64_t seed : {5835U, 5965U}) {
     CAPTURE(seed);
     Measures m;
     std::vector<Vec2> apart;
