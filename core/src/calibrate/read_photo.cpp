@@ -52,7 +52,7 @@ std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
     lit.flow = flow;
     lit.width = nozzle;
     lit.height = plate.print.layerHeight;
-    all.push_back(std::move(lit));
+    all.push_back(lit);
   };
   for (const CouponSpiral& mark : couponMarks(nozzle)) add(mark, SpiralKind::Mark, plate.print.flow);
   for (const CouponSpiral& loose : looseSpirals(nozzle)) add(loose, SpiralKind::Loose, plate.print.flow);

@@ -401,11 +401,8 @@ class Judge {
           range(shown + " S", words.at('S'), words.at('S') < 20 ? -1 : 200);
         return;
       case 302:
-        if (words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) {
+        if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)
           add("cold-extrusion", false, {{"command", shown}});
-        } else if (words.at('S', 999) < 150) {
-          add("cold-extrusion", false, {{"command", shown}});
-        }
         return;
       case 211:
         if (flavor_ != GcodeFlavor::Bambu && words.has('S') && words.at('S') == 0)

@@ -16,38 +16,39 @@ constexpr double kMostCells = 4e6;
 constexpr std::int64_t kMostVisits = 200'000'000;  // of cells, a second; a plate of 120 x 80 mm takes a quarter
 
 // One bit per cell and kind of beads: whether one has touched its middle.
-struct Raster {
+class Raster {
+ public:
   using Bits = std::vector<std::uint64_t>;
 
-  explicit Raster(const Bounds& box) : min(box.min) {
+  explicit Raster(const Bounds& box) : min_(box.min) {
     const Vec2 size = box.size();
-    cell = std::max(kFinest, std::sqrt(size.x * size.y / kMostCells));
-    cell = std::max({cell, size.x / kMostCells, size.y / kMostCells});
-    perMm = 1 / cell;
-    columns = static_cast<int>(size.x / cell) + 1;
-    rows = static_cast<int>(size.y / cell) + 1;
-    rowWords = static_cast<std::size_t>(columns - 1) / 64 + 1;
-    base.assign(rowWords * static_cast<std::size_t>(rows), 0);
-    oriented = base;
+    cell_ = std::max(kFinest, std::sqrt(size.x * size.y / kMostCells));
+    cell_ = std::max({cell_, size.x / kMostCells, size.y / kMostCells});
+    perMm_ = 1 / cell_;
+    columns_ = static_cast<int>(size.x / cell_) + 1;
+    rows_ = static_cast<int>(size.y / cell_) + 1;
+    rowWords_ = static_cast<std::size_t>(columns_ - 1) / 64 + 1;
+    base_.assign(rowWords_ * static_cast<std::size_t>(rows_), 0);
+    oriented_ = base_;
   }
 
   /// \return how many cells it has looked at
   std::int64_t draw(const LaidBead& bead) {
     const auto onRaster = [&](Vec2f p) {
-      return Vec2f{static_cast<float>((static_cast<double>(p.x) - min.x) * perMm - 0.5),
-                   static_cast<float>((static_cast<double>(p.y) - min.y) * perMm - 0.5)};
+      return Vec2f{static_cast<float>((static_cast<double>(p.x) - min_.x) * perMm_ - 0.5),
+                   static_cast<float>((static_cast<double>(p.y) - min_.y) * perMm_ - 0.5)};
     };
-    const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 * perMm);
+    const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 * perMm_);
     const CapsuleRows capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
-    Bits& bits = bead.base ? base : oriented;
+    Bits& bits = bead.base ? base_ : oriented_;
     std::int64_t visits = 0;
-    const int end = capsule.endRow(rows);
-    for (int row = capsule.firstRow(rows); row < end; row += 4) {
+    const int end = capsule.endRow(rows_);
+    for (int row = capsule.firstRow(rows_); row < end; row += 4) {
       I4 from;
       I4 to;
-      capsule.at(row, columns, from, to);
+      capsule.at(row, columns_, from, to);
       for (int k = 0; k < std::min(4, end - row); ++k) {
-        if (from[k] < to[k]) fill(&bits[static_cast<std::size_t>(row + k) * rowWords], from[k], to[k] - 1);
+        if (from[k] < to[k]) fill(&bits[static_cast<std::size_t>(row + k) * rowWords_], from[k], to[k] - 1);
         visits += std::max(1, to[k] - from[k]);
       }
     }
@@ -58,15 +59,15 @@ struct Raster {
   double takeCoverage() {
     std::int64_t all = 0;
     std::int64_t covered = 0;
-    for (std::size_t k = 0; k < base.size(); ++k) {
-      all += std::popcount(base[k]);
-      covered += std::popcount(base[k] & oriented[k]);
-      oriented[k] = 0;
+    for (std::size_t k = 0; k < base_.size(); ++k) {
+      all += std::popcount(base_[k]);
+      covered += std::popcount(base_[k] & oriented_[k]);
+      oriented_[k] = 0;
     }
     return all > 0 ? static_cast<double>(covered) / static_cast<double>(all) : -1;
   }
 
-  [[nodiscard]] std::int64_t cells() const { return static_cast<std::int64_t>(columns) * rows; }
+  [[nodiscard]] std::int64_t cells() const { return static_cast<std::int64_t>(columns_) * rows_; }
 
  private:
   static void fill(std::uint64_t* row, int first, int last) {
@@ -80,14 +81,14 @@ struct Raster {
     *word |= mask & ~std::uint64_t{0} >> (63 - last % 64);
   }
 
-  Vec2 min;
-  double cell = 0;
-  double perMm = 0;  ///< cells
-  int columns = 0;
-  int rows = 0;
-  std::size_t rowWords = 0;
-  Bits base;
-  Bits oriented;
+  Vec2 min_;
+  double cell_ = 0;
+  double perMm_ = 0;  ///< cells
+  int columns_ = 0;
+  int rows_ = 0;
+  std::size_t rowWords_ = 0;
+  Bits base_;
+  Bits oriented_;
 };
 
 // Without a base, or where that would take too long, the shares are -1.

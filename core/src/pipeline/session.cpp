@@ -115,11 +115,11 @@ Result<ToolpathResult> Session::generateToolpath(const PlateInput& input, const 
   if (!path || path->params != wanted || path->showsPictures != input.showsPictures) {
     path.reset();
     Result<RelaxedPath> made = pathStep(input, shape, waves.fields, fields, params, clock, run);
-    if (made) path = KeptPath{wanted, input.showsPictures, std::move(made).value()};
     if (!made) {
       if (!keeps) *state_ = {};
       return made.error();
     }
+    path = KeptPath{wanted, input.showsPictures, std::move(made).value()};
   }
   Result<ToolpathResult> result = widthStep(path->path, shape.border, fields, params, clock, run);
   if (result && countDislocations) result.value().dislocations = waves.dislocations;

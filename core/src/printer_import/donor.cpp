@@ -168,7 +168,7 @@ void Donor::templateFilament(const GcodeCheck& check) {
   double bed = check.bedTarget > 0 && check.bedTarget <= 120 ? check.bedTarget : 0;
   std::string kept;
   std::string block;
-  const auto template_ = [&](std::string& line, std::size_t begin, bool ofBed) {
+  const auto insertTarget = [&](std::string& line, std::size_t begin, bool ofBed) {
     const std::string word(firstWord(std::string_view(line).substr(begin)));
     const auto value = firstNumber(word);
     if (!value || !(*value > 0)) return;
@@ -185,7 +185,7 @@ void Donor::templateFilament(const GcodeCheck& check) {
     const bool ofBed = isCommand(line, "M140") || isCommand(line, "M190");
     if (ofBed || isCommand(line, "M104") || isCommand(line, "M109")) {
       const std::size_t begin = std::min(valueOf(line, 'S'), valueOf(line, 'R'));
-      if (begin != std::string::npos) template_(line, begin, ofBed);
+      if (begin != std::string::npos) insertTarget(line, begin, ofBed);
     } else if (line.find("PRINT") < line.find(' ')) {  // PRINT_START BED=60 EXTRUDER=215
       for (std::size_t equal = line.find('='); equal != std::string::npos; equal = line.find('=', equal + 1)) {
         const std::size_t begin = line.rfind(' ', equal) + 1;
@@ -193,7 +193,7 @@ void Donor::templateFilament(const GcodeCheck& check) {
         const auto value = firstNumber(firstWord(std::string_view(line).substr(equal + 1)));
         const bool bedName = name.find("BED") != std::string_view::npos;
         if (bedName && value && *value > 0 && *value <= 120) bed = *value;
-        if (value && (bedName || *value >= kColdest)) template_(line, equal + 1, bedName);
+        if (value && (bedName || *value >= kColdest)) insertTarget(line, equal + 1, bedName);
       }
     }
     constexpr std::string_view kType = "M1002 set_filament_type:";
