@@ -104,7 +104,8 @@ async function startable(url: string): Promise<string> {
 async function startableThreads({ script, threadScript }: EngineFiles['mt']): Promise<ThreadScripts> {
   if (isOwn(threadScript)) return { threadScript, mainScript: script };
   const text = new TextDecoder().decode(await fetchScript(threadScript));
-  const mainScript = text === '' ? blobOf(`export { default } from ${JSON.stringify(script)};`) : script;
+  const startsMain = text === '' && !isOwn(script);
+  const mainScript = startsMain ? blobOf(`export { default } from ${JSON.stringify(script)};`) : script;
   return { threadScript: blobOf(text), mainScript };
 }
 
