@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
+
+#include "base/simd.hpp"
 
 using namespace sillon;
 
@@ -12,14 +15,15 @@ namespace {
 constexpr int kColumns = 61;
 constexpr int kRows = 47;
 
-std::vector<char> drawn(const CapsuleRows& capsule) {
+std::vector<char> drawn(const Capsule& capsule) {
   std::vector<char> pixels(static_cast<std::size_t>(kColumns) * kRows, 0);
-  for (int y = capsule.firstRow(kRows); y < capsule.endRow(kRows); y += 4) {
-    I4 begin;
-    I4 end;
-    capsule.at(y, kColumns, begin, end);
-    for (int k = 0; k < 4 && y + k < kRows; ++k) {
-      for (int x = begin[k]; x < end[k]; ++x) pixels[static_cast<std::size_t>((y + k) * kColumns + x)] = 1;
+  const int rows = capsule.endRow(kRows);
+  PixelRuns runs;
+  for (int y = capsule.firstRow(kRows); y < rows; y += PixelRuns::kMostRows) {
+    const int count = std::min(PixelRuns::kMostRows, rows - y);
+    pixelsOf(capsule, y, count, kColumns, runs);
+    for (int k = 0; k < count; ++k) {
+      for (int x = runs.begin[k]; x < runs.end[k]; ++x) pixels[static_cast<std::size_t>((y + k) * kColumns + x)] = 1;
     }
   }
   return pixels;
@@ -47,6 +51,7 @@ TEST_CASE("the rows of a capsule hold the pixels whose centres lie in one of its
   const auto within = [&](float low, float high) {
     return low + (high - low) * static_cast<float>(random() % 10001) / 10000.0f;
   };
+  const bool eight = eightAtOnce;
   int inside = 0;
   int wrong = 0;
   for (int round = 0; round < 400; ++round) {
@@ -58,7 +63,10 @@ TEST_CASE("the rows of a capsule hold the pixels whose centres lie in one of its
     if (round % 13 == 0) b = a;
     const float ra = within(0, 12);
     const float rb = round % 3 == 0 ? ra : within(0, 12);
-    const std::vector<char> pixels = drawn(CapsuleRows(a, b, ra, rb));
+    const std::vector<char> pixels = drawn(Capsule(a, b, ra, rb));
+    eightAtOnce = false;
+    CHECK(pixels == drawn(Capsule(a, b, ra, rb)));
+    eightAtOnce = eight;
     for (int y = 0; y < kRows; ++y) {
       for (int x = 0; x < kColumns; ++x) {
         const double off = outside({static_cast<double>(x), static_cast<double>(y)}, a, b, ra, rb);
@@ -73,15 +81,15 @@ TEST_CASE("the rows of a capsule hold the pixels whose centres lie in one of its
 }
 
 TEST_CASE("a capsule beside the raster, or further away than numbers reach, has no pixels on it") {
-  const auto count = [](const CapsuleRows& capsule) {
+  const auto count = [](const Capsule& capsule) {
     int sum = 0;
     for (const char pixel : drawn(capsule)) sum += pixel;
     return sum;
   };
-  CHECK(count(CapsuleRows({-30, 5}, {-20, 40}, 9, 5)) == 0);
-  CHECK(count(CapsuleRows({80, 5}, {90, 40}, 9, 5)) == 0);
-  CHECK(count(CapsuleRows({5, -30}, {40, -20}, 9, 5)) == 0);
-  CHECK(count(CapsuleRows({5, 80}, {40, 90}, 9, 5)) == 0);
-  CHECK(count(CapsuleRows({3e38f, 1e38f}, {-3e38f, 2e38f}, 1, 1)) == 0);
-  CHECK(count(CapsuleRows({20, 20}, {30, 20}, 1e6f, 1e6f)) == kColumns * kRows);
+  CHECK(count(Capsule({-30, 5}, {-20, 40}, 9, 5)) == 0);
+  CHECK(count(Capsule({80, 5}, {90, 40}, 9, 5)) == 0);
+  CHECK(count(Capsule({5, -30}, {40, -20}, 9, 5)) == 0);
+  CHECK(count(Capsule({5, 80}, {40, 90}, 9, 5)) == 0);
+  CHECK(count(Capsule({3e38f, 1e38f}, {-3e38f, 2e38f}, 1, 1)) == 0);
+  CHECK(count(Capsule({20, 20}, {30, 20}, 1e6f, 1e6f)) == kColumns * kRows);
 }

@@ -133,10 +133,12 @@ struct Four {
 
   static F load(const float* p) { return load4(p); }
   static void store(float* p, F v) { store4(p, v); }
+  static void store(std::int32_t* p, I v) { std::memcpy(p, &v, sizeof v); }
   static F all(float v) { return splat(v); }
   static I all(std::int32_t v) { return splatInt(v); }
   static F select(I mask, F a, F b) { return select4(mask, a, b); }
   static F max(F a, F b) { return max4(a, b); }
+  static F min(F a, F b) { return min4(a, b); }
   static F sqrt(F v) { return sqrt4(v); }
   static I toInt(F v) { return sillon::toInt(v); }
   static F toFloat(I v) { return sillon::toFloat(v); }

@@ -39,17 +39,19 @@ class Raster {
                    static_cast<float>((static_cast<double>(p.y) - min_.y) * perMm_ - 0.5)};
     };
     const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 * perMm_);
-    const CapsuleRows capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
+    const Capsule capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
     Bits& bits = bead.base ? base_ : oriented_;
     std::int64_t visits = 0;
     const int end = capsule.endRow(rows_);
-    for (int row = capsule.firstRow(rows_); row < end; row += 4) {
-      I4 from;
-      I4 to;
-      capsule.at(row, columns_, from, to);
-      for (int k = 0; k < std::min(4, end - row); ++k) {
-        if (from[k] < to[k]) fill(&bits[static_cast<std::size_t>(row + k) * rowWords_], from[k], to[k] - 1);
-        visits += std::max(1, to[k] - from[k]);
+    PixelRuns runs;
+    for (int row = capsule.firstRow(rows_); row < end; row += PixelRuns::kMostRows) {
+      const int count = std::min(PixelRuns::kMostRows, end - row);
+      pixelsOf(capsule, row, count, columns_, runs);
+      for (int k = 0; k < count; ++k) {
+        const int from = runs.begin[k];
+        const int to = runs.end[k];
+        if (from < to) fill(&bits[static_cast<std::size_t>(row + k) * rowWords_], from, to - 1);
+        visits += std::max(1, to - from);
       }
     }
     return visits;

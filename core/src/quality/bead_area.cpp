@@ -162,7 +162,7 @@ Scene sceneOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
 // pass, the end of a cycle to its beginning; this is told by whole stretches, each in a mask of its own.
 class TilePasses {
  public:
-  void lay(const CapsuleRows& piece, std::int32_t cycle, int stretch, const Stretches& stretches) {
+  void lay(const Capsule& piece, std::int32_t cycle, int stretch, const Stretches& stretches) {
     if (cycle != cycle_) {
       close();
       coverAll();
@@ -175,13 +175,13 @@ class TilePasses {
     Mask& mask = masks_[current_];
     const int begin = piece.firstRow(kTileHeight);
     const int end = piece.endRow(kTileHeight);
-    for (int y = begin; y < end; y += 4) {
-      I4 from;
-      I4 to;
-      piece.at(y, kTileWidth, from, to);
-      for (int k = 0; k < 4; ++k) {
+    PixelRuns runs;
+    for (int y = begin; y < end; y += PixelRuns::kMostRows) {
+      const int count = std::min(PixelRuns::kMostRows, end - y);
+      pixelsOf(piece, y, count, kTileWidth, runs);
+      for (int k = 0; k < count; ++k) {
         Row& row = mask.rows[static_cast<std::size_t>(y + k)];
-        row = row | rowOf(from[k], to[k]);
+        row = row | rowOf(runs.begin[k], runs.end[k]);
       }
     }
     mask.begin = std::min(mask.begin, begin);
@@ -215,8 +215,8 @@ class TilePasses {
     int stretch = 0;
     int begin = kTileHeight;  ///< rows that may hold something
     int end = 0;
-    bool covers = false;                      ///< whether covered_ holds it
-    std::array<Row, kTileHeight + 3> rows{};  ///< four at a time
+    bool covers = false;  ///< whether covered_ holds it
+    std::array<Row, kTileHeight> rows{};
 
     void clear() {
       std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), Row{});
@@ -346,7 +346,7 @@ void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& pas
   for (int k = first; k < last; ++k) {
     const float from = static_cast<float>(k) / pieces;
     const float to = static_cast<float>(k + 1) / pieces;
-    const CapsuleRows piece(a + (b - a) * from, a + (b - a) * to, ra + (rb - ra) * from, ra + (rb - ra) * to);
+    const Capsule piece(a + (b - a) * from, a + (b - a) * to, ra + (rb - ra) * from, ra + (rb - ra) * to);
     const float middle = bead.along + bead.length * 0.5f * (from + to);
     const int stretch = std::min(static_cast<int>(middle * stretches.perMm), stretches.count - 1);
     passes.lay(piece, bead.cycle, stretch, stretches);
