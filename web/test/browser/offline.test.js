@@ -197,10 +197,7 @@ test('a version that came incompletely is not taken', { skip }, async () => {
   await page.reload();
   assert.equal(await nameInCache(page), name);
   // The visit tries again, and what that keeps goes with it.
-  await page.waitForFunction(
-    async (before) => (await globalThis.caches.keys()).join() === before,
-    before.join(),
-  );
+  await page.waitForFunction(async (before) => (await globalThis.caches.keys()).join() === before, before.join());
   assert.equal(await nameInCache(page), name);
 });
 
