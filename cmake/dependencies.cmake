@@ -25,6 +25,7 @@ function(sillon_header_library target header)
 endfunction()
 
 sillon_header_library(sillon_eigen Eigen/Core eigen3)
+target_compile_definitions(sillon_eigen INTERFACE EIGEN_DONT_VECTORIZE)  # same bytes everywhere: sums keep their order
 sillon_header_library(sillon_stb stb_image.h stb)  # Debian keeps it in include/stb
 sillon_header_library(sillon_json nlohmann/json.hpp)
 sillon_header_library(sillon_fast_float fast_float/fast_float.h)
