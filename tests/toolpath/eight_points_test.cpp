@@ -77,3 +77,40 @@ TEST_CASE("room and widths of points taken eight at once are those of points tak
     CHECK(together.widths.limit == alone.widths.limit);
   }
 }
+
+#if defined(SILLON_AVX2)
+TEST_CASE(
+    "a point is left to the search from it alone where two are as near, or what is nearest lies out of its reach") {
+  if (!eightAtOnce) {
+    MESSAGE("skipped: this processor has no AVX2");
+    return;
+  }
+  EightPoints points{};
+  EightBeads beads{};
+  for (int l = 0; l < kEight; ++l) {
+    points.tangentX[l] = 1;
+    points.id[l] = l;
+    beads.half[l] = 0.2f;
+    beads.reach2[l] = 0.01f * static_cast<float>(l * l);  // 0 to 0.7 mm
+  }
+  // Beads 0.4 mm wide, the nearest 0.55 mm aside of the eight points at the origin.
+  const auto sharesBeside = [&](Vec2f second) {
+    const float x[] = {0, second.x};
+    const float y[] = {0.55f, second.y};
+    const std::int32_t id[] = {100, 200};
+    const float half[] = {0.2f, 0.2f};
+    const std::int32_t begin = 0;
+    const std::int32_t end = 2;
+    return sharesOfEight({x, y, id}, half, {&begin, &end, 0, 1}, points, beads, 0, 4, 50);
+  };
+  const EightShares farther = sharesBeside({0, -0.6f});
+  const EightShares tie = sharesBeside({0, -0.55f});
+  for (int l = 0; l < kEight; ++l) {
+    CAPTURE(l);
+    CHECK(farther.beside[l] == 100);
+    CHECK(std::sqrt(farther.factor2[l]) == doctest::Approx(0.55 / 0.4));
+    CHECK((farther.unsure[l] != 0) == (l < 6));
+    CHECK(tie.unsure[l] != 0);
+  }
+}
+#endif
