@@ -197,6 +197,12 @@ function platesFrom(value: unknown, fileFrom: FileFrom): Plate[] {
   return plates;
 }
 
+/** Also what can be undone and redone: a change that is undone at once leaves the plate, and one step more to redo. */
+const areSame = (a: Steps, b: Steps | undefined): boolean =>
+  b !== undefined && a.plate === b.plate && areEqual(a.past, b.past) && areEqual(a.future, b.future);
+const areEqual = (a: readonly Plate[], b: readonly Plate[]): boolean =>
+  a.length === b.length && a.every((plate, k) => plate === b[k]);
+
 /** @param keyOf  of a file, by its id @throws Unfit */
 async function recordedSteps(storage: Storage, record: unknown, keyOf: (id: string) => string): Promise<Steps> {
   const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
@@ -238,8 +244,8 @@ export function createAutosave(
   const idOf = new WeakMap<Plate, string>();
   /** By id: the plate as it was when nobody had changed it. */
   const begun = new Map<string, Plate>();
-  /** By id: what was written last. */
-  const saved = new Map<string, Plate>();
+  /** By id: what was written last, before it was cut. */
+  const saved = new Map<string, Steps>();
   const written = new Map<string, Set<string>>();
   /** Written by this tab, perhaps before it has read what was kept. */
   const begunHere = new Set<string>();
@@ -289,9 +295,9 @@ export function createAutosave(
     void locks.take(current, { onLost: lost });
   }
 
-  const wrote = (id: string, steps: Steps): void => {
-    saved.set(id, steps.plate);
-    written.set(id, new Set(allFiles(steps).map((file) => file.id)));
+  const wrote = (id: string, given: Steps, kept: Steps): void => {
+    saved.set(id, given);
+    written.set(id, new Set(allFiles(kept).map((file) => file.id)));
   };
 
   const isOf =
@@ -344,7 +350,7 @@ export function createAutosave(
       [recordKey(id), record],
       [aboutKey(id), about],
     ]);
-    wrote(id, steps);
+    wrote(id, given, steps);
     const stands = (): boolean => mine === turn;
     if (stands()) await tidy(id, steps, stands);
   }
@@ -355,7 +361,7 @@ export function createAutosave(
     clearTimeout(timer);
     const work = waiting;
     waiting = undefined;
-    if (work === undefined || work.steps.plate === saved.get(work.id)) return last;
+    if (work === undefined || areSame(work.steps, saved.get(work.id))) return last;
     // At once, also while an earlier plate is being written: the storage does one after the other, and a page that is being
     // closed hears no answers any more.
     begunHere.add(live(work.id));
@@ -425,7 +431,7 @@ export function createAutosave(
     if (steps === undefined) return undefined;
     const record = own ? id : newId();
     claim(record, steps);
-    if (own) wrote(id, steps);
+    if (own) wrote(id, steps, steps);
     else if (pictures.has(id)) pictures.set(record, pictures.get(id) as Blob);
     return { state: own ? 'own' : 'copy', steps };
   }

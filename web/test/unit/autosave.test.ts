@@ -155,6 +155,18 @@ test('undo and redo come back with it, within bounds', async () => {
   assert.deepEqual(future, plates.slice(at + 1, at + 61).reverse());
 });
 
+test('a step that is undone before it was saved can be redone after a reload', async () => {
+  const first = start();
+  const plate = await keep(first, named('before'));
+  const undone = named('undone');
+  first.save({ past: [plate], plate: undone, future: [] });
+  first.save({ past: [], plate, future: [undone] });
+  await first.flush();
+  const kept = await later().load();
+  assert.ok(kept !== undefined && kept.state !== 'elsewhere');
+  assert.deepEqual(kept.steps, { past: [], plate, future: [undone] });
+});
+
 test('strokes without end, and files that only earlier steps use, do not fill the storage', async () => {
   const stroke = { tool: 'comb' as const, points: new Array<number>(200_000).fill(0), radius: 0.1, softness: 0 };
   const long = (count: number): Plate => ({ ...named('long'), strokes: new Array<typeof stroke>(count).fill(stroke) });
