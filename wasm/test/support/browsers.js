@@ -78,20 +78,21 @@ export async function startChromium(more = [], name = 'Chromium') {
       ...more,
     ],
   });
-  if (process.env.SLOW !== undefined) slowDown(browser, Number(process.env.SLOW));
-  return browser;
-}
-
-function slowDown(browser, rate) {
   const newContext = browser.newContext.bind(browser);
   browser.newContext = async (options) => {
     const context = await newContext(options);
-    context.on('page', async (page) => {
-      const session = await context.newCDPSession(page);
-      await session.send('Emulation.setCPUThrottlingRate', { rate });
-    });
+    context.setDefaultTimeout(1000 * patience);
+    if (process.env.SLOW !== undefined) slowDown(context, Number(process.env.SLOW));
     return context;
   };
+  return browser;
+}
+
+function slowDown(context, rate) {
+  context.on('page', async (page) => {
+    const session = await context.newCDPSession(page);
+    await session.send('Emulation.setCPUThrottlingRate', { rate });
+  });
 }
 
 /** Has `cpuSeconds` and `playwright`, its browser, besides. */
@@ -259,11 +260,11 @@ async function launchWebKit({ graphics = true }) {
     return value;
   };
   const begin = async () => {
-    for (let attempt = 0; ; ++attempt) {
+    for (const end = Date.now() + 1000 * patience; ;) {
       try {
         return await ask('POST', '/session', { capabilities: { alwaysMatch: graphics ? {} : withoutWebGl } });
       } catch (problem) {
-        if (attempt > 40 || !(problem instanceof TypeError)) throw problem; // TypeError: it does not listen yet
+        if (Date.now() > end || !(problem instanceof TypeError)) throw problem; // TypeError: it does not listen yet
         await new Promise((resolve) => setTimeout(resolve, 100));
       }
     }

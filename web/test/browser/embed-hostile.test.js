@@ -393,7 +393,7 @@ test('addresses of script and data are neither framed nor fetched', { skip }, as
     'blob:x',
     'file:///',
   ]) {
-    const { heard, src, ran } = await heardFrom(visit.page, base);
+    const { heard, src, ran } = await heardFrom(visit.page, base, 'error');
     assert.equal(ran, undefined);
     assert.equal(src, '');
     assert.equal(heard[0][0], 'error', base);

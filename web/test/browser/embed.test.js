@@ -227,11 +227,17 @@ test('files are fetched by the host’s page, and a project brings what it names
 test('no other plate is made while the one of the attributes is on its way', { skip }, async () => {
   let arrive;
   const arrived = new Promise((resolve) => (arrive = resolve));
-  const prepare = (page) =>
-    page.route('**/stress_17.json', async (route) => {
+  const prepare = async (page) => {
+    // After ten seconds a frame no longer waits for its page (`hostWaits`): too short for a busy machine.
+    await page.addInitScript(() => {
+      const { setTimeout } = globalThis;
+      globalThis.setTimeout = (run, delay, ...more) => setTimeout(run, delay === 10_000 ? 170_000 : delay, ...more);
+    });
+    await page.route('**/stress_17.json', async (route) => {
       await arrived;
       await route.continue();
     });
+  };
   const opened = element({ project: 'examples/stress_17.json' }, { prepare });
   const frame = await until(() =>
     hosts.browser

@@ -79,7 +79,6 @@ const theme = (block) => `<!doctype html><html lang="en"><title>A blog</title><l
 async function open(address) {
   const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US' });
   page = await context.newPage();
-  page.setDefaultTimeout(60_000);
   const problems = [];
   page.on('pageerror', (error) => problems.push(String(error)));
   await page.goto(`${site.origin}/${address}`);

@@ -40,6 +40,7 @@ const small = (visit) =>
 
 test('a photograph under the lamp on the screen, and a second one with a lamp of its own', { skip }, async () => {
   const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24); // of the link, which would take the photograph's place
   await visit.drop([photo()]);
   await visit.until('({ plate }) => plate.directions.kind === "lamp"');
   await visit.idle();
@@ -113,6 +114,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
 
 test('pictures under lamps come back after a reload, from a project and from a link', { skip }, async () => {
   const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
   await visit.drop([photo(), await second(visit.page)]);
   await visit.until('({ plate }) => plate.directions.pictures?.length === 2');
   await visit.button('Done').click();

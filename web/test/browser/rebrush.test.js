@@ -316,9 +316,7 @@ test('bottoms are seen from below: they glow, a click chooses, and their beads t
   // Another angle is seen on it.
   await until(() => saves(visit).isEnabled());
   const before = await shot();
-  await view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input')).fill('75');
-  await until(async () => !(await saves(visit).isEnabled()), 'what was laid is out of date');
-  await until(() => saves(visit).isEnabled(), 'beads are laid anew');
+  await relaid(visit, () => view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input')).fill('75'));
   assert.notEqual(await shot(), before);
   const made = await downloaded(visit);
   assert.equal(made.bytes.compare(natively('part.gcode', text, '--angle', '75', '--surfaces', 'bottom')), 0);
