@@ -74,6 +74,14 @@ function compressor() {
   };
 }
 
+/** As many bytes as were announced, also of a file that changes meanwhile: one more would be taken for the next answer. */
+function sendFile(file, size, response) {
+  const stream = createReadStream(file, { end: size - 1 });
+  stream.on('error', () => response.destroy());
+  stream.on('end', () => stream.bytesRead < size && response.destroy());
+  stream.pipe(response);
+}
+
 /** Answers requests for files; `missing` answers what is not there. */
 export function filesOf(folder, missing) {
   const compressed = compressor();
@@ -108,12 +116,9 @@ export function filesOf(folder, missing) {
     } else {
       response.writeHead(200, { ...about, 'Content-Encoding': 'br', 'Content-Length': packed.length });
     }
-    if (request.method === 'HEAD') response.end();
+    if (request.method === 'HEAD' || size === 0) response.end();
     else if (packed !== undefined) response.end(packed);
-    else
-      createReadStream(file)
-        .on('error', () => response.destroy())
-        .pipe(response);
+    else sendFile(file, size, response);
   };
 }
 

@@ -1,7 +1,16 @@
 // The studio's own server, and the headers that hosts are asked to send.
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { request } from 'node:http';
+import {
+  appendFileSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  truncateSync,
+  writeFileSync,
+} from 'node:fs';
+import { Agent, request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { spawnSync } from 'node:child_process';
@@ -95,6 +104,34 @@ test('a file that is known already is not sent again, until it changes', async (
   writeFileSync(path, 'export const a = 12;');
   const changed = await raw('/changing.js', 'GET', known);
   assert.deepEqual([changed.status, changed.body], [200, 'export const a = 12;']);
+});
+
+test('a file that grows or shrinks while it is sent spoils no other answer', async () => {
+  const path = join(folder, 'dist/growing.png');
+  const size = 16 << 20; // more than all buffers in between hold
+  const agent = new Agent({ keepAlive: true, maxSockets: 1 });
+  const get = (onBegin) =>
+    new Promise((done, failed) => {
+      const { hostname, port } = new URL(site.origin);
+      request({ hostname, port, path: '/growing.png', agent }, (response) => {
+        onBegin();
+        let bytes = 0;
+        response.on('data', (part) => (bytes += part.length));
+        response.on('end', () => done(bytes));
+        response.on('error', () => done('aborted'));
+      })
+        .on('error', failed)
+        .end();
+    });
+  try {
+    writeFileSync(path, Buffer.alloc(size));
+    assert.equal(await get(() => appendFileSync(path, 'more')), size);
+    assert.equal(await get(() => {}), size + 4);
+    assert.equal(await get(() => truncateSync(path, 10)), 'aborted');
+    assert.equal(await get(() => {}), 10);
+  } finally {
+    agent.destroy();
+  }
 });
 
 test('who takes Brotli gets it, of what it makes smaller; the same bytes come out', async () => {
