@@ -897,6 +897,16 @@ TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for
              std::numbers::pi * (22 * 22 - 18 * 18), 250);
   checkShown("<circle cx='50' cy='50' r='10' fill='none' stroke='red' stroke-width='24'/>", std::numbers::pi * 22 * 22,
              140);
+  // One drawn as a line that ends where it began.
+  const std::string open = "<path d='M40 50a10 10 0 1 0 20 0a10 10 0 1 0 -20 0' fill='none' stroke='red' stroke-width=";
+  checkShown(open + "'4'/>", std::numbers::pi * (12 * 12 - 8 * 8), 130);
+  checkShown(open + "'24'/>", std::numbers::pi * 22 * 22, 140);
+  checkShown(open + "'24' stroke-linecap='round' stroke-dasharray='1000'/>", std::numbers::pi * 22 * 22, 140);
+  // A tiny one as icons have it, in which all that is laid aside meets in one point.
+  checkShown(kSquare + "<path d='M84.87 85a.13 .13 0 1 0 .26 0a.13 .13 0 1 0 -.26 0' stroke='red' stroke-width='.53'/>",
+             100 + std::numbers::pi * 0.395 * 0.395, 2.5);
+  // A corner where it ends is no join.
+  checkShown("<path d='M20 20H40V40H20V20' fill='none' stroke='red' stroke-width='4'/>", 320 - 4 + 4 - 4);
   // There and back again, over a tight bend.
   checkShown("<path d='M20 50H60H20' stroke='red' stroke-width='4' stroke-linecap='round' stroke-linejoin='round'/>",
              160 + std::numbers::pi * 4, 13);

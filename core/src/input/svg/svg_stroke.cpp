@@ -29,7 +29,28 @@ struct Track {
   bool closed = false;
 };
 
-Track trackOf(const Line& line, const Matrix& toUser) {
+double cosineOfTurn(Vec2 before, Vec2 at, Vec2 after) {
+  const Vec2 from = at - before, to = after - at;
+  return dot(from, to) / (length(from) * length(to));
+}
+
+// A line that ends where it began, and in the same direction, looks like a closed one: many circles are drawn so. Caps
+// that stick out would be seen.
+void closeWhereItMeetsItself(Track& track, StrokeCap cap) {
+  const std::vector<Vec2>& p = track.points;
+  const std::size_t n = p.size();
+  if (track.closed || cap == StrokeCap::Square || n < 5 || p.front() != p.back()) return;
+  const double atSeam = cosineOfTurn(p[n - 2], p[0], p[1]);
+  const bool curved = track.smooth[1] != 0 && track.smooth[n - 2] != 0;
+  const double beside = std::min(cosineOfTurn(p[0], p[1], p[2]), cosineOfTurn(p[n - 3], p[n - 2], p[n - 1]));
+  if (atSeam < kSmoothTurn && !(curved && atSeam > beside - 0.01)) return;
+  track.closed = true;
+  track.points.pop_back();
+  track.smooth.pop_back();
+  track.smooth.front() = 1;
+}
+
+Track trackOf(const Line& line, const Matrix& toUser, StrokeCap cap) {
   Track track;
   track.closed = line.closed;
   Vec2 last;
@@ -47,6 +68,7 @@ Track trackOf(const Line& line, const Matrix& toUser) {
     track.points.pop_back();
     track.smooth.pop_back();
   }
+  closeWhereItMeetsItself(track, cap);
   return track;
 }
 
@@ -295,7 +317,7 @@ std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stro
   Dashes dashes(stroke, pointsLeft);
   Walker walker(stroke, toWorld, tolerance, pointsLeft);
   for (const Line& line : lines) {
-    const Track track = trackOf(line, toUser);
+    const Track track = trackOf(line, toUser, stroke.cap);
     if (!dashed) {
       walker.walk(track, rings);
       continue;
