@@ -254,6 +254,12 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
     return Error{ErrorCode::InvalidArgument, oneSentence(error.what())};
   }
   if (looksLikePicture(arguments.scene)) {
+    for (const char* given : {"--directions", "--angle"}) {
+      if (generate->count(given) == 0) continue;
+      return Error{ErrorCode::InvalidArgument, "\"" + arguments.scene +
+                                                   "\" is a picture to be seen, which finds the directions: " + given +
+                                                   " cannot be given beside it; leave one of them out"};
+    }
     arguments.pictures.files.insert(arguments.pictures.files.begin(), arguments.scene);
     arguments.scene.clear();
   }

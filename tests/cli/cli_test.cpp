@@ -895,6 +895,8 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, one + "--smoothness 0" + kOutputs, "pictures.smoothness is 0; it must be 0.001 to 10");
   checkRefused(folder, one + "--local-contrast 3" + kOutputs, "pictures.localContrast is 3; it must be 0 to 2");
   checkRefused(folder, one + "--directions tiny.png" + kOutputs, "excludes");
+  checkRefused(folder, "generate tiny.png --directions tiny.png" + kOutputs, "--directions cannot be given beside it");
+  checkRefused(folder, "generate tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
   checkRefused(folder, "generate --picture none.png" + kOutputs, "\"none.png\" cannot be read");
   checkRefused(folder, one + one.substr(9) + one.substr(9) + one.substr(9) + one.substr(9) + kOutputs,
