@@ -118,7 +118,10 @@ TEST_CASE("sRGB codes and light are each other's inverse") {
 TEST_CASE("pictures become luminance, are averaged as light, and levelled at their percentiles") {
   const Image green{1, 1, 4, {0, 65535, 0, 65535}};
   CHECK(tonesOf(green).value[0] == doctest::Approx(codeOfLight(0.7152f)).epsilon(1e-4));
-  CHECK(tonesOf({1, 1, 2, {65535, 0}}).value[0] == 0);  // nothing there
+  // What is transparent shows white paper.
+  CHECK(tonesOf({1, 1, 2, {0, 0}}).value[0] == 1);
+  CHECK(tonesOf({1, 1, 2, {0, 65535}}).value[0] == 0);
+  CHECK(tonesOf({1, 1, 4, {0, 0, 0, 16384}}).value[0] == doctest::Approx(0.75).epsilon(1e-3));
 
   const Tones chess{2, 2, {0, 1, 1, 0}};
   CHECK(resampled(chess, 1, 1).value[0] == doctest::Approx(codeOfLight(0.5f)).epsilon(1e-4));

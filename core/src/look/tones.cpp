@@ -106,7 +106,7 @@ Tones greysOf(const Image& image, Grey&& grey) {
       const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
       const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
       const float code = image.channels < 3 ? channel(0) : grey(channel(0), channel(1), channel(2));
-      tones.value.push_back(code * solid);
+      tones.value.push_back(code * solid + (1 - solid));
     }
   }
   return tones;

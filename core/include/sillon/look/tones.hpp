@@ -25,7 +25,7 @@ float lightOfCode(float code);
 /// Its inverse, within 1e-5.
 float codeOfLight(float light);
 
-/// Luminance (Rec. 709) of the picture's sRGB colours, again as a code; what is transparent counts as black.
+/// Luminance (Rec. 709) of the picture's sRGB colours, again as a code; what is transparent shows white paper.
 Tones tonesOf(const Image& image);
 
 /// The same from codes as they are mixed for JPEG, which keeps this one sharp and blurs what colours differ by.
