@@ -17,7 +17,7 @@ nlohmann::ordered_json known(double value) {
 
 }  // namespace
 
-std::string checkText(const sillon::GcodeCheck& check) {
+std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   char line[512];
   std::string out = plural(check.lines, "line") + ", " + plural(check.moves, "move") + ", " +
                     plural(check.layers, "layer") + (check.printer.empty() ? "" : ", for " + check.printer) + "\n";
@@ -55,11 +55,16 @@ std::string checkText(const sillon::GcodeCheck& check) {
     if (finding.line > 0 && finding.count > 1) out += " and " + std::to_string(finding.count - 1) + " more";
     out += finding.line > 0 ? ")\n" : "\n";
   }
+  if (!unchecked.empty()) {
+    out += "unchecked  ";
+    for (const std::string& what : unchecked) out += what + (what == unchecked.back() ? "" : ", ");
+    out += ": the file does not tell the machine's limits; --printer does\n";
+  }
   const std::int64_t errors = check.errors();
   return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
 }
 
-std::string checkJson(const sillon::GcodeCheck& check) {
+std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const sillon::GcodeFinding& finding : check.findings) {
     nlohmann::ordered_json values = nlohmann::ordered_json::object();
@@ -74,6 +79,7 @@ std::string checkJson(const sillon::GcodeCheck& check) {
   }
   nlohmann::ordered_json out = {{"errors", check.errors()},
                                 {"findings", std::move(findings)},
+                                {"unchecked", unchecked},
                                 {"lines", check.lines},
                                 {"moves", check.moves},
                                 {"layers", check.layers},

@@ -8,9 +8,9 @@
 namespace cli {
 
 /// Facts, then one line per finding, then the verdict.
-std::string checkText(const sillon::GcodeCheck& check);
+std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked);
 
 /// The same with the names of the npm package's GcodeCheck; what is unknown is null.
-std::string checkJson(const sillon::GcodeCheck& check);
+std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked);
 
 }  // namespace cli

@@ -175,7 +175,9 @@ int check(const cli::Arguments& arguments) {
   const sillon::Result<std::string> text = sillon::unpackGcode(std::move(file).value());
   if (!text) return fail(text.error());
   const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
-  return answer(arguments.checkJson ? cli::checkJson(result) : cli::checkText(result), result.errors() == 0 ? 0 : 2);
+  const std::vector<std::string> unchecked = sillon::uncheckedIn(text.value(), arguments.checkPrinter);
+  return answer(arguments.checkJson ? cli::checkJson(result, unchecked) : cli::checkText(result, unchecked),
+                result.errors() == 0 ? 0 : 2);
 }
 
 /// The printer as a project on stdout, what needs a look on stderr.

@@ -306,9 +306,13 @@ inline val toJs(const std::vector<sillon::GcodeFinding>& list) {
   return findings;
 }
 
-inline val toJs(const sillon::GcodeCheck& check) {
+/// \param unchecked  as uncheckedIn tells
+inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked = {}) {
   val out = val::object();
   out.set("findings", toJs(check.findings));
+  val names = val::array();
+  for (const std::string& name : unchecked) names.call<void>("push", val(name));
+  out.set("unchecked", names);
   out.set("errors", static_cast<double>(check.errors()));
   out.set("lines", static_cast<double>(check.lines));
   out.set("moves", static_cast<double>(check.moves));

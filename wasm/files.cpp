@@ -148,7 +148,8 @@ val checkGcode(const std::string& projectJson) {
     }
     const auto text = sillon::unpackGcode(call::takenFile());
     if (!text) return failure(text.error());
-    return success(convert::toJs(sillon::checkGcode(text.value(), printer)));
+    return success(
+        convert::toJs(sillon::checkGcode(text.value(), printer), sillon::uncheckedIn(text.value(), printer)));
   });
 }
 

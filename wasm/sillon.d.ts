@@ -972,6 +972,8 @@ export interface ImportedPrinter {
 
 export interface GcodeCheck {
   findings: GcodeFinding[];
+  /** What could not be judged, as neither a printer was given nor the file tells the machine's limits. */
+  unchecked: ('bed' | 'height' | 'nozzle' | 'flow' | 'speed')[];
   /** Lines that put the print at risk. */
   errors: number;
   lines: number;

@@ -291,7 +291,11 @@ TEST_CASE("check reads G-code as a printer would") {
   const Run good = folder.run("check a.gcode");
   CHECK(good.code == 0);
   CHECK(has(good.out, "3 layers, for Generic\n"));
-  CHECK(has(good.out, "\nno errors\n"));
+  CHECK(has(good.out,
+            "\nunchecked  flow, speed: the file does not tell the machine's limits; --printer does\nno errors\n"));
+  const Run known = folder.run("check a.gcode --printer prusa-mini");
+  CHECK(has(known.out, "\nmost "));
+  CHECK(!has(known.out, "unchecked"));
   std::string text = readAll(folder.at("a.gcode"));
   text.erase(text.find("G28\n"), 4);
   folder.write("b.gcode", text);

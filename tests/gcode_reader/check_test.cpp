@@ -530,3 +530,14 @@ TEST_CASE("any bytes end in findings") {
   CHECK(checkGcode("G1 X" + std::string(100000, '9')).errors() > 0);
   CHECK(checkGcode(std::string(100000, 'G')).errors() > 0);
 }
+
+TEST_CASE("what no limit is known for is told, and nothing with a printer") {
+  const std::string body = "G90\nM83\nG28\nG1 X10 Y10 E99 F300\n";
+  const std::vector<std::string> all{"bed", "height", "nozzle", "flow", "speed"};
+  CHECK(uncheckedIn(body) == all);
+  CHECK(uncheckedIn("") == all);
+  CHECK(uncheckedIn(body +
+                    "; nozzle_diameter = 0.4\n; max_print_height = 210\n; bed_shape = 0x0,250x0,250x210,0x210\n") ==
+        std::vector<std::string>{"flow", "speed"});
+  CHECK(uncheckedIn(body, Printer{}).empty());
+}

@@ -90,6 +90,8 @@ test('packed G-code is that of the native program, and both read it', async () =
   assert.ok(expected.equals(Buffer.from(await zip.arrayBuffer())));
   assert.deepEqual(await engine.checkGcode(zip), await engine.checkGcode(Buffer.from(gcode)));
   const checked = JSON.parse(spawnSync(nativeProgram, ['check', packed, '--json'], { encoding: 'utf8' }).stdout);
+  assert.deepEqual((await engine.checkGcode(zip)).unchecked, ['flow', 'speed']);
+  assert.deepEqual((await engine.checkGcode(zip, { profile: 'prusa-mini' })).unchecked, []);
   const { findings, coverage, noise, pathMm } = await engine.checkGcode(zip);
   assert.deepEqual(
     { findings, coverage, noise, pathMm },

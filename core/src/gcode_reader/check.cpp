@@ -13,4 +13,15 @@ GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& print
   return rules.finish();
 }
 
+std::vector<std::string> uncheckedIn(std::string_view text, const std::optional<Printer>& printer) {
+  if (printer) return {};
+  const FileSettings settings = readFileSettings(text, printer);
+  std::vector<std::string> unchecked;
+  if (settings.bed.empty()) unchecked.push_back("bed");
+  if (settings.maxZ <= 0) unchecked.push_back("height");
+  if (settings.nozzle <= 0) unchecked.push_back("nozzle");
+  unchecked.insert(unchecked.end(), {"flow", "speed"});  // no file tells them
+  return unchecked;
+}
+
 }  // namespace sillon

@@ -56,4 +56,8 @@ struct GcodeCheck {
 /// no limits. Lines that are marked as a start or end block may reach 10 mm over the bed's edge, as makers' own do.
 GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& printer = {});
 
+/// What checkGcode cannot judge, as neither `printer` nor the file itself tells the limits: of "bed", "height",
+/// "nozzle", "flow" and "speed".
+std::vector<std::string> uncheckedIn(std::string_view text, const std::optional<Printer>& printer = {});
+
 }  // namespace sillon
