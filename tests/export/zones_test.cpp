@@ -326,6 +326,8 @@ TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
   CHECK(corner.y == Approx(2));
   CHECK(resolveOutline(seen).value().area == Approx(50).epsilon(0.01));
   for (std::size_t size = 0; size < bytes.size(); size += 7) CHECK_FALSE(readStl(bytes.substr(0, size)));
+  const std::string whole = text.str();
+  for (std::size_t size = 0; size < whole.rfind("endsolid") + 8; size += 7) CHECK_FALSE(readStl(whole.substr(0, size)));
   CHECK_FALSE(readStl("solid nothing\nendsolid\n"));
   CHECK_FALSE(readStl("solid x\nvertex 1 2\n"));
   CHECK_FALSE(readStl("solid x\nvertex 1 2 nan vertex 1 2 3 vertex 2 2 2\n"));

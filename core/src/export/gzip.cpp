@@ -59,7 +59,7 @@ Result<std::string> unzipped(std::string_view file) {
   const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
   if (size > kMostGcodeBytes) {
     return Error{ErrorCode::TooLarge,
-                 "the .gz holds " + std::to_string(size >> 20) + " MiB of text; it must be at most 256"};
+                 "the .gz holds " + std::to_string(size >> 20) + " MiB of text, or is cut off; it must be at most 256"};
   }
   if (size > data.size() * kBestDeflate) return damaged("is damaged: its size does not fit");
   // stb_image's inflate looks 4 bytes beyond the end; the trailer follows there.

@@ -55,8 +55,9 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
       if (read.ec != std::errc{}) return broken("has a corner that is no three numbers");
       at = static_cast<std::size_t>(read.ptr - text.data());
     }
-    if (corners.size() > 3 * kMostFacets) break;
+    if (corners.size() > 3 * kMostFacets) return corners;
   }
+  if (text.rfind("endsolid") == std::string_view::npos) return broken("is cut off: it has no endsolid");
   return corners;
 }
 
