@@ -4,12 +4,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "words.hpp"
+
 namespace cli {
 namespace {
-
-std::string plural(std::int64_t count, const std::string& word) {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
 
 nlohmann::ordered_json known(double value) {
   return value < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value);

@@ -20,6 +20,7 @@
 #include "sillon/look/thumbnails.hpp"
 #include "sillon/look/view_file.hpp"
 #include "sillon/quality/report.hpp"
+#include "words.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -301,8 +302,8 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
   std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", job.input.shape.page.x, job.input.shape.page.y,
                           plate.toolpath.spacing);
   for (const std::string& note : inputNotes(job.project, job.input.shape.drawing)) out += "note       " + note + "\n";
-  out += print("toolpath   %lld cycles joined to %zu toolpath%s", static_cast<long long>(plate.contourCycles),
-               toolpaths, toolpaths == 1 ? "" : "s");
+  out += "toolpath   " + plural(plate.contourCycles, "cycle") + " joined to " +
+         plural(static_cast<std::int64_t>(toolpaths), "toolpath");
   if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);
   out += "\n";
   if (job.measures) {

@@ -1,5 +1,6 @@
 #include "rebrush.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "sillon/look/spools.hpp"
 #include "sillon/project/pictures.hpp"
 #include "sillon/settings/table.hpp"
+#include "words.hpp"
 
 namespace cli {
 namespace {
@@ -146,8 +148,8 @@ std::string summaryText(const sillon::Rebrushed& done) {
     }
   }
   char line[200];
-  std::snprintf(line, sizeof line, "time   %+.0f s as estimated; %lld lines of the file tell it\n", done.seconds,
-                static_cast<long long>(done.totals));
+  std::snprintf(line, sizeof line, "time   %+lld s as estimated; %s of the file changed for it\n",
+                std::llround(done.seconds), plural(done.totals, "line").c_str());
   out += line;
   return out;
 }

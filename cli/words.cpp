@@ -11,6 +11,10 @@ void refuse(const std::string& option, const std::string& text, const std::strin
   throw CLI::ValidationError(option + " is \"" + text + "\"; it must be " + wanted, CLI::ExitCodes::ValidationError);
 }
 
+std::string plural(std::int64_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
 std::optional<double> parseNumber(const std::string& text) {
   if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
   char* end = nullptr;

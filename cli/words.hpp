@@ -1,4 +1,4 @@
-// What words of the command line say: numbers and pairs, or a sentence that refuses them.
+// What words of the command line say: numbers and pairs, or a sentence that refuses them. And numbers in words.
 #pragma once
 
 #include <cerrno>
@@ -15,6 +15,9 @@ namespace cli {
 
 /// Throws what CLI11 reports as a parse error: OPTION is "TEXT"; it must be WANTED.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted);
+
+/// "1 line", "2 lines".
+std::string plural(std::int64_t count, const std::string& word);
 
 /// A finite decimal number and nothing else: no nan, no inf, no hex, no trailing words.
 std::optional<double> parseNumber(const std::string& text);

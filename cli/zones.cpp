@@ -69,7 +69,7 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
     std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);
     out += line;
   }
-  std::snprintf(line, sizeof line, "error  %.1f degrees in the mean against the directions that were given\n",
+  std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given\n",
                 zones.value().error);
   return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
 }

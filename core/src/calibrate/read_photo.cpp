@@ -138,7 +138,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   }
   if (std::min(photograph.width, photograph.height) < kLeastSide) {
     return unreadable("the photograph has " + std::to_string(photograph.width) + " x " +
-                      std::to_string(photograph.height) + " pixels; either side must have at least " +
+                      std::to_string(photograph.height) + " pixels; each side must have at least " +
                       std::to_string(kLeastSide));
   }
   if (pixels > kMostPixels) {
