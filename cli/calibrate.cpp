@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files.hpp"
+#include "outputs.hpp"
 #include "sillon/calibrate/read_photo.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -177,9 +178,7 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
   const std::vector<sillon::GcodeFinding> findings = sillon::checkGcode(gcode, plate.printer).findings;
 
   std::vector<OutputFile> files;
-  Result<std::string> packed = arguments.out.ends_with(".gcode.3mf") ? sillon::packGcode(gcode)
-                               : arguments.out.ends_with(".bgcode")  ? sillon::packBinaryGcode(gcode)
-                                                                     : Result<std::string>(gcode);
+  Result<std::string> packed = packedAs(arguments.out, std::move(gcode));
   if (!packed) return packed.error();
   files.push_back({arguments.out, std::move(packed).value()});
   if (!arguments.preview.empty()) {

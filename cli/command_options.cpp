@@ -149,7 +149,7 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
       ->required();
   command
       .add_option("-o,--output", arguments.out,
-                  "G-code; packed if F ends in .gcode.3mf or .bgcode; of a photograph, a file for --spools")
+                  "G-code; packed if F ends in .gcode.3mf, .bgcode or .gz; of a photograph, a file for --spools")
       ->option_text("F")
       ->group(group);
   command.add_option("--from", arguments.from, "first value to try [as the kind has it]")

@@ -218,13 +218,32 @@ std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictu
 
 namespace {
 
+/// By the end of its name, in letters of any case.
+bool endsWith(std::string name, std::string_view end) {
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  return name.ends_with(end);
+}
+
+}  // namespace
+
+Result<std::string> packedAs(const std::string& path, std::string gcode) {
+  if (endsWith(path, ".gcode.3mf")) return sillon::packGcode(gcode);
+  if (endsWith(path, ".bgcode")) return sillon::packBinaryGcode(gcode);
+  if (endsWith(path, ".gz")) return sillon::gzipGcode(gcode);
+  if (endsWith(path, ".3mf")) {
+    return Error{ErrorCode::InvalidArgument,
+                 "\"" + path + "\" would be taken for a model; G-code in a 3MF must end in .gcode.3mf"};
+  }
+  return gcode;
+}
+
+namespace {
+
 /// The G-code in the kind of file that its name asks for.
 Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
-  const bool package = paths.gcode.ends_with(".gcode.3mf");
-  const bool binary = paths.gcode.ends_with(".bgcode");
-  if (paths.container.empty()) {
-    return package ? sillon::packGcode(gcode) : binary ? sillon::packBinaryGcode(gcode) : std::move(gcode);
-  }
+  if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
+  const bool package = endsWith(paths.gcode, ".gcode.3mf");
+  const bool binary = endsWith(paths.gcode, ".bgcode");
   Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
   if (!bytes) return bytes.error();
   const Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(std::move(bytes).value());

@@ -42,6 +42,10 @@ sillon::Result<std::string> runDate();
 /// \param pictures  each has a preview.
 std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures);
 
+/// G-code in the kind of file that the end of `path` asks for: .gcode.3mf, .bgcode, .gz, else text. \return
+/// InvalidArgument for a .3mf that would be taken for a model; TooLarge as packing does.
+sillon::Result<std::string> packedAs(const std::string& path, std::string gcode);
+
 /// Makes every output; fills job.gcode, job.pictureMeasures and job.bodyRefused.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
 

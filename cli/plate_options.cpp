@@ -211,7 +211,8 @@ void addPrint(Options& options, Arguments& arguments) {
 
 void addOutputs(Options& options, Arguments& arguments) {
   options.group("Output");
-  options.output("--gcode", "G-code for the printer; packed if F ends in .gcode.3mf (Bambu Lab) or .bgcode (Prusa)",
+  options.output("--gcode",
+                 "G-code for the printer; packed if F ends in .gcode.3mf (Bambu Lab), .bgcode (Prusa) or .gz",
                  arguments.outputs.gcode);
   options.output("--container", "a slicer's .gcode.3mf or .bgcode F, whose other parts the G-code's file keeps",
                  arguments.outputs.container);

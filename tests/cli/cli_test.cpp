@@ -619,6 +619,14 @@ TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are r
   CHECK(folder.run("import a.gcode.3mf").out == folder.run("import a.gcode").out);
   folder.write("b.gcode.3mf", zip.substr(0, zip.size() / 2));
   checkRefused(folder, "check b.gcode.3mf", "the .gcode.3mf is cut off");
+  // Endings count in any case; what would be taken for another kind of file is not written.
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode c.GCODE.3MF", "SOURCE_DATE_EPOCH=0").code == 0);
+  CHECK(readAll(folder.at("c.GCODE.3MF")) == zip);
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode d.gcode.gz", "SOURCE_DATE_EPOCH=0").code == 0);
+  CHECK(readAll(folder.at("d.gcode.gz")).starts_with("\x1f\x8b"));
+  CHECK(folder.run("check d.gcode.gz").out == folder.run("check a.gcode").out);
+  checkRefused(folder, std::string(kDisc) + "--gcode e.3mf", "G-code in a 3MF must end in .gcode.3mf");
+  checkRefused(folder, "calibrate flow -o e.3mf", "G-code in a 3MF must end in .gcode.3mf");
 }
 
 TEST_CASE("the base is written as a solid, STL or 3MF by its name") {
