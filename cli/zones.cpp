@@ -6,6 +6,7 @@
 
 #include "assemble.hpp"
 #include "files.hpp"
+#include "outputs.hpp"
 #include "sillon/project/pictures.hpp"
 
 namespace cli {
@@ -64,6 +65,9 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   if (!package) return package.error();
 
   std::string out;
+  if (arguments.body.empty()) {
+    for (const std::string& note : inputNotes(project, seen.drawing)) out += "note   " + note + "\n";
+  }
   char line[160];
   for (const sillon::DirectionZone& zone : zones.value().zones) {
     std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);

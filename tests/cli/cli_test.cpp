@@ -452,6 +452,12 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   const Folder folder;
   // Grey tells the angle: 64 is 180 * 64 / 255 - 90 = -44.8 degrees, 191 is 44.8.
   folder.picture("two.png", 40, 40, [](int column, int) { return column < 20 ? 64 : 191; });
+  folder.write("text.svg",
+               "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><rect width='9' "
+               "height='9'/><text>a</text></svg>");
+  const Run told = folder.run("zones --shape text.svg --angle 30 -o told.3mf");
+  CHECK(has(told.out, "note   the drawing has 1 <text>, which is left out"));
+  CHECK(has(told.out, "off    0.0 degrees on average"));
   const Run done = folder.run("zones --shape rect --size 30x20 --directions two.png -o new.3mf");
   CAPTURE(done.err);
   REQUIRE(done.code == 0);
