@@ -22,12 +22,10 @@
 namespace cli {
 namespace {
 
-using sillon::DirectionEncoding;
 using sillon::DirectionMode;
 using sillon::Error;
 using sillon::ErrorCode;
 using sillon::PerimeterMode;
-using sillon::PictureFit;
 using sillon::RebrushedSurface;
 using sillon::Result;
 using sillon::SlicedFile;
