@@ -1,6 +1,9 @@
 #include "assemble.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "files.hpp"
@@ -39,11 +42,28 @@ std::string seenFrom(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
+namespace {
+
+/// What a file is that was given in place of a project, with the way it is meant to be given.
+std::optional<std::string> otherThanJson(std::string_view text) {
+  const std::string_view start = text.substr(0, 64);
+  const std::size_t first = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  if (first != std::string_view::npos && start[first] == '<') return " is a drawing, no project; give it as --shape";
+  if (std::any_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < 9; })) {
+    return " is no text, so no project; a picture to be seen is given by --picture, as PNG, JPEG, BMP or TGA";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<Project> loadProject(const std::string& path) {
   const Result<std::string> text = readFile(path, "scene", kMaxProjectBytes);
   if (!text) return text.error();
   Result<Project> project = sillon::readProject(text.value());
-  if (!project) return Error{project.error().code, "scene \"" + path + "\": " + project.error().message};
+  if (!project)
+    return Error{project.error().code,
+                 "scene \"" + path + "\"" + otherThanJson(text.value()).value_or(": " + project.error().message)};
   const fs::path folder = fs::path(path).parent_path();
   Project& read = project.value();
   // The repository of the paper keeps its scenes in folders, and names their files from its root. Only their keys set

@@ -913,6 +913,11 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, one + "--smoothness 0" + kOutputs, "pictures.smoothness is 0; it must be 0.001 to 10");
   checkRefused(folder, one + "--local-contrast 3" + kOutputs, "pictures.localContrast is 3; it must be 0 to 2");
   checkRefused(folder, one + "--directions tiny.png" + kOutputs, "excludes");
+  folder.write("logo.svg", "\n<svg xmlns='http://www.w3.org/2000/svg'/>");
+  folder.write("moving.gif", std::string("GIF89a\x01\0\x01\0", 10));
+  checkRefused(folder, "generate logo.svg" + kOutputs,
+               "scene \"logo.svg\" is a drawing, no project; give it as --shape");
+  checkRefused(folder, "generate moving.gif" + kOutputs, "scene \"moving.gif\" is no text, so no project; a picture");
   checkRefused(folder, "generate tiny.png --directions tiny.png" + kOutputs, "--directions cannot be given beside it");
   checkRefused(folder, "generate tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
