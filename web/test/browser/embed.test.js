@@ -7,7 +7,7 @@ import { unzipSync } from 'fflate';
 import { lacking } from '../../../wasm/test/support/browsers.js';
 import { project, startHosts } from './support/hosts.js';
 import { sharedBench } from './support/shared.js';
-import { keptPlate, until } from './support/waits.js';
+import { keptPlate, stretchWaits, until } from './support/waits.js';
 
 const skip = lacking('Chromium');
 const hosts = sharedBench(skip, startHosts);
@@ -228,11 +228,7 @@ test('no other plate is made while the one of the attributes is on its way', { s
   let arrive;
   const arrived = new Promise((resolve) => (arrive = resolve));
   const prepare = async (page) => {
-    // After ten seconds a frame no longer waits for its page (`hostWaits`): too short for a busy machine.
-    await page.addInitScript(() => {
-      const { setTimeout } = globalThis;
-      globalThis.setTimeout = (run, delay, ...more) => setTimeout(run, delay === 10_000 ? 170_000 : delay, ...more);
-    });
+    await stretchWaits(page, 10_000, 170_000); // then a frame no longer waits for its page (`hostWaits`)
     await page.route('**/stress_17.json', async (route) => {
       await arrived;
       await route.continue();

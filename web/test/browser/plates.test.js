@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { sharedBench } from './support/shared.js';
 import { linkOf } from './support/small.js';
 import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
-import { keptPlate, until } from './support/waits.js';
+import { keptPlate, stretchWaits, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 
@@ -198,12 +198,11 @@ test('a project that was opened is saved back in its place', { skip }, async () 
 
 test('where the browser lends no locks, tabs ask each other and overwrite nothing', { skip }, async () => {
   const keep = await bench.browser.newContext({ reducedMotion: 'reduce', locale: 'en-US' });
-  // As on pages without TLS. Tabs on a busy machine have longer for their answers than half a second.
+  // As on pages without TLS.
   await keep.addInitScript(() => {
     delete Navigator.prototype.locks;
-    const { setTimeout } = globalThis;
-    globalThis.setTimeout = (run, delay, ...more) => setTimeout(run, delay === 500 ? 5000 : delay, ...more);
   });
+  await stretchWaits(keep, 500, 5000); // for answers of other tabs
   const one = await bench.open({ keep, small: true });
   assert.equal(await one.page.evaluate(() => navigator.locks), undefined);
   await takenOver(one);

@@ -4,6 +4,16 @@ import assert from 'node:assert/strict';
 /** For what must come [ms]: far more than a slow machine that is busy with other things takes. */
 export const patience = 180_000;
 
+/** For a page, or all of a context: what waits for `delay` waits for `longer` [ms], so that a busy machine is in time. */
+export const stretchWaits = (pages, delay, longer) =>
+  pages.addInitScript(
+    ([delay, longer]) => {
+      const { setTimeout } = globalThis;
+      globalThis.setTimeout = (run, wait, ...more) => setTimeout(run, wait === delay ? longer : wait, ...more);
+    },
+    [delay, longer],
+  );
+
 /** The plate of a frame or page that the studio kept last, or null: as it stands in the browser's storage now.
  * @param host  a site's origin and the name that it gave the work; '': the studio's own */
 export const keptPlate = (frame, host = '') =>
