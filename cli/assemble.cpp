@@ -40,10 +40,6 @@ std::string seenFrom(const fs::path& folder, const std::string& name) {
   return error ? name : relative.generic_string();
 }
 
-}  // namespace
-
-namespace {
-
 /// What a file is that was given in place of a project, with the way it is meant to be given.
 std::optional<std::string> otherThanJson(std::string_view text) {
   const std::string_view start = text.substr(0, 64);

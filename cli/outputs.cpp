@@ -216,16 +216,6 @@ std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictu
   return names;
 }
 
-namespace {
-
-/// By the end of its name, in letters of any case.
-bool endsWith(std::string name, std::string_view end) {
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
-  return name.ends_with(end);
-}
-
-}  // namespace
-
 Result<std::string> packedAs(const std::string& path, std::string gcode) {
   if (endsWith(path, ".gcode.3mf")) return sillon::packGcode(gcode);
   if (endsWith(path, ".bgcode")) return sillon::packBinaryGcode(gcode);
@@ -321,8 +311,7 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
   std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", job.input.shape.page.x, job.input.shape.page.y,
                           plate.toolpath.spacing);
   for (const std::string& note : inputNotes(job.project, job.input.shape.drawing)) out += "note       " + note + "\n";
-  out += "toolpath   " + plural(plate.contourCycles, "cycle") + " joined to " +
-         plural(static_cast<std::int64_t>(toolpaths), "toolpath");
+  out += "toolpath   " + plural(plate.contourCycles, "cycle") + " joined to " + plural(toolpaths, "toolpath");
   if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);
   out += "\n";
   if (job.measures) {
@@ -333,11 +322,11 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
   if (!job.input.shape.kept.empty()) {
     double area = 0;
     for (const sillon::ThinPlace& place : job.input.shape.kept) area += place.areaMm2;
-    out += print("kept       %.2f mm2 in %zu place%s narrower than a bead, widened to one\n", area,
-                 job.input.shape.kept.size(), job.input.shape.kept.size() == 1 ? "" : "s");
+    out += print("kept       %.2f mm2 in %s narrower than a bead, widened to one\n", area,
+                 plural(job.input.shape.kept.size(), "place").c_str());
   }
   out += pictureLines(job.pictures, job.pictureMeasures);
-  out += print("time       %.2f s on %d thread%s\n", seconds, threads, threads == 1 ? "" : "s");
+  out += print("time       %.2f s on %s\n", seconds, plural(threads, "thread").c_str());
   if (job.gcode) {
     out += print("print      %s, %.2f m filament, %.1f g\n", durationText(job.gcode->seconds).c_str(),
                  job.gcode->filamentMm / 1000, job.gcode->filamentGrams);

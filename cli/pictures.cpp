@@ -31,10 +31,6 @@ std::optional<Vec2> lampOf(const std::string& text) {
   return Vec2{*azimuth, *elevation};
 }
 
-std::string countOf(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::optional<double> lampSlopeOf(const std::string& size) {
@@ -106,7 +102,7 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
     project.directionFile.clear();
   }
   if (lamps.size() > std::max<std::size_t>(1, pictures.size())) {
-    return "--lamp is given " + countOf(lamps.size(), "time") + " for " + countOf(pictures.size(), "picture") +
+    return "--lamp is given " + plural(lamps.size(), "time") + " for " + plural(pictures.size(), "picture") +
            "; give at most one for each picture";
   }
   for (std::size_t k = 0; k < std::min(lamps.size(), pictures.size()); ++k) pictures[k].lamp = lamps[k];
@@ -115,9 +111,7 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
 
 bool looksLikePicture(const std::string& path) {
   constexpr std::array<std::string_view, 5> kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tga"};
-  std::string name = path;
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
-  return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return name.ends_with(end); });
+  return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return endsWith(path, end); });
 }
 
 sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,

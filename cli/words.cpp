@@ -1,6 +1,7 @@
 #include "words.hpp"
 
 #include <CLI/Error.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace cli {
@@ -11,8 +12,9 @@ void refuse(const std::string& option, const std::string& text, const std::strin
   throw CLI::ValidationError(option + " is \"" + text + "\"; it must be " + wanted, CLI::ExitCodes::ValidationError);
 }
 
-std::string plural(std::int64_t count, const std::string& word) {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+bool endsWith(std::string name, std::string_view end) {
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  return name.ends_with(end);
 }
 
 std::optional<double> parseNumber(const std::string& text) {

@@ -1,4 +1,5 @@
-// What words of the command line say: numbers and pairs, or a sentence that refuses them. And numbers in words.
+// What words of the command line say: numbers and pairs, or a sentence that refuses them. Counts in words, and ends of
+// names.
 #pragma once
 
 #include <cerrno>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "sillon/base/types.hpp"
@@ -17,7 +19,13 @@ namespace cli {
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted);
 
 /// "1 line", "2 lines".
-std::string plural(std::int64_t count, const std::string& word);
+template <class Integer>
+requires std::is_integral_v<Integer> std::string plural(Integer count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+/// Whether a file's name ends so, in letters of any case. \param end  in small letters
+bool endsWith(std::string name, std::string_view end);
 
 /// A finite decimal number and nothing else: no nan, no inf, no hex, no trailing words.
 std::optional<double> parseNumber(const std::string& text);

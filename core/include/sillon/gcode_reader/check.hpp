@@ -57,7 +57,7 @@ struct GcodeCheck {
 GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& printer = {});
 
 /// What checkGcode cannot judge, as neither `printer` nor the file itself tells the limits: of "bed", "height",
-/// "nozzle", "flow" and "speed".
+/// "nozzle", "flow" and "speed". Apart from checkGcode, so that those who always know the printer go without.
 std::vector<std::string> uncheckedIn(std::string_view text, const std::optional<Printer>& printer = {});
 
 }  // namespace sillon
