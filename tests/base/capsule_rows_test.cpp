@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -16,9 +17,15 @@ constexpr int kRows = 47;
 
 std::vector<char> drawn(const Capsule& capsule) {
   std::vector<char> pixels(static_cast<std::size_t>(kColumns) * kRows, 0);
-  forPixelRuns(capsule, kRows, kColumns, [&](int y, int begin, int end) {
-    for (int x = begin; x < end; ++x) pixels[static_cast<std::size_t>(y * kColumns + x)] = 1;
-  });
+  const int rows = capsule.endRow(kRows);
+  PixelRuns runs;
+  for (int y = capsule.firstRow(kRows); y < rows; y += PixelRuns::kMostRows) {
+    const int count = std::min(PixelRuns::kMostRows, rows - y);
+    pixelsOf(capsule, y, count, kColumns, runs);
+    for (int k = 0; k < count; ++k) {
+      for (int x = runs.begin[k]; x < runs.end[k]; ++x) pixels[static_cast<std::size_t>((y + k) * kColumns + x)] = 1;
+    }
+  }
   return pixels;
 }
 

@@ -75,20 +75,8 @@ struct Capsule {
 /// \param count  from 1 to PixelRuns::kMostRows
 void pixelsOf(const Capsule& capsule, int y, int count, int columns, PixelRuns& runs);
 
-/// Calls visit(y, begin, end) for each of `rows` rows that may hold a pixel.
-template <class Visit>
-void forPixelRuns(const Capsule& capsule, int rows, int columns, const Visit& visit) {
-  PixelRuns runs;
-  const int end = capsule.endRow(rows);
-  for (int y = capsule.firstRow(rows); y < end; y += PixelRuns::kMostRows) {
-    const int count = std::min(PixelRuns::kMostRows, end - y);
-    pixelsOf(capsule, y, count, columns, runs);
-    for (int k = 0; k < count; ++k) visit(y + k, runs.begin[k], runs.end[k]);
-  }
-}
-
-/// As pixelsOf, eight rows at a time: only where the processor has AVX2 (eightAtOnce). Checking the file of a large
-/// plate (wave) takes a sixth less time so.
+/// The same, eight rows at a time: only where the processor has AVX2 (eightAtOnce). Checking the file of a large plate
+/// (wave) takes a sixth less time so.
 void pixelsByEight(const Capsule& capsule, int y, int count, int columns, PixelRuns& runs);
 
 }  // namespace sillon

@@ -42,10 +42,18 @@ class Raster {
     const Capsule capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
     Bits& bits = bead.base ? base_ : oriented_;
     std::int64_t visits = 0;
-    forPixelRuns(capsule, rows_, columns_, [&](int row, int from, int to) {
-      if (from < to) fill(&bits[static_cast<std::size_t>(row) * rowWords_], from, to - 1);
-      visits += std::max(1, to - from);
-    });
+    const int end = capsule.endRow(rows_);
+    PixelRuns runs;
+    for (int row = capsule.firstRow(rows_); row < end; row += PixelRuns::kMostRows) {
+      const int count = std::min(PixelRuns::kMostRows, end - row);
+      pixelsOf(capsule, row, count, columns_, runs);
+      for (int k = 0; k < count; ++k) {
+        const int from = runs.begin[k];
+        const int to = runs.end[k];
+        if (from < to) fill(&bits[static_cast<std::size_t>(row + k) * rowWords_], from, to - 1);
+        visits += std::max(1, to - from);
+      }
+    }
     return visits;
   }
 

@@ -173,12 +173,19 @@ class TilePasses {
     }
     if (!open_) open(stretch, stretches.count);
     Mask& mask = masks_[current_];
-    forPixelRuns(piece, kTileHeight, kTileWidth, [&](int y, int from, int to) {
-      Row& row = mask.rows[static_cast<std::size_t>(y)];
-      row = row | rowOf(from, to);
-    });
-    mask.begin = std::min(mask.begin, piece.firstRow(kTileHeight));
-    mask.end = std::max(mask.end, piece.endRow(kTileHeight));
+    const int begin = piece.firstRow(kTileHeight);
+    const int end = piece.endRow(kTileHeight);
+    PixelRuns runs;
+    for (int y = begin; y < end; y += PixelRuns::kMostRows) {
+      const int count = std::min(PixelRuns::kMostRows, end - y);
+      pixelsOf(piece, y, count, kTileWidth, runs);
+      for (int k = 0; k < count; ++k) {
+        Row& row = mask.rows[static_cast<std::size_t>(y + k)];
+        row = row | rowOf(runs.begin[k], runs.end[k]);
+      }
+    }
+    mask.begin = std::min(mask.begin, begin);
+    mask.end = std::max(mask.end, end);
   }
 
   // Counts what lies on the first `rows` rows and `columns` pixels of them, and begins anew.
