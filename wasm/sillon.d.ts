@@ -911,6 +911,7 @@ export type WarningCode =
   | 'DrawingFaint'
   | 'DrawingOffPage'
   | 'DrawingUnpainted'
+  | 'DrawingUnread'
   | 'EndHot'
   | 'EndLine'
   | 'FillRatio'

@@ -1015,6 +1015,10 @@ TEST_CASE("what a drawing shows is printed; what of it is cut off or not painted
   CHECK(has(folder.run("generate --shape off.svg --report r.json" + coarse).out, "\nwarning    " + cut));
   CHECK(has(readAll(folder.at("r.json")), R"("code":"DrawingOffPage","values":{"area":20.0})"));
   CHECK(has(folder.run("generate --shape none.svg" + coarse).out, "\nwarning    nothing in the drawing is painted"));
+  folder.write("css.svg", head + R"_(<rect width="10" height="10" style="filter:grayscale()"/></svg>)_");
+  CHECK(has(folder.run("generate --shape css.svg --report r.json" + coarse).out,
+            "\nwarning    not read of the drawing: <filter>; compare"));
+  CHECK(has(readAll(folder.at("r.json")), R"("code":"DrawingUnread","values":{"what":"<filter>"})"));
   CHECK(has(folder.run("generate --shape line.svg" + coarse).out, "\nnote       nothing in the drawing is filled"));
   CHECK_FALSE(has(folder.run("generate --shape line.svg --paint ignore" + coarse).out, "nothing in the drawing"));
 

@@ -422,7 +422,7 @@ TEST_CASE("fill rules come from attributes, styles, style sheets and parents") {
   CHECK(rule("<style>.a{fill-rule:nonzero}.b{fill-rule:evenodd}</style><path class=\"b a\"" + d) == FillRule::EvenOdd);
   CHECK(rule("<style>path.a{fill-rule:evenodd}.a{fill-rule:nonzero}</style><path class=\"a\"" + d) ==
         FillRule::EvenOdd);
-  CHECK(rule("<style>g .a{fill-rule:evenodd}</style><g><path class=\"a\"" + d + "</g>") == FillRule::NonZero);
+  CHECK(rule("<style>g .a{fill-rule:evenodd}</style><g><path class=\"a\"" + d + "</g>") == FillRule::EvenOdd);
 }
 
 TEST_CASE("holes and several parts stay the rings of one path, in any winding") {

@@ -36,6 +36,9 @@ constexpr Row kRows[] = {
      "{area} mm2 of the drawing lie off its page and are cut off, as viewers do"},
     {WarningCode::DrawingUnpainted, "DrawingUnpainted",
      "nothing in the drawing is painted, so its outlines were taken as the shape"},
+    {WarningCode::DrawingUnread, "DrawingUnread",
+     "not read of the drawing: {what}; compare the plate with what viewers show, or convert the drawing to paths in "
+     "the program that made it"},
     {WarningCode::EndHot, "EndHot", "endGcode leaves the nozzle or the bed hot; M104 S0 and M140 S0 turn them off"},
     {WarningCode::EndLine, "EndLine", "line {line} of endGcode: {what}"},
     {WarningCode::FillRatio, "FillRatio", "the beads cover {percent} % of the shape's area; 97 to 105 print well"},
@@ -138,6 +141,11 @@ std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
     warnings.push_back({WarningCode::DrawingOffPage, {{"area", drawing.offPage}}});
   }
   if (drawing.unpainted) warnings.push_back({WarningCode::DrawingUnpainted, {}});
+  if (!drawing.unread.empty()) {
+    std::string what;
+    for (const std::string& feature : drawing.unread) what += (what.empty() ? "" : ", ") + feature;
+    warnings.push_back({WarningCode::DrawingUnread, {{"what", what}}});
+  }
   return warnings;
 }
 

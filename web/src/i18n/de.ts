@@ -1052,6 +1052,8 @@ export const de: Translation = {
   'rare.warning.PrintedApart':
     'Wege, die für sich liegen statt am Rest ihres Teils: {n}, bei x {x}, y {y} mm. Was sie verbindet, ist für eine Bahn zu dünn.',
   'rare.warning.DrawingUnpainted': 'In der Zeichnung ist nichts gemalt; ihre Umrisse sind daher die Form.',
+  'rare.warning.DrawingUnread':
+    'Nicht gelesen von der Zeichnung: {what}. Vergleiche die Platte mit dem, was Bildbetrachter zeigen, oder wandle die Zeichnung in Pfade um.',
   'rare.warning.EndHot': 'Der End-G-Code lässt eine Heizung an.',
   'rare.check.place': '{what} (Zeile {line})',
   'rare.check.places': '{what} (Zeile {line} und {n} weitere)',

@@ -1064,6 +1064,8 @@ export const fr: Translation = {
   'rare.warning.PrintedApart':
     'Trajets à part du reste de leur morceau : {n}, vers x {x}, y {y} mm. Ce qui les relie est trop fin pour un cordon.',
   'rare.warning.DrawingUnpainted': 'Rien n’est peint dans le dessin : ses contours forment la pièce.',
+  'rare.warning.DrawingUnread':
+    'Non lu dans le dessin : {what}. Comparez la plaque à ce que montrent les visionneuses, ou convertissez le dessin en tracés.',
   'rare.warning.EndHot': 'Le G-code de fin laisse un élément chauffant allumé.',
   'rare.check.place': '{what} (ligne {line})',
   'rare.check.places': '{what} (ligne {line} et {n} autres)',

@@ -109,6 +109,8 @@ export const rareEn = {
   'rare.warning.PrintedApart':
     'Toolpaths that lie apart from the rest of their part: {n}, round x {x}, y {y} mm. What joins them is too thin for a bead.',
   'rare.warning.DrawingUnpainted': 'Nothing in the drawing is painted, so its outlines are the shape.',
+  'rare.warning.DrawingUnread':
+    'Not read of the drawing: {what}. Compare the plate with what viewers show, or convert the drawing to paths in the program that made it.',
   'rare.warning.EndHot': 'The end G-code leaves a heater on.',
   'rare.check.place': '{what} (line {line})',
   'rare.check.places': '{what} (line {line} and {n} more)',

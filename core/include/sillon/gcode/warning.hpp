@@ -20,6 +20,7 @@ enum class WarningCode {
   DrawingFaint,
   DrawingOffPage,
   DrawingUnpainted,
+  DrawingUnread,
   EndHot,
   EndLine,
   FillRatio,

@@ -1,6 +1,7 @@
 // The 2D shape to fill: painted paths on a page, and the built-in ones.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sillon/base/result.hpp"
@@ -29,7 +30,9 @@ struct DrawingFacts {
   bool unpainted = false;  ///< nothing is painted: outlines were taken whatever their paint
   bool linesOnly = false;  ///< nothing is filled: strokes alone are the shape
   double offPage = 0;      ///< painted, but cut off at the page's edges [mm²]
-  double faintMm2 = 0;     ///< painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
+  /// What is shown and not read beside texts and images: "<marker>", "CSS \"r\"", ...; at most 8.
+  std::vector<std::string> unread = {};
+  double faintMm2 = 0;  ///< painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
 
   friend bool operator==(const DrawingFacts&, const DrawingFacts&) = default;
 };

@@ -22,17 +22,19 @@ struct SvgOptions {
 /// percent follows from the viewBox.
 ///
 /// Read: all path commands and basic shapes, transforms, viewBox and preserveAspectRatio, nested `<svg>`, `<use>`,
-/// `<symbol>`, `<switch>`; fill, stroke with width, caps, joins, miter limit and dashes, opacities, fill-rule, display,
-/// visibility, clip-path, mask (by luminance or alpha: black hides, all else shows), overflow, from attributes, `style`
-/// and `<style>` rules that select by name, class or id. Not read: text and images, which Shape::drawing counts,
-/// markers, filters, CSS transforms, sizes of shapes in CSS, other selectors, non-scaling strokes, `pathLength`.
+/// `<symbol>`, `<switch>` (in English); fill, stroke with width, caps, joins, miter limit, dashes and vector-effect,
+/// opacities, fill-rule, display, visibility, clip-path, mask (by luminance or alpha: black hides, all else shows),
+/// overflow, transform with transform-origin and transform-box, from attributes, `style` and `<style>` rules that
+/// select by names, classes and ids, and by what lies in what. Not read, and told by Shape::drawing: text, images,
+/// `<foreignObject>`, markers, filters, patterns (they count as solid), sizes of shapes in CSS, transforms in space,
+/// other selectors, nested rules, `@media` and the like, `pathLength`.
 /// A broken attribute is an error that names its element and line: half a drawing would be printed unnoticed.
 ///
 /// \param text  the whole file, UTF-8, up to 64 MiB; hostile input ends in an error, never in a crash or a hang.
 /// \return points in mm, y up, snapped to 1 nm so that every platform reads the same bytes.
 ///   InvalidFile (what, where), EmptyShape (no area, or all of it off the page), InvalidArgument (tolerance), TooLarge
-///   (page over 100000 mm, more than 2 million points, elements nested deeper than 200, `<use>` or clipping without
-///   measure).
+///   (page over 100000 mm, more than 2 million points, elements nested deeper than 200, `<use>`, clipping or rules
+///   without measure).
 Result<Shape> readSvg(std::string_view text, const SvgOptions& options = {});
 
 }  // namespace sillon

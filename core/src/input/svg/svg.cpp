@@ -44,28 +44,23 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
     return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};
   }
   std::string buffer;
+  const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB: too large for small stacks
   const Node* current = nullptr;
   try {
     if (startsWith(text, "\x1f\x8b")) refuse("the file is compressed (svgz); save it as plain SVG");
     if (text.find('\0') != std::string_view::npos) refuse("the file is not UTF-8 text");
     checkNesting(text);
     buffer = text;
-    const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB: too large for small stacks
     document->parse<rapidxml::parse_validate_closing_tags>(buffer.data());
     const Node* root = document->first_node();
     if (!root || elementName(*root) != "svg") {
       refuse(root ? "the first element is " + quoted({root->name(), root->name_size()}) + "; it must be <svg>"
                   : "the file holds no <svg> element");
     }
-    try {
-      return drawElements(*root, options, current);
-    } catch (Refused& refused) {
-      // Named here, while the nodes live.
-      if (current) refused.problem = placeOf(*current, text, buffer.data()) + refused.problem;
-      throw;
-    }
+    return drawElements(*root, options, current);
   } catch (const Refused& refused) {
-    return Error{refused.code, "SVG: " + refused.problem};
+    const std::string place = current ? placeOf(*current, text, buffer.data()) : std::string();
+    return Error{refused.code, "SVG: " + place + refused.problem};
   } catch (const rapidxml::parse_error& error) {
     const std::size_t offset = static_cast<std::size_t>(error.where<char>() - buffer.data());
     return Error{ErrorCode::InvalidFile, "SVG: the file is not well-formed XML: " + std::string(error.what()) +

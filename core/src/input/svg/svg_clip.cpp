@@ -7,27 +7,9 @@
 namespace sillon::svg {
 namespace {
 
-constexpr std::int64_t kMaxWork = std::int64_t{256} << 20;
-constexpr std::int64_t kWorkPerElement = 64;  // bytes an element without attributes counts as
-constexpr std::int64_t kWorkPerCut = 400;     // bytes a point that is cut off or kept by clipping counts as
-constexpr double kOverlap = 1e-3;             // less than this over a straight edge is not worth a cut [mm]
+constexpr double kOverlap = 1e-3;  // less than this over a straight edge is not worth a cut [mm]
 
 }  // namespace
-
-void Work::spend(const Node& node) {
-  spent_ += kWorkPerElement;
-  for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
-    spent_ += static_cast<std::int64_t>(a->name_size() + a->value_size());
-  }
-  if (spent_ > kMaxWork) refuseTooLarge("<use> repeats so many elements that the drawing becomes too large");
-}
-
-void Work::spendOnCuts(const std::vector<FilledPath>& paths) {
-  for (const FilledPath& path : paths) {
-    for (const Ring& ring : path.rings) spent_ += kWorkPerCut * static_cast<std::int64_t>(ring.size());
-  }
-  if (spent_ > kMaxWork) refuseTooLarge("clipping repeats so many outlines that the drawing becomes too large");
-}
 
 Bounds boxOf(const std::vector<Ring>& rings) {
   Bounds box;

@@ -1,25 +1,14 @@
 // Areas that limit what is shown, and areas laid over each other.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "input/svg/svg_node.hpp"
+#include "input/svg/svg_work.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon::svg {
-
-/// What drawing costs, as bytes that are read: <use> reads again, and clipping repeats outlines.
-class Work {
- public:
-  void spend(const Node& node);                            ///< Throws Refused: too much.
-  void spendOnCuts(const std::vector<FilledPath>& paths);  ///< Throws Refused: too much.
-
- private:
-  std::int64_t spent_ = 0;
-};
 
 /// What is shown lies inside of it.
 struct Limit {

@@ -40,6 +40,16 @@ struct State {
   int depth = 0;
 };
 
+bool hasEnglish(std::string_view languages) {
+  bool found = false;
+  split(languages, ',', [&](std::string_view language) {
+    found = found || lowered(trimmed(language)) == "en" || startsWith(lowered(trimmed(language)), "en-");
+  });
+  return found;
+}
+
+bool isRoot(const Node& node) { return !node.parent()->parent(); }
+
 // What of an element counts.
 enum class Reading {
   Painted,
@@ -64,10 +74,10 @@ class Drawing {
     shape_.page = {std::round(page.x * 1e6) / 1e6, std::round(page.y * 1e6) / 1e6};
 
     State state;
-    const Matrix toPage = matrix(units_.mm, 0, 0, -units_.mm, 0, shape_.page.y);
+    toPage_ = matrix(units_.mm, 0, 0, -units_.mm, 0, shape_.page.y);
     const Vec2 size = page * (1 / units_.mm);
     state.viewport = size;
-    state.toWorld = toPage;
+    state.toWorld = toPage_;
     page_ = *limitOf({{Ring{{0, 0}, {shape_.page.x, 0}, shape_.page, {0, shape_.page.y}}}, FillRule::NonZero});
     drawRoot(root, state, box);
     const bool unread = shape_.drawing.texts + shape_.drawing.images > 0;
@@ -145,31 +155,83 @@ class Drawing {
       refuseTooLarge("<use> nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
     }
     work_.spend(node);
-    const Style style = styleSheet_.styleOf(node);
+    const Style style = styleSheet_.styleOf(node, work_);
     if (style.word(Property::Display) == "none") return false;
     apply(style, contextOf(state), state.paint);
-    if (const auto transform = attribute(node, "transform")) {
-      state.toWorld = state.toWorld * parseTransform(*transform);
-    }
+    state.toWorld = state.toWorld * transformOf(node, style, state);
+    noteUnread(node, style, state);
     if (reading_ == Reading::Outlines) return true;
     addLimits(node, style, state);
     current_ = &node;
     return true;
   }
 
+  // `transform` about `transform-origin`.
+  Matrix transformOf(const Node& node, const Style& style, const State& state) {
+    const std::string& text = style.value(Property::Transform);
+    if (text.empty()) return Matrix::Identity();
+    const bool isCss = style.isCss(Property::Transform);
+    try {
+      CssLengths css{units_, state.viewport};
+      Vec2 corner;
+      if (style.word(Property::TransformBox) == "fill-box") {
+        const Bounds box = userBox(node, state);
+        if (box.empty()) return Matrix::Identity();
+        corner = box.min;
+        css.box = box.size();
+      }
+      std::string about = style.value(Property::TransformOrigin);
+      if (about.empty()) about = isRoot(node) ? "center" : "0 0";  // the root is a box of CSS
+      const Vec2 origin = corner + parseOrigin(about, css);
+      current_ = &node;
+      return shifted(origin.x, origin.y) * parseTransform(text, isCss ? &css : nullptr) * shifted(-origin.x, -origin.y);
+    } catch (const Refused&) {
+      if (!isCss) throw;
+      note("transform " + quoted(text));
+      return Matrix::Identity();
+    }
+  }
+
+  // Tells once of what viewers show and we do not.
+  void note(const std::string& what) {
+    constexpr std::size_t kMost = 8;
+    std::vector<std::string>& unread = shape_.drawing.unread;
+    if (reading_ != Reading::Painted || unread.size() == kMost) return;
+    if (std::find(unread.begin(), unread.end(), what) == unread.end()) unread.push_back(what);
+  }
+
+  void noteUnread(const Node& node, const Style& style, const State& state) {
+    if (!state.paint.visible) return;
+    for (const Property marker : {Property::Marker, Property::MarkerStart, Property::MarkerMid, Property::MarkerEnd}) {
+      if (targetOf(style.value(marker), "marker")) note("<marker>");
+    }
+    const std::string filter = style.word(Property::Filter);
+    const bool isFunction = filter.find('(') != std::string::npos && !startsWith(filter, "url");
+    if (isFunction || targetOf(style.value(Property::Filter), "filter")) note("<filter>");
+    const std::string_view name = elementName(node);
+    if (!style.unread().empty() && !isRoot(node) && name != "g" && name != "a") note("CSS " + quoted(style.unread()));
+  }
+
+  // What url(#id) names, if it is such an element.
+  [[nodiscard]] const Node* targetOf(std::string_view value, std::string_view kind) const {
+    const std::string_view id = urlOf(value);
+    const auto found = id.empty() ? byId_.end() : byId_.find(id);
+    return found == byId_.end() || elementName(*found->second) != kind ? nullptr : found->second;
+  }
+
   PaintContext contextOf(const State& state) {
     const double diagonal = std::sqrt(dot(state.viewport, state.viewport) / 2);
     return {[this](std::string_view id) {
               const auto found = byId_.find(id);
-              if (found == byId_.end()) return false;
-              const std::string_view name = elementName(*found->second);
-              return name == "linearGradient" || name == "radialGradient" || name == "pattern";
+              return found == byId_.end() ? std::string_view() : elementName(*found->second);
             },
             [this, diagonal](std::string_view text) { return units_.ofStyle(text, diagonal); }};
   }
 
   void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {
     shape_.drawing.texts = shape_.drawing.images = 0;
+    shape_.drawing.unread.clear();
+    if (!styleSheet_.unread().empty()) note("CSS " + styleSheet_.unread());
     if (!enter(root, state)) return;
     if (box) {
       state.toWorld = state.toWorld * fit(root, *box, state.viewport);
@@ -186,6 +248,7 @@ class Drawing {
   void draw(const Node& node, State state) {
     const std::string_view name = elementName(node);
     const bool unread = name == "text" || name == "flowRoot" || name == "image";
+    if (name == "foreignObject") note("<foreignObject>");
     if (!unread && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" && !isShape(name)) {
       return;
     }
@@ -208,11 +271,13 @@ class Drawing {
     if (isShape(name)) drawShape(node, state);
   }
 
-  // The first child that asks for nothing we lack; languages are not compared.
+  // The first child that asks for nothing we lack, and not for other languages than English.
   void drawSwitch(const Node& node, const State& state) {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       const std::string_view name = elementName(*child);
       if (name.empty() || name == "foreignObject" || attribute(*child, "requiredExtensions")) continue;
+      const auto languages = attribute(*child, "systemLanguage");
+      if (languages && !hasEnglish(*languages)) continue;
       return draw(*child, state);
     }
   }
@@ -230,7 +295,7 @@ class Drawing {
     const double y = units_.of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);
     state.viewport = size;
-    const std::string overflow = styleSheet_.styleOf(node).word(Property::Overflow);
+    const std::string overflow = styleSheet_.styleOf(node, work_).word(Property::Overflow);
     if (reading_ != Reading::Outlines && overflow != "visible" && overflow != "auto") {
       state.limits.push_back(rectangleLimit({0, 0}, size, state.toWorld));
     }
@@ -277,13 +342,17 @@ class Drawing {
       return;
     }
     if (paint.fillAlpha() >= kFaintest) {
+      if (paint.fill.pattern) note("<pattern>");
       std::vector<Ring> rings = out.rings();
       filled_ = filled_ || (reading_ == Reading::Painted && !rings.empty());
       show({std::move(rings), paint.fillRule}, state, paint.fill.black, paint.fillAlpha());
     }
     if (paint.strokeAlpha() >= kFaintest) {
-      show({strokeRings(out.lines(), paint.line, state.toWorld, options_.tolerance, pointsLeft_), FillRule::NonZero},
-           state, paint.stroke.black, paint.strokeAlpha());
+      if (paint.stroke.pattern) note("<pattern>");
+      if (!paint.line.dashes.empty() && attribute(node, "pathLength")) note("pathLength");
+      const Matrix& pen = paint.strokeScales ? state.toWorld : toPage_;
+      show({strokeRings(out.lines(), paint.line, pen, options_.tolerance, pointsLeft_), FillRule::NonZero}, state,
+           paint.stroke.black, paint.strokeAlpha());
     }
   }
 
@@ -338,14 +407,12 @@ class Drawing {
   // `clip-path` and `mask` of an element. What names nothing limits nothing.
   void addLimits(const Node& node, const Style& style, State& state) {
     const auto named = [&](Property property, const char* kind) -> const Node* {
-      const std::string_view id = urlOf(style.value(property));
-      const auto found = id.empty() ? byId_.end() : byId_.find(id);
-      if (found == byId_.end() || elementName(*found->second) != kind) return nullptr;
-      if (std::find(uses_.begin(), uses_.end(), found->second) != uses_.end()) {
-        refuse(std::string(kPropertyNames[static_cast<std::size_t>(property)]) + " is \"url(#" +
-               std::string(id.substr(0, 40)) + ")\", which shows itself again");
+      const Node* const target = targetOf(style.value(property), kind);
+      if (std::find(uses_.begin(), uses_.end(), target) != uses_.end()) {
+        refuse(std::string(kPropertyNames[static_cast<std::size_t>(property)]) + " is " +
+               quoted(style.value(property)) + ", which shows itself again");
       }
-      return found->second;
+      return target;
     };
     const Node* const clip = named(Property::ClipPath, "clipPath");
     const Node* const mask = named(Property::Mask, "mask");
@@ -403,7 +470,7 @@ class Drawing {
       paint = inheritedBy(*parent, state);
     }
     work_.spend(node);
-    apply(styleSheet_.styleOf(node), contextOf(state), paint);
+    apply(styleSheet_.styleOf(node, work_), contextOf(state), paint);
     paint.opacity = 1;
     return paint;
   }
@@ -422,10 +489,9 @@ class Drawing {
   void addClip(const Node& clip, const Node& node, State& state) {
     State inside = stateInside(clip, unitsOf(clip, "clipPathUnits", false, node, state), state);
     uses_.push_back(&clip);
-    addLimits(clip, styleSheet_.styleOf(clip), inside);
-    if (const auto transform = attribute(clip, "transform")) {
-      inside.toWorld = inside.toWorld * parseTransform(*transform);
-    }
+    const Style style = styleSheet_.styleOf(clip, work_);
+    addLimits(clip, style, inside);
+    inside.toWorld = inside.toWorld * transformOf(clip, style, inside);
     const std::vector<Layer> layers = drawnAs(Reading::Clip, [&] {
       for (const Node* child = clip.first_node(); child; child = child->next_sibling()) {
         const std::string_view name = elementName(*child);
@@ -445,7 +511,7 @@ class Drawing {
     const Vec2 size{units_.of(mask, "width", full.x, 1.2 * full.x), units_.of(mask, "height", full.y, 1.2 * full.y)};
     State inside = stateInside(mask, unitsOf(mask, "maskContentUnits", false, node, state), state);
     uses_.push_back(&mask);
-    const Style style = styleSheet_.styleOf(mask);
+    const Style style = styleSheet_.styleOf(mask, work_);
     addLimits(mask, style, inside);
     const bool before = std::exchange(maskByAlpha_, style.word(Property::MaskType) == "alpha");
     const std::vector<Layer> layers = drawnAs(Reading::Mask, [&] { drawChildren(mask, inside); });
@@ -461,6 +527,7 @@ class Drawing {
   UserUnits units_;
   Reading reading_;
   bool maskByAlpha_ = false;
+  Matrix toPage_ = Matrix::Identity();  // from the page's units to mm
   Shape shape_;
   std::vector<Layer> layers_;
   Limit page_;

@@ -10,10 +10,7 @@
 #include <fast_float/fast_float.h>
 
 namespace sillon::svg {
-namespace {
-
-// Millimetres per unit of a CSS length; 0 for no unit, nothing for an unknown one. em and ex: of a 16 px font.
-std::optional<double> mmPerUnit(const std::string& unit) {
+std::optional<double> mmPerUnit(std::string_view unit) {
   static constexpr std::array<std::pair<std::string_view, double>, 11> kUnits{{{"", 0},
                                                                                {"px", kMmPerPx},
                                                                                {"mm", 1},
@@ -30,8 +27,6 @@ std::optional<double> mmPerUnit(const std::string& unit) {
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 std::optional<Length> lengthOf(const Node& node, const char* name) {
   const auto text = attribute(node, name);

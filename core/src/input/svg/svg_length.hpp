@@ -17,6 +17,9 @@ struct Length {
   bool percent = false;
 };
 
+/// Of a CSS length, in lower case; 0: no unit, user units. Nothing for an unknown one. em and ex: of a 16 px font.
+std::optional<double> mmPerUnit(std::string_view unit);
+
 /// Nothing for a missing attribute and for "auto". Throws Refused: an unknown unit.
 std::optional<Length> lengthOf(const Node& node, const char* name);
 

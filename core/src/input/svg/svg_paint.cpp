@@ -76,10 +76,11 @@ Paint colorOf(std::string_view value, const Paint& current) {
 void setPaint(std::string_view value, const PaintContext& context, const Paint& current, Paint& paint) {
   if (value.empty() || lowered(value) == "inherit") return;
   const std::string_view id = urlOf(value);
+  const std::string_view element = id.empty() ? id : context.element(id);
   if (id.empty()) {
     paint = colorOf(value, current);
-  } else if (context.isPaint(id)) {
-    paint = {1, false};
+  } else if (element == "linearGradient" || element == "radialGradient" || element == "pattern") {
+    paint = {1, false, element == "pattern"};
   } else {
     const std::string_view fallback = trimmed(value.substr(std::min(value.find(')') + 1, value.size())));
     paint = fallback.empty() ? Paint{0, true} : colorOf(fallback, current);
@@ -162,6 +163,7 @@ void apply(const Style& style, const PaintContext& context, PaintState& state) {
   const std::string visibility = style.word(Property::Visibility);
   if (visibility == "visible") state.visible = true;
   if (visibility == "hidden" || visibility == "collapse") state.visible = false;
+  state.strokeScales = style.word(Property::VectorEffect) != "non-scaling-stroke";
   setRule(style.word(Property::FillRule), state.fillRule);
   setRule(style.word(Property::ClipRule), state.clipRule);
   setStroke(style, context, state.line);

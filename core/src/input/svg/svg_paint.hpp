@@ -15,12 +15,13 @@ namespace sillon::svg {
 struct Paint {
   double alpha = 1;  ///< 0: none
   bool black = true;
+  bool pattern = false;
 };
 
 /// Less shows on no screen.
 inline constexpr double kFaintest = 0.5 / 255;
 
-/// Inherited from element to element, but for `opacity`, which is the product of all around.
+/// Inherited from element to element, but for `opacity`, which is the product of all around, and `strokeScales`.
 struct PaintState {
   Paint color;  ///< currentColor
   Paint fill;
@@ -29,6 +30,7 @@ struct PaintState {
   double strokeOpacity = 1;
   double opacity = 1;
   bool visible = true;
+  bool strokeScales = true;  ///< with transforms; false: it is as wide as without them
   FillRule fillRule = FillRule::NonZero;
   FillRule clipRule = FillRule::NonZero;
   Stroke line;
@@ -39,8 +41,8 @@ struct PaintState {
 
 /// What a style needs to know of the document.
 struct PaintContext {
-  std::function<bool(std::string_view id)> isPaint;  ///< whether a gradient or pattern has this id
-  std::function<double(std::string_view)> length;    ///< in user units; NaN: not a length
+  std::function<std::string_view(std::string_view id)> element;  ///< the name of the element with this id, or ""
+  std::function<double(std::string_view)> length;                ///< in user units; NaN: not a length
 };
 
 /// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.

@@ -1,10 +1,19 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace sillon::svg {
 namespace {
+
+// They change what is shown, and are not read of CSS.
+constexpr std::array<std::string_view, 14> kUnread{"cx", "cy", "d",     "height",    "offset-path", "r", "rotate",
+                                                   "rx", "ry", "scale", "translate", "width",       "x", "y"};
+// Rules that never hold in a still picture.
+constexpr std::array<std::string_view, 5> kOfUse{":hover", ":focus", ":active", ":visited", ":target"};
 
 std::string withoutComments(std::string_view text) {
   std::string css;
@@ -33,7 +42,11 @@ void Style::declare(std::string_view declarations, std::int64_t weight) {
     if (colon == std::string_view::npos) return;
     const std::string name = lowered(trimmed(declaration.substr(0, colon)).substr(0, 32));
     const auto found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
-    if (found == kPropertyNames.end()) return;
+    if (found == kPropertyNames.end()) {
+      const auto unread = std::find(kUnread.begin(), kUnread.end(), name);
+      if (unread != kUnread.end()) unread_ = *unread;
+      return;
+    }
     std::string_view value = declaration.substr(colon + 1);
     const std::size_t mark = value.find('!');
     const bool important = mark != std::string_view::npos && lowered(value.substr(mark)).find("important") < 12;
@@ -46,10 +59,12 @@ void Style::add(const Style& other) {
   for (std::size_t k = 0; k < declared_.size(); ++k) {
     if (other.declared_[k].weight >= 0) declared_[k].set(other.declared_[k].value, other.declared_[k].weight);
   }
+  if (!other.unread_.empty()) unread_ = other.unread_;
 }
 
 bool Style::empty() const {
-  return std::all_of(declared_.begin(), declared_.end(), [](const Declared& d) { return d.weight < 0; });
+  return unread_.empty() &&
+         std::all_of(declared_.begin(), declared_.end(), [](const Declared& d) { return d.weight < 0; });
 }
 
 void Style::raise(std::int64_t weight) {
@@ -75,15 +90,27 @@ void StyleSheet::add(std::string_view text) {
       if (rest[end] == '{') ++depth;
       if (rest[end] == '}') --depth;
     }
-    if (!startsWith(head, "@")) {
-      const std::string_view body = rest.substr(open + 1, end - open - 1);
-      addRule(head, body.substr(0, body.find('}')));
+    const std::string_view body = rest.substr(open + 1, end - open - 1);
+    if (startsWith(head, "@")) {
+      noteAtRule(head, body);
+    } else {
+      addRule(head, body);
     }
     rest.remove_prefix(end);
   }
 }
 
-Style StyleSheet::styleOf(const Node& node) const {
+// @media and the like may hold rules that count; @font-face and what moves do not change a still picture.
+void StyleSheet::noteAtRule(std::string_view head, std::string_view body) {
+  const std::string name = lowered(head.substr(0, head.find_first_of(" \t\r\n(")));
+  if (name == "@font-face" || name == "@page" || name.find("keyframes") != std::string::npos) return;
+  const std::size_t open = body.find('{');
+  Style probe;
+  if (open != std::string_view::npos) probe.declare(body.substr(open + 1, body.find('}', open) - open - 1), 0);
+  if (!probe.empty()) note(name);
+}
+
+Style StyleSheet::styleOf(const Node& node, Work& work) const {
   Style style;
   for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
     const std::string_view name(a->name(), a->name_size());
@@ -92,6 +119,9 @@ Style StyleSheet::styleOf(const Node& node) const {
     style.set(static_cast<Property>(found - kPropertyNames.begin()), {a->value(), a->value_size()}, 0);
   }
   if (!rules_.empty()) match(node, style);
+  for (const auto& [selector, declared] : nested_) {
+    if (selector.fits(node, work)) style.add(declared);
+  }
   style.declare(attribute(node, "style").value_or(""), kStyleAttribute);
   return style;
 }
@@ -119,24 +149,33 @@ void StyleSheet::match(const Node& node, Style& style) const {
   }
 }
 
-void StyleSheet::addRule(std::string_view selectors, std::string_view declarations) {
+void StyleSheet::addRule(std::string_view selectors, std::string_view body) {
+  const std::string_view declarations = body.substr(0, body.find_first_of("{}"));
+  if (declarations.size() < body.size() && body[declarations.size()] == '{') note("nested rules");
   Style probe;
   probe.declare(declarations, 0);
   if (probe.empty()) return;
-  split(selectors, ',', [&](std::string_view selector) {
-    selector = trimmed(selector);
-    if (selector.empty() || selector.find_first_of(" \t\r\n>+~:[") != std::string_view::npos) return;
-    const std::size_t mark = selector.find_first_of(".#");
-    const bool hasMark = mark != std::string_view::npos;
-    if (hasMark && selector.find_first_of(".#", mark + 1) != std::string_view::npos) return;
-    if (hasMark && mark == 1 && selector[0] == '*') selector.remove_prefix(1);
-    // As CSS counts: ids, then classes, then names, then order.
-    std::int64_t specificity = hasMark ? (selector.find('#') != std::string_view::npos ? 4 : 2) : 0;
-    if (selector[0] != '.' && selector[0] != '#' && selector[0] != '*') specificity += 1;
+  split(selectors, ',', [&](std::string_view text) {
+    text = trimmed(text);
+    const auto isIn = [&](std::string_view name) { return text.find(name) != std::string_view::npos; };
+    if (text.empty() || std::any_of(kOfUse.begin(), kOfUse.end(), isIn)) return;
+    const std::optional<Selector> selector = Selector::read(text);
+    if (!selector) return note(text);
     Style style = probe;
-    style.raise((specificity << 40) + ++order_);
-    rules_[std::string(selector)].add(style);
+    style.raise((selector->specificity() << 40) + ++order_);
+    const Compound& last = selector->elements.back();
+    if (selector->elements.size() > 1 || last.marks.size() > 1) {
+      nested_.emplace_back(*selector, std::move(style));
+    } else if (last.marks.empty()) {
+      rules_[last.name.empty() ? "*" : last.name].add(style);
+    } else {
+      rules_[last.name + last.marks[0]].add(style);
+    }
   });
+}
+
+void StyleSheet::note(std::string_view what) {
+  if (unread_.empty()) unread_ = quoted(what);
 }
 
 }  // namespace sillon::svg

@@ -7,8 +7,12 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "input/svg/svg_node.hpp"
+#include "input/svg/svg_selector.hpp"
+#include "input/svg/svg_work.hpp"
 
 namespace sillon::svg {
 
@@ -21,6 +25,11 @@ enum class Property : std::size_t {
   Fill,
   FillOpacity,
   FillRule,
+  Filter,
+  Marker,
+  MarkerEnd,
+  MarkerMid,
+  MarkerStart,
   Mask,
   MaskType,
   Opacity,
@@ -33,15 +42,24 @@ enum class Property : std::size_t {
   StrokeMiterlimit,
   StrokeOpacity,
   StrokeWidth,
+  Transform,
+  TransformBox,
+  TransformOrigin,
+  VectorEffect,
   Visibility,
 };
-inline constexpr std::array<std::string_view, 20> kPropertyNames{"clip-path",
+inline constexpr std::array<std::string_view, 29> kPropertyNames{"clip-path",
                                                                  "clip-rule",
                                                                  "color",
                                                                  "display",
                                                                  "fill",
                                                                  "fill-opacity",
                                                                  "fill-rule",
+                                                                 "filter",
+                                                                 "marker",
+                                                                 "marker-end",
+                                                                 "marker-mid",
+                                                                 "marker-start",
                                                                  "mask",
                                                                  "mask-type",
                                                                  "opacity",
@@ -54,6 +72,10 @@ inline constexpr std::array<std::string_view, 20> kPropertyNames{"clip-path",
                                                                  "stroke-miterlimit",
                                                                  "stroke-opacity",
                                                                  "stroke-width",
+                                                                 "transform",
+                                                                 "transform-box",
+                                                                 "transform-origin",
+                                                                 "vector-effect",
                                                                  "visibility"};
 
 /// What a property may come from: the last of the most specific wins.
@@ -74,6 +96,10 @@ class Style {
   [[nodiscard]] const std::string& value(Property property) const { return of(property).value; }
   /// In lower case.
   [[nodiscard]] std::string word(Property property) const { return lowered(of(property).value); }
+  /// Whether CSS says it, not an attribute of this name.
+  [[nodiscard]] bool isCss(Property property) const { return of(property).weight > 0; }
+  /// A property that changes what is shown and is not read; empty: none is declared.
+  [[nodiscard]] std::string_view unread() const { return unread_; }
 
   void set(Property property, std::string_view value, std::int64_t weight) {
     declared_[static_cast<std::size_t>(property)].set(value, weight);
@@ -89,23 +115,30 @@ class Style {
   [[nodiscard]] const Declared& of(Property property) const { return declared_[static_cast<std::size_t>(property)]; }
 
   std::array<Declared, kPropertyNames.size()> declared_;
+  std::string_view unread_;
 };
 
-/// Rules of <style> elements whose selector is *, a name, a class, an id, or a name with a class or id.
+/// Rules of <style> elements whose selectors are made of names, classes, ids and *, each inside of the one before it.
 class StyleSheet {
  public:
   /// \param text  of a <style> element; rules that say nothing of these properties, and what is no CSS, are passed
   /// over.
   void add(std::string_view text);
-  /// What attributes, rules and `style` declare of an element.
-  [[nodiscard]] Style styleOf(const Node& node) const;
+  /// What attributes, rules and `style` declare of an element. Throws Refused: more is compared than can be.
+  [[nodiscard]] Style styleOf(const Node& node, Work& work) const;
+  /// The first selector or at-rule, in quotes, that is not read and may change what is shown; empty: all is read.
+  [[nodiscard]] const std::string& unread() const { return unread_; }
 
  private:
-  void addRule(std::string_view selectors, std::string_view declarations);
+  void addRule(std::string_view selectors, std::string_view body);
+  void noteAtRule(std::string_view head, std::string_view body);
+  void note(std::string_view what);
   void match(const Node& node, Style& style) const;
 
-  std::unordered_map<std::string, Style> rules_;
+  std::unordered_map<std::string, Style> rules_;    // whose selector is *, a name, .class, #id, name.class, name#id
+  std::vector<std::pair<Selector, Style>> nested_;  // of other selectors
   std::int64_t order_ = 0;
+  std::string unread_;
 };
 
 }  // namespace sillon::svg

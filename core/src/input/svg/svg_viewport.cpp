@@ -18,7 +18,29 @@ Matrix matrix(double a, double b, double c, double d, double e, double f) {
 
 Matrix shifted(double x, double y) { return Matrix(Eigen::Translation2d(x, y)); }
 
-Matrix parseTransform(std::string_view text) {
+namespace {
+
+// What a number of a transform becomes: degrees, user units, or itself.
+double withUnit(Reader& reader, double value, double full, const UserUnits& units) {
+  if (reader.peek() == '%') {
+    reader.take();
+    return value / 100 * full;
+  }
+  const std::string unit = lowered(reader.word());
+  if (unit.empty() || unit == "deg") return value;
+  if (unit == "rad") return value * 180 / std::numbers::pi;
+  if (unit == "turn") return value * 360;
+  if (unit == "grad") return value * 0.9;
+  const std::optional<double> mm = mmPerUnit(unit);
+  if (!mm) reader.fail("a known unit");
+  return value * *mm / units.mm;
+}
+
+double tangent(double degrees) { return std::tan(degrees / 180 * std::numbers::pi); }
+
+}  // namespace
+
+Matrix parseTransform(std::string_view text, const CssLengths* css) {
   Reader reader(text, "transform");
   Matrix result = Matrix::Identity();
   if (trimmed(text) == "none") return result;
@@ -31,7 +53,13 @@ Matrix parseTransform(std::string_view text) {
     std::size_t n = 0;
     for (reader.skipSpace(); reader.peek() != ')'; reader.skipSpace()) {
       if (n == v.size()) reader.fail("')'");
-      v[n++] = reader.number();
+      v[n] = reader.number();
+      if (css) {
+        const bool ofHeight = n == 1 || name == "translateY";
+        const double full = startsWith(name, "scale") ? 1 : ofHeight ? css->box.y : css->box.x;
+        v[n] = withUnit(reader, v[n], full, css->units);
+      }
+      ++n;
     }
     reader.expect(')');
     if (name == "matrix" && n == 6) {
@@ -40,18 +68,50 @@ Matrix parseTransform(std::string_view text) {
       result = result * shifted(v[0], v[1]);
     } else if (name == "scale" && (n == 1 || n == 2)) {
       result = result * matrix(v[0], 0, 0, n == 1 ? v[0] : v[1], 0, 0);
-    } else if (name == "rotate" && (n == 1 || n == 3)) {
+    } else if (name == "rotate" && (n == 1 || (n == 3 && !css))) {
       result = result * shifted(v[1], v[2]) * rotation(v[0]) * shifted(-v[1], -v[2]);
     } else if (name == "skewX" && n == 1) {
-      result = result * matrix(1, 0, std::tan(v[0] / 180 * std::numbers::pi), 1, 0, 0);
+      result = result * matrix(1, 0, tangent(v[0]), 1, 0, 0);
     } else if (name == "skewY" && n == 1) {
-      result = result * matrix(1, std::tan(v[0] / 180 * std::numbers::pi), 0, 1, 0, 0);
+      result = result * matrix(1, tangent(v[0]), 0, 1, 0, 0);
+    } else if (css && name == "skew" && (n == 1 || n == 2)) {
+      result = result * matrix(1, tangent(v[1]), tangent(v[0]), 1, 0, 0);
+    } else if (css && name == "translateX" && n == 1) {
+      result = result * shifted(v[0], 0);
+    } else if (css && name == "translateY" && n == 1) {
+      result = result * shifted(0, v[0]);
+    } else if (css && name == "scaleX" && n == 1) {
+      result = result * matrix(v[0], 0, 0, 1, 0, 0);
+    } else if (css && name == "scaleY" && n == 1) {
+      result = result * matrix(1, 0, 0, v[0], 0, 0);
     } else {
       refuse("transform has " + quoted(name) + " with " + std::to_string(n) +
              " numbers; it must be matrix, translate, scale, rotate, skewX or skewY with the numbers it takes");
     }
   }
   return result;
+}
+
+Vec2 parseOrigin(std::string_view text, const CssLengths& css) {
+  Vec2 origin = css.box * 0.5;  // what is not said
+  bool second = false;
+  split(text, ' ', [&](std::string_view word) {
+    const std::string part = lowered(trimmed(word));
+    if (part.empty()) return;
+    double& axis = second ? origin.y : origin.x;
+    const double length = css.units.ofStyle(part, second ? css.box.y : css.box.x);
+    if (part == "left" || part == "right") {
+      origin.x = part == "left" ? 0 : css.box.x;
+    } else if (part == "top" || part == "bottom") {
+      origin.y = part == "top" ? 0 : css.box.y;
+    } else if (std::isfinite(length)) {
+      axis = length;
+    } else if (part != "center") {
+      refuse("transform-origin is " + quoted(text) + "; it must be two lengths, or words such as center");
+    }
+    second = true;
+  });
+  return origin;
 }
 
 std::optional<ViewBox> viewBoxOf(const Node& node) {

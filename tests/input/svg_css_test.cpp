@@ -1,0 +1,199 @@
+// What CSS says of an SVG drawing: which elements its rules mean, transforms, and what is told of the rest.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sillon/geometry/outline.hpp"
+#include "sillon/input/svg.hpp"
+
+using namespace sillon;
+
+namespace {
+
+// A document of 100 x 100 mm with one user unit per mm.
+Shape read(const std::string& body, const std::string& root = "viewBox='0 0 100 100'") {
+  INFO(body);
+  const Result<Shape> shape =
+      readSvg("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' " + root + ">" + body + "</svg>");
+  if (!shape.ok()) FAIL(shape.error().message);
+  return shape.value();
+}
+
+double areaOf(const Shape& shape) {
+  const Result<Outline> outline = resolveOutline(shape);
+  REQUIRE(outline.ok());
+  return outline.value().area;
+}
+
+std::vector<std::string> unread(const std::string& body) { return read(body).drawing.unread; }
+
+// Left, top, right, bottom, as SVG counts.
+void checkBox(const Shape& shape, double left, double top, double right, double bottom) {
+  const Bounds box = bounds(shape);
+  CHECK(box.min.x == doctest::Approx(left));
+  CHECK(100 - box.max.y == doctest::Approx(top));
+  CHECK(box.max.x == doctest::Approx(right));
+  CHECK(100 - box.min.y == doctest::Approx(bottom));
+}
+
+const std::string kDot = "<rect x='90' y='90' width='10' height='10'/>";  // 100 mm2, so that something is painted
+
+}  // namespace
+
+TEST_CASE("selectors mean elements by names, classes and ids, and by what they lie in") {
+  const std::string tree =
+      "<g id='top' class='a b'><g class='in'><rect id='r' class='x y' width='50' height='10'/></g></g>" + kDot;
+  const auto hides = [&](const std::string& selector) {
+    CAPTURE(selector);
+    return areaOf(read("<style>" + selector + "{fill:none}</style>" + tree)) == doctest::Approx(100);
+  };
+  for (const char* fitting : {".x.y", ".y.x", "rect.x.y", "rect#r.y", "*.x", "g rect.x", "g .x", "#top .x", ".a.b .x",
+                              ".b #r", "svg g g rect.x", "svg>g>g>rect.x", "g > .x", "svg > g .x", "#top > .in > .x",
+                              "#top > * > #r", "svg * .x", "g\n>\n.x", "nothing, .in .x"}) {
+    CHECK(hides(fitting));
+  }
+  for (const char* other : {".x.z", "circle.x", "#top.x", "g > g > g > .x", "#top > .x", "svg > .x", ".in .a .x",
+                            ".x .x", "a .x", ".in > .a"}) {
+    CHECK_FALSE(hides(other));
+  }
+  // A child of a child that lies deeper: the nearest element that fits is not the only one.
+  CHECK(areaOf(read("<style>.p > .q .r{fill:none}</style><g class='p'><g class='q'><g class='q'><rect class='r' "
+                    "width='50' height='10'/></g></g></g>" +
+                    kDot)) == doctest::Approx(100));
+}
+
+TEST_CASE("the more specific rule wins, then the later one") {
+  const auto shown = [](const std::string& rules) {
+    return areaOf(read("<style>" + rules +
+                       "</style><g id='g' class='a'><g><rect class='c d' width='50' height='10'/></g></g>" + kDot)) >
+           100.5;
+  };
+  CHECK(shown("#g .c{fill:red} g g rect.c.d{fill:none}"));
+  CHECK_FALSE(shown("#g .c{fill:none} g g rect.c.d{fill:red}"));
+  CHECK(shown(".c.d{fill:red} g g g g g g g g g rect, svg g g rect{fill:none}"));
+  CHECK(shown(".a .c{fill:none} .a .d{fill:red}"));
+  CHECK_FALSE(shown(".a .d{fill:red} .a .c{fill:none}"));
+  CHECK(shown(".a .c{fill:none} .c{fill:red!important}"));
+}
+
+TEST_CASE("rules that hold only in use are passed over, others that are not read are told") {
+  for (const char* rules :
+       {"rect:hover{fill:none}", "a:focus-within rect{fill:none}", "text[x]{font-size:3px}",
+        "@font-face{font-family:x}", "@keyframes a{from{opacity:0}}", "@media print{text{font:x}}"}) {
+    CAPTURE(rules);
+    CHECK(unread("<style>" + std::string(rules) + "</style>" + kDot).empty());
+    CHECK(areaOf(read("<style>" + std::string(rules) + "</style>" + kDot)) == doctest::Approx(100));
+  }
+  const std::vector<std::pair<std::string, std::string>> told{
+      {"rect[x='1']{fill:none}", "CSS \"rect[x='1']\""},
+      {"g, rect:nth-child(2){fill:none}", "CSS \"rect:nth-child(2)\""},
+      {"g + rect{stroke-width:5}", "CSS \"g + rect\""},
+      {"g ~ rect{opacity:0}", "CSS \"g ~ rect\""},
+      {"g > > rect{opacity:0}", "CSS \"g > > rect\""},
+      {"rect >{opacity:0}", "CSS \"rect >\""},
+      {"@media (min-width: 1px) { rect { fill: none } }", "CSS \"@media\""},
+      {"g { fill: red; rect { fill: none } }", "CSS \"nested rules\""}};
+  for (const auto& [rules, note] : told) {
+    CAPTURE(rules);
+    CHECK(unread("<style><![CDATA[" + rules + "]]></style>" + kDot) == std::vector<std::string>{note});
+  }
+}
+
+TEST_CASE("what viewers show and is not read is told, once each, where it is shown") {
+  const std::string defs =
+      "<defs><marker id='m'/><filter id='f'/><pattern id='p'/><linearGradient id='l'/></defs>" + kDot;
+  const auto note = [&](const std::string& body) {
+    const std::vector<std::string> notes = unread(defs + body);
+    REQUIRE(notes.size() <= 1);
+    return notes.empty() ? std::string() : notes[0];
+  };
+  const std::string line = "<path stroke='red' d='M1 1h50v50' ";
+  CHECK(note(line + "marker-end='url(#m)'/>" + line + "style='marker-mid:url(#m)'/>") == "<marker>");
+  CHECK(note("<g style='marker:url(#m)'>" + line + "/></g>") == "<marker>");
+  CHECK(note(line + "marker-end='url(#nothing)'/>").empty());
+  CHECK(note(line + "filter='url(#f)'/>") == "<filter>");
+  CHECK(note(line + "style='filter:blur(5px)'/>") == "<filter>");
+  CHECK(note(line + "filter='none'/>").empty());
+  CHECK(note(line + "fill='url(#p)'/>") == "<pattern>");
+  CHECK(note("<g stroke='url(#p)'><path d='M1 1h50'/></g>") == "<pattern>");
+  CHECK(note(line + "fill='url(#l)'/>").empty());
+  CHECK(note("<foreignObject width='9' height='9'/>") == "<foreignObject>");
+  CHECK(note("<switch><foreignObject requiredExtensions='x'/><g/></switch>").empty());
+  CHECK(note(line + "stroke-dasharray='1 1' pathLength='9'/>") == "pathLength");
+  CHECK(note(line + "pathLength='9'/>").empty());
+  CHECK(note("<circle r='5' style='r:9px'/>") == "CSS \"r\"");
+  CHECK(note("<style>rect{width:50px}</style>") == "CSS \"width\"");
+  CHECK(note("<g style='transform:translateZ(0)'/>") == "transform \"translateZ(0)\"");
+  CHECK(note("<g style='transform:rotate(1furlong)'/>") == "transform \"rotate(1furlong)\"");
+  // What is not shown needs no note.
+  CHECK(note("<g display='none'>" + line + "filter='url(#f)'/></g>").empty());
+  CHECK(note("<g visibility='hidden'>" + line + "filter='url(#f)' fill='url(#p)'/></g>").empty());
+  CHECK(note("<defs>" + line + "filter='url(#f)'/></defs>").empty());
+  CHECK(read(kDot, "viewBox='0 0 100 100' style='width:100%'").drawing.unread.empty());
+  CHECK(unread(defs + line + "filter='url(#f)' fill='url(#p)' marker-end='url(#m)'/>") ==
+        std::vector<std::string>{"<marker>", "<filter>", "<pattern>"});
+}
+
+TEST_CASE("a switch shows its first child that any reader, or one of English, may see") {
+  const std::string children = "<g systemLanguage='de'><rect width='50' height='10'/></g>";
+  CHECK(areaOf(read("<switch>" + children + kDot + "</switch>")) == doctest::Approx(100));
+  CHECK(areaOf(read("<switch>" + children + "<g systemLanguage='fr, en-GB'>" + kDot +
+                    "</g><rect width='50' height='50'/></switch>")) == doctest::Approx(100));
+  CHECK(areaOf(read("<switch><g systemLanguage='enm'/>" + kDot + "</switch>")) == doctest::Approx(100));
+}
+
+TEST_CASE("CSS transforms take units, win over the attribute, and turn about their origin") {
+  const auto box = [](const std::string& attributes, double left, double top, double right, double bottom) {
+    CAPTURE(attributes);
+    checkBox(read("<rect x='20' y='10' width='20' height='30' " + attributes + "/>"), left, top, right, bottom);
+  };
+  box("style='transform:translate(10px, 20%)'", 30, 30, 50, 60);
+  box("style='transform:translateX(1px) translateY(50%)'", 21, 60, 41, 90);
+  box("style='transform:scale(50%)'", 10, 5, 20, 20);
+  box("style='transform:scaleX(.5) scaleY(2)'", 10, 20, 20, 80);
+  box("style='transform:rotate(.25turn);transform-origin:40px 40px'", 40, 20, 70, 40);
+  box("style='transform:rotate(100grad);transform-origin:40px 40px'", 40, 20, 70, 40);
+  box("style='transform:rotate(1.5707963267948966rad);transform-origin:40% 40%'", 40, 20, 70, 40);
+  box("style='transform:rotate(90deg);transform-box:fill-box;transform-origin:center'", 15, 15, 45, 35);
+  box("style='transform:rotate(90deg);transform-box:fill-box;transform-origin:left bottom'", 20, 40, 50, 60);
+  box("style='transform:rotate(90deg);transform-box:fill-box;transform-origin:100%'", 25, 5, 55, 25);
+  box("style='transform:translate(100%,50%);transform-box:fill-box'", 40, 25, 60, 55);
+  box("transform='scale(2)' style='transform:none'", 20, 10, 40, 40);
+  box("transform='scale(2)' style='transform:translate(1px)'", 21, 10, 41, 40);
+  box("transform='rotate(90)' transform-origin='40 40'", 40, 20, 70, 40);
+  box("transform='rotate(90 40 40)'", 40, 20, 70, 40);
+  box("style='transform:matrix(2,0,0,1,-20,0)'", 20, 10, 60, 40);
+  // tan 45 deg = 1
+  box("style='transform:skew(45deg,0deg)'", 30, 10, 80, 40);
+  box("style='transform:skew(0,45deg)'", 20, 30, 40, 80);
+  checkBox(read("<style>g{transform:translateX(10px)}</style><g><rect width='5' height='5'/></g>"), 10, 0, 15, 5);
+  // The root is a box of CSS, which turns about its middle.
+  checkBox(read("<rect width='20' height='10'/>", "viewBox='0 0 100 100' style='transform:rotate(90deg)'"), 90, 0, 100,
+           20);
+  CHECK_FALSE(
+      readSvg("<svg width='9mm' height='9mm'><rect transform='rotate(90deg)' width='5' height='5'/></svg>").ok());
+}
+
+TEST_CASE("a stroke that does not scale is as wide as on the page") {
+  // 10 pixels on a page of 96 pixels an inch.
+  const Shape shape = read(
+      "<line x1='1' x2='9' y1='5' y2='5' transform='scale(10)' stroke='red' stroke-width='10' "
+      "vector-effect='non-scaling-stroke'/>");
+  CHECK(areaOf(shape) == doctest::Approx(80 * 10 * 25.4 / 96));
+  CHECK(areaOf(read("<g vector-effect='non-scaling-stroke'><line x1='1' x2='9' y1='5' y2='5' transform='scale(10)' "
+                    "stroke='red' stroke-width='1'/></g>")) == doctest::Approx(800));
+}
+
+TEST_CASE("rules that would be compared for hours are refused") {
+  std::string rules, elements;
+  for (int k = 0; k < 4000; ++k) rules += ".a .b .c" + std::to_string(k) + " rect{fill:none}";
+  for (int k = 0; k < 40000; ++k) elements += "<rect class='a b'/>";
+  const Result<Shape> shape =
+      readSvg("<svg width='9mm' height='9mm'><style>" + rules + "</style><g class='a b'>" + elements + "</g></svg>");
+  REQUIRE_FALSE(shape.ok());
+  CHECK(shape.error().code == ErrorCode::TooLarge);
+  CHECK(shape.error().message.find("rules") != std::string::npos);
+}
