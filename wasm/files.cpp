@@ -19,6 +19,7 @@
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/gcode_reader/examine.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/thumbnails.hpp"
 #include "sillon/look/view_file.hpp"
@@ -161,6 +162,15 @@ val packGcode() {
   });
 }
 
+/// \param projectJson  whose printer's flavour counts.
+val examineBlock(const std::string& block, const std::string& projectJson) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(projectJson);
+    if (!project) return failure(project.error());
+    return success(convert::toJs(sillon::examineBlock(block, project.value().printer.flavor)));
+  });
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(files) {
@@ -172,4 +182,5 @@ EMSCRIPTEN_BINDINGS(files) {
   emscripten::function("importPrinter", &importPrinter);
   emscripten::function("checkGcode", &checkGcode);
   emscripten::function("packGcode", &packGcode);
+  emscripten::function("examineBlock", &examineBlock);
 }

@@ -11,7 +11,6 @@
 #include "call.hpp"
 #include "convert.hpp"
 #include "sillon/gcode/warning.hpp"
-#include "sillon/gcode_reader/examine.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/pipeline/session.hpp"
 #include "sillon/project/pictures.hpp"
@@ -142,15 +141,6 @@ val profiles() {
   });
 }
 
-/// \param projectJson  whose printer's flavour counts.
-val examineBlock(const std::string& block, const std::string& projectJson) {
-  return guarded([&](sillon::RunContext&) {
-    const auto project = sillon::readProject(projectJson);
-    if (!project) return failure(project.error());
-    return success(convert::toJs(sillon::examineBlock(block, project.value().printer.flavor)));
-  });
-}
-
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(plates) {
@@ -158,5 +148,4 @@ EMSCRIPTEN_BINDINGS(plates) {
   emscripten::function("readShape", &readShape);
   emscripten::function("decodePicture", &decodePicture);
   emscripten::function("profiles", &profiles);
-  emscripten::function("examineBlock", &examineBlock);
 }

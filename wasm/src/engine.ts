@@ -171,10 +171,8 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       const checked = input.callOptions(options);
       const printer = flavor === undefined ? {} : { flavor };
       const project = input.projectText({ printer: input.section(printer, 'printer') });
-      return (await run(
-        { name: 'examineBlock', block: input.blockText(block), project },
-        checked,
-      )) as api.GcodeFinding[];
+      const call: FileCall = { name: 'examineBlock', block: input.blockText(block), project };
+      return (await runOnFile(call, checked)) as api.GcodeFinding[];
     },
 
     async packGcode(file, options) {

@@ -35,9 +35,7 @@ export type PlateCall =
   | { name: 'decodePicture'; file: Uint8Array | Blob }
   | { name: 'readProject'; project: string }
   | { name: 'writeProject'; project: string }
-  | { name: 'profiles' }
-  /** `project`: whose printer's flavor counts. */
-  | { name: 'examineBlock'; block: string; project: string };
+  | { name: 'profiles' };
 
 /** Of the module that writes and reads the files around a plate. */
 export type FileCall =
@@ -56,7 +54,9 @@ export type FileCall =
   | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
   /** `project`: whose printer counts; empty: what the file's own settings say. */
   | { name: 'checkGcode'; file: Uint8Array | Blob; project: string }
-  | { name: 'packGcode'; file: Uint8Array | Blob };
+  | { name: 'packGcode'; file: Uint8Array | Blob }
+  /** `project`: whose printer's flavor counts. */
+  | { name: 'examineBlock'; block: string; project: string };
 
 /** A sliced file. `number`: the same for the same Blob, whose text the module keeps for the next call; 0: none. */
 export interface Print {
