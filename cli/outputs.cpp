@@ -114,8 +114,8 @@ std::optional<Error> judgePictures(Job& job, const std::string& gcode, const sil
 // Of the plate, then of the G-code.
 std::vector<sillon::GcodeWarning> warningsOf(const Job& job) {
   std::vector<sillon::GcodeWarning> all =
-      sillon::plateWarnings(job.input.shape.drawing, job.plate.apart, job.pictures.fieldR, job.measures,
-                            job.input.shape.page, job.plate.toolpath.spacing);
+      sillon::plateWarnings(job.input.shape.drawing, job.plate.apart, pictureFacts(job.pictures, job.pictureMeasures),
+                            job.measures, job.input.shape.page, job.plate.toolpath.spacing);
   if (job.gcode) all.insert(all.end(), job.gcode->warnings.begin(), job.gcode->warnings.end());
   return all;
 }

@@ -96,8 +96,8 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
                                             static_cast<std::int64_t>(emscripten_get_heap_size()));
     report = sillon::withPictures(std::move(report), pictures.value().shown, seen, false);
     const std::vector<sillon::GcodeWarning> warnings =
-        sillon::plateWarnings(plateInput.shape.drawing, plate.value().apart, pictures.value().fieldR, measures,
-                              plateInput.shape.page, toolpath.spacing);
+        sillon::plateWarnings(plateInput.shape.drawing, plate.value().apart, pictureFacts(pictures.value(), seen),
+                              measures, plateInput.shape.page, toolpath.spacing);
     out.set("report", val(sillon::withWarnings(std::move(report), warnings)));
     return success(out);
   });

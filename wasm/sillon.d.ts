@@ -924,6 +924,8 @@ export type WarningCode =
   | 'NotPrimed'
   | 'NotPrimedAbovePrint'
   | 'OutsideShape'
+  | 'PictureLost'
+  | 'PictureOneTone'
   | 'PicturesCrowded'
   | 'PressureAdvanceReset'
   | 'PrintOnBed'

@@ -134,6 +134,9 @@ TEST_CASE("pictures become luminance, are averaged as light, and levelled at the
   CHECK(levels.value[99] == 1);
   CHECK(levels.value[50] == doctest::Approx(0.5).epsilon(0.03));
   CHECK(levelled({2, 2, {0.3f, 0.3f, 0.3f, 0.3f}}).value[3] == 0.5f);
+  // Rounding is no picture; one step of 8 bits is.
+  CHECK(levelled({2, 2, {0.3f, 0.3000001f, 0.3f, 0.3f}}).value == std::vector<float>(4, 0.5f));
+  CHECK(levelled({2, 2, {0.3f, 0.304f, 0.3f, 0.3f}}).value == std::vector<float>{0, 1, 0, 0});
   Tones logo{200, 1, std::vector<float>(200, 0.2f)};
   logo.value[7] = 0.9f;  // fewer than a hundredth: still a picture of two tones
   CHECK(levelled(logo).value[7] == 1);

@@ -156,7 +156,7 @@ TEST_CASE("pictures that leave one of them unseen are told, with how much of it 
   // Under one lamp a direction has one tone: of a picture and its negative, each is shown by half at most.
   const Vec2 lamp{60, 45};
   const Made contrary = made(projectOf({{"ball.png", lamp}, {"negative.png", lamp}}));
-  const std::vector<GcodeWarning> told = crowdedWarnings(contrary.pictures.fieldR);
+  const std::vector<GcodeWarning> told = pictureWarnings(pictureFacts(contrary.pictures, {}));
   REQUIRE(told.size() == 1);
   CHECK(told[0].code == WarningCode::PicturesCrowded);
   CHECK(told[0].value("n")->number == 2);
@@ -169,8 +169,24 @@ TEST_CASE("pictures that leave one of them unseen are told, with how much of it 
 
   const Made alike = made(projectOf({{"ball.png", lamp}, {"ball.png", lamp}}));
   CHECK(alike.pictures.fieldR[0] > 0.98);
-  CHECK(crowdedWarnings(alike.pictures.fieldR).empty());
-  CHECK(crowdedWarnings(made(projectOf({{"ball.png", lamp}})).pictures.fieldR).empty());
+  CHECK(pictureWarnings(pictureFacts(alike.pictures, {})).empty());
+  CHECK(pictureWarnings(pictureFacts(made(projectOf({{"ball.png", lamp}})).pictures, {})).empty());
+}
+
+TEST_CASE("of pictures the one that is shown least is told, and those with one tone") {
+  const auto told = [](const std::vector<PictureFacts>& facts) {
+    std::string out;
+    for (const GcodeWarning& warning : pictureWarnings(facts)) {
+      out += std::string(warningName(warning.code)) + " " + std::to_string(int(warning.value("picture")->number)) + " ";
+    }
+    return out;
+  };
+  CHECK(told({}).empty());
+  CHECK(told({{false, 1, 0.7}}).empty());
+  CHECK(told({{false, 1, 0.69}}) == "PictureLost 1 ");
+  CHECK(told({{false, 0.9, 0.6}, {false, 0.8, 0.5}, {false, 0.9, 0.8}}) == "PictureLost 2 ");
+  CHECK(told({{false, 0.6, 0.2}, {false, 0.5, 0.5}}) == "PicturesCrowded 2 ");
+  CHECK(told({{true, 0, 0}, {false, 0.9, 0.9}, {true, 0, 0}}) == "PictureOneTone 1 PictureOneTone 3 ");
 }
 
 TEST_CASE("without pictures directions stay as they were read") {

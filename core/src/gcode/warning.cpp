@@ -56,6 +56,12 @@ constexpr Row kRows[] = {
     {WarningCode::NotPrimedAbovePrint, "NotPrimedAbovePrint",
      "nothing is printed beside a print that stands on the bed; the nozzle is not primed"},
     {WarningCode::OutsideShape, "OutsideShape", "{n} points of the path lie more than 0.1 mm outside the shape"},
+    {WarningCode::PictureLost, "PictureLost",
+     "of picture {picture} the beads show r {r}, where 0.7 can be recognised; a larger size or a smaller spacing shows "
+     "more of it"},
+    {WarningCode::PictureOneTone, "PictureOneTone",
+     "picture {picture} has one tone on this plate, so nothing can be seen in it; give a picture with bright and dark "
+     "parts wider than a bead"},
     {WarningCode::PicturesCrowded, "PicturesCrowded",
      "{n} pictures are too many for one plate: of picture {picture} its directions show r {r}, where 0.7 can be "
      "recognised; ask for fewer pictures, or for ones that differ less"},
@@ -149,26 +155,41 @@ std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
   return warnings;
 }
 
-std::vector<GcodeWarning> crowdedWarnings(const std::vector<double>& r) {
+std::vector<GcodeWarning> pictureWarnings(const std::vector<PictureFacts>& pictures) {
   constexpr double kRecognised = 0.7;
-  if (r.size() < 2) return {};
-  const auto least = std::min_element(r.begin(), r.end());
-  if (*least >= kRecognised) return {};
-  return {{WarningCode::PicturesCrowded,
-           {{"n", static_cast<double>(r.size())},
-            {"picture", static_cast<double>(least - r.begin() + 1)},
-            {"r", std::round(100 * *least) / 100}}}};
+  std::vector<GcodeWarning> warnings;
+  const PictureFacts* crowded = nullptr;
+  const PictureFacts* lost = nullptr;
+  const auto number = [&](const PictureFacts& one) { return static_cast<double>(&one - pictures.data() + 1); };
+  const auto hundredths = [](double r) { return std::round(100 * r) / 100; };
+  for (const PictureFacts& one : pictures) {
+    if (one.oneTone) {
+      warnings.push_back({WarningCode::PictureOneTone, {{"picture", number(one)}}});
+      continue;
+    }
+    if (one.fieldR < kRecognised && (crowded == nullptr || one.fieldR < crowded->fieldR)) crowded = &one;
+    if (one.seenR < kRecognised && (lost == nullptr || one.seenR < lost->seenR)) lost = &one;
+  }
+  if (crowded != nullptr) {
+    warnings.push_back({WarningCode::PicturesCrowded,
+                        {{"n", static_cast<double>(pictures.size())},
+                         {"picture", number(*crowded)},
+                         {"r", hundredths(crowded->fieldR)}}});
+  } else if (lost != nullptr) {
+    warnings.push_back({WarningCode::PictureLost, {{"picture", number(*lost)}, {"r", hundredths(lost->seenR)}}});
+  }
+  return warnings;
 }
 
 std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
-                                        const std::vector<double>& pictureR, const std::optional<Measures>& measures,
-                                        Vec2 page, double spacing) {
+                                        const std::vector<PictureFacts>& pictures,
+                                        const std::optional<Measures>& measures, Vec2 page, double spacing) {
   std::vector<GcodeWarning> all = drawingWarnings(drawing);
   const auto add = [&all](std::vector<GcodeWarning> more) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
   };
   add(apartWarnings(apart));
-  add(crowdedWarnings(pictureR));
+  add(pictureWarnings(pictures));
   if (measures) add(lossWarnings(*measures, page, spacing));
   return all;
 }

@@ -156,6 +156,9 @@ Tones resampled(const Tones& tones, int width, int height) {
   return out;
 }
 
+/// Half a step of 8 bits: means of one grey differ in their last digits, and stretched they would be a picture.
+constexpr float kRounding = 0.5f / 255;
+
 Tones levelled(const Tones& tones) {
   Tones out = tones;
   if (out.value.empty()) return out;
@@ -166,10 +169,10 @@ Tones levelled(const Tones& tones) {
     return sorted[k];
   };
   const float low = percentile(1), high = percentile(99);
-  if (!(high > low)) {
+  if (!(high - low > kRounding)) {
     const auto [least, most] = std::minmax_element(out.value.begin(), out.value.end());
     const float from = *least, to = *most;
-    for (float& v : out.value) v = to > from ? (v - from) / (to - from) : 0.5f;
+    for (float& v : out.value) v = to - from > kRounding ? (v - from) / (to - from) : 0.5f;
     return out;
   }
   for (float& v : out.value) v = std::clamp((v - low) / (high - low), 0.0f, 1.0f);

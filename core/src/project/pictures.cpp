@@ -57,6 +57,18 @@ Roughness roughnessOf(const Project& project) {
   return roughnessOf(spoolOf(params.spool), project.printer.nozzle, project.print.showSide == ShowSide::Bed);
 }
 
+std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures, const std::vector<PictureMeasures>& measures) {
+  std::vector<PictureFacts> facts(pictures.shown.size());
+  for (std::size_t k = 0; k < facts.size(); ++k) {
+    const std::vector<float>& tones = pictures.shown[k].tones.value;
+    const auto [darkest, brightest] = std::minmax_element(tones.begin(), tones.end());
+    facts[k].oneTone = tones.empty() || *brightest == *darkest;
+    if (k < pictures.fieldR.size()) facts[k].fieldR = pictures.fieldR[k];
+    if (k < measures.size()) facts[k].seenR = measures[k].r;
+  }
+  return facts;
+}
+
 InversionParams inversionOf(const PictureParams& params) {
   InversionParams inversion;
   inversion.smoothness = params.smoothness;

@@ -1099,6 +1099,10 @@ export const de: Translation = {
   'rare.warning.FillRatio': 'Die Bahnen füllen {percent} % der Fläche der Form; 97 bis 105 % drucken gut.',
   'rare.warning.PressureAdvanceReset':
     'Nach dem Druck ist Pressure Advance 0, bis der Drucker neu startet oder eine andere Datei es einstellt.',
+  'rare.warning.PictureLost':
+    'Von Bild {picture} zeigen die Bahnen r {r}, ab 0,7 ist es zu erkennen. Größer oder mit kleinerem Abstand zeigen sie mehr davon.',
+  'rare.warning.PictureOneTone':
+    'Bild {picture} hat auf dieser Platte nur einen Ton, darin ist nichts zu sehen. Nimm ein Bild mit hellen und dunklen Stellen, breiter als eine Bahn.',
   'rare.warning.PicturesCrowded':
     '{n} Bilder sind zu viele für eine Platte: Bild {picture} erreicht r {r}, ab 0,7 ist es zu erkennen. Es hilft: weniger Bilder, oder solche, die sich weniger unterscheiden.',
   'rare.warning.OutsideShape': {

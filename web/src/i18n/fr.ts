@@ -1114,6 +1114,10 @@ export const fr: Translation = {
     'Les cordons représentent {percent} % de l’aire de la forme ; de 97 à 105 %, l’impression est bonne.',
   'rare.warning.PressureAdvanceReset':
     'Après l’impression, l’avance de pression vaut 0, jusqu’au redémarrage de l’imprimante ou jusqu’à ce qu’un autre fichier la règle.',
+  'rare.warning.PictureLost':
+    'De l’image {picture}, les cordons montrent r {r}, or on la reconnaît à partir de 0,7. Une plaque plus grande ou un espacement plus petit en montre davantage.',
+  'rare.warning.PictureOneTone':
+    'L’image {picture} n’a qu’un ton sur cette plaque : on n’y verra rien. Prenez une image avec des parties claires et sombres, plus larges qu’un cordon.',
   'rare.warning.PicturesCrowded':
     '{n} images, c’est trop pour une plaque : l’image {picture} y atteint r {r}, or on la reconnaît à partir de 0,7. Prenez moins d’images, ou des images moins différentes.',
   'rare.warning.OutsideShape': {

@@ -155,6 +155,10 @@ export const rareEn = {
   'rare.warning.FillRatio': 'The beads cover {percent}% of the shape’s area; 97 to 105% print well.',
   'rare.warning.PressureAdvanceReset':
     'Pressure advance is 0 after the print, until the printer restarts or another file sets it.',
+  'rare.warning.PictureLost':
+    'Of picture {picture} the beads show r {r}, where 0.7 can be recognised. A larger size or a smaller spacing shows more of it.',
+  'rare.warning.PictureOneTone':
+    'Picture {picture} has one tone on this plate, so nothing can be seen in it. Use a picture with bright and dark parts wider than a bead.',
   'rare.warning.PicturesCrowded':
     '{n} pictures are too many for one plate: of picture {picture} it shows r {r}, where 0.7 can be recognised. Ask for fewer pictures, or for ones that differ less.',
   'rare.warning.OutsideShape': {

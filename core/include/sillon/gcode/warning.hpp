@@ -8,6 +8,7 @@
 
 #include "sillon/geometry/shape.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "sillon/quality/picture_measures.hpp"
 
 namespace sillon {
 
@@ -33,6 +34,8 @@ enum class WarningCode {
   NotPrimed,
   NotPrimedAbovePrint,
   OutsideShape,
+  PictureLost,
+  PictureOneTone,
   PicturesCrowded,
   PressureAdvanceReset,
   PrintOnBed,
@@ -73,19 +76,18 @@ const char* warningName(WarningCode code);
 /// What a reader of a drawing should say, whatever becomes of it.
 std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing);
 
-/// Where several pictures leave the least of them below r 0.7, at which few recognise it: one direction per place has
-/// to show all of them.
-/// \param r  of each picture, -1..1: PlatePictures::fieldR.
-std::vector<GcodeWarning> crowdedWarnings(const std::vector<double>& r);
+/// Of pictures with one tone, and of the one that is shown least, if that is below r 0.7, at which few recognise it:
+/// as one direction per place has to show several, or as the beads are too wide for it.
+std::vector<GcodeWarning> pictureWarnings(const std::vector<PictureFacts>& pictures);
 
 /// All that should be said of a plate before there is G-code: of its drawing, of toolpaths that could not be joined to
 /// the rest of their part, of its pictures, and of what is narrower than a bead, where that is more than 0.5 % of the
 /// shape.
-/// \param apart  ToolpathResult::apart. \param pictureR  see crowdedWarnings. \param measures  none: nothing lost is
-/// told. \param page  of the plate [mm]. \param spacing  tau [mm].
+/// \param apart  ToolpathResult::apart. \param measures  none: nothing lost is told. \param page  of the plate [mm].
+/// \param spacing  tau [mm].
 std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
-                                        const std::vector<double>& pictureR, const std::optional<Measures>& measures,
-                                        Vec2 page, double spacing);
+                                        const std::vector<PictureFacts>& pictures,
+                                        const std::optional<Measures>& measures, Vec2 page, double spacing);
 
 /// The JSON of a report with the warnings as its last entry: docs/reference/report.md.
 std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings);

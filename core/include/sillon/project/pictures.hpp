@@ -13,6 +13,7 @@
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
+#include "sillon/quality/picture_measures.hpp"
 
 namespace sillon {
 
@@ -42,6 +43,9 @@ Roughness roughnessOf(const Project& project);
 /// Reads and decodes the pictures; a lamp that is not given is to be chosen, as high as the first.
 /// \return what reading and decodeImage return.
 Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const ReadInput& read);
+
+/// How much of each picture a plate shows. \param measures  of each, or empty: not measured.
+std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures, const std::vector<PictureMeasures>& measures);
 
 /// How the pictures are solved for.
 InversionParams inversionOf(const PictureParams& params);

@@ -19,6 +19,13 @@ struct PictureMeasures {
   std::vector<double> others;  ///< r with each picture under this lamp, in order; its own r at its own place
 };
 
+/// How much of one picture a plate shows: r with what was asked for, -1..1.
+struct PictureFacts {
+  bool oneTone = false;  ///< nothing can be seen in it, whatever its r
+  double fieldR = 1;     ///< of what the directions alone show; 1: the plate has no other picture
+  double seenR = 1;      ///< of what the beads show; 1: not measured
+};
+
 /// What a plate shows under each lamp, in cells of about 2 tau.
 struct SeenCells {
   int width = 0;
