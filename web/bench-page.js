@@ -3,6 +3,7 @@
 //
 // The link is the server's, not the browser's own emulation of one: that one slows each page, worker and service worker by
 // itself, while here all of them share 10 Mbit/s. Files are sent as brotli, as a host with compression does.
+import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
@@ -40,7 +41,8 @@ const files = new Map(
       const packed = brotliCompressSync(plain);
       const small = packed.length < plain.length;
       const encoding = small ? { 'Content-Encoding': 'br' } : {};
-      return [`/${name.replaceAll('\\', '/')}`, { bytes: small ? packed : plain, encoding }];
+      const tag = `"${createHash('sha256').update(plain).digest('base64url')}"`;
+      return [`/${name.replaceAll('\\', '/')}`, { bytes: small ? packed : plain, encoding, tag }];
     }),
 );
 
@@ -57,10 +59,15 @@ async function serveSlowly() {
       response.writeHead(404, headers).end();
       return;
     }
-    const { bytes, encoding } = file;
+    const { bytes, encoding, tag } = file;
+    if (request.headers['if-none-match'] === tag) {
+      response.writeHead(304, { ...headers, ETag: tag }).end();
+      return;
+    }
     response.writeHead(200, {
       ...headers,
       ...encoding,
+      ETag: tag,
       'Content-Type': types[extname(name)] ?? 'application/octet-stream',
       'Content-Length': bytes.length,
       'Cache-Control': name.startsWith('/assets/') ? 'max-age=31536000, immutable' : 'no-cache',
