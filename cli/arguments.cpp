@@ -40,6 +40,11 @@ constexpr const char* kExamples =
     "--project F writes one with every field; sillon settings lists them all, with the options of experts.\n"
     "Exit codes: 0 done, 2 bad input, 3 cancelled, 1 a fault of the program. Nothing is written unless all is done.";
 
+/// What a plate is made of, before there is a toolpath.
+bool isRead(const Setting& row) {
+  return row.section == Section::Shape || row.section == Section::Directions || row.section == Section::Modes;
+}
+
 /// How a printer prints, without what calibration plates choose themselves.
 bool isOfCalibrations(const Setting& row) {
   if (row.section == Section::Printer) return true;
@@ -182,6 +187,9 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   generate->footer(kExamples);
   generate->add_option("scene", arguments.scene, "project or scene file to begin with, or a picture to be seen")
       ->option_text("SCENE.json|PICTURE");
+  std::vector<std::string> furtherPictures;
+  generate->add_option("further", furtherPictures, "more pictures, each to be seen under a lamp of its own")
+      ->option_text("PICTURE...");
   Options options(*generate, arguments.changes);
   addShape(options);
   addPictures(*generate, arguments.pictures);
@@ -196,6 +204,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addShape(zoneOptions);
   addPictures(*zones, arguments.pictures);
   addZones(*zones, arguments.zones);
+  zoneOptions.settings(isRead);
 
   CLI::App* calibrate =
       app.add_subcommand("calibrate", "Small prints that teach a printer's and a filament's settings, and reading one");
@@ -241,7 +250,9 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
     return Error{ErrorCode::InvalidArgument,
                  text.substr(0, text.find(':')) + " has no value; it must be followed by one"};
   } catch (const CLI::ExtrasError& error) {
-    return Error{ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon generate --help"};
+    const std::vector<CLI::App*> given = app.get_subcommands();
+    const std::string command = given.empty() ? "" : " " + given.front()->get_name();
+    return Error{ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon" + command + " --help"};
   } catch (const CLI::RequiredError& error) {
     if (argc > 1 && app.get_subcommands().empty() && argv[1][0] != '-') {
       return Error{ErrorCode::InvalidArgument,
@@ -260,9 +271,15 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
                                                    "\" is a picture to be seen, which finds the directions: " + given +
                                                    " cannot be given beside it; leave one of them out"};
     }
-    arguments.pictures.files.insert(arguments.pictures.files.begin(), arguments.scene);
+    furtherPictures.insert(furtherPictures.begin(), arguments.scene);
     arguments.scene.clear();
   }
+  for (const std::string& further : furtherPictures) {
+    if (looksLikePicture(further)) continue;
+    return Error{ErrorCode::InvalidArgument,
+                 "\"" + further + "\" is one file too many; behind the first only pictures can follow"};
+  }
+  arguments.pictures.files.insert(arguments.pictures.files.begin(), furtherPictures.begin(), furtherPictures.end());
   return arguments;
 }
 

@@ -191,13 +191,15 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
     if (!png) return png.error();
     files.push_back({arguments.preview, std::move(png).value()});
   }
-  if (arguments.json) return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings)};
+  if (arguments.json) {
+    return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings), true};
+  }
   std::string out = table(plate, summary.value());
   for (const sillon::GcodeWarning& warning : summary.value().warnings) {
     out += "note     " + sillon::warningSentence(warning) + "\n";
   }
   for (const sillon::GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
-  return Outcome{std::move(files), std::move(out)};
+  return Outcome{std::move(files), std::move(out), false};
 }
 
 Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const std::vector<std::string>& photographs,
@@ -248,6 +250,7 @@ Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const st
   Outcome outcome;
   if (!arguments.out.empty()) outcome.files.push_back({arguments.out, std::move(file)});
   const double asked = project.printer.nozzle * project.print.flow;
+  outcome.textIsAsked = arguments.json;
   outcome.text = arguments.json ? readingJson(reading.value(), readings, refused, asked, arguments.name)
                                 : readingText(reading.value(), readings, refused, request.lampSlope.has_value(), asked,
                                               arguments.name);

@@ -1,11 +1,13 @@
 #include "files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -44,6 +46,16 @@ fs::path temporaryName(const fs::path& path, std::size_t index, const char* endi
 #endif
   const std::string name = ".sillon-" + std::to_string(process) + "-" + std::to_string(index) + ending;
   return path.parent_path() / name;
+}
+
+/// As a file behind such a name, what stdout is sent to would be replaced by another one.
+bool namesStream(const std::string& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/");
+}
+
+bool namesOtherPicture(const std::string& path) {
+  constexpr std::array<std::string_view, 8> kEndings{".jpg", ".jpeg", ".webp", ".gif", ".bmp", ".tga", ".tif", ".tiff"};
+  return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return endsWith(path, end); });
 }
 
 std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, const std::string& wanted) {
@@ -124,6 +136,11 @@ class TemporaryFiles {
 
 }  // namespace
 
+bool endsWith(std::string name, std::string_view end) {
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  return name.ends_with(end);
+}
+
 sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes) {
   const std::string name = "the " + what + " \"" + path + "\"";
   std::error_code error;
@@ -158,7 +175,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
 std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const std::string name = "the output \"" + outputs[k] + "\"";
-    if (outputs[k] == "-") return invalid(name + " is no file; files cannot be written to stdout");
+    if (namesStream(outputs[k])) return invalid(name + " is no file; files cannot be written to stdout");
     const fs::path path = target(outputs[k]);
     std::error_code error;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -179,6 +196,9 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
     }
     for (const std::string& input : inputs) {
       if (target(input) == path) return invalid(name + " is also an input; it must be another file");
+    }
+    if (namesOtherPicture(outputs[k])) {
+      return invalid(name + " is named like a picture that is not written; pictures are written as .png");
     }
   }
   return std::nullopt;

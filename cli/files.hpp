@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sillon/base/result.hpp"
@@ -13,6 +14,9 @@ namespace cli {
 
 inline constexpr std::size_t kMaxProjectBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
+
+/// Whether a file's name ends so, in letters of any case. \param end  in small letters
+bool endsWith(std::string name, std::string_view end);
 
 /// \param what  "shape", "direction picture", ...: for the message.
 sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
@@ -25,7 +29,8 @@ struct OutputFile {
 /// What a command has made. Nothing of it is written yet, so that nothing can go wrong once something is.
 struct Outcome {
   std::vector<OutputFile> files;
-  std::string text;  ///< for stdout, once the files are there
+  std::string text;          ///< for stdout, once the files are there
+  bool textIsAsked = false;  ///< it is data, as with --json: losing it is a failure
 };
 
 /// What can be known before the work begins: folders exist, names are files, no name is used twice or read from.

@@ -159,7 +159,7 @@ sillon::Result<cli::Outcome> prepare(const cli::Arguments& arguments, cli::Job& 
   run.onProgress({});
   if (!files) return files.error();
   std::string summary = arguments.quiet ? "" : cli::summary(job, run.threads(), files.value());
-  return cli::Outcome{std::move(files).value(), std::move(summary)};
+  return cli::Outcome{std::move(files).value(), std::move(summary), false};
 }
 
 /// What a command is asked for goes to stdout; a full disk or a closed pipe loses it.
@@ -196,16 +196,16 @@ int importFrom(const cli::Arguments& arguments) {
   return 0;
 }
 
-/// The one place where files are written, after all that can fail. They are what was asked for: once they are there, a
-/// summary that gets lost is no failure.
+/// The one place where files are written, after all that can fail. They are what was asked for, as JSON is: once they
+/// are there, a summary that gets lost is no failure.
 int commit(const sillon::Result<cli::Outcome>& made, const sillon::RunContext& run) {
   if (!run.cancelled() && !made) return fail(made.error());
   // From here on it is faster to finish than to stop.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
   if (run.cancelled()) return fail({ErrorCode::Cancelled, kCancelled});
-  if (made.value().files.empty()) return answer(made.value().text, 0);
   if (const std::optional<Error> problem = cli::writeTogether(made.value().files)) return fail(*problem);
+  if (made.value().files.empty() || made.value().textIsAsked) return answer(made.value().text, 0);
   std::fputs(made.value().text.c_str(), stdout);
   return 0;
 }

@@ -272,7 +272,7 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
   if (arguments.list) {
     const Result<SlicedFile> file = sillon::readSlicedFile(gcode, run);
     if (!file) return named(file.error());
-    return Outcome{{}, arguments.json ? listJson(file.value()) : listText(file.value())};
+    return Outcome{{}, arguments.json ? listJson(file.value()) : listText(file.value()), true};
   }
   if (container.value().plates > 1) {
     return named({ErrorCode::InvalidFile, "it holds " + std::to_string(container.value().plates) +
@@ -309,7 +309,7 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
     files.push_back({previewName(arguments.preview, drawn++), std::move(png).value()});
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
-  return Outcome{std::move(files), summaryText(done.value())};
+  return Outcome{std::move(files), summaryText(done.value()), false};
 }
 
 }  // namespace cli

@@ -1,7 +1,6 @@
 #include "words.hpp"
 
 #include <CLI/Error.hpp>
-#include <algorithm>
 #include <cmath>
 
 namespace cli {
@@ -10,11 +9,6 @@ using sillon::Vec2;
 
 void refuse(const std::string& option, const std::string& text, const std::string& wanted) {
   throw CLI::ValidationError(option + " is \"" + text + "\"; it must be " + wanted, CLI::ExitCodes::ValidationError);
-}
-
-bool endsWith(std::string name, std::string_view end) {
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
-  return name.ends_with(end);
 }
 
 std::optional<double> parseNumber(const std::string& text) {

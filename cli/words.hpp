@@ -24,9 +24,6 @@ requires std::is_integral_v<Integer> std::string plural(Integer count, const std
   return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
-/// Whether a file's name ends so, in letters of any case. \param end  in small letters
-bool endsWith(std::string name, std::string_view end);
-
 /// A finite decimal number and nothing else: no nan, no inf, no hex, no trailing words.
 std::optional<double> parseNumber(const std::string& text);
 

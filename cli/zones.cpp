@@ -7,6 +7,7 @@
 #include "assemble.hpp"
 #include "files.hpp"
 #include "outputs.hpp"
+#include "sillon/gcode/warning.hpp"
 #include "sillon/project/pictures.hpp"
 
 namespace cli {
@@ -67,6 +68,9 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   std::string out;
   if (arguments.body.empty()) {
     for (const std::string& note : inputNotes(project, seen.drawing)) out += "note   " + note + "\n";
+    for (const sillon::GcodeWarning& warning : sillon::drawingWarnings(seen.drawing)) {
+      out += "warning " + sillon::warningSentence(warning) + "\n";
+    }
   }
   char line[160];
   for (const sillon::DirectionZone& zone : zones.value().zones) {
@@ -75,7 +79,7 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   }
   std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given\n",
                 zones.value().error);
-  return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
+  return Outcome{{{arguments.out, std::move(package).value()}}, out + line, false};
 }
 
 }  // namespace cli

@@ -458,12 +458,20 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   const Run told = folder.run("zones --shape text.svg --angle 30 -o told.3mf");
   CHECK(has(told.out, "note   the drawing has 1 <text>, which is left out"));
   CHECK(has(told.out, "off    0.0 degrees on average"));
+  folder.write("off.svg",
+               "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 9 9'><rect width='19' "
+               "height='9'/></svg>");
+  CHECK(has(folder.run("zones --shape off.svg --angle 30 -o told.3mf").out, "lie off its page"));
   const Run done = folder.run("zones --shape rect --size 30x20 --directions two.png -o new.3mf");
   CAPTURE(done.err);
   REQUIRE(done.code == 0);
   CHECK(has(done.out, "44.8 degrees"));
   CHECK(has(done.out, "135.2 degrees"));
   CHECK(readAll(folder.at("new.3mf")).starts_with("PK"));
+  // What is read is read as generate reads it: grey is now 180 * 64 / 255 degrees.
+  CHECK(has(
+      folder.run("zones --shape rounded --radius 5 --size 30x20 --directions two.png --encoding rotation -o r.3mf").out,
+      "45.2 degrees"));
 
   folder.write("plate.json", "{}");
   CHECK(folder.run("generate --shape disc --size 20 --body body.stl --base 4 --spacing 0.8 --gcode plate.gcode").code ==
@@ -757,6 +765,8 @@ TEST_CASE("a printer is imported from G-code and prints") {
   CHECK(made.code == 0);
   CHECK(has(readAll(folder.at("a.gcode")), "\nM862.3 P \"MINI\"\n"));
   CHECK(folder.run("check a.gcode --printer prusa-mini").code == 0);
+  REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode donor.gcode.gz").code == 0);
+  CHECK(folder.run("import donor.gcode.gz").out == run.out);
   folder.write("no.ini", "a = b\n");
   checkRefused(folder, "import no.ini", "no setting of a printer");
 }
@@ -889,6 +899,34 @@ TEST_CASE("a picture alone is shown under a lamp that is chosen and said") {
   CHECK(has(run.out, "ramp.png under a lamp at "));
   CHECK(has(run.out, " (chosen): r 0."));
   CHECK(Json::parse(readAll(folder.at("r.json")))["pictures"][0]["r"] > 0.85);
+}
+
+TEST_CASE("pictures may stand one behind the other, and what of them cannot be seen is told") {
+  const Folder folder;
+  folder.picture("ramp.png", 40, 30, [](int column, int row) { return 4 * column + 2 * row; });
+  folder.picture("grey.png", 40, 30, [](int, int) { return 128; });
+  folder.picture("checks.png", 200, 150,
+                 [](int column, int row) { return 255 * (37 * (column / 3) * (row / 3) % 11 % 2); });
+  const std::string coarse = " --size 20 --spacing 0.8 --corrections 0 --report r.json";
+  const Run run = folder.run("generate ramp.png grey.png" + coarse);
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  const std::size_t ramp = run.out.find("picture    ramp.png"), grey = run.out.find("picture    grey.png");
+  CHECK(ramp < grey);
+  CHECK(grey < run.out.size());
+  CHECK(has(run.out, "\nwarning    picture 2 has one tone on this plate, so nothing can be seen in it; give"));
+  CHECK(has(readAll(folder.at("r.json")), R"("code":"PictureOneTone","values":{"picture":2.0})"));
+
+  const Run lost = folder.run("generate checks.png" + coarse);
+  REQUIRE(lost.code == 0);
+  CHECK(has(lost.out, "\nwarning    of picture 1 the beads show r "));
+  const Json report = Json::parse(readAll(folder.at("r.json")));
+  CHECK(report["warnings"][0]["code"] == "PictureLost");
+  CHECK(report["warnings"][0]["values"]["r"] < 0.7);
+  CHECK_FALSE(has(folder.run("generate ramp.png" + coarse).out, "warning"));
+
+  folder.write("scene.json", R"({"sillon": 1})");
+  checkRefused(folder, "generate ramp.png scene.json" + kOutputs, "\"scene.json\" is one file too many");
 }
 
 TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
@@ -1222,6 +1260,10 @@ TEST_CASE("command lines that make no sense are refused") {
   checkRefused(folder, "generate --shape disc --svg x --gcode ./x", "named for two outputs");
   checkRefused(folder, "generate --shape disc --svg x --gcode ../work/x", "named for two outputs");
   checkRefused(folder, "generate --shape disc --gcode -", "the output \"-\" is no file");
+  checkRefused(folder, "generate --shape disc --gcode /dev/stdout", "the output \"/dev/stdout\" is no file");
+  checkRefused(folder, "generate --shape disc --preview a.JPG",
+               "\"a.JPG\" is named like a picture that is not written");
+  checkRefused(folder, "zones -o a.3mf --frob", "--frob; see sillon zones --help");
   checkRefused(folder, "frobnicate",
                "\"frobnicate\" is not a command; it must be generate, check, rebrush, shape, zones, import, printers,");
   checkRefused(folder, "generate --directions l.png --gcode l.png", "also an input");
@@ -1269,11 +1311,16 @@ TEST_CASE("an answer that is lost is a failure") {
     CHECK(run.code == 2);
     CHECK(has(run.err, "sillon: stdout cannot be written: "));
   }
+  // The print is there, the table for programs is not.
+  const Run table = folder.run("calibrate flow -o flow.gcode --json", R"(sh -c '"$0" "$@" >/dev/full')");
+  CHECK(table.code == 2);
+  CHECK(has(table.err, "sillon: stdout cannot be written: "));
+  CHECK(fs::exists(folder.at("flow.gcode")));
 }
 
 TEST_CASE("a reader that has gone away changes neither files nor the exit code") {
   const std::string commands[] = {std::string(kDisc) + "--gcode a.gcode",
-                                  "calibrate first-layer --printer prusa-mini --json -o a.gcode",
+                                  "calibrate first-layer --printer prusa-mini -o a.gcode",
                                   "zones --shape disc --size 12 --angle 30 -o a.3mf"};
   for (const std::string& command : commands) {
     CAPTURE(command);
