@@ -44,9 +44,10 @@ std::string seenFrom(const fs::path& folder, const std::string& name) {
 std::optional<std::string> otherThanJson(std::string_view text) {
   const std::string_view start = text.substr(0, 64);
   const std::size_t first = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  if (first != std::string_view::npos && start[first] == '<') return " is a drawing, no project; give it as --shape";
+  if (first != std::string_view::npos && start[first] == '<')
+    return " is a drawing and not a project; give it as --shape";
   if (std::any_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < 9; })) {
-    return " is no text, so no project; a picture to be seen is given by --picture, as PNG, JPEG, BMP or TGA";
+    return " is not a text file, so it is not a project; --picture takes pictures, as PNG, JPEG, BMP or TGA";
   }
   return std::nullopt;
 }

@@ -41,7 +41,8 @@ std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& sum
     out += line;
   }
   std::snprintf(line, sizeof line, "prints   %.1f min, %.2f g\n", summary.seconds / 60, summary.filamentGrams);
-  return out + line + "look for " + plate.advice + "\ntype it  " + plate.setting + "\n";
+  return out + line + "look for " + plate.advice + "\nset      " + plate.setting +
+         " in the project to the best value\n";
 }
 
 std::string tableJson(const std::string& kind, const CalibrationPlate& plate, const sillon::GcodeSummary& summary,

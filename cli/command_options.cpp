@@ -2,9 +2,11 @@
 // long.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -200,15 +202,15 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
                                          "top, bottom (of the first layer) or both [top]")
       ->option_text("WHICH");
   command
-      ->add_option_function<std::vector<std::size_t>>(
+      ->add_option_function<std::vector<std::string>>(
           "--only",
-          [&arguments](const std::vector<std::size_t>& numbers) {
-            for (const std::size_t number : numbers) {
-              if (number == 0) {
-                throw CLI::ValidationError("--only is 0; the numbers of --list begin with 1",
-                                           CLI::ExitCodes::ValidationError);
+          [&arguments](const std::vector<std::string>& words) {
+            for (const std::string& word : words) {
+              const std::optional<double> number = parseNumber(word);
+              if (!number || !(*number >= 1 && *number <= 1e6) || *number != std::floor(*number)) {
+                refuse("--only", word, "a number that --list shows; the first is 1");
               }
-              arguments.options.only.push_back(number - 1);
+              arguments.options.only.push_back(static_cast<std::size_t>(*number) - 1);
             }
           },
           "these surfaces alone, by their numbers in --list")

@@ -432,7 +432,8 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
       {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or 0 to 100"},
       {"part.gcode --angle 3 -o part.gcode --report part.gcode", "two outputs"},
       {"half.png", "does not mark its surfaces"},
-      {"part.gcode --only 0", "begin with 1"},
+      {"part.gcode --only 0", "the first is 1"},
+      {"part.gcode --only 2,a", "--only is \"a\"; it must be a number that --list shows"},
       {"part.gcode --only 7", "surface 7 is chosen; the file has 2"},
   };
   for (const auto& one : refused) {
@@ -510,7 +511,7 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   CAPTURE(done.err);
   REQUIRE(done.code == 0);
   CHECK(has(done.out, ".88      0.88"));
-  CHECK(has(done.out, "type it  print.flow\n"));
+  CHECK(has(done.out, "set      print.flow in the project to the best value\n"));
   CHECK(readAll(folder.at("flow.png")).starts_with("\x89PNG"));
   const std::string gcode = readAll(folder.at("flow.gcode"));
   CHECK(has(gcode, "; calibration: flow\n"));
@@ -954,8 +955,9 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   folder.write("logo.svg", "\n<svg xmlns='http://www.w3.org/2000/svg'/>");
   folder.write("moving.gif", std::string("GIF89a\x01\0\x01\0", 10));
   checkRefused(folder, "generate logo.svg" + kOutputs,
-               "scene \"logo.svg\" is a drawing, no project; give it as --shape");
-  checkRefused(folder, "generate moving.gif" + kOutputs, "scene \"moving.gif\" is no text, so no project; a picture");
+               "scene \"logo.svg\" is a drawing and not a project; give it as --shape");
+  checkRefused(folder, "generate moving.gif" + kOutputs,
+               "scene \"moving.gif\" is not a text file, so it is not a project; --picture");
   checkRefused(folder, "generate tiny.png --directions tiny.png" + kOutputs, "--directions cannot be given beside it");
   checkRefused(folder, "generate tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");

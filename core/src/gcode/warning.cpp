@@ -51,7 +51,7 @@ constexpr Row kRows[] = {
     {WarningCode::NoPressureAdvance, "NoPressureAdvance",
      "nothing sets pressure advance on this printer, so oriented layers run evenly at {speed} mm/s, {minutes} min "
      "longer "
-     "than at {asked}; set it, or showSpeed"},
+     "than at {asked}; the project's printer.setPressureAdvance sets it, printer.showSpeed the speed"},
     {WarningCode::NotPrimed, "NotPrimed", "the plate leaves no room for a purge line; the first beads may be thin"},
     {WarningCode::NotPrimedAbovePrint, "NotPrimedAbovePrint",
      "nothing is printed beside a print that stands on the bed; the nozzle is not primed"},
