@@ -166,6 +166,10 @@ std::vector<std::string> inputNotes(const sillon::Project& project, const sillon
   };
   left(drawing.texts, "text");
   left(drawing.images, "image");
+  if (drawing.severalColours) {
+    notes.emplace_back(
+        "the drawing has several colours, all printed as one solid; the studio gives each a direction of its own");
+  }
   if (drawing.linesOnly) {
     notes.emplace_back("nothing in the drawing is filled, so its lines are the shape; --paint ignore fills them");
   }

@@ -1025,13 +1025,14 @@ TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
   const Folder folder;
   folder.write(
       "a.svg",
-      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><text>a</text><image width="3" height="3"/></svg>)");
+      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><path d="M9 9h9v9z" fill="#fff"/><text>a</text><image width="3" height="3"/></svg>)");
   folder.picture("l.png", 8, 8, [](int, int) { return 255; });
   const std::string coarse = " --spacing 2 --nozzle 1";
   const Run drawn = folder.run("generate --shape a.svg" + coarse);
   CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; --size sets its width\n"));
   CHECK(has(drawn.out, "\nnote       the drawing has 1 <text>, which is left out; convert it to paths in the program"));
   CHECK(has(drawn.out, "\nnote       the drawing has 1 <image>, which is left out"));
+  CHECK(has(drawn.out, "\nnote       the drawing has several colours, all printed as one solid"));
   CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));
   CHECK(has(folder.run("generate --shape l.png" + coarse).out, "\nnote       no size is given, so it is 80 mm wide"));
   CHECK_FALSE(has(folder.run("generate --shape l.png --size 20" + coarse).out, "note"));

@@ -96,9 +96,9 @@ TEST_CASE("rules that hold only in use are passed over, others that are not read
       {"rect >{opacity:0}", "CSS \"rect >\""},
       {"@media (min-width: 1px) { rect { fill: none } }", "CSS \"@media\""},
       {"g { fill: red; rect { fill: none } }", "CSS \"nested rules\""}};
-  for (const auto& [rules, note] : told) {
-    CAPTURE(rules);
-    CHECK(unread("<style><![CDATA[" + rules + "]]></style>" + kDot) == std::vector<std::string>{note});
+  for (const auto& one : told) {
+    CAPTURE(one.first);
+    CHECK(unread("<style><![CDATA[" + one.first + "]]></style>" + kDot) == std::vector<std::string>{one.second});
   }
 }
 

@@ -865,6 +865,51 @@ TEST_CASE("a second tone by opacity is told by its area; shadows on what is pain
   CHECK(scaledToWidth(two, 50).value().drawing.faintMm2 == doctest::Approx(75));
 }
 
+TEST_CASE("several colours are told, in whatever words they are written") {
+  const auto several = [](std::string_view first, std::string_view second) {
+    const auto square = [](std::string_view fill) {
+      return "<rect width='9' height='9' fill='" + std::string(fill) + "'/>";
+    };
+    const std::string gradients = "<linearGradient id='a'/><linearGradient id='b'/>";
+    return read(page(gradients + square(first) + square(second))).drawing.severalColours;
+  };
+  const std::pair<std::string_view, std::string_view> equal[] = {{"black", "#000"},
+                                                                 {"black", "rgb(0 0 0)"},
+                                                                 {"black", "hsl(90 50% 0%)"},
+                                                                 {"white", "#FFF"},
+                                                                 {"white", "rgb(100%,100%,100%)"},
+                                                                 {"white", "hsl(0, 0%, 100%)"},
+                                                                 {"#1A2b3c", "rgb(26, 43, 60)"},
+                                                                 {"#1A2b3c80", "rgba(26, 43, 60, .5)"},
+                                                                 {"#f80", "#ff8800"},
+                                                                 {"teal", "Teal"},
+                                                                 {"currentColor", "#000000"},
+                                                                 {"url(#a)", "url(#a)"},
+                                                                 {"hsl(120 40% 50%)", "hsl(120 40% 50%)"},
+                                                                 {"red", "none"}};
+  for (const auto& pair : equal) {
+    CAPTURE(pair.first);
+    CHECK_FALSE(several(pair.first, pair.second));
+  }
+  const std::pair<std::string_view, std::string_view> other[] = {{"black", "white"},
+                                                                 {"red", "green"},
+                                                                 {"#f80", "#f81"},
+                                                                 {"url(#a)", "url(#b)"},
+                                                                 {"rgb(1,2,3)", "rgb(1,2,4)"},
+                                                                 {"#000", "#010000"},
+                                                                 {"hsl(1 40% 50%)", "hsl(200 40% 50%)"}};
+  for (const auto& pair : other) {
+    CAPTURE(pair.first);
+    CHECK(several(pair.first, pair.second));
+  }
+  // Not what is off the page, hidden, or of a mask.
+  CHECK_FALSE(
+      read(page("<rect width='9' height='9'/><rect x='900' width='9' height='9' fill='red'/>")).drawing.severalColours);
+  CHECK_FALSE(read(page("<mask id='m'><rect width='9' height='9' fill='white'/></mask>"
+                        "<rect width='19' height='9' mask='url(#m)'/>"))
+                  .drawing.severalColours);
+}
+
 TEST_CASE("a stroke is as wide as it says, with the ends and corners it asks for") {
   const std::string line = "<path d='M20 20H60' stroke='red' stroke-width='4' ";
   checkShown(line + "/>", 160);

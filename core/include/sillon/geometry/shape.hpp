@@ -24,12 +24,13 @@ struct FilledPath {
 /// What readSvg left out, and what it took for granted.
 struct DrawingFacts {
   bool svg = false;
-  bool pixels = false;     ///< its size is in pixels, or has no unit: taken as 1/96 inch each
-  int texts = 0;           ///< shown, but not read
-  int images = 0;          ///< shown, but not read
-  bool unpainted = false;  ///< nothing is painted: outlines were taken whatever their paint
-  bool linesOnly = false;  ///< nothing is filled: strokes alone are the shape
-  double offPage = 0;      ///< painted, but cut off at the page's edges [mm²]
+  bool pixels = false;          ///< its size is in pixels, or has no unit: taken as 1/96 inch each
+  int texts = 0;                ///< shown, but not read
+  int images = 0;               ///< shown, but not read
+  bool unpainted = false;       ///< nothing is painted: outlines were taken whatever their paint
+  bool linesOnly = false;       ///< nothing is filled: strokes alone are the shape
+  bool severalColours = false;  ///< painted, of which the shape shows nothing
+  double offPage = 0;           ///< painted, but cut off at the page's edges [mm²]
   /// What is shown and not read beside texts and images: "<marker>", "CSS \"r\"", ...; at most 8.
   std::vector<std::string> unread = {};
   double faintMm2 = 0;  ///< painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape

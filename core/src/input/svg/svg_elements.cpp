@@ -345,32 +345,37 @@ class Drawing {
       if (paint.fill.pattern) note("<pattern>");
       std::vector<Ring> rings = out.rings();
       filled_ = filled_ || (reading_ == Reading::Painted && !rings.empty());
-      show({std::move(rings), paint.fillRule}, state, paint.fill.black, paint.fillAlpha());
+      show({std::move(rings), paint.fillRule}, state, paint.fill, paint.fillAlpha());
     }
     if (paint.strokeAlpha() >= kFaintest) {
       if (paint.stroke.pattern) note("<pattern>");
       if (!paint.line.dashes.empty() && attribute(node, "pathLength")) note("pathLength");
       const Matrix& pen = paint.strokeScales ? state.toWorld : toPage_;
       show({strokeRings(out.lines(), paint.line, pen, options_.tolerance, pointsLeft_), FillRule::NonZero}, state,
-           paint.stroke.black, paint.strokeAlpha());
+           paint.stroke, paint.strokeAlpha());
     }
   }
 
   // Adds what lies within all limits, and on the page.
-  void show(FilledPath path, const State& state, bool black = false, double alpha = 1) {
+  void show(FilledPath path, const State& state, const Paint& paint = {}, double alpha = 1) {
     if (path.rings.empty()) return;
     if (reading_ == Reading::Outlines) {
       layers_.push_back({std::move(path)});
       return;
     }
-    const bool hides = reading_ == Reading::Mask && black && !maskByAlpha_;
+    const bool hides = reading_ == Reading::Mask && paint.black() && !maskByAlpha_;
     if (hides && alpha < 1 - kFaintest) return;  // grey still shows
     if (reading_ == Reading::Painted) painted_ = true;
     std::vector<const Limit*> limits;
     for (const auto& limit : state.limits) limits.push_back(limit.get());
     path = within(std::move(path), limits, work_);
     if (reading_ == Reading::Painted) path = onPage(std::move(path));
-    if (!path.rings.empty()) layers_.push_back({std::move(path), !hides, alpha <= kFaint});
+    if (path.rings.empty()) return;
+    if (reading_ == Reading::Painted) {
+      if (layers_.empty()) colour_ = paint.colour;
+      shape_.drawing.severalColours = shape_.drawing.severalColours || paint.colour != colour_;
+    }
+    layers_.push_back({std::move(path), !hides, alpha <= kFaint});
   }
 
   // As DrawingFacts says. Shadows on or along what is painted firmly are no second tone.
@@ -534,6 +539,7 @@ class Drawing {
   Shape offPage_;
   bool painted_ = false;  // something is, be it off the page
   bool filled_ = false;
+  std::uint64_t colour_ = 0;  // of what is painted first
   std::unordered_map<std::string_view, const Node*> byId_;
   StyleSheet styleSheet_;
   std::vector<const Node*> uses_;  // targets being shown, outermost first

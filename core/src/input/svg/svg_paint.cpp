@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,6 +13,8 @@
 
 namespace sillon::svg {
 namespace {
+
+constexpr std::uint64_t kBlack = 0, kWhite = 0xFFFFFF, kOther = 0x1000000;
 
 // A number, and what follows it.
 std::optional<double> leadingNumber(std::string_view text, std::string_view& rest) {
@@ -36,9 +39,12 @@ Paint hexColor(std::string_view digits) {
   const bool brief = digits.size() == 3 || digits.size() == 4;
   const std::size_t each = brief ? 1 : 2;
   Paint paint;
-  paint.black = digits.substr(0, 3 * each).find_first_not_of('0') == std::string_view::npos;
-  if (digits.size() != 4 * each) return paint;
   const auto digit = [](char c) { return isDigit(c) ? c - '0' : lower(c) - 'a' + 10; };
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::size_t at = brief ? k / 2 : k;
+    paint.colour = 16 * paint.colour + (at < digits.size() ? static_cast<std::uint64_t>(digit(digits[at]) & 15) : 0);
+  }
+  if (digits.size() != 4 * each) return paint;
   paint.alpha = digit(digits[3 * each]) / 15.0;
   if (!brief) paint.alpha = (16 * digit(digits[6]) + digit(digits[7])) / 255.0;
   return paint;
@@ -56,21 +62,33 @@ Paint functionColor(std::string_view text) {
     std::string_view unit;
     const std::optional<double> value = leadingNumber(rest.substr(0, end), unit);
     if (!value) break;
-    v[n] = n == 3 && unit == "%" ? *value / 100 : *value;
+    v[n] = unit != "%" ? *value : n == 3 ? *value / 100 : *value * 2.55;
     rest.remove_prefix(end);
     ++n;
   }
   const bool hsl = startsWith(text, "hsl");
-  return {std::clamp(v[3], 0.0, 1.0), hsl ? v[2] <= 0 : v[0] <= 0 && v[1] <= 0 && v[2] <= 0};
+  const auto eight = [](double value) {
+    return static_cast<std::uint64_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  };
+  const double alpha = std::clamp(v[3], 0.0, 1.0);
+  if (hsl && (v[2] <= 0 || v[2] > 254.5)) return {alpha, v[2] <= 0 ? kBlack : kWhite};
+  const std::uint64_t hue =
+      hsl ? kOther + static_cast<std::uint64_t>(std::clamp(v[0], -720.0, 720.0) + 720) * kOther : 0;
+  return {alpha, hue | (hsl ? 0 : eight(v[0])) << 16 | eight(v[1]) << 8 | eight(v[2])};
+}
+
+std::uint64_t named(std::string_view name) {
+  if (name == "black") return kBlack;
+  return name == "white" ? kWhite : kOther | std::hash<std::string_view>()(name);
 }
 
 Paint colorOf(std::string_view value, const Paint& current) {
   const std::string text = lowered(trimmed(value));
-  if (text == "none" || text == "transparent") return {0, true};
+  if (text == "none" || text == "transparent") return {0};
   if (text == "currentcolor") return current;
   if (startsWith(text, "#")) return hexColor(std::string_view(text).substr(1));
   if (startsWith(text, "rgb") || startsWith(text, "hsl")) return functionColor(text);
-  return {1, text == "black"};  // all other names are of colours that are not black
+  return {1, named(text)};
 }
 
 void setPaint(std::string_view value, const PaintContext& context, const Paint& current, Paint& paint) {
@@ -80,10 +98,10 @@ void setPaint(std::string_view value, const PaintContext& context, const Paint& 
   if (id.empty()) {
     paint = colorOf(value, current);
   } else if (element == "linearGradient" || element == "radialGradient" || element == "pattern") {
-    paint = {1, false, element == "pattern"};
+    paint = {1, named(value), element == "pattern"};
   } else {
     const std::string_view fallback = trimmed(value.substr(std::min(value.find(')') + 1, value.size())));
-    paint = fallback.empty() ? Paint{0, true} : colorOf(fallback, current);
+    paint = fallback.empty() ? Paint{0} : colorOf(fallback, current);
   }
 }
 

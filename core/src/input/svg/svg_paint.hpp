@@ -2,6 +2,7 @@
 // whether it is black, which hides in a mask.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -13,9 +14,11 @@
 namespace sillon::svg {
 
 struct Paint {
-  double alpha = 1;  ///< 0: none
-  bool black = true;
+  double alpha = 1;          ///< 0: none
+  std::uint64_t colour = 0;  ///< 0xRRGGBB, or another number for each name and each gradient
   bool pattern = false;
+
+  [[nodiscard]] bool black() const { return colour == 0; }
 };
 
 /// Less shows on no screen.
@@ -25,7 +28,7 @@ inline constexpr double kFaintest = 0.5 / 255;
 struct PaintState {
   Paint color;  ///< currentColor
   Paint fill;
-  Paint stroke{0, true};
+  Paint stroke{0};
   double fillOpacity = 1;
   double strokeOpacity = 1;
   double opacity = 1;
