@@ -1,0 +1,36 @@
+// Any bytes as a drawing: a shape within its page, or an error with a message.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "sillon/input/svg.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr double kEdge = 1e-5;  // [mm] clipping rounds
+  for (const bool ignorePaint : {false, true}) {
+    sillon::SvgOptions options;
+    options.ignorePaint = ignorePaint;
+    options.tolerance = 0.1;  // as many points as need be, and more drawings in the same time
+    const auto shape = sillon::readSvg({reinterpret_cast<const char*>(data), size}, options);
+    if (!shape) {
+      if (shape.error().message.empty()) std::abort();
+      continue;
+    }
+    const sillon::Vec2 page = shape.value().page;
+    if (!(page.x > 0 && page.y > 0 && page.x <= 100'000 && page.y <= 100'000)) std::abort();
+    for (const sillon::FilledPath& path : shape.value().paths) {
+      for (const sillon::Ring& ring : path.rings) {
+        for (const sillon::Vec2 point : ring) {
+          if (!std::isfinite(point.x) || !std::isfinite(point.y)) std::abort();
+          const bool inside =
+              point.x >= -kEdge && point.x <= page.x + kEdge && point.y >= -kEdge && point.y <= page.y + kEdge;
+          const bool painted = !ignorePaint && !shape.value().drawing.unpainted;
+          if (painted && !inside) std::abort();
+        }
+      }
+    }
+  }
+  return 0;
+}
