@@ -1065,7 +1065,7 @@ export const fr: Translation = {
     'Trajets à part du reste de leur morceau : {n}, vers x {x}, y {y} mm. Ce qui les relie est trop fin pour un cordon.',
   'rare.warning.DrawingUnpainted': 'Rien n’est peint dans le dessin : ses contours forment la pièce.',
   'rare.warning.DrawingUnread':
-    'Non lu dans le dessin : {what}. Comparez la plaque à ce que montrent les visionneuses, ou convertissez le dessin en tracés.',
+    'Non lu dans le dessin : {what}. Comparez la plaque à ce que montrent les visionneuses, ou convertissez le dessin en tracés.',
   'rare.warning.EndHot': 'Le G-code de fin laisse un élément chauffant allumé.',
   'rare.check.place': '{what} (ligne {line})',
   'rare.check.places': '{what} (ligne {line} et {n} autres)',
@@ -1117,7 +1117,7 @@ export const fr: Translation = {
   'rare.warning.PictureLost':
     'De l’image {picture}, les cordons montrent r {r}, or on la reconnaît à partir de 0,7. Une plaque plus grande ou un espacement plus petit en montre davantage.',
   'rare.warning.PictureOneTone':
-    'L’image {picture} n’a qu’un ton sur cette plaque : on n’y verra rien. Prenez une image avec des parties claires et sombres, plus larges qu’un cordon.',
+    'L’image {picture} n’a qu’un ton sur cette plaque : on n’y verra rien. Prenez une image avec des parties claires et sombres, plus larges qu’un cordon.',
   'rare.warning.PicturesCrowded':
     '{n} images, c’est trop pour une plaque : l’image {picture} y atteint r {r}, or on la reconnaît à partir de 0,7. Prenez moins d’images, ou des images moins différentes.',
   'rare.warning.OutsideShape': {
