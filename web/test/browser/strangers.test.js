@@ -92,6 +92,8 @@ test('what a link brings is shown line by line, and used only when that is chose
   await draw(visit, 'dialog');
   await dialog(visit).getByRole('button', { name: 'Keep mine' }).click();
   await until(async () => (await bar(visit).count()) === 0, 'the bar goes');
+  // Keys belong to a dialog until its `close` has been told, which comes later.
+  await visit.until((state) => state.dialog === undefined);
   assert.equal(await visit.state((state) => state.plate.printer.startGcode), '');
   // It is a step like any other.
   await visit.page.keyboard.press('Control+z');
