@@ -21,6 +21,8 @@
 namespace sillon {
 namespace {
 
+bool isZip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
+
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPacked = std::size_t{1} << 30;
@@ -256,7 +258,7 @@ Result<GcodeContainer> readGcodeContainer(std::string file) {
     container.file = std::move(file);
     return container;
   }
-  if (!bytes.starts_with("PK\x03\x04")) {
+  if (!isZip(bytes)) {
     container.gcode = std::move(file);
     return container;
   }
@@ -370,5 +372,7 @@ Result<std::string> unpackGcode(std::string file) {
   if (!container) return container.error();
   return std::move(container.value().gcode);
 }
+
+bool isPackedGcode(std::string_view file) { return isZip(file) || isBinaryGcode(file) || isGzip(file); }
 
 }  // namespace sillon

@@ -29,8 +29,7 @@ bool looksLikeGcode(std::string_view text) {
 }  // namespace
 
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
-  if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("GCDE") || bytes.starts_with("\x1F\x8B")) {
-    // .gcode.3mf, .bgcode or .gz
+  if (isPackedGcode(bytes)) {
     const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();
     if (!looksLikeGcode(gcode.value())) return invalidFile("what the file holds is no G-code");

@@ -59,4 +59,7 @@ Result<std::string> gzipGcode(std::string_view gcode);
 /// The text of readGcodeContainer alone; what it was packed in is freed.
 Result<std::string> unpackGcode(std::string file);
 
+/// Whether a file is packed, by its first bytes: .gcode.3mf, .bgcode or .gz.
+bool isPackedGcode(std::string_view file);
+
 }  // namespace sillon
