@@ -34,8 +34,8 @@ Tones lumaOf(const Image& image);
 /// Means of light over the areas of a new raster: for pictures that shrink; linear between texels for those that grow.
 Tones resampled(const Tones& tones, int width, int height);
 
-/// Stretched so that the 1st and 99th percentile become 0 and 1; a picture of one tone, within half
-/// a step of 8 bits, becomes 0.5.
+/// Stretched so that the 1st and 99th percentile become 0 and 1; a picture of one tone, within half a step of 8 bits,
+/// becomes 0.5.
 Tones levelled(const Tones& tones);
 
 }  // namespace sillon

@@ -72,9 +72,9 @@ Paint functionColor(std::string_view text) {
   };
   const double alpha = std::clamp(v[3], 0.0, 1.0);
   if (hsl && (v[2] <= 0 || v[2] > 254.5)) return {alpha, v[2] <= 0 ? kBlack : kWhite};
-  const std::uint64_t hue =
-      hsl ? kOther + static_cast<std::uint64_t>(std::clamp(v[0], -720.0, 720.0) + 720) * kOther : 0;
-  return {alpha, hue | (hsl ? 0 : eight(v[0])) << 16 | eight(v[1]) << 8 | eight(v[2])};
+  const std::uint64_t first =
+      hsl ? 256 + static_cast<std::uint64_t>(std::clamp(v[0], -720.0, 720.0) + 720) : eight(v[0]);
+  return {alpha, first << 16 | eight(v[1]) << 8 | eight(v[2])};
 }
 
 std::uint64_t named(std::string_view name) {

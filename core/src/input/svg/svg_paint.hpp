@@ -1,5 +1,5 @@
-// What an element is painted with, as far as it matters where one bead is like the next: whether it is seen at all, and
-// whether it is black, which hides in a mask.
+// What an element is painted with, as far as it matters where one bead is like the next: whether it is seen at all,
+// whether it is black, which hides in a mask, and whether its colour is that of others.
 #pragma once
 
 #include <cstdint>
