@@ -41,7 +41,7 @@ constexpr const char* kExamples =
     "Exit codes: 0 done, 2 bad input, 3 cancelled, 1 a fault of the program. Nothing is written unless all is done.";
 
 /// What a plate is made of, before there is a toolpath.
-bool isRead(const Setting& row) {
+bool isOfInput(const Setting& row) {
   return row.section == Section::Shape || row.section == Section::Directions || row.section == Section::Modes;
 }
 
@@ -187,8 +187,8 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   generate->footer(kExamples);
   generate->add_option("scene", arguments.scene, "project or scene file to begin with, or a picture to be seen")
       ->option_text("SCENE.json|PICTURE");
-  std::vector<std::string> furtherPictures;
-  generate->add_option("further", furtherPictures, "more pictures, each to be seen under a lamp of its own")
+  std::vector<std::string> pictures;  // without an option in front
+  generate->add_option("further", pictures, "more pictures, each to be seen under a lamp of its own")
       ->option_text("PICTURE...");
   Options options(*generate, arguments.changes);
   addShape(options);
@@ -204,7 +204,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addShape(zoneOptions);
   addPictures(*zones, arguments.pictures);
   addZones(*zones, arguments.zones);
-  zoneOptions.settings(isRead);
+  zoneOptions.settings(isOfInput);
 
   CLI::App* calibrate =
       app.add_subcommand("calibrate", "Small prints that teach a printer's and a filament's settings, and reading one");
@@ -265,21 +265,22 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
     return Error{ErrorCode::InvalidArgument, oneSentence(error.what())};
   }
   if (looksLikePicture(arguments.scene)) {
+    pictures.insert(pictures.begin(), arguments.scene);
+    arguments.scene.clear();
+  }
+  for (const std::string& picture : pictures) {
+    if (!looksLikePicture(picture)) {
+      return Error{ErrorCode::InvalidArgument,
+                   "\"" + picture + "\" is one file too many; behind the first only pictures can follow"};
+    }
     for (const char* given : {"--directions", "--angle"}) {
       if (generate->count(given) == 0) continue;
-      return Error{ErrorCode::InvalidArgument, "\"" + arguments.scene +
+      return Error{ErrorCode::InvalidArgument, "\"" + picture +
                                                    "\" is a picture to be seen, which finds the directions: " + given +
                                                    " cannot be given beside it; leave one of them out"};
     }
-    furtherPictures.insert(furtherPictures.begin(), arguments.scene);
-    arguments.scene.clear();
   }
-  for (const std::string& further : furtherPictures) {
-    if (looksLikePicture(further)) continue;
-    return Error{ErrorCode::InvalidArgument,
-                 "\"" + further + "\" is one file too many; behind the first only pictures can follow"};
-  }
-  arguments.pictures.files.insert(arguments.pictures.files.begin(), furtherPictures.begin(), furtherPictures.end());
+  arguments.pictures.files.insert(arguments.pictures.files.begin(), pictures.begin(), pictures.end());
   return arguments;
 }
 

@@ -200,7 +200,7 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
     out += "note     " + sillon::warningSentence(warning) + "\n";
   }
   for (const sillon::GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
-  return Outcome{std::move(files), std::move(out), false};
+  return Outcome{std::move(files), std::move(out)};
 }
 
 Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const std::vector<std::string>& photographs,

@@ -159,7 +159,7 @@ sillon::Result<cli::Outcome> prepare(const cli::Arguments& arguments, cli::Job& 
   run.onProgress({});
   if (!files) return files.error();
   std::string summary = arguments.quiet ? "" : cli::summary(job, run.threads(), files.value());
-  return cli::Outcome{std::move(files).value(), std::move(summary), false};
+  return cli::Outcome{std::move(files).value(), std::move(summary)};
 }
 
 /// What a command is asked for goes to stdout; a full disk or a closed pipe loses it.

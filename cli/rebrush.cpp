@@ -309,7 +309,7 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
     files.push_back({previewName(arguments.preview, drawn++), std::move(png).value()});
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
-  return Outcome{std::move(files), summaryText(done.value()), false};
+  return Outcome{std::move(files), summaryText(done.value())};
 }
 
 }  // namespace cli

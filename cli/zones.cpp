@@ -79,7 +79,7 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   }
   std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given\n",
                 zones.value().error);
-  return Outcome{{{arguments.out, std::move(package).value()}}, out + line, false};
+  return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
 }
 
 }  // namespace cli

@@ -959,6 +959,8 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate moving.gif" + kOutputs,
                "scene \"moving.gif\" is not a text file, so it is not a project; --picture");
   checkRefused(folder, "generate tiny.png --directions tiny.png" + kOutputs, "--directions cannot be given beside it");
+  folder.write("scene.json", R"({"sillon": 1})");
+  checkRefused(folder, "generate scene.json tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");
   checkRefused(folder, "generate tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
   checkRefused(folder, "generate --picture none.png" + kOutputs, "\"none.png\" cannot be read");
