@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "sillon/pipeline/session.hpp"
 #include "sillon/quality/report.hpp"
@@ -88,6 +89,35 @@ TEST_CASE("a bead that widens is as wide in between as it should be") {
   CHECK(m.coverage == about((2 * 16 * 0.6 + 4 * 0.8 + 4 * 0.4) / 2, 0.01));
   CHECK(m.width.p01 == doctest::Approx(1.0).epsilon(1e-6));
   CHECK(m.width.p99 == doctest::Approx(2.0).epsilon(1e-6));
+}
+
+TEST_CASE("quantiles of widths are those of all pieces in order") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {100, 100})}, {100, 100});
+  std::mt19937 random(7);
+  for (const int n : {3, 4, 50, 3000}) {
+    CAPTURE(n);
+    // Points on a circle: all pieces are equally long, so that each width has the same share.
+    std::vector<Vec2f> points;
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n;
+      points.push_back({static_cast<float>(50 + 40 * std::cos(angle)), static_cast<float>(50 + 40 * std::sin(angle))});
+    }
+    Toolpath path = toolpathOf(points, 0.4f);
+    for (float& w : path.cycles[0].widths) w = 0.1f + static_cast<float>(random() % 5000) / 7000;
+    std::vector<float> sorted = path.cycles[0].widths;
+    std::sort(sorted.begin(), sorted.end());
+    const auto within = [&](double q, double value) {
+      // A piece where the sum of lengths happens to fall on its end may be told to lie on either side.
+      const int at = static_cast<int>(q * n);
+      const double low = static_cast<double>(sorted[static_cast<std::size_t>(std::max(0, at - 1))]) / 0.4;
+      const double high = static_cast<double>(sorted[static_cast<std::size_t>(std::min(n - 1, at + 1))]) / 0.4;
+      return value >= low - 1e-9 && value <= high + 1e-9;
+    };
+    const WidthMeasures width = measured(path, shape).width;
+    CHECK(within(0.01, width.p01));
+    CHECK(within(0.5, width.median));
+    CHECK(within(0.99, width.p99));
+  }
 }
 
 TEST_CASE("overlap counts beads laid twice, not the bead's own joints and bends") {
@@ -183,6 +213,10 @@ TEST_CASE("measures are equal for any number of threads, and digests tell plates
       measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(5));
   CHECK(one.value().coverage == many.value().coverage);
   CHECK(one.value().overlap == many.value().overlap);
+  CHECK(one.value().alignment == many.value().alignment);
+  CHECK(one.value().alignmentConstrained == many.value().alignmentConstrained);
+  CHECK(one.value().uTurns == many.value().uTurns);
+  CHECK(one.value().kinks == many.value().kinks);
   CHECK(one.value().digest == many.value().digest);
   Toolpath other = path;
   other.cycles[0].points[3].x += 0.001f;

@@ -1,0 +1,117 @@
+#include "quality/alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/parallel_for.hpp"
+#include "sillon/field/constraints.hpp"
+
+namespace sillon {
+namespace {
+
+Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+// Everything that the pieces of all beads are compared with.
+struct Asked {
+  const BorderIndex& border;
+  Vec2 page;
+  const DirectionMap& directions;
+  const std::vector<Vec2f>& lines;  ///< as beadLines
+  const ModeMap& modes;
+  double spacing;
+  double shallow;  ///< [mm] from the border: the perimeters, in which no bead is constrained
+
+  [[nodiscard]] Vec2f lineAt(TexelIndex at) const {
+    return lines[directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
+                                  static_cast<std::size_t>(at.x)]];
+  }
+
+  [[nodiscard]] DirectionMode modeAt(Vec2 p) const {
+    if (modes.mode.size() == 1) return modes.mode.front();
+    const TexelIndex at = texelAt(p, page, modes.width, modes.height);
+    return modes
+        .mode[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(modes.width) + static_cast<std::size_t>(at.x)];
+  }
+};
+
+// Some segments of one cycle, the last one left out: what threads share out.
+struct Stretch {
+  const Cycle* cycle;
+  std::size_t begin;
+  std::size_t end;
+};
+
+std::vector<Stretch> stretchesOf(const Toolpath& toolpath) {
+  constexpr std::size_t kSegments = 4096;
+  std::vector<Stretch> stretches;
+  for (const Cycle& cycle : toolpath.cycles) {
+    for (std::size_t begin = 0; begin < cycle.points.size(); begin += kSegments)
+      stretches.push_back({&cycle, begin, std::min(begin + kSegments, cycle.points.size())});
+  }
+  return stretches;
+}
+
+Alignment sumsOf(const Stretch& stretch, const Asked& asked) {
+  Alignment sums;
+  const std::vector<Vec2f>& points = stretch.cycle->points;
+  TexelIndex last{-1, -1};
+  Vec2f z;          // of the last texel
+  double away = 0;  // from the border, at least, at the start of a segment
+  for (std::size_t k = stretch.begin; k < stretch.end; ++k) {
+    const Vec2 a = wide(points[k]);
+    const Vec2 b = wide(points[k + 1 < points.size() ? k + 1 : 0]);
+    const double size = length(b - a);
+    if (size <= 0) continue;
+    const Vec2 t = (b - a) * (1 / size);
+    const int pieces = static_cast<int>(std::ceil(size / (asked.spacing / 8)));
+    const double share = size / pieces;
+    const auto cos2Of = [&] {  // of the angle between the lines, from their doubled angles
+      return 0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
+    };
+    double cos2 = cos2Of();
+    if (away - size <= asked.shallow) away = static_cast<double>(asked.border.blockDistance(a));
+    away -= size;
+    for (int piece = 0; piece < pieces; ++piece) {
+      const Vec2 p = a + (b - a) * ((piece + 0.5) / pieces);
+      const TexelIndex at = texelAt(p, asked.page, asked.directions.width, asked.directions.height);
+      if (at.x != last.x || at.y != last.y) {
+        last = at;
+        z = asked.lineAt(at);
+        cos2 = cos2Of();
+      }
+      sums.all.add(share, cos2);
+      const double depth = away > asked.shallow || static_cast<double>(asked.border.blockDistance(p)) > asked.shallow
+                               ? 1e9
+                               : -static_cast<double>(asked.border.nearest(p).distance);
+      if (depth > 1.05 * asked.spacing) sums.interior.add(share, cos2);
+      if (depth > asked.shallow && asked.modeAt(p) == DirectionMode::Constrained) sums.constrained.add(share, cos2);
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, Vec2 page, const DirectionMap& directions,
+                      const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+  const std::vector<Vec2f> lines = beadLines();
+  const double perimeters = params.perimeterMode == PerimeterMode::Count ? std::max(params.perimeters, 1) : 1;
+  const Asked asked{border, page, directions, lines, modes, params.spacing, (perimeters + 0.05) * params.spacing};
+  const std::vector<Stretch> stretches = stretchesOf(toolpath);
+  std::vector<Alignment> sums(stretches.size());
+  parallelFor(run, static_cast<int>(stretches.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k)
+      sums[static_cast<std::size_t>(k)] = sumsOf(stretches[static_cast<std::size_t>(k)], asked);
+  });
+  Alignment out;
+  for (const Alignment& part : sums) {
+    out.all.add(part.all);
+    out.interior.add(part.interior);
+    out.constrained.add(part.constrained);
+  }
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,62 @@
+#include "quality/turns.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "base/parallel_for.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kGrain = 1 << 14;
+
+// Unit vectors along the steps of a cycle.
+std::vector<Vec2f> headingsOf(const Vec2f* points, int n, const RunContext& run) {
+  std::vector<Vec2f> headings(static_cast<std::size_t>(n));
+  parallelFor(run, n, kGrain, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const Vec2f e = points[k + 1 < n ? k + 1 : 0] - points[k];
+      const float size = length(e);
+      headings[static_cast<std::size_t>(k)] = size > 0 ? e * (1 / size) : Vec2f{};
+    }
+  });
+  return headings;
+}
+
+// Runs of steps whose heading differs by at least the given angle from that `apart` steps on, round the cycle.
+std::int64_t countRuns(const std::vector<Vec2f>& headings, std::size_t apart, float cosine, const RunContext& run) {
+  const std::size_t n = headings.size();
+  const auto turnsAt = [&](std::size_t k) {
+    const std::size_t on = k + apart;
+    return dot(headings[k], headings[on < n ? on : on % n]) <= cosine;
+  };
+  std::atomic<std::int64_t> begins{0};
+  parallelFor(run, static_cast<int>(n), kGrain, [&](int first, int last) {
+    bool before = turnsAt(first > 0 ? static_cast<std::size_t>(first) - 1 : n - 1);
+    std::int64_t found = 0;
+    for (int k = first; k < last; ++k) {
+      const bool turns = turnsAt(static_cast<std::size_t>(k));
+      found += turns && !before ? 1 : 0;
+      before = turns;
+    }
+    begins += found;
+  });
+  return begins == 0 && turnsAt(0) ? 1 : begins.load();  // all of it turns
+}
+
+}  // namespace
+
+Turns countTurns(const ClosedCurves& curves, double spacing, const RunContext& run) {
+  const ClosedCurves fine = resampled(curves, static_cast<float>(spacing / 8), run);
+  Turns turns;
+  for (int c = 0; c < fine.count() && !run.cancelled(); ++c) {
+    const Vec2f* points = fine.points.data() + fine.begin[static_cast<std::size_t>(c)];
+    const std::vector<Vec2f> headings = headingsOf(points, fine.size(c), run);
+    turns.uTurns += countRuns(headings, 12, -0.5f, run);
+    turns.kinks += countRuns(headings, 2, 0.5f, run);
+  }
+  return turns;
+}
+
+}  // namespace sillon
