@@ -181,6 +181,14 @@ Bytes oldBmp() {
   return b;
 }
 
+/// The same with the top row first, which a negative height tells.
+Bytes topDownBmp() {
+  Bytes b = bmp();
+  for (std::size_t k = 0; k < 4; ++k) b[22 + k] = k == 0 ? 0xfe : 0xff;  // -2
+  std::swap_ranges(b.begin() + 54, b.begin() + 62, b.begin() + 62);
+  return b;
+}
+
 /// 3 x 2 grey, top row first: 10 20 30 above 40 40 40.
 Bytes tga(bool packed) {
   Bytes b{0, 0, static_cast<std::uint8_t>(packed ? 11 : 3), 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 2, 0, 8, 0x20};
@@ -267,6 +275,10 @@ TEST_CASE("BMP and TGA are read with their first row on top") {
   const std::uint16_t f = 65535;
   CHECK(fromBmp.value().samples == std::vector<std::uint16_t>{0, 0, f, 0, f, 0, f, 0, 0, f, f, f});
   CHECK(decodeImage(oldBmp(), "bmp").value().samples == fromBmp.value().samples);
+  const auto fromTopDown = decodeImage(topDownBmp(), "bmp");
+  REQUIRE(fromTopDown.ok());
+  CHECK(fromTopDown.value().height == 2);
+  CHECK(fromTopDown.value().samples == fromBmp.value().samples);
   for (const bool packed : {false, true}) {
     CAPTURE(packed);
     const auto fromTga = decodeImage(tga(packed), "tga");

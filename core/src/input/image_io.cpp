@@ -310,6 +310,7 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   if (stbi_info_from_memory(data, size, &image.width, &image.height, &image.channels) == 0) {
     return unreadable(name, format, "its header is damaged or of an unknown kind");
   }
+  image.height = std::abs(image.height);  // negative: a BMP whose first row is the top one
   const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
   if (image.width > kMaxImageSide || image.height > kMaxImageSide || pixels > kMaxImagePixels) {
     return tooLarge(name, std::to_string(image.width) + " x " + std::to_string(image.height));
