@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "base/decimal_text.hpp"
 #include "export/mesh_xml.hpp"
@@ -112,7 +113,9 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
   mask.width = static_cast<int>(std::ceil(size.x / cell));
   mask.height = static_cast<int>(std::ceil(size.y / cell));
   mask.channels = 1;
-  mask.samples.assign(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height), 0);
+  // How many triangles more than at the pixel to the left lie at each: one that is large takes no longer for it.
+  const auto stride = static_cast<std::size_t>(mask.width) + 1;
+  std::vector<std::int32_t> more(stride * static_cast<std::size_t>(mask.height), 0);
   const double pitch = size.x / mask.width;
   for (const auto& t : body.triangles) {
     std::array<Vec2, 3> p;
@@ -132,12 +135,21 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
         from = std::min(from, x);
         to = std::max(to, x);
       }
+      if (from > to) continue;  // a corner at most
       const int left = std::max(0, static_cast<int>(std::ceil(from / pitch - 0.5)));
       const int right = std::min(mask.width - 1, static_cast<int>(std::floor(to / pitch - 0.5)));
-      for (int x = left; x <= right; ++x) {
-        mask.samples[static_cast<std::size_t>(mask.height - 1 - row) * static_cast<std::size_t>(mask.width) +
-                     static_cast<std::size_t>(x)] = 65535;
-      }
+      if (left > right) continue;
+      std::int32_t* const at = more.data() + static_cast<std::size_t>(mask.height - 1 - row) * stride;
+      ++at[left];
+      --at[right + 1];
+    }
+  }
+  mask.samples.reserve(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
+  for (std::size_t row = 0; row < more.size(); row += stride) {
+    std::int32_t here = 0;
+    for (std::size_t x = 0; x + 1 < stride; ++x) {
+      here += more[row + x];
+      mask.samples.push_back(here > 0 ? 65535 : 0);
     }
   }
   corner = box.min;
