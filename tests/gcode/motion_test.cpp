@@ -54,6 +54,25 @@ TEST_CASE("a thread across a gap stays a hair, and beads beside it keep their wi
   CHECK(beads == about(37.9, 1e-6));
 }
 
+TEST_CASE("no move of a thread is a travel, however little filament its steps take") {
+  Job job = plate();
+  job.params.base = 0;
+  Cycle cycle{{{1, 1}, {5, 1}}, {0.4f, 0.0008f}};
+  for (int k = 1; k <= 50; ++k) {  // steps of 14 µm, each turning a little; a hair takes 0.9 of the last digit in one
+    cycle.points.push_back({5 + 0.01f * static_cast<float>(k), 1 + 0.01f * static_cast<float>(k % 2)});
+    cycle.widths.push_back(0.0008f);
+  }
+  for (const Vec2f p : {Vec2f{11, 1}, Vec2f{11, 11}, Vec2f{1, 11}}) {
+    cycle.points.push_back(p);
+    cycle.widths.push_back(0.4f);
+  }
+  job.toolpath.cycles = {cycle};
+  const Written written = job.write();
+  const ReadFile file = readGcode(written.text);
+  for (const ReadMove& move : lastPath(file).moves) CHECK(move.e > 0);
+  CHECK(checkGcode(written.text, job.printer).errors() == 0);
+}
+
 TEST_CASE("smooth widths stay bit for bit, and change in steps") {
   BeadPath path = pathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4, true);
   path.widths = {0.4, 0.5, 0.45, 0.3};

@@ -131,13 +131,14 @@ void Nozzle::wipe(const std::vector<PointUm>& points, double speed, double retra
   seconds_ += travelSeconds(points, speed, machineLimits());
 }
 
-// One path of beads. What rounding takes from one E the next one brings.
+// One path of beads. What rounding takes from one E the next one brings. Each move brings something: threads across
+// gaps need less than the last digit, but a move without filament would be a travel inside of a path.
 void Nozzle::bead(const Motion& motion, double flow, double height) {
   const double perArea = flow * height / filamentArea(printer_.filamentDiameter);
   for (std::size_t i = 0; i < motion.beads; ++i) {
     filament_ += perArea * motion.areas[i];
     if (silent_) continue;
-    const std::int64_t due = toWhole(filament_ * 1e5);
+    const std::int64_t due = std::max(toWhole(filament_ * 1e5), filamentWritten_ + 1);
     const PointUm to = motion.points[i + 1] + shift_;
     out_ << "G1 X";
     out_.scaled(to.x, 3) << " Y";
