@@ -289,6 +289,22 @@ TEST_CASE("odd shapes end in an error that says why") {
   CHECK(codeOf(noPage, 0.4) == ErrorCode::InvalidArgument);
 }
 
+TEST_CASE("a spur whose sides fall together gets no beads") {
+  // The lattice's nodes on it lie inside, outside or on the border as rounding decides.
+  for (const double end : {12.0, 12.492992891120309, 9.87}) {
+    CAPTURE(end);
+    const Shape shape = scenes::shapeOf(
+        {{{end, 0}, {end, 3}, {3, 3}, {0, 0}, {end, end}, {0, 0}}, scenes::rectangle({4, 1}, {8, 2})}, {end, end});
+    ToolpathParams params;
+    params.perimeterMode = PerimeterMode::Soft;
+    params.relaxationRounds = 0;
+    const auto plate = generateToolpath(scenes::plate(shape, scenes::waves()), params, kRun);
+    REQUIRE(plate.ok());
+    CHECK(plate.value().toolpath.cycles.size() == 1);
+    CHECK(plate.value().apart.empty());
+  }
+}
+
 TEST_CASE("progress begins at 0, never falls and ends at 1") {
   RunContext run(2);
   std::vector<double> seen;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sillon/geometry/outline.hpp"
 #include "support/scenes.hpp"
@@ -53,6 +54,24 @@ TEST_CASE("a dot beside a longer cycle is left out, further away and beyond a bo
   CHECK(settled(0.7 * kSpacing, page).count() == 2);
   const BorderIndex slit = borderOf({scenes::rectangle({0, 0}, {8.05, 20}), scenes::rectangle({8.08, 0}, {20, 20})});
   CHECK(settled(0.4 * kSpacing, slit).count() == 2);
+}
+
+TEST_CASE("a cycle in which no bead has room is left out, whatever its length") {
+  const auto kept = [&](double room) {
+    const BorderIndex border =
+        borderOf({scenes::rectangle({1, 5}, {9, 5 + 2 * room}), scenes::rectangle({1, 10}, {9, 15})});
+    const auto low = static_cast<float>(5 + 0.5 * room);
+    const auto high = static_cast<float>(5 + 1.5 * room);
+    std::vector<Vec2f> slender;
+    for (int k = 0; k <= 60; ++k) slender.push_back({2 + 0.1f * static_cast<float>(k), low});
+    for (int k = 60; k >= 0; --k) slender.push_back({2 + 0.1f * static_cast<float>(k), high});
+    const std::vector<Vec2f> dot = round({5, 5 + room}, 0.5 * room, 6);
+    const ClosedCurves one = regularizeSmallCycles(scenes::closed({slender}), border, kSpacing, RunContext(1));
+    const ClosedCurves other = regularizeSmallCycles(scenes::closed({dot}), border, kSpacing, RunContext(1));
+    return std::pair{one.count(), other.count()};
+  };
+  CHECK(kept(0.04 * kSpacing) == std::pair{0, 0});
+  CHECK(kept(0.2 * kSpacing) == std::pair{1, 1});
 }
 
 TEST_CASE("of two dots beside each other one stays") {

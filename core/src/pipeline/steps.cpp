@@ -111,14 +111,17 @@ Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFi
     cycles = std::move(contour).value();
   }
   plate.contourCycles = cycles.count();
-  if (plate.contourCycles == 0) {
+  const auto noBead = [&] {
     return Error{ErrorCode::EmptyShape, "no bead fits into this shape at spacing " + decimal(params.spacing, 3) +
                                             " mm; use a smaller spacing or a larger shape"};
-  }
+  };
+  if (plate.contourCycles == 0) return noBead();
 
   clock.start("stitch", 0.65);
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
   cycles = regularizeSmallCycles(cycles, shape.border, params.spacing, run);
+  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (cycles.count() == 0) return noBead();
   ToolpathParams joining = params;
   if (input.showsPictures) joining.stitchAlignment = std::max(joining.stitchAlignment, kPictureStitchAlignment);
   Result<Stitched> stitched = stitchCycles(cycles, waves.lines, shape.border, shape.parts, joining, run);

@@ -9,6 +9,7 @@
 namespace sillon {
 namespace {
 
+constexpr float kShallow = 0.05f;       ///< deepest place of a cycle in which no bead has room [tau]
 constexpr float kDot = 1;               ///< longest cycle to leave out [tau]
 constexpr float kBeside = 0.5f;         ///< of another that is so near [tau]
 constexpr float kTurn = 2.25f;          ///< longest cycle that may become a circle [tau]
@@ -35,6 +36,16 @@ class Settling {
   }
 
   [[nodiscard]] bool isTiny(int c) const { return size_[static_cast<std::size_t>(c)] < kTurn * spacing_; }
+
+  // Whether it lies so near to the border all round that its bead would be next to nothing: spurs and cracks of
+  // drawings whose sides fall together.
+  [[nodiscard]] bool hasNoRoom(int c) const {
+    const float shallow = -kShallow * spacing_;
+    for (int k = begin(c); k < begin(c + 1); ++k) {
+      if (distanceAt(at(k)) < shallow) return false;
+    }
+    return !isTiny(c) || distanceAt(deepestNear(c)) >= shallow;
+  }
 
   // Whether a longer cycle runs beside it, with no border between.
   [[nodiscard]] bool isBesideLonger(int c) const {
@@ -142,6 +153,7 @@ ClosedCurves regularizeSmallCycles(const ClosedCurves& curves, const BorderIndex
   settled.begin.push_back(0);
   for (int c = 0; c < curves.count() && !run.cancelled(); ++c) {
     std::vector<Vec2f> circle;
+    if (settling.hasNoRoom(c)) continue;
     if (settling.isTiny(c)) {
       if (settling.isBesideLonger(c)) continue;
       circle = settling.circleFor(c);
