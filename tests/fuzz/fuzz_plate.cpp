@@ -1,0 +1,107 @@
+// Any bytes as a shape, directions, modes and toolpath settings: a plate that keeps its promises and whose file the
+// checker passes, or an error with a message.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "sillon/gcode/writer.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/quality/metrics.hpp"
+
+namespace {
+
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  std::uint8_t byte() {
+    if (size_ == 0) return 0;
+    --size_;
+    return *data_++;
+  }
+  double share() { return byte() / 255.0; }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t size_;
+};
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace sillon;
+  Bytes bytes(data, size);
+  ToolpathParams params;
+  params.spacing = 0.2 + 2 * bytes.share();
+  params.perimeterMode = static_cast<PerimeterMode>(bytes.byte() % 3);
+  params.perimeters = bytes.byte() % 4;
+  params.seed = bytes.byte() % 3;
+  params.spacingVariation = 0.5 * bytes.share();
+  params.directionTolerance = bytes.byte() % 4 == 1 ? 30 : 0;
+  params.relaxationRounds = bytes.byte() % 4;
+  params.beadOverlap = bytes.byte() % 4 == 1 ? bytes.share() : params.beadOverlap;
+  params.simplifyTolerance = bytes.byte() % 4 == 1 ? bytes.share() : params.simplifyTolerance;
+  PlateInput input;
+  input.showsPictures = bytes.byte() % 4 == 1;
+  input.directions = {1 + bytes.byte() % 4, 1 + bytes.byte() % 4, {}};
+  for (int k = 0; k < input.directions.width * input.directions.height; ++k)
+    input.directions.angle.push_back(static_cast<std::uint16_t>(257 * bytes.byte()));
+  input.modes = {1 + bytes.byte() % 2, 1, {}};
+  for (int k = 0; k < input.modes.width; ++k) input.modes.mode.push_back(static_cast<DirectionMode>(bytes.byte() % 4));
+
+  // Points on a grid of up to forty spacings, so that many meet, and rarely one between its lines.
+  const double step = params.spacing * (0.02 + bytes.share()) * 40 / 255;
+  FilledPath path{{{}}, bytes.byte() % 2 == 0 ? FillRule::EvenOdd : FillRule::NonZero};
+  Vec2 far{step, step};
+  while (!bytes.empty()) {
+    const std::uint8_t x = bytes.byte();
+    if (x == 255) {
+      path.rings.emplace_back();
+      continue;
+    }
+    Vec2 p{step * x, step * bytes.byte()};
+    if (x == 254) p = {p.x * bytes.share(), p.y * bytes.share()};
+    far = {std::max(far.x, p.x), std::max(far.y, p.y)};
+    path.rings.back().push_back(p);
+  }
+  input.shape = {{path}, far};
+
+  const RunContext run(1);
+  const auto plate = generateToolpath(input, params, run);
+  if (!plate) {
+    require(!plate.error().message.empty());
+    return 0;
+  }
+  const Toolpath& toolpath = plate.value().toolpath;
+  require(static_cast<std::int64_t>(toolpath.cycles.size()) == plate.value().parts + plate.value().unjoined);
+  for (const Cycle& cycle : toolpath.cycles) {
+    require(cycle.points.size() >= 3 && cycle.points.size() == cycle.widths.size());
+    for (const float width : cycle.widths) {
+      require(width > 0 && static_cast<double>(width) <= params.maxWidth * params.spacing + 0.001);
+    }
+  }
+  const auto measures = measureToolpath(toolpath, input.shape, input.directions, input.modes, params, run);
+  require(measures.ok());
+  require(measures.value().crossings == 0);
+  require(measures.value().coverage <= 100);
+
+  std::string text;
+  const Printer printer;
+  const auto written = writeGcode(toolpath, input.shape, printer, {}, [&](std::string_view piece) {
+    text += piece;
+    return true;
+  });
+  if (!written) {
+    require(text.empty() && !written.error().message.empty());
+    return 0;
+  }
+  require(checkGcode(text, printer).errors() == 0);
+  return 0;
+}
