@@ -56,3 +56,20 @@ TEST_CASE("a bead stands for as many points as the tolerance lets it, all along 
     }
   }
 }
+
+TEST_CASE("a cycle that is smaller than the tolerance does not vanish") {
+  ClosedCurves curves;
+  curves.begin = {0, 12};
+  for (int k = 0; k < 12; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 12;
+    curves.points.push_back(
+        {static_cast<float>(5 + 0.2 * std::cos(angle)), static_cast<float>(5 + 0.2 * std::sin(angle))});
+  }
+  const BeadWidths widths{std::vector<float>(12, 0.2f), std::vector<float>(12, 1e9f)};
+  ToolpathParams params;
+  params.simplifyTolerance = 1;
+  const auto toolpath = finishToolpath(curves, widths, params, RunContext(1));
+  REQUIRE(toolpath.ok());
+  REQUIRE(toolpath.value().cycles.size() == 1);
+  CHECK(toolpath.value().cycles.front().points.size() >= 3);
+}

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 #include "base/parallel_for.hpp"
 #include "geometry/closed_curves.hpp"
@@ -97,6 +99,12 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
       }
       at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]);
     }
+  }
+  // A cycle that is smaller than the tolerance stays as it is: it would vanish.
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (kept[c].size() >= 3) continue;
+    kept[c].resize(curves[c].points.size());
+    std::iota(kept[c].begin(), kept[c].end(), std::size_t{0});
   }
   return kept;
 }
