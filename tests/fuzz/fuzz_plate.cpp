@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "sillon/settings/presets.hpp"
 
 namespace {
 
@@ -28,6 +31,33 @@ class Bytes {
   const std::uint8_t* data_;
   std::size_t size_;
 };
+
+const sillon::Printer& machineOf(std::uint8_t byte) {
+  static const std::vector<sillon::PrinterProfile> machines = sillon::profiles(sillon::ProfileKind::Printer);
+  return machines[byte % machines.size()].printer;
+}
+
+sillon::PrintParams printOf(Bytes& bytes) {
+  sillon::PrintParams print;
+  print.layers = 1 + bytes.byte() % 3;
+  print.base = bytes.byte() % 4;
+  print.basePattern = static_cast<sillon::BasePattern>(bytes.byte() % 4);
+  print.basePerimeters = bytes.byte() % 3;
+  print.showSide = static_cast<sillon::ShowSide>(bytes.byte() % 3);
+  print.skirt = bytes.byte() % 3;
+  print.brim = bytes.byte() % 3;
+  print.copies = {1.0 + bytes.byte() % 2, 1.0 + bytes.byte() % 2};
+  print.copyGap = 1 + 10 * bytes.share();
+  print.layerHeight = 0.08 + 0.24 * bytes.share();
+  const std::uint8_t ways = bytes.byte();
+  print.mirror = (ways & 1) != 0;
+  print.constantFlow = (ways & 2) != 0;
+  print.coast = (ways & 4) != 0 ? 1 : 0;
+  print.scarf = (ways & 12) == 8 ? 20 * bytes.share() : 0;
+  print.rotate = (ways & 16) != 0 ? 360 * bytes.share() : 0;
+  print.elephantFoot = (ways & 32) != 0 ? 0.5 * bytes.share() : 0;
+  return print;
+}
 
 void require(bool holds) {
   if (!holds) std::abort();
@@ -48,6 +78,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   params.relaxationRounds = bytes.byte() % 4;
   params.beadOverlap = bytes.byte() % 4 == 1 ? bytes.share() : params.beadOverlap;
   params.simplifyTolerance = bytes.byte() % 4 == 1 ? bytes.share() : params.simplifyTolerance;
+  const Printer& printer = machineOf(bytes.byte());
+  const PrintParams print = printOf(bytes);
   PlateInput input;
   input.showsPictures = bytes.byte() % 4 == 1;
   input.directions = {1 + bytes.byte() % 4, 1 + bytes.byte() % 4, {}};
@@ -92,12 +124,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(measures.value().crossings == 0);
   require(measures.value().coverage <= 100);
 
+  Toolpath across;
+  if (needsAcross(print)) {
+    const auto below = generateAcross(input, params, run);
+    require(below.ok());
+    across = below.value().toolpath;
+  }
   std::string text;
-  const Printer printer;
-  const auto written = writeGcode(toolpath, input.shape, printer, {}, [&](std::string_view piece) {
+  const auto sink = [&](std::string_view piece) {
     text += piece;
     return true;
-  });
+  };
+  const auto written = writeGcode(toolpath, input.shape, printer, print, sink, &across);
   if (!written) {
     require(text.empty() && !written.error().message.empty());
     return 0;
