@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/geometry/keep_thin.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/settings/presets.hpp"
@@ -82,6 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const PrintParams print = printOf(bytes);
   PlateInput input;
   input.showsPictures = bytes.byte() % 4 == 1;
+  const bool keepThin = bytes.byte() % 4 == 1;
   input.directions = {1 + bytes.byte() % 4, 1 + bytes.byte() % 4, {}};
   for (int k = 0; k < input.directions.width * input.directions.height; ++k)
     input.directions.angle.push_back(static_cast<std::uint16_t>(257 * bytes.byte()));
@@ -106,6 +109,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   input.shape = {{path}, far};
 
   const RunContext run(1);
+  if (keepThin) {
+    auto kept = keepThinPlaces(input.shape, params.spacing, run);
+    if (!kept) {
+      require(!kept.error().message.empty());
+      return 0;
+    }
+    input.shape = std::move(kept).value();
+  }
   const auto plate = generateToolpath(input, params, run);
   if (!plate) {
     require(!plate.error().message.empty());
