@@ -36,7 +36,7 @@ sillon::Result<Description> describe(const std::string& file, const ShapeArgumen
 }
 
 std::string line(const std::string& file, const sillon::Result<Description>& read) {
-  if (!read) return file + "\n  cannot be read: " + read.error().message + "\n";
+  if (!read) return file + "\n  error: " + read.error().message + "\n";
   char text[128];
   std::snprintf(text, sizeof text, "\n  page %.2f x %.2f mm, area %.2f mm2\n", read.value().page.x, read.value().page.y,
                 read.value().area);

@@ -1072,7 +1072,7 @@ TEST_CASE("what a drawing shows is printed; what of it is cut off or not painted
   CHECK(has(folder.run("shape line.svg --paint ignore --size 40 --json").out, R"("page":[40.0,40.0],"areaMm2":400.0)"));
   const Run missing = folder.run("shape line.svg nowhere.svg");
   CHECK(missing.code == 2);
-  CHECK(has(missing.out, "nowhere.svg\n  cannot be read: "));
+  CHECK(has(missing.out, "nowhere.svg\n  error: the shape \"nowhere.svg\" cannot be read"));
   checkRefused(folder, "shape line.svg --size 0", "--size is \"0\"; it must be a width in mm");
   checkRefused(folder, "shape line.svg --paint no", "--paint is \"no\"; it must be shown or ignore");
   checkRefused(folder, "generate --shape line.svg --paint no", "shown or ignore");
