@@ -1,5 +1,5 @@
-// Any bytes as a shape, directions, modes and toolpath settings: a plate that keeps its promises and whose file the
-// checker passes, or an error with a message.
+// Any bytes as a shape, directions, modes, and settings of toolpath and print: a plate that keeps its promises and
+// whose file for one of the machines the checker passes, or an error with a message.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -196,6 +196,9 @@ TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing
   };
   CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "spacing is 0 mm; it must be 0.05 to 20 mm");
   CHECK(refusal(toolpathOf({{1, 1}, {NAN, 1}, {4, 4}}, 0.4f)) == "toolpath has a point outside -100000 to 100000 mm");
+  CHECK(refusal({{{}}, 0.4}) == "toolpath has a cycle without points; each must have some");
+  CHECK(refusal(toolpathOf({{1, 1}}, 0.4f)).empty());
+  CHECK(refusal(toolpathOf({{1, 1}, {4, 1}}, 0.4f)).empty());
   Toolpath lacking = toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f);
   lacking.cycles[0].widths.pop_back();
   CHECK(refusal(lacking) == "toolpath has a cycle with 3 points and 2 widths; there must be as many");

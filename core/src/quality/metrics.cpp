@@ -93,6 +93,10 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
                                  const std::optional<Dislocations>& known) {
   if (std::string defect = toolpathDefect(toolpath, shape.page); !defect.empty())
     return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  for (const Cycle& cycle : toolpath.cycles) {
+    if (cycle.points.empty())
+      return Error{ErrorCode::InvalidArgument, "toolpath has a cycle without points; each must have some"};
+  }
   for (const double spacing : {toolpath.spacing, params.spacing}) {
     if (!(spacing >= 0.05 && spacing <= 20))  // NaN too
       return Error{ErrorCode::InvalidArgument, outOfRange("spacing", spacing, " mm", "0.05 to 20 mm")};
