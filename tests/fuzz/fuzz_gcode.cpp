@@ -2,51 +2,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
+#include "bytes.hpp"
 #include "gcode_reader/grammar.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
-namespace {
-
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-  std::uint8_t byte() {
-    if (size_ == 0) return 0;
-    --size_;
-    return *data_++;
-  }
-  /// Mostly near `usual`, now and then any double.
-  double number(double usual) {
-    const int kind = byte();
-    if (kind < 200) return usual;
-    if (kind < 250) return usual * byte() / 64;
-    double value = 0;
-    std::uint8_t raw[sizeof value];
-    for (std::uint8_t& b : raw) b = byte();
-    std::memcpy(&value, raw, sizeof value);
-    return value;
-  }
-  std::string rest(std::size_t most) {
-    std::string text(reinterpret_cast<const char*>(data_), size_ < most ? size_ : most);
-    data_ += text.size();
-    size_ -= text.size();
-    return text;
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sillon;
-  Bytes bytes(data, size);
+  fuzz::Bytes bytes(data, size);
   Printer printer;
   PrintParams params;
   printer.flavor = static_cast<GcodeFlavor>(bytes.byte() % 5);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bytes.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/keep_thin.hpp"
@@ -18,28 +19,12 @@
 
 namespace {
 
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-  std::uint8_t byte() {
-    if (size_ == 0) return 0;
-    --size_;
-    return *data_++;
-  }
-  double share() { return byte() / 255.0; }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
-
 const sillon::Printer& machineOf(std::uint8_t byte) {
   static const std::vector<sillon::PrinterProfile> machines = sillon::profiles(sillon::ProfileKind::Printer);
   return machines[byte % machines.size()].printer;
 }
 
-sillon::PrintParams printOf(Bytes& bytes) {
+sillon::PrintParams printOf(fuzz::Bytes& bytes) {
   sillon::PrintParams print;
   print.layers = 1 + bytes.byte() % 3;
   print.base = bytes.byte() % 4;
@@ -69,7 +54,7 @@ void require(bool holds) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sillon;
-  Bytes bytes(data, size);
+  fuzz::Bytes bytes(data, size);
   ToolpathParams params;
   params.spacing = 0.2 + 2 * bytes.share();
   params.perimeterMode = static_cast<PerimeterMode>(bytes.byte() % 3);
