@@ -91,6 +91,19 @@ TEST_CASE("a bead that widens is as wide in between as it should be") {
   CHECK(m.width.p99 == doctest::Approx(2.0).epsilon(1e-6));
 }
 
+TEST_CASE("each segment of a long path counts for the alignment once") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10});
+  // Thousands of steps along the lines, then a long one across them: the first or last of what one thread takes.
+  for (const int steps : {4094, 4095, 4096, 4097, 4098, 8192}) {
+    CAPTURE(steps);
+    std::vector<Vec2f> points;
+    for (int k = 0; k <= steps; ++k) points.push_back({1 + static_cast<float>(k) / static_cast<float>(steps), 1});
+    points.push_back({2, 9});
+    points.push_back({1, 9});
+    CHECK(measured(toolpathOf(points, 0.4f), shape).alignment == doctest::Approx(-2.0 / 18).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("quantiles of widths are those of all pieces in order") {
   const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {100, 100})}, {100, 100});
   std::mt19937 random(7);
