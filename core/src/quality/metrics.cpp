@@ -20,8 +20,6 @@
 namespace sillon {
 namespace {
 
-Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 Result<std::vector<ThinPlace>> lostPlaces(const Shape& shape, const BorderIndex& border, const Bounds& box,
                                           double spacing, const RunContext& run) {
   const Result<LostCells> found = lostCells(shape, border, box, spacing, run);
@@ -108,7 +106,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   if (!outline) return outline.error();
   Bounds box = outline.value().bounds;
   for (const Cycle& cycle : toolpath.cycles) {
-    for (const Vec2f p : cycle.points) box.add(wide(p));
+    for (const Vec2f p : cycle.points) box.add({static_cast<double>(p.x), static_cast<double>(p.y)});
   }
   if (auto error = plateTooLarge(box.size(), std::min(toolpath.spacing, params.spacing))) return *error;
   const Result<Dislocations> dislocations =

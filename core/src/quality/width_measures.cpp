@@ -23,26 +23,26 @@ class WidthBins {
     for (const WeightedWidth& w : widths) length_[binOf(w.width)] += static_cast<double>(w.share);
   }
 
-  // The width at which the shares of all lesser ones have come to `below`.
+  // The width at which the shares of all lesser ones have come to `below`; the greatest where rounding leaves none.
   [[nodiscard]] float quantile(double below) const {
     std::size_t bin = 0;
-    std::size_t last = 0;  // that holds anything
-    for (; bin < length_.size() && length_[bin] <= below; ++bin) {
-      below -= length_[bin];
-      if (length_[bin] > 0) last = bin;
+    double lesser = 0;  // than those in the bin
+    for (std::size_t next = 0; next < length_.size(); ++next) {
+      if (length_[next] <= 0) continue;
+      if (next > bin) lesser += length_[bin];
+      bin = next;
+      if (lesser + length_[bin] > below) break;
     }
-    const bool beyond = bin == length_.size();  // by rounding
     std::vector<WeightedWidth> inside;
     for (const WeightedWidth& w : widths_) {
-      if (binOf(w.width) == (beyond ? last : bin)) inside.push_back(w);
+      if (binOf(w.width) == bin) inside.push_back(w);
     }
     std::sort(inside.begin(), inside.end(), [](const WeightedWidth& a, const WeightedWidth& b) {
       return a.width != b.width ? a.width < b.width : a.share < b.share;
     });
-    if (beyond) return inside.back().width;
     for (const WeightedWidth& w : inside) {
-      below -= static_cast<double>(w.share);
-      if (below < 0) return w.width;
+      lesser += static_cast<double>(w.share);
+      if (lesser > below) return w.width;
     }
     return inside.back().width;
   }
