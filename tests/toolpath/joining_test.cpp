@@ -398,10 +398,12 @@ TEST_CASE("stitching makes the joints that looking at every pair of points would
       for (Vec2f& p : some.back()) p.x += random.index(2) == 0 ? 0.2f : -0.2f;
       if (!findCrossings(scenes::closed(some), run).empty()) some.pop_back();
     }
-    // Squares of 1.5 mm with a point every eighth of a millimetre: many pairs are equally far apart.
+    // Squares of 1.5 mm with a point every eighth of a millimetre, every other column half a step higher: many pairs
+    // are equally far apart, and many points lie midway between two of the next square.
     for (int k = 0; k < 12 && round == 4; ++k) {
       std::vector<Vec2f>& square = some.emplace_back();
-      const Vec2f corner{2 + 2.125f * static_cast<float>(k % 4), 2 + 2.0f * static_cast<float>(k / 4)};
+      const Vec2f corner{2 + 2.125f * static_cast<float>(k % 4),
+                         2 + 2.0f * static_cast<float>(k / 4) + 0.0625f * static_cast<float>(k % 2)};
       const Vec2f sides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
       Vec2f p = corner;
       for (int n = 0; n < 48; ++n) {
@@ -415,6 +417,7 @@ TEST_CASE("stitching makes the joints that looking at every pair of points would
     const Grid& grid = page.lines.grid;
     Parts parts{grid, std::vector<std::int32_t>(grid.size(), 0), 1};
     if (round % 2 == 1) {
+      parts.count = 2;
       for (int y = 0; y < grid.ny; ++y) {
         for (int x = 0; x < grid.nx; ++x) parts.label[grid.index(x, y)] = grid.centre(x, y).x < 20.25 ? 0 : 1;
       }

@@ -85,7 +85,7 @@ bool Joining::join(const Candidate& candidate, float gap) {
   // The middle too: where nearly all of a tiny cycle is taken out, the edges may pass round what is left of it, which
   // turns the cycle inside out, and then no joint fits it any more.
   const Edge middle{candidate.i, candidate.j};
-  if (meetsLiveEdge(e, f) || meetsLiveEdge(f, e) || meetsLiveEdge(middle, middle)) {
+  if (meetsLiveEdge(e) || meetsLiveEdge(f) || meetsLiveEdge(middle)) {
     unmark(a);
     unmark(b);
     return false;
@@ -182,7 +182,7 @@ bool Joining::live(int point) const {
 }
 
 // Stretch by stretch, so that a long edge costs its length and not the square of it.
-bool Joining::meetsLiveEdge(const Edge& edge, const Edge& sibling) const {
+bool Joining::meetsLiveEdge(const Edge& edge) const {
   const Vec2f a = at(edge.from);
   const Vec2f b = at(edge.to);
   const float size = length(b - a);
@@ -194,7 +194,7 @@ bool Joining::meetsLiveEdge(const Edge& edge, const Edge& sibling) const {
   const int cells = half > spacing_ ? 2 : 1;
   for (int k = 0; k < stretches; ++k) {
     const Vec2f middle = a + (b - a) * ((static_cast<float>(k) + 0.5f) / static_cast<float>(stretches));
-    if (meetsCurve(edge, middle, reach) || meetsJoint(edge, sibling, middle, cells)) return true;
+    if (meetsCurve(edge, middle, reach) || meetsJoint(edge, middle, cells)) return true;
   }
   return false;
 }
@@ -212,14 +212,13 @@ bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
   return meets;
 }
 
-bool Joining::meetsJoint(const Edge& edge, const Edge& sibling, Vec2f middle, int cells) const {
+bool Joining::meetsJoint(const Edge& edge, Vec2f middle, int cells) const {
   const auto key = jointCell(middle);
   for (int dy = -cells; dy <= cells; ++dy) {
     for (int dx = -cells; dx <= cells; ++dx) {
       const auto found = joints_.find(packed(key.first + dx, key.second + dy));
       if (found == joints_.end()) continue;
       for (const Edge& other : found->second) {
-        if (other.from == sibling.from && other.to == sibling.to) continue;
         if (segmentsMeet(at(edge.from), at(edge.to), at(other.from), at(other.to))) return true;
       }
     }

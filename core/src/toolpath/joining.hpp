@@ -75,9 +75,9 @@ class Joining {
   void markUsed(const Piece& piece);
   void unmark(const Piece& piece);
   [[nodiscard]] bool live(int point) const;
-  [[nodiscard]] bool meetsLiveEdge(const Edge& edge, const Edge& sibling) const;
+  [[nodiscard]] bool meetsLiveEdge(const Edge& edge) const;
   [[nodiscard]] bool meetsCurve(const Edge& edge, Vec2f middle, float reach) const;
-  [[nodiscard]] bool meetsJoint(const Edge& edge, const Edge& sibling, Vec2f middle, int cells) const;
+  [[nodiscard]] bool meetsJoint(const Edge& edge, Vec2f middle, int cells) const;
   [[nodiscard]] float outsideLength(const Edge& edge, float enough) const;
   [[nodiscard]] std::pair<int, int> jointCell(Vec2f p) const;
   void addJoint(const Edge& edge);

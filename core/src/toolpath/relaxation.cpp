@@ -72,7 +72,7 @@ Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, BorderDepth& d
 }
 
 // How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
-// keeps them from vanishing, and those that tiny_cycles made are round already.
+// keeps them from vanishing, and those that small_cycles made are round already.
 std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   std::vector<float> share(curves.points.size(), 1.0f);
   for (int c = 0; c < curves.count(); ++c) {
