@@ -69,7 +69,12 @@ TEST_CASE("no move of a thread is a travel, however little filament its steps ta
   job.toolpath.cycles = {cycle};
   const Written written = job.write();
   const ReadFile file = readGcode(written.text);
-  for (const ReadMove& move : lastPath(file).moves) CHECK(move.e > 0);
+  std::int64_t steps = 0;
+  for (const ReadMove& move : lastPath(file).moves) {
+    CHECK(move.e > 0);
+    if (move.length() < 0.02) steps += move.e;
+  }
+  CHECK(steps == 50);  // one digit each
   CHECK(checkGcode(written.text, job.printer).errors() == 0);
 }
 
@@ -86,6 +91,41 @@ TEST_CASE("smooth widths stay bit for bit, and change in steps") {
     CHECK(std::abs(motion.widths[i + 1] - motion.widths[i]) <= 0.02 + 1e-12);
   }
   CHECK(motion.points[1] == PointUm{2000, 0});
+}
+
+TEST_CASE("a short segment becomes as many moves as are 33 micrometres long") {
+  MotionLimits limits = someLimits();
+  limits.pressureAdvance = 0;
+  for (const auto& [length, moves] : {std::pair{0.3, 9}, {0.1, 3}, {0.07, 2}, {0.06, 1}}) {
+    CAPTURE(length);
+    BeadPath path = pathOf({{0, 0}, {length, 0}}, 0.3);
+    path.widths[1] = 0.55;  // 13 steps of 0.02 mm, if there is room
+    CHECK(planMotion(path, 0, limits).lengths.size() == static_cast<std::size_t>(moves));
+  }
+}
+
+TEST_CASE("a coast begins on the path where its length is left, with the width that the path has there") {
+  MotionLimits limits = someLimits();
+  limits.pressureAdvance = 0;
+  BeadPath path = pathOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.4, true);
+  path.widths[3] = 0.404;  // from here back to the beginning
+  limits.coast = 2.5;
+  const Motion within = planMotion(path, 0, limits);
+  REQUIRE(within.lengths.size() == 5);
+  CHECK(within.beads == 4);
+  CHECK(within.points[4] == PointUm{0, 2500});
+  CHECK(within.widths[4] == Approx(0.401));
+  CHECK(within.lengths[3] == Approx(7.5));
+  CHECK(within.lengths[4] == Approx(2.5));
+  limits.coast = 10;  // all of the last segment
+  const Motion whole = planMotion(path, 0, limits);
+  CHECK(whole.lengths.size() == 4);
+  CHECK(whole.beads == 3);
+  limits.coast = 12.5;  // and some of the one before
+  const Motion more = planMotion(path, 0, limits);
+  REQUIRE(more.lengths.size() == 5);
+  CHECK(more.beads == 3);
+  CHECK(more.points[3] == PointUm{2500, 10000});
 }
 
 TEST_CASE("no move becomes shorter than 33 micrometres for its width, and plastic is kept") {
@@ -152,6 +192,22 @@ TEST_CASE("rough widths are held to the slope of pressure advance and keep the p
   }
 }
 
+TEST_CASE("widths that jump at one end only are held to the slope as well") {
+  for (const bool atEnd : {false, true}) {
+    for (const double end : {0.3, 0.6}) {
+      BeadPath path = pathOf({{0, 0}, {0.06, 0}, {10, 0}, {10.06, 0}}, 0.4);  // steps of 0.06 mm stay one move
+      path.widths[atEnd ? 3 : 0] = end;
+      const MotionLimits limits = someLimits();
+      const Motion motion = planMotion(path, 0, limits);
+      for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
+        const double least = std::min(motion.widths[i], motion.widths[i + 1]);
+        const double allowed = 0.75 * least / (limits.pressureAdvance * motion.feedrates[i] / 60);
+        CHECK(std::abs(motion.widths[i + 1] - motion.widths[i]) <= allowed * motion.lengths[i] + 1e-9);
+      }
+    }
+  }
+}
+
 TEST_CASE("the slope limit holds in the printed text") {
   std::mt19937 random(11);
   Job job = plate(30, 30);
@@ -198,6 +254,22 @@ TEST_CASE("speed follows the flow limit in whole mm/s and does not flicker") {
   }
   CHECK(changes >= 15);
   CHECK(changes <= 25);
+}
+
+TEST_CASE("beads that slow down go in whole mm/s down to 1, and in whole mm/min below") {
+  MotionLimits limits = someLimits();
+  limits.pressureAdvance = 0;
+  for (const auto& [speed, feedrate] : {std::pair{2.5, 120}, {1.5, 60}, {1.0, 60}, {0.75, 45}}) {
+    CAPTURE(speed);
+    limits.maxFlow = speed * limits.layerHeight * 0.4;
+    BeadPath path = pathOf({{0, 0}, {10, 0}, {10.03, 0}, {20, 0}}, 0.4);
+    path.widths[0] = path.widths[1] = 0.004;  // as fast as may be
+    const Motion motion = planMotion(path, 0, limits);
+    CHECK(motion.feedrates.front() == 50 * 60);
+    CHECK(motion.feedrates.back() == feedrate);
+  }
+  limits.maxFlow = 1e-4;
+  CHECK(planMotion(pathOf({{0, 0}, {10, 0}}, 0.4), 0, limits).feedrates.front() == 1);
 }
 
 TEST_CASE("with constant flow the speed follows the width, as far as 1.5 times its value") {
@@ -454,6 +526,12 @@ TEST_CASE("short segments around corners go as their room allows") {
   const double seconds = planMotion(pathOf(points, 0.4), 0, limits).totalSeconds;
   // Corner at 10 mm/s, in the middle sqrt(100 + 2 * 1000 * 0.1) = 17.3.
   CHECK(seconds == about(1000 * 2 * (std::sqrt(300.0) - 10) / 1000, 0.02));
+
+  // One such leg between two long ones: its corners go at 10 mm/s too.
+  const double corners = planMotion(pathOf({{0, 0}, {60, 0}, {60, 0.2}, {120, 0.2}}, 0.4), 0, limits).totalSeconds;
+  const double v = limits.speed;
+  const double longLegs = 2 * (60 / v + v / (2 * 1000) + (v - 10) * (v - 10) / (2 * 1000 * v));
+  CHECK(corners == about(longLegs + 2 * (std::sqrt(300.0) - 10) / 1000, 1e-4));
 }
 
 TEST_CASE("width jumps slow the extruder as Klipper does") {

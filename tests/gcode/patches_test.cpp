@@ -1,7 +1,10 @@
 #include "sillon/gcode/patches.hpp"
 
+#include <algorithm>
 #include <functional>
 
+#include "gcode/job.hpp"
+#include "support/about.hpp"
 #include "support/gcode_job.hpp"
 
 using namespace sillon;
@@ -72,6 +75,11 @@ TEST_CASE("after a patch with its own fan and heat the next one has the layer's 
   CHECK(low != std::string::npos);
   CHECK(hot != std::string::npos);
   CHECK(full != std::string::npos);
+  // Between them the nozzle rises to where it waits, and no higher.
+  double highest = 0;
+  for (std::size_t at = text.find("\nG1 Z"); at < full; at = text.find("\nG1 Z", at + 1))
+    highest = std::max(highest, std::stod(text.substr(at + 5)));
+  CHECK(highest == about(safeHeight(job.printer, job.params), 1e-6));
 }
 
 TEST_CASE("patches that cannot be printed as they say are refused before a byte is written") {

@@ -894,6 +894,22 @@ TEST_CASE("the time in the footer is the time of the summary") {
   CHECK(seconds < 200);
 }
 
+TEST_CASE("the summary tells what an independent reader finds in the file, and what it weighs") {
+  Job job = plate();
+  job.printer.filamentDiameter = 2.85;
+  job.printer.filamentDensity = 1.27;
+  const Written written = job.write();
+  const GcodeSummary& summary = written.result.value();
+  const ReadFile file = readGcode(written.text);
+  double mm = 0;
+  for (const ReadPath& path : file.paths) mm += path.filament();
+  CHECK(summary.filamentMm == Approx(mm).epsilon(1e-9));
+  CHECK(summary.filamentCm3 == Approx(mm * 3.14159265358979 * 2.85 * 2.85 / 4 / 1000));
+  CHECK(summary.filamentGrams == Approx(summary.filamentCm3 * 1.27));
+  CHECK(summary.moves == file.moves);
+  CHECK(summary.bytes == static_cast<std::int64_t>(written.text.size()));
+}
+
 TEST_CASE("warnings are a code with values, and the sentence made of them") {
   const GcodeWarning low{WarningCode::BlockMovesLow,
                          {{"block", std::string("endGcode")}, {"z", 0.3}, {"height", 5.25}}};

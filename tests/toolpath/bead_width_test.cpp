@@ -105,6 +105,8 @@ TEST_CASE("near the border widths are twice the distance to it, half-way to the 
       {{0.5f, 0.2f, -0.1f, -0.4f, -0.7f}, {0.7, 0, 0, 0, 0}},
       // A neighbour outside does not count while the way to it stays a quarter of a spacing within at its middle.
       {{0.65f, 0.29f, -0.07f, -0.43f, -0.79f}, {0.94, 0.22, 0, 0, 0}},
+      // The border is near only to the way to the neighbour that is farther off.
+      {{0.9f, 0.1f, -0.7f}, {1.0, 0, 0}},
   };
   for (const Row& row : rows) {
     std::vector<Vec2f> loop;
@@ -116,7 +118,7 @@ TEST_CASE("near the border widths are twice the distance to it, half-way to the 
     const ClosedCurves curves = scenes::closed({loop});
     const BeadGaps gaps{std::vector<float>(loop.size(), 2.0f), std::vector<float>(loop.size(), 2.0f), {}};
     ToolpathParams params = apartBy(1);
-    params.maxWidth = 4;
+    params.maxWidth = 2.4;
     const auto widths = beadWidths(curves, gaps, pageBorder(), params, RunContext(1));
     REQUIRE(widths.ok());
     for (std::size_t k = 0; k < row.limits.size(); ++k) {
@@ -159,11 +161,13 @@ TEST_CASE("two beads side by side give way in proportion, until they overlap by 
 TEST_CASE("a bead grows again, in two rounds, where its neighbour gave way to another") {
   // The first two give way to 0.3 mm each. The third has 0.35 mm to the second: it gives way to 0.35, and then takes
   // in each round the share that is left between it and the second.
-  const auto widths = rowWidths({10, 10.3f, 10.65f}, {0.4f, 0.4f, 0.4f}, apartBy(0));
   const auto grown = [](double width, double beside, double room) { return width * room / ((width + beside) / 2); };
-  checkRow(widths[0], 0.3);
-  checkRow(widths[1], 0.3);
-  checkRow(widths[2], grown(grown(0.35, 0.3, 0.35), 0.3, 0.35));
+  for (const float y : {10.0f, 10.05f, 10.1f, 10.15f, 10.2f, 10.25f}) {  // wherever cells of the search begin
+    const auto widths = rowWidths({y, y + 0.3f, y + 0.65f}, {0.4f, 0.4f, 0.4f}, apartBy(0));
+    checkRow(widths[0], 0.3);
+    checkRow(widths[1], 0.3);
+    checkRow(widths[2], grown(grown(0.35, 0.3, 0.35), 0.3, 0.35));
+  }
   // By no more than a fifth in a round: the second cannot be less than 0.2 mm.
   const auto most = rowWidths({10, 10.1f, 10.45f}, {0.8f, 0.8f, 0.8f}, apartBy(0));
   checkRow(most[1], 0.2);
