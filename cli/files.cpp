@@ -153,10 +153,13 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   File file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) return unreadable(errno);
 
+  const Error tooLarge{ErrorCode::TooLarge,
+                       name + " is larger than " + std::to_string(maxBytes >> 20) + " MiB; it must be at most that"};
   std::string bytes;
   // Grown step by step, a large file would be held twice; what is no file on a disk tells no size.
   const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size <= maxBytes) bytes.reserve(static_cast<std::size_t>(size) + 1);
+  if (!error && size > maxBytes) return tooLarge;
+  if (!error) bytes.reserve(static_cast<std::size_t>(size) + 1);
   std::array<char, 65536> buffer;
   while (bytes.size() <= maxBytes) {
     const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get());
@@ -164,10 +167,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
     if (count < buffer.size()) break;
   }
   if (std::ferror(file.get()) != 0) return unreadable(errno);
-  if (bytes.size() > maxBytes) {
-    return Error{ErrorCode::TooLarge,
-                 name + " is larger than " + std::to_string(maxBytes >> 20) + " MiB; it must be at most that"};
-  }
+  if (bytes.size() > maxBytes) return tooLarge;
   if (bytes.empty()) return invalid(name + " is empty; it must hold at least one byte");
   return bytes;
 }

@@ -14,6 +14,8 @@ namespace cli {
 
 inline constexpr std::size_t kMaxProjectBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kMaxGcodeBytes = std::size_t{1}
+                                              << 30;  ///< `generate` writes hundreds of MB for tall plates
 
 /// Whether a file's name ends so, in letters of any case. \param end  in small letters
 bool endsWith(std::string name, std::string_view end);

@@ -170,7 +170,7 @@ int answer(const std::string& text, int code) {
 }
 
 int check(const cli::Arguments& arguments) {
-  sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxInputBytes);
+  sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxGcodeBytes);
   if (!file) return fail(file.error());
   const sillon::Result<std::string> text = sillon::unpackGcode(std::move(file).value());
   if (!text) return fail(text.error());

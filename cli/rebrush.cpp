@@ -210,7 +210,7 @@ Result<sillon::RebrushOptions> readOptions(const RebrushArguments& arguments, co
 
 /// Files of 200 MB are not held twice.
 Result<sillon::GcodeContainer> readContainer(const std::string& path) {
-  Result<std::string> bytes = readFile(path, "G-code", kMaxInputBytes);
+  Result<std::string> bytes = readFile(path, "G-code", kMaxGcodeBytes);
   if (!bytes) return bytes.error();
   return sillon::readGcodeContainer(std::move(bytes).value());
 }

@@ -309,6 +309,8 @@ TEST_CASE("check reads G-code as a printer would") {
   CHECK(read["errors"].get<int>() > 0);
   CHECK(read["findings"][0]["rule"] == "homing");
   CHECK(read["layers"] == 3);
+  fs::resize_file(folder.at("b.gcode"), (std::uintmax_t{1} << 30) + 1);
+  checkRefused(folder, "check b.gcode", "is larger than 1024 MiB");
   checkRefused(folder, "check", "file is required");
   checkRefused(folder, "check none.gcode", "cannot be read");
   checkRefused(folder, "check a.gcode --printer mk4", "--printer: \"mk4\"");
