@@ -429,6 +429,61 @@ TEST_CASE("what is for another tool, or a tool's setting, changes nothing") {
   CHECK(finding(checkGcode(kStart + "G10\n" + kSquare + kEnd), "retraction").error);
 }
 
+TEST_CASE("the heat of the tool that prints is followed, in the words of each firmware") {
+  const auto heating = [](const std::string& start) {
+    const GcodeCheck check = checkGcode("G28\n" + start + "G21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n" + kSquare);
+    return finding(check, "heating").code;
+  };
+  CHECK(heating("M190 S60\nM109 S215\n").empty());
+  CHECK(heating("M190 S60\nM104 T1 S215\nT1\nM109 T1 S215\n").empty());
+  CHECK(heating("M190 S60\nM109 S215\nT3\n").empty());  // another filament for the same nozzle
+  CHECK(heating("M140 S60\nG10 P0 S205 R205\nT0\nM116\n").empty());
+  CHECK(heating("M140 S60\nM568 P1 S205 R205 A2\nT1\nM116\n").empty());
+  CHECK(
+      heating("SET_HEATER_TEMPERATURE HEATER=heater_bed TARGET=60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\n"
+              "TEMPERATURE_WAIT SENSOR=heater_bed MINIMUM=58\ntemperature_wait sensor=extruder minimum=205\n")
+          .empty());
+  CHECK(heating("M190 S60\nM104 S215\n") == "cold-start");
+  CHECK(heating("M190 S60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\n") == "cold-start");
+  CHECK(heating("M190 S60\nM109 T0 S215\nM104 T1 S150\nT1\n") == "cold-bead");
+  CHECK(heating("M190 S60\nM109 S215\nM109 R140\nM104 S215\n") == "cold-bead");
+  CHECK(heating("M190 S60\nM109 S215\nTURN_OFF_HEATERS\n") == "cold-bead");
+  // And it is off at the end.
+  CHECK(finding(checkGcode(kStart + kSquare + ";TYPE:Custom\nTURN_OFF_HEATERS\n"), "end").code.empty());
+  CHECK(finding(checkGcode(kStart + kSquare), "end").code == "hot-nozzle");
+}
+
+TEST_CASE("each axis has to be homed before it is relied on, and anew when its motor was off") {
+  const auto faults = [](const std::string& start) {
+    return checkGcode(start + "M190 S60\nM109 S215\nG21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n" + kSquare + kEnd).errors();
+  };
+  CHECK(faults("G28\n") == 0);
+  CHECK(faults("G28 W\n") == 0);
+  CHECK(faults("G28 X Y\nG1 Z5 F600\nG1 X100 Y100 F6000\nG28 Z\n") == 0);
+  CHECK(faults("G28 X0 Y0\n") > 0);
+  CHECK(faults("G28 Z\n") > 0);
+  CHECK(faults("G28\nM84 E\n") == 0);
+  CHECK(faults("G28\nM84 S60\n") == 0);
+  CHECK(faults("G28\nM84 X\n") > 0);
+  const std::string twice = kStart + kSquare + "M18\n" + kSquare + kEnd;
+  CHECK(finding(checkGcode(twice), "homing").code == "unhomed");
+  // One axis homed on the way keeps the height.
+  CHECK(checkGcode(kStart + kSquare + "G28 X\n" + kSquare + kEnd).errors() == 0);
+}
+
+TEST_CASE("arcs by their radius are followed: their bulge has to be bed too") {
+  const auto bounds = [](const std::string& arc) {
+    return finding(checkGcode(kStart + kSquare + "G1 X50 Y10\n" + arc + " E1\n" + kEnd, Printer{}), "bounds").code;
+  };
+  CHECK(bounds("G3 X70 Y10 R11").empty());        // 5 mm below its chord
+  CHECK(bounds("G3 X70 Y10 R-11") == "off-bed");  // the long way, below the bed
+  CHECK(bounds("G2 X70 Y10 R-11").empty());       // the long way, above
+  const GcodeCheck half = checkGcode(kStart + ";LAYER_CHANGE\nG1 X50 Y50 F6000\nG3 X70 Y50 R10 E1 F1800\n" + kEnd);
+  CHECK(half.pathMm == Approx(10 * 3.14159265358979));
+  CHECK(finding(checkGcode(kStart + kSquare + "G2 X60 Y50 R1 E1\n" + kEnd), "grammar").code == "unread-arc");
+  CHECK(finding(checkGcode(kStart + kSquare + "G2 X60 Y50 E1\n" + kEnd), "grammar").code == "unread-arc");
+}
+
 TEST_CASE("what makers write on purpose is no fault") {
   const auto with = [](const std::string& line) { return kStart + kSquare + line + "\n" + kEnd; };
   Printer printer;
@@ -473,6 +528,9 @@ TEST_CASE("what makers write on purpose is no fault") {
 }
 
 TEST_CASE("moves below the bed are found, with Z alone too, and behind relative moves and origins") {
+  // In the layers nothing goes below it; makers' blocks wipe there.
+  CHECK(finding(checkGcode(kStart + kSquare + "G1 Z-0.3 F600\n" + kEnd), "height").code == "below-bed");
+  CHECK(finding(checkGcode(kStart + "G1 Z-0.3 F600\n" + kSquare + kEnd), "height").code != "below-bed");
   const auto depth = [](const std::string& lines) { return finding(checkGcode(kStart + lines), "height"); };
   for (const char* lines : {"G1 Z-10 F9000\n", "G91\nG1 Z-10\nG90\n", "G92 Z20\nG1 Z5\n", "G1 X5 Y5 Z-1\n"}) {
     CAPTURE(std::string(lines));

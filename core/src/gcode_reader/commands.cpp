@@ -253,6 +253,7 @@ class Judge {
 
  private:
   static constexpr int kMostCommands = 100;  // in one line
+  static constexpr double kLowest = 0.5;     // [mm] that a nozzle may be told to go lower: more than any first layer
 
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
@@ -387,7 +388,7 @@ class Judge {
       case 206:
       case 290:
       case 428:
-        if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? 1 : 10);
+        if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? kLowest : 10);
         return;
       case 851:
         return all("Z", 10);
@@ -425,7 +426,7 @@ class Judge {
     }
     if (name == "SET_GCODE_OFFSET") {
       forEachParameter(head.rest, [&](const std::string& key, double value) {
-        if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? 1 : 10);
+        if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? kLowest : 10);
       });
       return;
     }

@@ -31,6 +31,7 @@ constexpr Sentence kSentences[] = {
     {"not-a-word", "grammar", "not a word: {text}"},
     {"no-number", "grammar", "no number after a letter in {text}"},
     {"no-plain-number", "grammar", "no plain number: {text}"},
+    {"unread-arc", "grammar", "an arc without a centre, or whose radius cannot reach its end"},
     {"letter-twice", "grammar", "a letter given twice in {text}"},
     {"lower-case", "grammar", "lower case letters in {text}; some firmwares skip them"},
     {"crowded", "grammar", "words without spaces between them in {text}"},
@@ -71,6 +72,7 @@ constexpr Sentence kSentences[] = {
     {"rate", "rate", "more moves per second than the printer takes: {rate}"},
 
     {"bead-retracted", "retraction", "extrudes while retracted by {mm} mm"},
+    {"bead-g10", "retraction", "extrudes while G10 holds filament back; G11 returns it"},
     {"travel-unretracted", "retraction", "travels without retraction over {mm} mm"},
     {"far-retracted", "retraction", "retracted further than any hot end is long"},
 

@@ -9,13 +9,25 @@ namespace {
 
 constexpr double kInch = 25.4;  // [mm]
 
-// G2 and G3 by their centre; without a target they are a full turn.
+// Of an arc of radius |r| from one place to another: of the two the longer one where r is below 0.
+std::optional<Vec2> centreOf(Vec2 from, Vec2 to, double r, bool clockwise) {
+  const Vec2 chord = to - from;
+  const double half = length(chord) / 2;
+  if (!(half > 0) || half > std::abs(r) * 1.001) return std::nullopt;
+  const double away = std::sqrt(std::max(0.0, r * r - half * half)) * ((r > 0) == clockwise ? -1 : 1);
+  return from + 0.5 * chord + (0.5 * away / half) * Vec2{-chord.y, chord.x};
+}
+
+// G2 and G3 by their centre or radius; by their centre without a target they are a full turn.
 void readArc(MachineMove& move, const GcodeWords& words, double unit) {
-  if (!words.has('I') && !words.has('J')) {
+  if (words.has('I') || words.has('J')) {
+    move.centre = move.from + unit * Vec2{words.at('I'), words.at('J')};
+  } else if (const auto centre = centreOf(move.from, move.to, words.at('R') * unit, move.code == 2)) {
+    move.centre = *centre;
+  } else {
     move.readable = false;
     return;
   }
-  move.centre = move.from + unit * Vec2{words.at('I'), words.at('J')};
   const Vec2 a = move.from - move.centre;
   const Vec2 b = move.to - move.centre;
   double angle = std::atan2(cross(a, b), dot(a, b));
@@ -62,6 +74,26 @@ MachineMove runMove(MachineState& state, int code, const GcodeWords& words) {
   return move;
 }
 
+// Those that a command names, with a number or without.
+unsigned axesIn(std::string_view words) {
+  unsigned axes = 0;
+  for (const char c : words) {
+    if (c == 'X' || c == 'x') axes |= kAxisX;
+    if (c == 'Y' || c == 'y') axes |= kAxisY;
+    if (c == 'Z' || c == 'z') axes |= kAxisZ;
+  }
+  return axes;
+}
+
+void home(MachineState& state, unsigned axes) {
+  state.homedAxes |= axes;
+  if ((axes & kAxisX) != 0) state.at.x = state.origin.x = 0;
+  if ((axes & kAxisY) != 0) state.at.y = state.origin.y = 0;
+  if ((axes & kAxisZ) == 0) return;
+  state.z = state.originZ = 0;
+  state.zKnown = false;
+}
+
 // Writes another coordinate for the same place.
 void setOrigin(MachineState& state, const GcodeWords& words) {
   const double unit = state.inches ? kInch : 1;
@@ -84,6 +116,7 @@ bool readsWords(const GcodeCommand& command) {
     case 140:
     case 190:
     case 200:
+    case 568:
       return true;
     default:
       return false;
@@ -99,6 +132,11 @@ std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& c
   if (command.letter == 'M') {
     if (command.code == 82 || command.code == 83) state.absoluteE = command.code == 82;
     if (command.code == 200 && words.has('D')) state.volumetric = words.at('D') > 0;
+    if (command.code == 18 || command.code == 84) {  // motors off: of all axes, unless it names some or sets a time
+      const unsigned axes = axesIn(command.rest);
+      const bool others = command.rest.find_first_of("EeSs") != std::string_view::npos;
+      state.homedAxes &= ~(axes != 0 ? axes : others ? 0 : kAllAxes);
+    }
     return std::nullopt;
   }
   if (command.letter != 'G') return std::nullopt;
@@ -117,14 +155,11 @@ std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& c
     case 21:
       state.inches = command.code == 20;
       break;
-    case 28:
-      state.homed = true;
-      state.at = {};
-      state.origin = {};
-      state.z = 0;
-      state.originZ = 0;
-      state.zKnown = false;
+    case 28: {
+      const unsigned axes = axesIn(command.rest);
+      home(state, axes != 0 ? axes : kAllAxes);
       break;
+    }
     case 90:
     case 91:
       state.absolute = command.code == 90;

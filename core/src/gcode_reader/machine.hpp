@@ -9,6 +9,9 @@
 
 namespace sillon {
 
+inline constexpr unsigned kAxisX = 1, kAxisY = 2, kAxisZ = 4;
+inline constexpr unsigned kAllAxes = kAxisX | kAxisY | kAxisZ;
+
 /// A move as it was understood. Lengths mm, speeds mm/s.
 struct MachineMove {
   int code = 0;  ///< 0..3
@@ -24,7 +27,7 @@ struct MachineMove {
   bool toldZ = false;    ///< Z is written
   bool toldF = false;    ///< F is written
   bool arc = false;      ///< G2, G3
-  bool readable = true;  ///< an arc by R, or without its centre, is not followed
+  bool readable = true;  ///< an arc without a centre, or with a radius that cannot be, is not followed
 };
 
 /// All lengths mm, whatever the file's unit; z and at are where the nozzle is: G92 does not move it.
@@ -40,8 +43,8 @@ struct MachineState {
   double z = 0;
   Vec2 origin;  ///< written coordinate + origin = place
   double originZ = 0;
-  bool homed = false;
-  bool zKnown = false;  ///< told since the last homing
+  unsigned homedAxes = 0;  ///< of kAxisX, kAxisY, kAxisZ
+  bool zKnown = false;     ///< told since the last homing
   double speed = 0;
   // Filament.
   double e = 0;  ///< as written, in absolute mode
@@ -49,12 +52,14 @@ struct MachineState {
   bool firmwareRetracted = false;  ///< G10
   int tool = 0;
 
+  [[nodiscard]] bool homed(unsigned axes = kAllAxes) const { return (homedAxes & axes) == axes; }
+
   /// \param flavor  decides what G90 means for E.
   explicit MachineState(std::optional<GcodeFlavor> flavor = {})
       : ruledByG90(flavor != GcodeFlavor::Klipper && flavor != GcodeFlavor::RepRap) {}
 };
 
-/// Runs a command of the modes and moves G0-G3, G10, G11, G20, G21, G28, G90-G92, M82, M83, M200, T; others change
+/// Runs a command of the modes and moves G0-G3, G10, G11, G20, G21, G28, G90-G92, M18, M82-M84, M200, T; others change
 /// nothing. Reads words only where `words.readable()`. \return the move, if it is one.
 std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& command, const GcodeWords& words);
 

@@ -72,8 +72,10 @@ Rules::Rules(FileSettings settings, bool ours)
   area_ = std::numbers::pi * settings_.filamentDiameter * settings_.filamentDiameter / 4;
   machine_.volumetric = settings_.volumetric;
   // Printers of this kind home and heat before the file begins.
-  check_.homes = check_.heatsBed = check_.heatsNozzle = settings_.ultimaker;
-  if (settings_.ultimaker) check_.nozzleTarget = kColdest;
+  if (!settings_.ultimaker) return;
+  machine_.homedAxes = kAllAxes;
+  check_.homes = check_.heatsBed = check_.heatsNozzle = true;
+  heaters_.setNozzle(kColdest);
 }
 
 void Rules::found(std::string_view code, bool error, FindingValues values) {
@@ -158,19 +160,18 @@ void Rules::comment(std::string_view text) {
 
 // The hottest value is the nozzle's, the next one the bed's.
 void Rules::startMacro(std::string_view text) {
+  machine_.homedAxes = kAllAxes;
   check_.homes = true;
-  machine_.homed = true;
   for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
     double value = 0;
     if (readNumber(text.substr(equal + 1), value) == 0) continue;
     if (value >= kColdest) {
-      check_.nozzleTarget = value;
-      check_.heatsNozzle = true;
+      heaters_.setNozzle(value);
     } else if (value > 0) {
-      check_.bedTarget = value;
-      check_.heatsBed = true;
+      heaters_.setBed(value);
     }
   }
+  noteHeat();
 }
 
 void Rules::command(std::string_view text) {
@@ -194,13 +195,15 @@ void Rules::command(std::string_view text) {
   if (!((first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z') || first == '_')) {
     return found("no-command", false, {{"text", shownText(text)}});
   }
-  if (command.letter == 0) return;
+  if (command.letter == 0) {
+    heaters_.run(command, {}, machine_.tool);
+    return noteHeat();
+  }
   run(command, readsWords(command) ? this->words(command) : GcodeWords{});
 }
 
 void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
   modes(command, words);
-  heat(command, words);
   const double retracted = machine_.retracted;
   const bool firmware = machine_.firmwareRetracted;
   if (const auto made = runCommand(machine_, command, words)) {
@@ -211,7 +214,19 @@ void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
     endPath();
     retractsBetween_ = retractsBetween_ || !block();
   }
-  check_.homes = check_.homes || machine_.homed;
+  if (!moved_) check_.homes = machine_.homed();
+  if (command.letter == 'G' && command.code <= 3) return;  // most lines
+  heaters_.run(command, words, machine_.tool);
+  noteHeat();
+}
+
+void Rules::noteHeat() {
+  const Heater& nozzle = heaters_.nozzle(machine_.tool);
+  check_.nozzleTarget = nozzle.target;
+  check_.nozzleReady = nozzle.ready;
+  check_.bedTarget = heaters_.bed().target;
+  check_.heatsNozzle = check_.heatsNozzle || nozzle.ready >= kColdest;
+  check_.heatsBed = check_.heatsBed || heaters_.bed().ready > 0;
 }
 
 // What is no plain number is read as far as a firmware would.
@@ -248,17 +263,6 @@ void Rules::modes(const GcodeCommand& command, const GcodeWords& words) {
   if (command.is('M', 200) && words.at('D') > 0 && !settings_.volumetric) found("volumetric", true);
 }
 
-void Rules::heat(const GcodeCommand& command, const GcodeWords& words) {
-  const bool nozzle = command.is('M', 104) || command.is('M', 109);
-  const bool bed = command.is('M', 140) || command.is('M', 190);
-  if ((!nozzle && !bed) || !words.readable() || words.at('T') != 0) return;  // other tools are not ours to follow
-  const double target = words.at('S', words.at('R', -1));
-  if (target < 0) return;
-  (nozzle ? check_.nozzleTarget : check_.bedTarget) = target;
-  if (command.code == 109 && target >= kColdest) check_.heatsNozzle = true;
-  if (command.code == 190 && target > 0) check_.heatsBed = true;
-}
-
 void Rules::checkPlace(Vec2 p, const char* what) {
   if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
   const double over = beyondBed(settings_, p).value_or(-1);
@@ -291,9 +295,11 @@ void Rules::move(const MachineMove& move) {
     if (move.z < move.zFrom) {
       // Deltas home at the top, so that nothing is known before the first Z.
       const bool top = !machine_.zKnown && settings_.printer && settings_.printer->roundBed;
-      if (!top && tooDeep(move, settings_)) found("below-bed", true, {{"mm", decimal(move.z, 3)}});
+      const bool deep = block() ? tooDeep(move, settings_) : move.z < -kRounding;
+      if (!top && deep) found("below-bed", true, {{"mm", decimal(move.z, 3)}});
     }
   }
+  if (move.arc && !move.readable) found("unread-arc", true);
   if (move.arc && move.readable) {
     constexpr int kPieces = 32;
     const Vec2 a = move.from - move.centre;
@@ -311,9 +317,11 @@ void Rules::move(const MachineMove& move) {
     if (low < startHeight_) found("below-print", !block(), {{"mm", decimal(low, 3)}});
   }
   lastZKnown_ = machine_.zKnown;
-  // Many blocks lift a little before they home.
-  const bool lift = move.length == 0 && !machine_.absolute && move.z > move.zFrom;
-  if (!check_.homes && !lift && (move.length > 0 || move.z != move.zFrom)) found("unhomed", true);
+  // Many blocks lift a little before they home, or between the axes: in the plane, and then in the middle of the bed.
+  const unsigned needed = move.length > 0 ? kAxisX | kAxisY : 0;
+  const bool lift = move.length == 0 && move.z > move.zFrom && (!machine_.absolute || machine_.homed(kAxisX | kAxisY));
+  const bool lowers = move.z != move.zFrom && !lift;
+  if (!machine_.homed(needed | (lowers ? kAxisZ : 0))) found("unhomed", true);
   if (move.length > 0) {
     if (machine_.speed <= 0) {
       found("no-speed", !block());  // firmware has a speed to begin with
@@ -334,13 +342,11 @@ void Rules::bead(const MachineMove& move, double e) {
     if (!check_.heatsNozzle) found("cold-start", true);
     if (!check_.heatsBed) found("cold-bed", false);
   }
-  if (check_.heatsNozzle && check_.nozzleTarget < kColdest) {
-    found("cold-bead", true, {{"degrees", decimal(check_.nozzleTarget, 0)}});
-  }
+  checkHot();
+  if (!machine_.homed()) found("unhomed", true);
   if (!inPath_) {
-    if ((machine_.retracted > 1e-4 || machine_.firmwareRetracted) && !block()) {
-      found("bead-retracted", true, {{"mm", decimal(machine_.retracted, 3)}});
-    }
+    if (machine_.retracted > 1e-4 && !block()) found("bead-retracted", true, {{"mm", decimal(machine_.retracted, 3)}});
+    if (machine_.firmwareRetracted && !block()) found("bead-g10", true);
     inPath_ = true;
     pathOriented_ = oriented_;
     pathStart_ = from;
@@ -395,6 +401,12 @@ void Rules::bead(const MachineMove& move, double e) {
   }
   checkPlace(to, "a bead");
   if (!block()) checkRate(move.length / speed);
+}
+
+void Rules::checkHot() {
+  if (check_.heatsNozzle && check_.nozzleReady < kColdest) {
+    found("cold-bead", true, {{"degrees", decimal(check_.nozzleReady, 0)}});
+  }
 }
 
 // Noise is a zigzag: three turns in a row, left and right in turn. Its amplitude is half the middle's distance from the
@@ -483,6 +495,7 @@ void Rules::filament(double e, double retractedBefore) {
   // Other programs, and makers' blocks, give back a little less on purpose (retract_restart_extra below 0).
   if ((!ours_ || block()) && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
   if (!check_.heatsNozzle) found("cold-start", true);
+  checkHot();
 }
 
 // A path that has come back may run on over its beginning, as a scarf joint does.
@@ -517,6 +530,7 @@ void Rules::judgeTotals() {
   if (moved_ && layers_ == 0) whole("no-layers", false);
   if (check_.moves > 0 && !moved_) whole("no-bead", false);
   check_.retracted = machine_.retracted;
+  check_.firmwareRetracted = machine_.firmwareRetracted;
   const bool left = !endMacro_ && !settings_.ultimaker;
   if (moved_ && check_.nozzleTarget > 0 && left) whole("hot-nozzle", ours_);
   if (moved_ && check_.bedTarget > 0 && left) whole("hot-bed", false);

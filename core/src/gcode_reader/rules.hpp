@@ -9,6 +9,7 @@
 #include "gcode_reader/coverage.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/findings.hpp"
+#include "gcode_reader/heaters.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -44,7 +45,8 @@ class Rules {
   void run(const GcodeCommand& command, const GcodeWords& words);  ///< a command with a letter
   GcodeWords words(const GcodeCommand& command);
   void modes(const GcodeCommand& command, const GcodeWords& words);
-  void heat(const GcodeCommand& command, const GcodeWords& words);
+  void noteHeat();
+  void checkHot();
   void move(const MachineMove& move);
   void bead(const MachineMove& move, double e);
   void travel(double length);
@@ -68,6 +70,7 @@ class Rules {
   bool ours_;
   GcodeCheck check_;
   MachineState machine_;
+  Heaters heaters_;
   double area_ = 0;         // of the filament [mm²]
   double startHeight_ = 0;  // of a print on the bed, in files of ours
   bool endMacro_ = false;

@@ -40,6 +40,7 @@ struct Bounds {
     if (p.x > max.x) max.x = p.x;
     if (p.y > max.y) max.y = p.y;
   }
+  [[nodiscard]] bool holds(Vec2 p) const { return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y; }
   [[nodiscard]] bool empty() const { return max.x < min.x || max.y < min.y; }
   [[nodiscard]] Vec2 size() const { return empty() ? Vec2{} : max - min; }
 };

@@ -41,9 +41,11 @@ struct GcodeCheck {
   bool homes = false;     ///< before the first bead, or at all where there is none
   bool heatsBed = false;  ///< and waits
   bool heatsNozzle = false;
-  double nozzleTarget = 0;  ///< at the end [degrees Celsius]
+  double nozzleTarget = 0;  ///< of the current tool, at the end [degrees Celsius]
+  double nozzleReady = 0;   ///< that was waited for, or less where less was asked for since
   double bedTarget = 0;
-  double retracted = 0;  ///< filament drawn back at the end and not returned [mm]
+  double retracted = 0;            ///< filament drawn back at the end and not returned [mm]
+  bool firmwareRetracted = false;  ///< the same by G10
 
   [[nodiscard]] std::int64_t errors() const {
     std::int64_t sum = 0;

@@ -1,0 +1,45 @@
+// What a file asks of the heaters, and what it has waited for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "gcode_reader/parser.hpp"
+
+namespace sillon {
+
+/// [degrees Celsius]
+struct Heater {
+  double target = 0;
+  double ready = 0;  ///< that was waited for, or less where less was asked for since: no colder than this
+};
+
+/// The bed and the nozzles of all tools. Tools that no command names share the heater that was told last, as the
+/// filaments of a changer share a nozzle.
+class Heaters {
+ public:
+  /// Runs M104, M109, M140, M190, RepRapFirmware's G10 P, M568 and M116, and Klipper's TURN_OFF_HEATERS,
+  /// SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. \param tool  the current one.
+  void run(const GcodeCommand& command, const GcodeWords& words, int tool);
+
+  /// For what heats in ways of its own, as start macros do.
+  void setNozzle(double degrees) { nozzles_[told_] = {degrees, degrees}; }
+  void setBed(double degrees) { bed_ = {degrees, degrees}; }
+
+  [[nodiscard]] const Heater& nozzle(int tool) const { return nozzles_[indexOf(tool)]; }
+  [[nodiscard]] const Heater& bed() const { return bed_; }
+
+ private:
+  static constexpr std::size_t kTools = 16;
+
+  [[nodiscard]] std::size_t indexOf(int tool) const;
+  std::size_t nameTool(double tool);
+  void runNamed(const GcodeCommand& command);
+
+  std::array<Heater, kTools> nozzles_{};
+  std::array<bool, kTools> named_{};
+  std::size_t told_ = 0;  // whose nozzle was told last
+  Heater bed_;
+};
+
+}  // namespace sillon
