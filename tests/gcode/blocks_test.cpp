@@ -33,13 +33,65 @@ TEST_CASE("blocks that go down to where a print stands are pointed out") {
   CHECK(!warned("G1 Z0.3 F600\nG1 Z9\nG1 X60 F3000", "startGcode moves"));         // not along the bed
   CHECK(!warned("G1 X60 Y60 F3000\nG91\nG1 Z1\nG1 X1\nG90", "startGcode moves"));  // how high is not told
   CHECK(warned("G1 Z0.3 F600\nG28\nG1 X60 F3000\nG1 X70 Z2", "startGcode moves along the bed at Z 2;"));
-  job.printer.endGcode = "M104 S0\nM140 S0\nG1 Z5.5 F600\nG1 X0 F3000";
+  job.printer.endGcode = "M104 S0\nM140 S0\nG1 X0 F3000\nG1 Z5.5\nG1 X5";
   CHECK(warned("", "endGcode moves along the bed at Z 5.5; what stands there is 5.6 mm high"));
   job.printer.endGcode = "M104 S0\nM140 S0\nG91\nG1 Z5 F600\nG90\nG1 X0 F3000";
   CHECK(!warned("", "endGcode moves"));
   job.params.startHeight = 0;
   job.printer.startGcode = start + "G1 Z0.3 F600\nG1 X60 E9 F3000";
   CHECK(job.write().result.value().warnings.empty());
+}
+
+TEST_CASE("an end block that comes down on the plate is refused, one that homes Z there is pointed out") {
+  Job job = plate(30, 20, 1.3);
+  const auto end = [&](const std::string& block) {
+    job.printer.endGcode = "M104 S0\nM140 S0\n" + block;
+    return job.write().result;
+  };
+  const std::string top = "over the plate, which is 0.6 mm high; it must rise or go aside";
+  CHECK(end("G1 Z0.2 F600").error().message == "line 3 of endGcode goes down to Z 0.2 " + top);
+  CHECK(end("G91\nG1 Z-20 F600").error().message.find("line 4 of endGcode goes down to Z -") == 0);
+  CHECK(end("G1 X112 Y110 Z0.5 F600").error().message.find(top) != std::string::npos);
+  CHECK(end("G1 X1 Y1 F3000\nG1 Z0.2 F600"));  // beside it
+  CHECK(end("G1 Z0.6 F600\nG1 X1 F3000"));     // as high
+  const char* homes = "line 3 of endGcode: homes Z, for which most printers come down on the plate";
+  for (const char* block : {"G28", "G28 Z", "g28 z0", "G28 W"}) CHECK(contains(end(block).value().warnings, homes));
+  for (const char* block : {"G28 X", "G28 X0 Y0", "G28 XY"}) CHECK(!contains(end(block).value().warnings, homes));
+  job.printer.roundBed = true;  // deltas home at their top
+  job.printer.bedMin = {-100, -100};
+  job.printer.bedMax = {100, 100};
+  CHECK(!contains(end("G28").value().warnings, homes));
+}
+
+TEST_CASE("a nozzle that is not sure to be hot moves no filament before it is") {
+  Job job = plate(30, 20, 1.3);
+  const auto firstFilament = [&](const std::string& start) {
+    job.printer.startGcode = start;
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    CHECK(checkGcode(written.text, job.printer).errors() == 0);
+    return written.text.find("G1 E") < written.text.find("M109 S220");
+  };
+  CHECK(firstFilament("G28\nM190 S60\nM109 S210"));
+  CHECK(firstFilament("START_PRINT BED=60 EXTRUDER=215"));
+  CHECK_FALSE(firstFilament("M140 S60\nG28\nM109 S200\nM109 R140\nM104 S215\nM190 S60"));  // levelled cold
+  CHECK_FALSE(firstFilament("G28\nM190 S60\nM109 S170"));
+}
+
+TEST_CASE("start blocks must home all axes, and give back what G10 has drawn back") {
+  Job job = plate(30, 20, 1.3);
+  const auto refusal = [&](const std::string& start) {
+    job.printer.startGcode = start;
+    const Written written = job.write();
+    return written.result ? "" : written.result.error().message;
+  };
+  const std::string heat = "M190 S60\nM109 S215\n";
+  CHECK(refusal("G28 X Y\n" + heat) == "startGcode does not home; it must have G28 or a start macro");
+  CHECK(refusal("G28 X Y\nG1 Z5 F600\nG1 X50 Y50 F3000\nG28 Z\n" + heat) == "");
+  CHECK(refusal("G28\nM84\n" + heat) == "startGcode does not home; it must have G28 or a start macro");
+  CHECK(refusal("G28\nM84 E\n" + heat) == "");
+  CHECK(refusal("G28\n" + heat + "G10\n") == "startGcode draws filament back by G10; it must give it back by G11");
+  CHECK(refusal("G28\n" + heat + "G10\nG11\n") == "");
 }
 
 TEST_CASE("placeholders of four programs stand for their values") {

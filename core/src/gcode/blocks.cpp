@@ -9,12 +9,15 @@
 #include "base/lines.hpp"
 #include "gcode/layout.hpp"
 #include "gcode/template.hpp"
+#include "gcode_reader/machine.hpp"
+#include "gcode_reader/parser.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kColdest = 170;  // [degrees Celsius]
+constexpr double kColdest = 170;   // [degrees Celsius]
+constexpr double kHotEnough = 20;  // [degrees Celsius] below what the first layer has
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
@@ -59,9 +62,11 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   const GcodeCheck check = checkGcode(block, printer);
   if (!check.homes) return invalid("startGcode does not home; it must have G28 or a start macro");
   job.startRetracted = check.retracted;
-  job.hotStart = check.heatsNozzle && check.nozzleTarget >= kColdest;
+  if (check.firmwareRetracted) return invalid("startGcode draws filament back by G10; it must give it back by G11");
+  // Many blocks level the bed with a nozzle that is too cold to drip; firmwares refuse to move its filament.
+  job.hotStart = check.nozzleReady >= std::max(kColdest, printer.firstLayerNozzleTemperature - kHotEnough);
   // What it lays itself is laid at its own temperature; the job's own is written after it.
-  if (check.filamentMm > 0 && std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > 20) {
+  if (check.filamentMm > 0 && std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > kHotEnough) {
     job.warn(WarningCode::StartTemperature,
              {{"hot", check.nozzleTarget}, {"meant", printer.firstLayerNozzleTemperature}});
   }
@@ -73,6 +78,45 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     if (isWorthALook(finding)) job.warnings.push_back(warning);
   }
   return std::nullopt;
+}
+
+// Above what is printed: `box`, so high [mm].
+struct Standing {
+  Bounds box;
+  double height;
+};
+
+// A printer that is at `from` [mm], above what was printed, runs the block: whether it comes down on that.
+std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, const Standing& plate,
+                              const Printer& printer, GcodeJob& job) {
+  MachineState machine(printer.flavor);
+  machine.at = from;
+  machine.z = z;
+  std::optional<Error> refused;
+  forEachLine(block, [&](const GcodeLine& line) {
+    const GcodeParts parts = partsOf(line.text);
+    if (refused || parts.code.empty()) return;
+    const GcodeCommand command = commandOf(parts.code);
+    machine.homedAxes = 0;
+    const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+    // Deltas home at their top.
+    if (command.is('G', 28) && machine.homed(kAxisZ) && !printer.roundBed) {
+      job.warn(WarningCode::EndLine, {{"line", static_cast<double>(line.number)},
+                                      {"what", std::string("homes Z, for which most printers come down on the plate")},
+                                      {"rule", std::string("height")}});
+    }
+    if (!move || !(move->z < plate.height)) return;
+    constexpr int kPieces = 32;
+    for (int k = 0; k <= kPieces; ++k) {
+      const double share = static_cast<double>(k) / kPieces;
+      const double height = move->zFrom + share * (move->z - move->zFrom);
+      if (height >= plate.height - 1e-9 || !plate.box.holds(move->from + share * (move->to - move->from))) continue;
+      refused = invalid("line " + std::to_string(line.number) + " of endGcode goes down to Z " + decimal(move->z, 3) +
+                        " over the plate, which is " + decimal(plate.height, 3) + " mm high; it must rise or go aside");
+      return;
+    }
+  });
+  return refused;
 }
 
 // The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
@@ -159,6 +203,7 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
         "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
         "which can be imported");
   }
+  const Standing plate{beads, layerTop(params, layerCount(params) - 1)};
   for (const BeadPath& path : job.skirt) addBeads(beads, path);
   if (auto error = checkBreaks(printer.startGcode, "startGcode")) return error;
   if (auto error = checkBreaks(printer.endGcode, "endGcode")) return error;
@@ -170,10 +215,11 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
   if (!printer.startGcode.empty()) {
     if (auto error = checkStart(start.value(), printer, params, job)) return error;
   }
-  warnLow(job, "endGcode", checkGcode(end.value(), printer), layerTop(params, layerCount(params) - 1));
   if (!printer.endGcode.empty()) {
-    const double top = layerTop(params, layerCount(params) - 1) + printer.lift + kParkLift;
-    if (auto error = checkEnd(end.value(), last, std::min(top, printer.maxZ), printer, job)) return error;
+    const double z = std::min(plate.height + printer.lift + kParkLift, printer.maxZ);
+    if (auto error = checkLow(end.value(), last, z, plate, printer, job)) return error;
+    warnLow(job, "endGcode", checkGcode(end.value(), printer), plate.height);
+    if (auto error = checkEnd(end.value(), last, z, printer, job)) return error;
   }
   warnScaled(job, start.value());
   job.ownStart = printer.startGcode.empty();
