@@ -21,7 +21,7 @@ gcode_reader: settings printer
 rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality printer gcode_reader
 calibrate: settings geometry look pipeline gcode
-export: settings geometry input toolpath look gcode
+export: settings geometry input toolpath look gcode_reader gcode
 project: settings geometry input look pipeline quality
 printer_import: settings look gcode_reader gcode export project
 "

@@ -465,6 +465,9 @@ TEST_CASE("each axis has to be homed before it is relied on, and anew when its m
   CHECK(faults("G28\nM84 E\n") == 0);
   CHECK(faults("G28\nM84 S60\n") == 0);
   CHECK(faults("G28\nM84 X\n") > 0);
+  Printer bambu;
+  bambu.flavor = GcodeFlavor::Bambu;
+  CHECK(checkGcode("G28 X\nG28 Z P0 T300\n", bambu).homes);
   const std::string twice = kStart + kSquare + "M18\n" + kSquare + kEnd;
   CHECK(finding(checkGcode(twice), "homing").code == "unhomed");
   // One axis homed on the way keeps the height.

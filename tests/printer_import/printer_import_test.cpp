@@ -306,6 +306,13 @@ TEST_CASE("Cura's and Bambu's files are donors too") {
   CHECK(cura.printer.retractLength == 6.5);
   CHECK(cura.printer.bedTemperature == 60);  // as the block heats it
 
+  // A raft is part of the donor's print: Cura counts its layers up to 0.
+  const ImportedPrinter raft = imported(
+      ";FLAVOR:Marlin\nM140 S60\nG28\nM190 S60\nM109 S205\n;LAYER_COUNT:3\n;LAYER:-2\nG1 X50 Y50 E3 F1200\n"
+      ";LAYER:-1\nG1 X60 E2\n;LAYER:0\nG1 X5 Y5 E1\nG1 X6 E2\nM104 S0\n");
+  CHECK(raft.printer.startGcode.find("G1") == std::string::npos);
+  CHECK(raft.printer.startGcode.find("M109") != std::string::npos);
+
   const ImportedPrinter bambu = imported(
       "; printer_model = Bambu Lab A1\n; printable_area = 0x0,256x0,256x256,0x256\nG28 X\nM190 S65\nM109 S220\n"
       "G29 A X100 Y90 I20 J20\nG1 X-48 F3000\n; CHANGE_LAYER\nG1 X5 Y5 E1\n; FEATURE: Custom\nM104 S0\n");

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/lines.hpp"
+#include "gcode_reader/layer_mark.hpp"
 
 namespace sillon {
 namespace {
@@ -134,8 +135,7 @@ Bounds printedBox(const std::vector<std::string_view>& gcode) {
   bool custom = false;
   const auto run = [&](std::string_view line) {
     if (line.starts_with(";")) {
-      layer = layer || line.starts_with(";LAYER_CHANGE") || line.starts_with("; CHANGE_LAYER") ||
-              line.starts_with(";LAYER:0");
+      layer = layer || layerMark(trimmed(line.substr(1))) != LayerMark::None;
       if (line.starts_with(";TYPE:")) custom = line.starts_with(";TYPE:Custom");
       if (line.starts_with("; FEATURE: ")) custom = line.starts_with("; FEATURE: Custom");
     }

@@ -11,12 +11,12 @@
 #include "gcode/template.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
+#include "gcode_reader/rules.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kColdest = 170;   // [degrees Celsius]
 constexpr double kHotEnough = 20;  // [degrees Celsius] below what the first layer has
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }

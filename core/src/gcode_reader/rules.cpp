@@ -15,10 +15,8 @@ namespace sillon {
 namespace {
 
 constexpr double kRounding = 0.0015;   // [mm], coordinates have 3 decimals
-constexpr double kBeyondBed = 10;      // [mm], how far makers' start blocks go to wipe and purge
 constexpr double kLongTravel = 2;      // [mm], shorter ones draw no thread
 constexpr double kCoast = 1.01;        // [mm], travel at a path's end that still belongs to it
-constexpr double kColdest = 170;       // [degrees Celsius]
 constexpr double kLongestPrime = 50;   // [mm of filament], Klipper's max_extrude_only_distance
 constexpr double kLongNoise = 1;       // [mm], a zigzag of longer legs is meant
 constexpr double kNoiseStep = 0.0001;  // [mm]
@@ -124,12 +122,6 @@ void Rules::line(const GcodeLine& line) {
   command(parts.code);
 }
 
-Rules::LayerMark Rules::layerMark(std::string_view comment) {
-  if (comment == "LAYER_CHANGE" || comment.starts_with("LAYER:")) return LayerMark::Usual;
-  if (comment == "CHANGE_LAYER") return LayerMark::Bambu;
-  return comment.starts_with("layer ") && contains(comment, ", Z = ") ? LayerMark::Simplify : LayerMark::None;
-}
-
 void Rules::comment(std::string_view text) {
   // Ours for Bambu's printers have two marks for each layer: the kind that comes first counts.
   const LayerMark mark = layerMark(text);
@@ -214,6 +206,8 @@ void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
     endPath();
     retractsBetween_ = retractsBetween_ || !block();
   }
+  // Bambu's printers home with moves of their own: their makers' blocks name X and Z alone.
+  if (command.is('G', 28) && settings_.flavor == GcodeFlavor::Bambu) machine_.homedAxes = kAllAxes;
   if (!moved_) check_.homes = machine_.homed();
   if (command.letter == 'G' && command.code <= 3) return;  // most lines
   heaters_.run(command, words, machine_.tool);

@@ -10,6 +10,7 @@
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/findings.hpp"
 #include "gcode_reader/heaters.hpp"
+#include "gcode_reader/layer_mark.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -18,6 +19,8 @@ namespace sillon {
 
 inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
 inline constexpr double kHottestBed = 120;
+inline constexpr double kColdest = 170;   ///< [degrees Celsius] of a nozzle that extrudes
+inline constexpr double kBeyondBed = 10;  ///< [mm], how far makers' blocks go over the bed's edge to wipe and purge
 
 /// Whether a move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'
 /// blocks wipe there.
@@ -33,10 +36,6 @@ class Rules {
   GcodeCheck finish();
 
  private:
-  // PrusaSlicer, Cura and Orca; Orca and Bambu Studio for Bambu's printers; Simplify3D.
-  enum class LayerMark { None, Usual, Bambu, Simplify };
-  static LayerMark layerMark(std::string_view comment);
-
   void found(std::string_view code, bool error, FindingValues values = {});
   void found(GcodeFinding finding);
   void comment(std::string_view text);

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "gcode/blocks.hpp"
+#include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/rules.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_settings.hpp"
@@ -13,8 +15,6 @@
 namespace sillon {
 namespace {
 
-constexpr double kBeyondBed = 10;   // [mm], how far blocks may leave the bed
-constexpr double kColdest = 170;    // [degrees Celsius], of a nozzle that extrudes
 constexpr double kMostAdvance = 2;  // [s]; linear advance 1.0 counted in units of its own, from 10 on
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
@@ -334,7 +334,7 @@ std::optional<Error> Donor::read(std::string_view text) {
 }  // namespace
 
 bool isLayerMark(std::string_view line) {
-  return line == ";LAYER_CHANGE" || line == "; CHANGE_LAYER" || line == ";LAYER:0";
+  return line.starts_with(';') && layerMark(trimmed(line.substr(1))) != LayerMark::None;
 }
 
 Result<ImportedPrinter> importDonor(std::string_view text) {

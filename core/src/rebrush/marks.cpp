@@ -1,5 +1,6 @@
 #include "rebrush/marks.hpp"
 
+#include "gcode_reader/layer_mark.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {
@@ -49,7 +50,7 @@ Mark readMark(std::string_view comment) {
     if (readNumber(rest, mark.value) > 0) mark.kind = kind;
     return mark;
   };
-  if (rest == "LAYER_CHANGE" || rest == "CHANGE_LAYER" || takes(rest, "LAYER:")) {
+  if (layerMark(comment) != LayerMark::None) {
     mark.kind = MarkKind::Layer;
     return mark;
   }

@@ -1,0 +1,19 @@
+// The comments by which slicers mark where a layer begins.
+#pragma once
+
+#include <string_view>
+
+namespace sillon {
+
+/// PrusaSlicer, Cura and Orca; Orca and Bambu Studio for Bambu's printers; Simplify3D.
+enum class LayerMark { None, Usual, Bambu, Simplify };
+
+/// \param comment  behind ';', trimmed. Cura counts the layers of a raft from below 0.
+inline LayerMark layerMark(std::string_view comment) {
+  if (comment == "LAYER_CHANGE" || comment.starts_with("LAYER:")) return LayerMark::Usual;
+  if (comment == "CHANGE_LAYER") return LayerMark::Bambu;
+  const bool simplify = comment.starts_with("layer ") && comment.find(", Z = ") != std::string_view::npos;
+  return simplify ? LayerMark::Simplify : LayerMark::None;
+}
+
+}  // namespace sillon
