@@ -430,6 +430,77 @@ TEST_CASE("the slicer's own lines in the place of the new ones give the original
   }
 }
 
+TEST_CASE("what is set inside a surface holds on behind it: each setting, for each tool, in its order") {
+  const auto behind = [&](const std::string& inside) {
+    Variant variant;
+    variant.inside = inside;
+    const std::string text = Slices(kDialects[0], variant).text();
+    const auto done = rebrush(text, options(30), RunContext(1));
+    REQUIRE(done);
+    const std::string after = withEdits(text, done.value().edits);
+    std::string all;
+    for (std::string_view rest = after; !rest.empty();) {
+      const std::string line(nextLine(rest));
+      if (inside.find(line) != std::string::npos && !line.empty()) all += line + "\n";
+    }
+    return all;
+  };
+  CHECK(behind("M104 T0 S150\nM104 T1 S205\n") == "M104 T0 S150\nM104 T1 S205\n");
+  CHECK(behind("M104 S205\nM104 S210\n") == "M104 S210\n");
+  CHECK(behind("M205 X7\nM205 Y8\nM205 X9\n") == "M205 Y8\nM205 X9\n");
+  CHECK(behind("M205 X7\nM205 X8 Y8\nM205 X9\n") == "M205 X8 Y8\nM205 X9\n");
+  CHECK(behind("SET_VELOCITY_LIMIT ACCEL=500\nSET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=9\n") ==
+        "SET_VELOCITY_LIMIT ACCEL=500\nSET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=9\n");
+  CHECK(behind("SET_PRESSURE_ADVANCE EXTRUDER=extruder ADVANCE=0.04\nSET_PRESSURE_ADVANCE EXTRUDER=extruder1 "
+               "ADVANCE=0.05\nSET_PRESSURE_ADVANCE EXTRUDER=extruder ADVANCE=0.06\n") ==
+        "SET_PRESSURE_ADVANCE EXTRUDER=extruder1 ADVANCE=0.05\nSET_PRESSURE_ADVANCE EXTRUDER=extruder ADVANCE=0.06\n");
+}
+
+TEST_CASE("beads wider than the slicer's are slowed to the flow that the file tells, or that it has itself") {
+  const std::string plain = Slices(kDialects[0], {}).text();  // beads of 0.4 x 0.2 mm2 at 15 mm/s: 1.2 mm3/s
+  // The fastest bead of the new text [mm3/s], and that of the slicer's walls, of the same section at 30 mm/s.
+  const auto mostFlow = [](const std::string& text) {
+    RebrushOptions how = options(30);
+    how.directions = {2, 1, {20000, 50000}};  // bends
+    const auto done = rebrush(text, how, RunContext(1));
+    REQUIRE(done);
+    double most = 0;
+    MachineState machine;
+    machine.absoluteE = false;
+    forEachLine(done.value().edits[0].text, [&](const GcodeLine& line) {
+      const GcodeCommand command = commandOf(line.text);
+      const auto move = runCommand(machine, command, wordsOf(command.rest));
+      if (move && move->e > 0 && move->length > 0.2)
+        most = std::max(most, move->e * kArea / move->length * machine.speed);
+    });
+    return most;
+  };
+  const auto told = [&](const std::string& limit) {
+    return plain + "; filament_max_volumetric_speed = " + limit + "\n";
+  };
+  const double free = mostFlow(plain);
+  CHECK(free > 1.25);
+  CHECK(free < 2.4 * 1.01);
+  // What the file tells is less than what its walls have: those count.
+  CHECK(mostFlow(told("1")) == free);
+  // Walls as slow as the top: nothing is faster than them.
+  std::string slow = plain;
+  for (std::size_t at = slow.find("G1 F1800"); at != std::string::npos; at = slow.find("G1 F1800", at))
+    slow.replace(at, 8, "G1 F900");
+  CHECK(mostFlow(slow) < 1.2 * 1.02);
+  CHECK(mostFlow(slow + "; filament_max_volumetric_speed = 1.3\n") < 1.3 * 1.02);
+  CHECK(mostFlow(slow + "; filament_max_volumetric_speed = 9\n") == free);
+}
+
+TEST_CASE("where no speed is told none is written") {
+  std::string text = Slices(kDialects[0], {}).text();
+  for (std::size_t at = text.find(" F"); at != std::string::npos; at = text.find(" F", at))
+    text.erase(at, text.find_first_of(" \n", at + 1) - at);
+  const auto done = rebrush(text, options(30), RunContext(1));
+  REQUIRE(done);
+  CHECK(withEdits(text, done.value().edits).find(" F") == std::string::npos);
+}
+
 TEST_CASE("what cannot be replaced is left, with the reason") {
   const Dialect& prusa = kDialects[0];
   const auto with = [&](auto change) {

@@ -36,6 +36,9 @@ void readSetting(FileSettings& settings, std::string_view comment) {
     settings.filamentDiameter = diameter;
     settings.diameterTold = true;
   }
+  for (const char* key : {"filament_max_volumetric_speed =", "max_volumetric_speed ="}) {
+    number(key, 0.1, 1000, settings.maxFlow);
+  }
   number("max_print_height =", 1, 5000, settings.maxZ);
   number("printable_height =", 1, 5000, settings.maxZ);
   for (const std::string_view key : {"bed_shape = ", "printable_area = "}) {

@@ -16,6 +16,7 @@ struct FileSettings {
   double nozzle = 0;               ///< [mm], 0: unknown
   double filamentDiameter = 1.75;  ///< [mm]
   bool diameterTold = false;       ///< else it is only what most have
+  double maxFlow = 0;              ///< [mm³/s] that the filament may have, 0: unknown
   GcodeFlavor flavor = GcodeFlavor::Marlin;
   bool ultimaker = false;   ///< the printer homes and heats before the file begins: UltiGCode, Griffin
   bool volumetric = false;  ///< UltiGCode's E is mm³

@@ -12,6 +12,8 @@ namespace sillon {
 struct Heater {
   double target = 0;
   double ready = 0;  ///< that was waited for, or less where less was asked for since: no colder than this
+
+  bool operator==(const Heater&) const = default;
 };
 
 /// The bed and the nozzles of all tools. Tools that no command names share the heater that was told last, as the
@@ -28,6 +30,8 @@ class Heaters {
 
   [[nodiscard]] const Heater& nozzle(int tool) const { return nozzles_[indexOf(tool)]; }
   [[nodiscard]] const Heater& bed() const { return bed_; }
+
+  bool operator==(const Heaters&) const = default;
 
  private:
   static constexpr std::size_t kTools = 16;

@@ -22,6 +22,7 @@ constexpr double kTenSquares = 10;             // smaller surfaces are left [spa
 constexpr double kNotch = 0.3;                 // [spacings], between the ends of beads: narrower than walls
 constexpr double kLooseFilament = 0.02;        // [mm] that retractions inside a block may gain or lose
 constexpr double kShortWipe = 1;               // [mm] without plastic behind the last bead
+constexpr double kTold = 1;                    // [mm], shorter beads tell no flow: E is rounded
 constexpr double kThickDiameter = 2.85;        // [mm], of the other filament in use
 constexpr double kThinShare = 0.55;            // of a bead's section: less was reckoned with too thin a filament
 constexpr double kExpanded = 2;                // [mm] by which skins reach under the next layer's walls (Cura)
@@ -140,7 +141,7 @@ class Reader {
   void learnDiameter(const std::vector<Item>& items, double height);
   void addPart(const std::vector<Item>& items, const std::shared_ptr<const RegionField>& shared, int part,
                double breadth, double width, double flow, const std::vector<int>& partOf);
-  void keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places);
+  void keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places) const;
   void lookAhead(SurfaceBlock& block) const;
   void coverSkins(const MachineMove& move);
   void judgeSkins();
@@ -162,6 +163,7 @@ class Reader {
   double area_ = 0;
   bool volumetric_ = false;
   bool diameterKnown_ = false;
+  double mostFeed_ = 0;  // of beads [mm of filament / s]
   bool numbered_ = false;
   SlicedBlocks out_;
   std::optional<Program> program_;
@@ -209,6 +211,9 @@ void Reader::line(const GcodeLine& line) {
   }
   if (move && move->e > 0 && move->length > 0) {
     layerZ_ = move->z;
+    if (out_.file.layers > 0 && move->length > kTold) {
+      mostFeed_ = std::max(mostFeed_, move->e / move->length * machine_.speed);
+    }
     if (!waiting_.empty()) coverSkins(*move);
   }
   if (collecting && items_.size() < kMostItems) {
@@ -439,17 +444,35 @@ void Reader::addPart(const std::vector<Item>& items, const std::shared_ptr<const
   }
 }
 
-// What was set inside the block and holds on: the last of each kind, in the order of their first.
-void Reader::keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places) {
+// The commands that replace an earlier one altogether: of the same name, that set the same, for the same tool.
+std::string kindOf(const GcodeCommand& command) {
+  std::string kind(command.name);
+  if (command.is('M', 117)) return kind;  // text
+  std::string_view rest = command.rest;
+  while (!(rest = trimmed(rest)).empty()) {
+    const std::string_view word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(word.size());
+    const std::size_t equal = word.find('=');
+    const bool named = command.letter == 0 && equal != std::string_view::npos;
+    double value = 0;
+    const bool number = named && readNumber(word.substr(equal + 1), value) > 0;
+    const bool whose =
+        command.letter == 0 ? !number : std::string_view("TDPtdp").find(word[0]) != std::string_view::npos;
+    kind += ' ';
+    kind += whose ? word : word.substr(0, named ? equal : 1);
+  }
+  return kind;
+}
+
+// What was set inside the block and holds on: the last of each kind, in their order.
+void Reader::keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places) const {
   const std::string_view line = lineOf(item);
   const GcodeParts parts = partsOf(line);
   const auto put = [&](const std::string& key) {
     const auto [place, fresh] = places.emplace(key, block.kept.size());
-    if (fresh) {
-      block.kept.emplace_back(line);
-    } else {
-      block.kept[place->second] = std::string(line);
-    }
+    if (!fresh) block.kept[place->second].clear();
+    place->second = block.kept.size();
+    block.kept.emplace_back(line);
   };
   if (parts.code.empty()) {
     const Mark mark = readMark(parts.comment);
@@ -460,7 +483,8 @@ void Reader::keep(SurfaceBlock& block, const Item& item, std::map<std::string, s
   const GcodeCommand command = commandOf(parts.code);
   if (command.letter == 'G' && command.sub == 0) {
     const bool origin = command.code == 92 && parts.code.find_first_of("XYZ") == std::string_view::npos;
-    const bool retraction = command.code == 10 || command.code == 11;
+    const bool ofTool = command.rest.find_first_of("PLpl") != std::string_view::npos;
+    const bool retraction = (command.code == 10 && !ofTool) || command.code == 11;
     if (!origin && !retraction && command.code != 90) leave(block, LeftBecause::Command);
     return;
   }
@@ -484,14 +508,14 @@ void Reader::keep(SurfaceBlock& block, const Item& item, std::map<std::string, s
       case 205:
       case 572:
       case 900:
-        return put("M" + std::to_string(command.code));
+        return put(kindOf(command));
       default:
         return leave(block, LeftBecause::Command);
     }
   }
   if (command.name == "SET_VELOCITY_LIMIT" || command.name == "SET_PRESSURE_ADVANCE" ||
       command.name == "SET_PRINT_STATS_INFO") {
-    return put(std::string(command.name));
+    return put(kindOf(command));
   }
   leave(block, LeftBecause::Command);
 }
@@ -600,6 +624,7 @@ Result<SlicedBlocks> Reader::finish() {
   }
   out_.file.slicer = program_->slicer;
   out_.filamentArea = area_;
+  out_.mostFlow = std::max(out_.settings.maxFlow, mostFeed_ * area_);
   out_.file.program = program_->name;
   std::stable_sort(out_.blocks.begin(), out_.blocks.end(),
                    [](const SurfaceBlock& a, const SurfaceBlock& b) { return a.surface.begin < b.surface.begin; });

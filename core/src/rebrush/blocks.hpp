@@ -27,7 +27,8 @@ struct SurfaceBlock {
   MachineState before;         ///< its first bead
   MachineState after;          ///< its last bead
   double acceleration = 1000;  ///< at its first bead [mm/s²], as the file says
-  /// Lines to repeat behind the new beads: what was set within the block and holds on, the last of each kind.
+  /// Lines to repeat behind the new beads: what was set within the block and holds on, the last of each kind, in their
+  /// order.
   std::vector<std::string> kept;
   std::vector<WipeMove> wipes;
   std::optional<Vec2> next;  ///< where the first travel after the block goes
@@ -39,6 +40,7 @@ struct SlicedBlocks {
   SlicedFile file;  ///< without its surfaces
   std::vector<SurfaceBlock> blocks;
   double filamentArea = 0;  ///< section of the filament that E counts [mm²]
+  double mostFlow = 0;      ///< of the filament as the file tells it, else of the slicer's own beads [mm³/s]
   FileSettings settings;
 };
 

@@ -64,7 +64,7 @@ struct LaidBeads {
 };
 
 Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, const PlateInput& input,
-                           const ToolpathParams& params, double filamentArea, const RunContext& run) {
+                           const ToolpathParams& params, const SlicedBlocks& file, const RunContext& run) {
   const SlicedSurface& surface = block.surface;
   LaidBeads laid;
   Result<ToolpathResult> path = generateToolpath(input, params, run);
@@ -79,7 +79,7 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
     laid.left = "it falls into " + std::to_string(cycles.size()) + " cycles; one is needed";
     return laid;
   }
-  laid.replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, filamentArea);
+  laid.replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, file.filamentArea, file.mostFlow);
   if (laid.replacement.left != LeftBecause::None) {
     laid.left = surfaceReason(laid.replacement.left);
     return laid;
@@ -109,7 +109,6 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
     return Error{ErrorCode::InvalidArgument,
                  "surface " + std::to_string(k + 1) + " is chosen; the file has " + std::to_string(blocks.size())};
   }
-  const double area = file.blocks->filamentArea;
 
   Rebrushed out;
   DirectionSource source(options, file.blocks->settings, blocks);
@@ -136,7 +135,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
     PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
     ToolpathParams params = options.toolpath;
     params.spacing = surface.spacing;
-    Result<LaidBeads> laid = layBeads(gcode, block, input, params, area, run);
+    Result<LaidBeads> laid = layBeads(gcode, block, input, params, *file.blocks, run);
     if (!laid) return laid.error();
     if (!laid.value().left.empty()) {
       leave(std::move(laid.value().left));

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/decimal_text.hpp"
+#include "gcode_reader/heaters.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {
@@ -14,11 +16,13 @@ constexpr double kWidthError = 0.03;  // [mm] that its width may be off
 constexpr double kLongestMove = 5;    // [mm] over which widths are merged
 constexpr double kLeastFlow = 0.85;   // of the slicer's plastic over ours
 constexpr double kMostFlow = 1.18;
+constexpr double kSpeedStep = 2;    // [mm/s], smaller gains of speed are not worth a visible step
 constexpr double kFarEntry = 2;     // [mm] from the slicer's entry to the cycle
 constexpr double kShortTravel = 2;  // [mm] without retraction, as slicers allow
 
 struct Bead {
   Vec2 to;
+  double length = 0;  // [mm]
   double volume = 0;  // [mm³] at flow 1
 };
 
@@ -60,7 +64,7 @@ std::vector<Bead> mergedBeads(const Cycle& cycle, std::size_t first, Vec2 offset
     double volume = 0;
     for (std::size_t k = from; k < to; ++k)
       volume += length(point(k + 1) - point(k)) * (width(k) + width(k + 1)) / 2 * height;
-    beads.push_back({rounded(point(to)), volume});
+    beads.push_back({rounded(point(to)), length(point(to) - point(from)), volume});
     from = to;
   }
   return beads;
@@ -99,6 +103,35 @@ bool staysInside(const SlicedSurface& surface, Vec2 from, Vec2 to) {
   return true;
 }
 
+// Speeds in whole mm/s, and told where they change. A printer that is told none keeps its own.
+class Feedrate {
+ public:
+  /// \param speed  of the slicer's beads [mm/s], 0: not told. \param mostFlow  [mm³/s], 0: not known
+  Feedrate(double speed, double mostFlow) : speed_(speed), mostFlow_(mostFlow), current_(speed) {}
+
+  /// For what the slicer set: all of it. \return a word, or nothing.
+  std::string set(double speed) {
+    if (!(speed > 0) || speed == told_) return {};
+    told_ = speed;
+    return " F" + decimal(60 * speed, 3);
+  }
+
+  /// For a bead of this section [mm²].
+  std::string follow(double section) {
+    if (!(speed_ > 0)) return {};
+    const double allowed = mostFlow_ > 0 ? mostFlow_ / section : speed_;
+    const double step = allowed < speed_ ? std::max(std::floor(allowed), 1.0) : speed_;
+    if (step < current_ || step >= current_ + kSpeedStep || step == speed_) current_ = step;
+    return set(current_);
+  }
+
+ private:
+  double speed_;
+  double mostFlow_;
+  double current_;
+  double told_ = 0;
+};
+
 std::string withPlace(std::string_view line, Vec2 place) {
   std::string out;
   const std::size_t comment = std::min(line.find(';'), line.size());
@@ -121,7 +154,7 @@ std::string withPlace(std::string_view line, Vec2 place) {
 }  // namespace
 
 Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, const Cycle& cycle, Vec2 offset,
-                         double filamentArea) {
+                         double filamentArea, double mostFlow) {
   Replacement out;
   const SlicedSurface& surface = block.surface;
   const auto leave = [](LeftBecause why) {
@@ -155,8 +188,8 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
   Edit edit{surface.begin, surface.end, {}};
   std::string& text = edit.text;
   text.reserve(beads.size() * 32);
-  const std::string feed = decimal(60 * surface.speed, 3);
-  text += "G1 F" + feed + end;
+  Feedrate feedrate(surface.speed, mostFlow);
+  if (const std::string word = feedrate.set(surface.speed); !word.empty()) text += "G1" + word + end;
   Vec2 at = surface.entry;
   if (length(start - at) > 0.0005) {
     text += "G1 X" + fixed(start.x, 3) + " Y" + fixed(start.y, 3) + end;
@@ -173,16 +206,18 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
     exact += bead.volume * flow / filamentArea;
     const double target = std::round(exact * 1e5) / 1e5;
     text += "G1 X" + fixed(bead.to.x, 3) + " Y" + fixed(bead.to.y, 3) + " E" +
-            fixed(block.before.absoluteE ? target : target - told, 5) + end;
+            fixed(block.before.absoluteE ? target : target - told, 5) +
+            feedrate.follow(bead.volume * flow / bead.length) + end;
     told = target;
     at = bead.to;
     ++out.moves;
   }
   out.volumeMm3 = (told - block.before.e) * filamentArea;
   if (block.before.absoluteE && std::abs(told - block.after.e) > 1e-9) text += "G92 E" + fixed(block.after.e, 5) + end;
-  for (const std::string& line : block.kept) text += line + end;
-  const std::string after = decimal(60 * block.after.speed, 3);
-  if (after != feed) text += "G1 F" + after + end;
+  for (const std::string& line : block.kept) {
+    if (!line.empty()) text += line + end;
+  }
+  if (const std::string word = feedrate.set(block.after.speed); !word.empty()) text += "G1" + word + end;
   // The last line of a file may have no end.
   if (!gcode.substr(0, surface.end).ends_with('\n')) text.erase(text.size() - end.size());
   out.edits.push_back(std::move(edit));
@@ -214,6 +249,7 @@ std::string stateDifference(std::string_view before, std::string_view after, con
   // Until the first travel in the plane that pulls nothing.
   const auto run = [&](std::string_view text, bool bothTravels) {
     MachineState machine = block.before;
+    Heaters heaters;
     bool behind = !bothTravels;
     int lines = 0;
     double pushed = 0;
@@ -225,7 +261,9 @@ std::string stateDifference(std::string_view before, std::string_view after, con
       const GcodeParts parts = partsOf(line);
       if (parts.code.empty()) continue;
       const GcodeCommand command = commandOf(parts.code);
-      const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+      const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
+      heaters.run(command, words, machine.tool);
+      const auto move = runCommand(machine, command, words);
       if (move && move->e > 0 && move->length > 0) {
         pushed += move->e;
         behind = true;
@@ -233,10 +271,10 @@ std::string stateDifference(std::string_view before, std::string_view after, con
       done = behind && move && move->xy && move->e == 0 && block.next && machine.at == *block.next;
       if (++lines > 4'000'000) break;
     }
-    return std::pair{machine, pushed};
+    return std::tuple{machine, heaters, pushed};
   };
-  const auto [a, pushedA] = run(before, true);
-  const auto [b, pushedB] = run(after, true);
+  const auto [a, heatA, pushedA] = run(before, true);
+  const auto [b, heatB, pushedB] = run(after, true);
   if (block.next && !(a.at == b.at)) return "the place";
   if (a.z != b.z) return "the height";
   if (a.absolute != b.absolute || a.absoluteE != b.absoluteE || a.inches != b.inches) return "the modes";
@@ -244,6 +282,7 @@ std::string stateDifference(std::string_view before, std::string_view after, con
   if (std::abs(a.retracted - b.retracted) > 1e-4 || a.firmwareRetracted != b.firmwareRetracted) return "the retraction";
   if (std::abs(a.speed - b.speed) > 1e-6) return "the speed";
   if (a.tool != b.tool) return "the tool";
+  if (!(heatA == heatB)) return "the heat";
   if (std::abs(pushedA - pushedB) > 0.01 * pushedA) return "the filament";
   return {};
 }

@@ -21,9 +21,10 @@ struct Replacement {
   LeftBecause left = LeftBecause::None;  ///< then there are no edits
 };
 
-/// \param cycle  on the bed [mm], widths times the layer's height are its sections.
+/// \param cycle  on the bed [mm], widths times the layer's height are its sections. \param mostFlow  for which wider
+/// beads are laid more slowly [mm³/s]; 0: not known
 Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, const Cycle& cycle, Vec2 offset,
-                         double filamentArea);
+                         double filamentArea, double mostFlow);
 
 /// Runs both texts from the block's first bead to behind its first travel. Empty: place, E, retraction, modes, speed
 /// and tool are the same; else what differs.
