@@ -172,6 +172,11 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   return bytes;
 }
 
+Error severalPlates(const std::string& path, int plates) {
+  return {ErrorCode::InvalidFile, "\"" + path + "\": it holds " + std::to_string(plates) +
+                                      " plates; export them one by one, so that none is forgotten"};
+}
+
 std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const std::string name = "the output \"" + outputs[k] + "\"";

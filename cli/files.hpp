@@ -23,6 +23,9 @@ bool endsWith(std::string name, std::string_view end);
 /// \param what  "shape", "direction picture", ...: for the message.
 sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
 
+/// For a package that holds more plates than one, of which a command reads the first.
+sillon::Error severalPlates(const std::string& path, int plates);
+
 struct OutputFile {
   std::string path;
   std::string bytes;

@@ -172,10 +172,12 @@ int answer(const std::string& text, int code) {
 int check(const cli::Arguments& arguments) {
   sillon::Result<std::string> file = cli::readFile(arguments.check, "G-code", cli::kMaxGcodeBytes);
   if (!file) return fail(file.error());
-  const sillon::Result<std::string> text = sillon::unpackGcode(std::move(file).value());
-  if (!text) return fail(text.error());
-  const sillon::GcodeCheck result = sillon::checkGcode(text.value(), arguments.checkPrinter);
-  const std::vector<std::string> unchecked = sillon::uncheckedIn(text.value(), arguments.checkPrinter);
+  const sillon::Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(std::move(file).value());
+  if (!container) return fail(container.error());
+  if (container.value().plates > 1) return fail(cli::severalPlates(arguments.check, container.value().plates));
+  const std::string& text = container.value().gcode;
+  const sillon::GcodeCheck result = sillon::checkGcode(text, arguments.checkPrinter);
+  const std::vector<std::string> unchecked = sillon::uncheckedIn(text, arguments.checkPrinter);
   return answer(arguments.checkJson ? cli::checkJson(result, unchecked) : cli::checkText(result, unchecked),
                 result.errors() == 0 ? 0 : 2);
 }

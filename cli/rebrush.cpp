@@ -274,10 +274,7 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
     if (!file) return named(file.error());
     return Outcome{{}, arguments.json ? listJson(file.value()) : listText(file.value()), true};
   }
-  if (container.value().plates > 1) {
-    return named({ErrorCode::InvalidFile, "it holds " + std::to_string(container.value().plates) +
-                                              " plates; export them one by one, so that none is forgotten"});
-  }
+  if (container.value().plates > 1) return severalPlates(arguments.file, container.value().plates);
   const Result<sillon::RebrushOptions> options = readOptions(arguments, pictures);
   if (!options) return options.error();
   std::vector<std::string> outputs;

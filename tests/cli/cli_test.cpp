@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "export/zip.hpp"
 #include "sillon/base/version.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/export/gcode_archive.hpp"
@@ -636,6 +637,12 @@ TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are r
   CHECK(folder.run("import a.gcode.3mf").out == folder.run("import a.gcode").out);
   folder.write("b.gcode.3mf", zip.substr(0, zip.size() / 2));
   checkRefused(folder, "check b.gcode.3mf", "the .gcode.3mf is cut off");
+  sillon::Zip two;
+  for (const char* plate : {"Metadata/plate_1.gcode", "Metadata/plate_2.gcode"})
+    two.add(plate, readAll(folder.at("a.gcode")));
+  folder.write("two.gcode.3mf", two.finish());
+  checkRefused(folder, "check two.gcode.3mf", "it holds 2 plates; export them one by one");
+  checkRefused(folder, "rebrush two.gcode.3mf -o new.gcode.3mf", "it holds 2 plates; export them one by one");
   // Endings count in any case; what would be taken for another kind of file is not written.
   REQUIRE(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode c.GCODE.3MF", "SOURCE_DATE_EPOCH=0").code == 0);
   CHECK(readAll(folder.at("c.GCODE.3MF")) == zip);
