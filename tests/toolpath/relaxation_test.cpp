@@ -231,6 +231,22 @@ TEST_CASE("a path that would be pushed through itself stays simple") {
   CHECK(findCrossings(relaxed.value().curves, RunContext(1)).empty());
 }
 
+TEST_CASE("a path moves the same whichever way it is walked") {
+  ToolpathParams params;
+  params.relaxationSmoothing = 0.5;
+  const ClosedCurves there = rows({10, 10.4, 10.75, 11.2, 11.5}, 20);
+  ClosedCurves back = there;
+  std::reverse(back.points.begin() + 1, back.points.end());  // from the same first point
+  const auto one = relaxSpacing(there, farBorder(), params, RunContext(1));
+  const auto other = relaxSpacing(back, farBorder(), params, RunContext(1));
+  REQUIRE(one.ok());
+  REQUIRE(other.ok());
+  const std::vector<Vec2f>& a = one.value().curves.points;
+  const std::vector<Vec2f>& b = other.value().curves.points;
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) CHECK(length(a[k] - b[(b.size() - k) % b.size()]) < 2e-3f);
+}
+
 TEST_CASE("where a path would cross itself it is held back, and moves elsewhere") {
   // Three rows that press a fourth through a fifth, and far from them three that are to even out, on one path.
   ToolpathParams params;
