@@ -22,6 +22,7 @@
 namespace cli {
 namespace {
 
+using sillon::CalibrationKind;
 using sillon::CalibrationPlate;
 using sillon::CalibrationValue;
 using sillon::Error;
@@ -29,6 +30,14 @@ using sillon::ErrorCode;
 using sillon::Result;
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+/// What to do with the value that is found.
+std::string whatToSet(const CalibrationPlate& plate) {
+  if (plate.kind == CalibrationKind::FirstLayer) return "add      the best value to " + plate.setting + "\n";
+  if (plate.kind == CalibrationKind::Swatch) return "keep     the card with the spool\n";
+  const bool several = plate.setting.find(',') != std::string::npos;
+  return "set      " + plate.setting + " in the project to the best " + (several ? "values" : "value") + "\n";
+}
 
 std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& summary) {
   char line[200];
@@ -41,8 +50,7 @@ std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& sum
     out += line;
   }
   std::snprintf(line, sizeof line, "prints   %.1f min, %.2f g\n", summary.seconds / 60, summary.filamentGrams);
-  return out + line + "look for " + plate.advice + "\nset      " + plate.setting +
-         " in the project to the best value\n";
+  return out + line + "look for " + plate.advice + "\n" + whatToSet(plate);
 }
 
 std::string tableJson(const std::string& kind, const CalibrationPlate& plate, const sillon::GcodeSummary& summary,
@@ -84,7 +92,7 @@ double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
 std::string readingText(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
                         const std::vector<std::string>& refused, bool lampKnown, double closest,
-                        const std::string& name) {
+                        const std::string& name, const std::string& file) {
   constexpr double kUnsure = 0.1;
   std::string out;
   const auto add = [&](const char* format, auto... values) {
@@ -112,7 +120,9 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
   if (!lampKnown && r.along.error > kUnsure * r.along.value) {
     out += "note     the slope along the beads is unsure: nobody has said how large the lamp is; --lamp-size does\n";
   }
-  return out + "spool    " + name + "; keep it with -o FILE, and use it with --spools FILE --spool " + name + "\n";
+  out += "spool    " + name;
+  const std::string use = "use it with --spools " + (file.empty() ? "FILE" : file) + " --spool " + name + "\n";
+  return out + (file.empty() ? "; keep it with -o FILE, and " : "; wrote " + file + "; ") + use;
 }
 
 std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
@@ -254,7 +264,7 @@ Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const st
   outcome.textIsAsked = arguments.json;
   outcome.text = arguments.json ? readingJson(reading.value(), readings, refused, asked, arguments.name)
                                 : readingText(reading.value(), readings, refused, request.lampSlope.has_value(), asked,
-                                              arguments.name);
+                                              arguments.name, arguments.out);
   return outcome;
 }
 

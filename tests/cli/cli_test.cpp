@@ -540,6 +540,13 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   CHECK(readAll(folder.at("advance.gcode.3mf")).starts_with("PK"));
   CHECK(folder.run("check advance.gcode.3mf").code == 0);
 
+  // A value that belongs into no project.
+  CHECK(has(folder.run("calibrate first-layer -o z.gcode").out,
+            "add      the best value to the printer's own Z offset\n"));
+  const Run swatch = folder.run("calibrate swatch -o card.gcode");
+  CHECK(has(swatch.out, "keep     the card with the spool\n"));
+  CHECK(!has(swatch.out, "pictures.spool"));
+
   folder.picture("l.png", 2, 2, [](int, int) { return 128; });
   checkRefused(folder, "calibrate gloss -o a.gcode", "kind is \"gloss\"; it must be first-layer, flow, advance,");
   checkRefused(folder, "calibrate flow", "--output");
@@ -568,7 +575,7 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   CAPTURE(told.err);
   REQUIRE(told.code == 0);
   CHECK(has(told.out, "is the lowest that closes the surface"));
-  CHECK(has(told.out, "spool    mySilk; keep it with -o FILE"));
+  CHECK(has(told.out, "spool    mySilk; wrote mine.json; use it with --spools mine.json --spool mySilk\n"));
   CHECK(has(folder.run("spools --spools mine.json").out, "mySilk"));
   CHECK(folder.run("calibrate directions --spools mine.json --spool mySilk -o star.gcode").code == 0);
 
@@ -576,6 +583,8 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   REQUIRE(json.code == 0);
   const Json read = Json::parse(json.out);
   CHECK(read["spool"] == "mySilk");
+  const Run unkept = folder.run("calibrate read photo.jpg --lamp-elevation 45 --name mySilk");
+  CHECK(has(unkept.out, "spool    mySilk; keep it with -o FILE, and use it with --spools FILE --spool mySilk\n"));
   CHECK(std::abs(read["across"]["value"].get<double>() / truth.slopes.across - 1) < 0.1);
   CHECK(std::abs(read["flow"]["value"].get<double>() - 1) < 0.015);
   CHECK(std::abs(read["lamp"]["azimuth"]["value"].get<double>() - truth.lamp.azimuth) < 3);

@@ -11,12 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr const char* kNozzleHeight = "Z offset of the printer itself";
+constexpr const char* kNozzleHeight = "the printer's own Z offset";
 
 // In the order of CalibrationKind; usualRange says what follows from the printer.
 const CalibrationRow kKinds[] = {
-    {"first-layer", -0.06, 0.06, 7, 3, kNozzleHeight, "mm",
-     "the square whose lines just close, without ridges; add its value to the printer's Z offset"},
+    {"first-layer", -0.06, 0.06, 7, 3, kNozzleHeight, "mm", "the square whose lines just close, without ridges"},
     {"flow", 0.88, 1.0, 7, 2, "print.flow", "", "the lowest disc without dark gaps between its rounds"},
     {"advance", 0, 0.08, 9, 3, "printer.pressureAdvance, printer.setPressureAdvance", "s",
      "the row whose hairpins are as wide in their turns as along their legs"},
@@ -26,10 +25,10 @@ const CalibrationRow kKinds[] = {
      "the glossiest strip whose edges are clean"},
     {"fan", 0, 100, 5, 0, "printer.showFan", "%", "the glossiest strip whose edges are clean"},
     {"width", 0.6, 1.6, 6, 3, "toolpath.spacing, toolpath.spacingVariation", "mm",
-     "between the widths where beads first lie closed and where they begin to tear or to flatten"},
+     "the two widths between which beads lie closed and do not tear or flatten"},
     {"directions", 0, 345, 24, 0, "print.showSide, print.mirror, pictures.spool", "degrees",
-     "beads run along the dial's spokes, and the numbers rise counter-clockwise"},
-    {"swatch", 0, 165, 12, 0, "pictures.spool", "degrees", "the spool's look: keep the card with it"},
+     "beads that run along the dial's spokes, and numbers that rise counter-clockwise"},
+    {"swatch", 0, 165, 12, 0, "none", "degrees", "what this spool shows under your own lamps"},
     {"coupon", 0.91, 1.0, 4, 2, "print.flow", "", "the lowest disc without dark gaps between its rounds"},
 };
 
