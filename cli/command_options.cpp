@@ -261,7 +261,7 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
             params.perimeterMode = PerimeterMode::Count;
             params.perimeters = std::atoi(text.c_str());
           },
-          "beads along the border of each surface: none, soft or a number [1]")
+          "beads along the border of each surface: none, soft or a number [1; soft with --picture]")
       ->option_text("N");
   addPictures(*command, arguments.pictures);
   arguments.threads = threadsOfMachine();
