@@ -197,3 +197,24 @@ TEST_CASE("rules that would be compared for hours are refused") {
   CHECK(shape.error().code == ErrorCode::TooLarge);
   CHECK(shape.error().message.find("rules") != std::string::npos);
 }
+
+TEST_CASE("a paint that is no colour of CSS counts as missing, and initial paint is that of the root") {
+  const auto area = [](const std::string& around, const std::string& declaration) {
+    return areaOf(read("<g " + around + "><rect x='10' y='10' width='50' height='10' stroke-width='2' style='" +
+                       declaration + "'/></g>" + kDot));
+  };
+  for (const char* missing : {"unset", "revert", "revert-layer", "inherit", "bogus", "#12", "#ggg", "12", "-"}) {
+    CAPTURE(missing);
+    CHECK(area("", std::string("stroke:") + missing) == doctest::Approx(600));
+    CHECK(area("fill='none'", std::string("fill:") + missing) == doctest::Approx(100));
+  }
+  CHECK(area("stroke='red'", "stroke:initial") == doctest::Approx(600));
+  CHECK(area("fill='none'", "fill:initial") == doctest::Approx(600));
+  CHECK(area("fill='none'", "stroke:context-stroke") == doctest::Approx(100));
+  CHECK(area("fill='none'", "fill:url(#nothing) bogus") == doctest::Approx(100));
+  for (const char* colour : {"RebeccaPurple", "CanvasText", "#abcd", "#CD853F icc-color(a, 0.1)", "oklch(40% .2 30)",
+                             "color-mix(in srgb, red, blue)", "url(#nothing) Teal", "rgb(1 2 3)"}) {
+    CAPTURE(colour);
+    CHECK(area("fill='none'", std::string("fill:") + colour) == doctest::Approx(600));
+  }
+}

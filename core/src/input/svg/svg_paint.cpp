@@ -11,6 +11,8 @@
 
 #include <fast_float/fast_float.h>
 
+#include "input/svg/svg_color_name.hpp"
+
 namespace sillon::svg {
 namespace {
 
@@ -35,14 +37,16 @@ std::optional<double> share(std::string_view text) {
   return std::clamp(rest == "%" ? *value / 100 : *value, 0.0, 1.0);
 }
 
-Paint hexColor(std::string_view digits) {
+std::optional<Paint> hexColor(std::string_view digits) {
   const bool brief = digits.size() == 3 || digits.size() == 4;
+  const bool isHex = digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+  if (!isHex || !(brief || digits.size() == 6 || digits.size() == 8)) return std::nullopt;
   const std::size_t each = brief ? 1 : 2;
   Paint paint;
-  const auto digit = [](char c) { return isDigit(c) ? c - '0' : lower(c) - 'a' + 10; };
+  const auto digit = [](char c) { return isDigit(c) ? c - '0' : c - 'a' + 10; };
   for (std::size_t k = 0; k < 6; ++k) {
     const std::size_t at = brief ? k / 2 : k;
-    paint.colour = 16 * paint.colour + (at < digits.size() ? static_cast<std::uint64_t>(digit(digits[at]) & 15) : 0);
+    paint.colour = 16 * paint.colour + static_cast<std::uint64_t>(digit(digits[at]));
   }
   if (digits.size() != 4 * each) return paint;
   paint.alpha = digit(digits[3 * each]) / 15.0;
@@ -82,26 +86,36 @@ std::uint64_t named(std::string_view name) {
   return name == "white" ? kWhite : kOther | std::hash<std::string_view>()(name);
 }
 
-Paint colorOf(std::string_view value, const Paint& current) {
+// Nothing: no colour. "inherit", "unset" and "revert" are none, and inherit as all that cannot be read does.
+std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
   const std::string text = lowered(trimmed(value));
-  if (text == "none" || text == "transparent") return {0};
+  // No marker is drawn, whose context these would be.
+  if (text == "none" || text == "transparent" || text == "context-fill" || text == "context-stroke") return Paint{0};
   if (text == "currentcolor") return current;
-  if (startsWith(text, "#")) return hexColor(std::string_view(text).substr(1));
-  if (startsWith(text, "rgb") || startsWith(text, "hsl")) return functionColor(text);
-  return {1, named(text)};
+  if (startsWith(text, "#"))
+    return hexColor(std::string_view(text).substr(1, text.find(' ') - 1));  // "#123 icc-color()"
+  const bool isFunction = text.find('(') != std::string::npos;
+  if (isFunction && (startsWith(text, "rgb") || startsWith(text, "hsl"))) return functionColor(text);
+  if (isFunction || isColorName(text)) return Paint{1, named(text)};
+  return std::nullopt;
 }
 
-void setPaint(std::string_view value, const PaintContext& context, const Paint& current, Paint& paint) {
-  if (value.empty() || lowered(value) == "inherit") return;
+/// \param initial  the property's value where nothing declares it.
+void setPaint(std::string_view value, const PaintContext& context, const Paint& current, const Paint& initial,
+              Paint& paint) {
+  if (lowered(value) == "initial") {
+    paint = initial;
+    return;
+  }
   const std::string_view id = urlOf(value);
   const std::string_view element = id.empty() ? id : context.element(id);
   if (id.empty()) {
-    paint = colorOf(value, current);
+    paint = colorOf(value, current).value_or(paint);
   } else if (element == "linearGradient" || element == "radialGradient" || element == "pattern") {
     paint = {1, named(value), element == "pattern"};
   } else {
     const std::string_view fallback = trimmed(value.substr(std::min(value.find(')') + 1, value.size())));
-    paint = fallback.empty() ? Paint{0} : colorOf(fallback, current);
+    paint = fallback.empty() ? Paint{0} : colorOf(fallback, current).value_or(paint);
   }
 }
 
@@ -170,9 +184,9 @@ std::string_view urlOf(std::string_view value) {
 }
 
 void apply(const Style& style, const PaintContext& context, PaintState& state) {
-  setPaint(style.value(Property::Color), context, state.color, state.color);
-  setPaint(style.value(Property::Fill), context, state.color, state.fill);
-  setPaint(style.value(Property::Stroke), context, state.color, state.stroke);
+  setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
+  setPaint(style.value(Property::Fill), context, state.color, Paint{}, state.fill);
+  setPaint(style.value(Property::Stroke), context, state.color, Paint{0}, state.stroke);
   setShare(style.value(Property::FillOpacity), state.fillOpacity);
   setShare(style.value(Property::StrokeOpacity), state.strokeOpacity);
   double opacity = 1;
