@@ -218,3 +218,25 @@ TEST_CASE("a paint that is no colour of CSS counts as missing, and initial paint
     CHECK(area("fill='none'", std::string("fill:") + colour) == doctest::Approx(600));
   }
 }
+
+TEST_CASE("elements are SVG's by their namespace, whatever prefixes a file gives them") {
+  const auto area = [](const std::string& text) {
+    const Result<Shape> shape = readSvg(text);
+    if (!shape.ok()) FAIL(shape.error().message);
+    return areaOf(shape.value());
+  };
+  const std::string size = " width='100mm' height='100mm' viewBox='0 0 100 100'";
+  const std::string svg = "http://www.w3.org/2000/svg";
+  CHECK(area("<n:svg xmlns:n='" + svg + "'" + size + "><n:rect width='5' height='2'/><rect width='9' height='9'/>" +
+             "</n:svg>") == doctest::Approx(10));
+  CHECK(area("<svg xmlns='" + svg + "' xmlns:q='http://www.w3.org/1999/xlink'" + size +
+             "><defs><rect id='a' width='5' height='2'/></defs><use q:href='#a'/></svg>") == doctest::Approx(10));
+  const std::string foreign = "<g xmlns='http://other'><rect width='9' height='9'/><s:path d='M9 9h1v1z'/></g>";
+  CHECK(area("<svg xmlns='" + svg + "' xmlns:s='" + svg + "'" + size + ">" + foreign +
+             "<x:rect xmlns:x='http://x' width='9' height='9'/><rect width='5' height='2'/></svg>") ==
+        doctest::Approx(10));
+  CHECK(area("<svg" + size + "><svg:rect width='5' height='2'/></svg>") == doctest::Approx(10));
+  std::string many;
+  for (int k = 0; k < 100; ++k) many += " xmlns:a" + std::to_string(k) + "='b'";
+  CHECK(readSvg("<svg" + size + many + "><rect width='5' height='2'/></svg>").error().code == ErrorCode::TooLarge);
+}

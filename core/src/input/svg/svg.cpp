@@ -11,6 +11,7 @@
 #include <rapidxml/rapidxml.hpp>
 
 #include "input/svg/svg_elements.hpp"
+#include "input/svg/svg_namespaces.hpp"
 #include "input/svg/svg_nesting.hpp"
 #include "input/svg/svg_node.hpp"
 #include "input/svg/svg_reader.hpp"
@@ -52,11 +53,9 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
     checkNesting(text);
     buffer = text;
     document->parse<rapidxml::parse_validate_closing_tags>(buffer.data());
-    const Node* root = document->first_node();
-    if (!root || elementName(*root) != "svg") {
-      refuse(root ? "the first element is " + quoted({root->name(), root->name_size()}) + "; it must be <svg>"
-                  : "the file holds no <svg> element");
-    }
+    Node* root = document->first_node();
+    if (!root) refuse("the file holds no <svg> element");
+    resolveNamespaces(*root);
     return drawElements(*root, options, current);
   } catch (const Refused& refused) {
     const std::string place = current ? placeOf(*current, text, buffer.data()) : std::string();

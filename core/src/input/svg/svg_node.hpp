@@ -12,12 +12,10 @@ namespace sillon::svg {
 
 using Node = rapidxml::xml_node<>;
 
-/// Local name of an SVG element; empty for text, comments and elements of other vocabularies.
+/// Local name of an SVG element; empty for text, comments and, after resolveNamespaces, for elements of others.
 inline std::string_view elementName(const Node& node) {
   if (node.type() != rapidxml::node_element) return {};
-  std::string_view name(node.name(), node.name_size());
-  if (startsWith(name, "svg:")) name.remove_prefix(4);
-  return name.find(':') == std::string_view::npos ? name : std::string_view{};
+  return {node.name(), node.name_size()};
 }
 
 inline std::optional<std::string_view> attribute(const Node& node, std::string_view name) {

@@ -1,0 +1,79 @@
+#include "input/svg/svg_namespaces.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sillon::svg {
+namespace {
+
+constexpr std::size_t kMaxBindings = 64;  // at one place: each name with a prefix is looked up among them
+constexpr std::string_view kSvg = "http://www.w3.org/2000/svg", kXlink = "http://www.w3.org/1999/xlink";
+
+// With its colon; empty: there is none.
+std::string_view prefixOf(std::string_view name) { return name.substr(0, std::min(name.find(':') + 1, name.size())); }
+
+std::string_view nameOf(const rapidxml::xml_base<>& named) { return {named.name(), named.name_size()}; }
+
+class Namespaces {
+ public:
+  void run(Node& root) {
+    declare(root);
+    svg_ = uriOf(prefixOf(nameOf(root)));
+    bound_.resize(2);
+    resolve(root);
+  }
+
+ private:
+  void declare(const Node& node) {
+    for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
+      const std::string_view name = nameOf(*a);
+      if (name != "xmlns" && !startsWith(name, "xmlns:")) continue;
+      if (bound_.size() == kMaxBindings) refuseTooLarge("the file declares more than 60 namespaces at one place");
+      bound_.emplace_back(name.substr(std::min<std::size_t>(name.size(), 6)),
+                          std::string_view(a->value(), a->value_size()));
+    }
+  }
+
+  // Of a prefix that is not declared: the prefix.
+  [[nodiscard]] std::string_view uriOf(std::string_view prefix) const {
+    prefix = prefix.substr(0, prefix.size() - (prefix.empty() ? 0 : 1));
+    const auto found = std::find_if(bound_.rbegin(), bound_.rend(), [&](const auto& b) { return b.first == prefix; });
+    return found == bound_.rend() ? prefix : found->second;
+  }
+
+  void resolve(Node& node) {
+    const std::size_t outside = bound_.size();
+    declare(node);
+    const std::string_view name = nameOf(node), prefix = prefixOf(name);
+    const std::string_view uri = uriOf(prefix);
+    const bool isSvg = uri == svg_ || uri == kSvg;
+    node.name(node.name() + prefix.size(), isSvg ? name.size() - prefix.size() : 0);
+    for (auto* a = node.first_attribute(); a; a = a->next_attribute()) {
+      const std::string_view full = nameOf(*a), before = prefixOf(full);
+      if (!before.empty() && full.substr(before.size()) == "href" && uriOf(before) == kXlink) a->name("xlink:href");
+    }
+    for (Node* child = node.first_node(); child; child = child->next_sibling()) {
+      if (child->type() == rapidxml::node_element) resolve(*child);
+    }
+    bound_.resize(outside);
+  }
+
+  // Prefixes and their namespaces, the innermost last; these two may be used without being declared.
+  std::vector<std::pair<std::string_view, std::string_view>> bound_{{"svg", kSvg}, {"xlink", kXlink}};
+  std::string_view svg_;  // the root's, whatever it is: there are files without one and with a wrong one
+};
+
+}  // namespace
+
+void resolveNamespaces(Node& root) {
+  const std::string_view name = nameOf(root);
+  if (name.substr(prefixOf(name).size()) != "svg") {
+    refuse("the first element is " + quoted(name) + "; it must be <svg>");
+  }
+  Namespaces().run(root);
+}
+
+}  // namespace sillon::svg
