@@ -143,6 +143,10 @@ TEST_CASE("a switch shows its first child that any reader, or one of English, ma
   CHECK(areaOf(read("<switch>" + children + "<g systemLanguage='fr, en-GB'>" + kDot +
                     "</g><rect width='50' height='50'/></switch>")) == doctest::Approx(100));
   CHECK(areaOf(read("<switch><g systemLanguage='enm'/>" + kDot + "</switch>")) == doctest::Approx(100));
+  // Outside of a switch, each element is asked by itself.
+  CHECK(areaOf(read(children + "<g systemLanguage='en'>" + kDot + "</g>")) == doctest::Approx(100));
+  CHECK(areaOf(read("<rect requiredExtensions='http://x' width='50' height='10'/>" + kDot)) == doctest::Approx(100));
+  CHECK(unread("<foreignObject requiredExtensions='http://x'/>" + kDot).empty());
 }
 
 TEST_CASE("CSS transforms take units, win over the attribute, and turn about their origin") {

@@ -48,6 +48,12 @@ bool hasEnglish(std::string_view languages) {
   return found;
 }
 
+// Whether an element asks for nothing we lack, and not for other languages than English.
+bool isMeant(const Node& node) {
+  const auto languages = attribute(node, "systemLanguage");
+  return !attribute(node, "requiredExtensions") && (!languages || hasEnglish(*languages));
+}
+
 bool isRoot(const Node& node) { return !node.parent()->parent(); }
 
 // What of an element counts.
@@ -248,6 +254,7 @@ class Drawing {
   void draw(const Node& node, State state) {
     const std::string_view name = elementName(node);
     const bool unread = name == "text" || name == "flowRoot" || name == "image";
+    if (!isMeant(node)) return;
     if (name == "foreignObject") note("<foreignObject>");
     if (!unread && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" && !isShape(name)) {
       return;
@@ -271,14 +278,11 @@ class Drawing {
     if (isShape(name)) drawShape(node, state);
   }
 
-  // The first child that asks for nothing we lack, and not for other languages than English.
+  // The first child that is meant for us.
   void drawSwitch(const Node& node, const State& state) {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       const std::string_view name = elementName(*child);
-      if (name.empty() || name == "foreignObject" || attribute(*child, "requiredExtensions")) continue;
-      const auto languages = attribute(*child, "systemLanguage");
-      if (languages && !hasEnglish(*languages)) continue;
-      return draw(*child, state);
+      if (!name.empty() && name != "foreignObject" && isMeant(*child)) return draw(*child, state);
     }
   }
 
