@@ -102,6 +102,20 @@ TEST_CASE("rules that hold only in use are passed over, others that are not read
   }
 }
 
+TEST_CASE("style sheets of other languages are passed over, and those for other media told") {
+  for (const char* applies : {"", "type='text/css'", "type='TEXT/CSS'", "media='all'", "media='print, Screen'"}) {
+    CAPTURE(applies);
+    CHECK(areaOf(read("<style " + std::string(applies) + ">rect{fill:none}</style><rect width='9' height='9'/>" +
+                      "<path d='M9 9h10v10h-10z'/>")) == doctest::Approx(100));
+  }
+  const std::string rule = ">rect{fill:none}</style>" + kDot;
+  CHECK(areaOf(read("<style type='text/plain'" + rule)) == doctest::Approx(100));
+  CHECK(unread("<style type='text/plain'" + rule).empty());
+  CHECK(areaOf(read("<style media='print'" + rule)) == doctest::Approx(100));
+  CHECK(unread("<style media='print'" + rule) == std::vector<std::string>{"CSS \"@media\""});
+  CHECK(unread("<style media='print'>text{font-size:9px}</style>" + kDot).empty());
+}
+
 TEST_CASE("what viewers show and is not read is told, once each, where it is shown") {
   const std::string defs =
       "<defs><marker id='m'/><filter id='f'/><pattern id='p'/><linearGradient id='l'/></defs>" + kDot;

@@ -114,9 +114,10 @@ class Drawing {
   // Indexes ids and style sheets.
   void collect(const Node& node) {
     if (const auto id = attribute(node, "id")) byId_.emplace(*id, &node);
-    if (elementName(node) == "style") {
+    const std::string type = lowered(attribute(node, "type").value_or(""));
+    if (elementName(node) == "style" && (type.empty() || type == "text/css")) {
       for (const Node* text = node.first_node(); text; text = text->next_sibling()) {
-        styleSheet_.add({text->value(), text->value_size()});
+        styleSheet_.add({text->value(), text->value_size()}, attribute(node, "media").value_or(""));
       }
     }
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {

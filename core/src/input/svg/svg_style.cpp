@@ -28,6 +28,16 @@ std::string withoutComments(std::string_view text) {
   }
 }
 
+// Whether a list of media names those on which drawings are looked at.
+bool isForScreens(std::string_view media) {
+  bool found = trimmed(media).empty();
+  split(media, ',', [&](std::string_view one) {
+    const std::string medium = lowered(trimmed(one));
+    found = found || medium == "all" || medium == "screen";
+  });
+  return found;
+}
+
 }  // namespace
 
 void Declared::set(std::string_view newValue, std::int64_t newWeight) {
@@ -73,8 +83,9 @@ void Style::raise(std::int64_t weight) {
   }
 }
 
-void StyleSheet::add(std::string_view text) {
+void StyleSheet::add(std::string_view text, std::string_view media) {
   const std::string css = withoutComments(text);
+  if (!isForScreens(media)) return noteAtRule("@media", css);
   std::string_view rest = css;
   while (true) {
     rest = trimmed(rest);

@@ -123,7 +123,8 @@ class StyleSheet {
  public:
   /// \param text  of a <style> element; rules that say nothing of these properties, and what is no CSS, are passed
   /// over.
-  void add(std::string_view text);
+  /// \param media  for which it is meant; others than all and screens count as in @media.
+  void add(std::string_view text, std::string_view media);
   /// What attributes, rules and `style` declare of an element. Throws Refused: more is compared than can be.
   [[nodiscard]] Style styleOf(const Node& node, Work& work) const;
   /// The first selector or at-rule, in quotes, that is not read and may change what is shown; empty: all is read.
