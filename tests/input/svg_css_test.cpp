@@ -258,3 +258,28 @@ TEST_CASE("elements are SVG's by their namespace, whatever prefixes a file gives
   for (int k = 0; k < 100; ++k) many += " xmlns:a" + std::to_string(k) + "='b'";
   CHECK(readSvg("<svg" + size + many + "><rect width='5' height='2'/></svg>").error().code == ErrorCode::TooLarge);
 }
+
+TEST_CASE("var() counts as its fallback, and what of var() and calc() is not read is told") {
+  const auto rect = [](const std::string& declaration) {
+    return read("<g fill='none'><rect x='10' y='10' width='50' height='10' style='" + declaration + "'/></g>" + kDot);
+  };
+  CHECK(areaOf(rect("fill:var(--a, red)")) == doctest::Approx(600));
+  CHECK(areaOf(rect("fill:red;fill:var(--a,none)")) == doctest::Approx(100));
+  CHECK(areaOf(rect("fill:var( --a , var(--b, rgb(1, 2, 3)))")) == doctest::Approx(600));
+  CHECK(areaOf(rect("stroke:red;stroke-width:var(--a,2)")) == doctest::Approx(340));
+  CHECK(areaOf(read("<rect width='50' height='10' fill='var(--a,none)'/>" + kDot)) == doctest::Approx(100));
+  CHECK(rect("fill:var(--a, red)").drawing.unread.empty());
+  // Where it is defined, the fallback may be another than what viewers show.
+  CHECK(unread("<g style='--a:none'><rect width='50' height='10' style='fill:var(--a, red)'/></g>") ==
+        std::vector<std::string>{"CSS \"var()\""});
+  CHECK(unread("<style>:root{--a:none}</style>" + kDot).empty());
+  CHECK(areaOf(rect("fill:var(--a)")) == doctest::Approx(100));
+  CHECK(rect("fill:var(--a)").drawing.unread == std::vector<std::string>{"CSS \"var()\""});
+  CHECK(rect("fill:var(--a, var(--b").drawing.unread == std::vector<std::string>{"CSS \"var()\""});
+  const Shape calculated = rect("stroke:red;stroke-width:calc(2px * 10)");
+  CHECK(areaOf(calculated) == doctest::Approx(220));
+  CHECK(calculated.drawing.unread == std::vector<std::string>{"CSS \"calc()\""});
+  std::string deep;
+  for (int k = 0; k < 100000; ++k) deep += "var(--a,";
+  CHECK(areaOf(rect("fill:" + deep)) == doctest::Approx(100));
+}

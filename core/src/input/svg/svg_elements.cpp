@@ -114,9 +114,11 @@ class Drawing {
   // Indexes ids and style sheets.
   void collect(const Node& node) {
     if (const auto id = attribute(node, "id")) byId_.emplace(*id, &node);
+    definesProperty_ = definesProperty_ || definesProperty(attribute(node, "style").value_or(""));
     const std::string type = lowered(attribute(node, "type").value_or(""));
     if (elementName(node) == "style" && (type.empty() || type == "text/css")) {
       for (const Node* text = node.first_node(); text; text = text->next_sibling()) {
+        definesProperty_ = definesProperty_ || definesProperty({text->value(), text->value_size()});
         styleSheet_.add({text->value(), text->value_size()}, attribute(node, "media").value_or(""));
       }
     }
@@ -215,6 +217,8 @@ class Drawing {
     const std::string filter = style.word(Property::Filter);
     const bool isFunction = filter.find('(') != std::string::npos && !startsWith(filter, "url");
     if (isFunction || targetOf(style.value(Property::Filter), "filter")) note("<filter>");
+    const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
+    if (!function.empty()) note("CSS " + quoted(function));
     const std::string_view name = elementName(node);
     if (!style.unread().empty() && !isRoot(node) && name != "g" && name != "a") note("CSS " + quoted(style.unread()));
   }
@@ -547,6 +551,7 @@ class Drawing {
   std::uint64_t colour_ = 0;  // of what is painted first
   std::unordered_map<std::string_view, const Node*> byId_;
   StyleSheet styleSheet_;
+  bool definesProperty_ = false;   // a custom one, for var()
   std::vector<const Node*> uses_;  // targets being shown, outermost first
   std::int64_t pointsLeft_ = kMaxPoints;
   Work work_;

@@ -94,7 +94,7 @@ std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
   if (text == "currentcolor") return current;
   if (startsWith(text, "#"))
     return hexColor(std::string_view(text).substr(1, text.find(' ') - 1));  // "#123 icc-color()"
-  const bool isFunction = text.find('(') != std::string::npos;
+  const bool isFunction = text.find('(') != std::string::npos && text.find("var(") == std::string::npos;
   if (isFunction && (startsWith(text, "rgb") || startsWith(text, "hsl"))) return functionColor(text);
   if (isFunction || isColorName(text)) return Paint{1, named(text)};
   return std::nullopt;

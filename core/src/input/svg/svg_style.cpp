@@ -28,6 +28,20 @@ std::string withoutComments(std::string_view text) {
   }
 }
 
+// The value with the fallbacks of var() in place of it. What has none stays, and cannot be read.
+std::string withFallbacks(std::string value) {
+  for (int rounds = 0; rounds < 8; ++rounds) {  // fallbacks may hold further ones
+    const std::size_t begin = value.find("var(");
+    const std::size_t comma = value.find_first_of(",)", begin);
+    if (comma == std::string::npos || value[comma] == ')') break;
+    std::size_t end = comma;
+    for (int depth = 1; depth > 0 && ++end < value.size();) depth += (value[end] == '(') - (value[end] == ')');
+    const std::string fallback(trimmed(std::string_view(value).substr(comma + 1, end - comma - 1)));
+    value.replace(begin, end + 1 - begin, fallback);
+  }
+  return value;
+}
+
 // Whether a list of media names those on which drawings are looked at.
 bool isForScreens(std::string_view media) {
   bool found = trimmed(media).empty();
@@ -44,6 +58,23 @@ void Declared::set(std::string_view newValue, std::int64_t newWeight) {
   if (newWeight < weight) return;
   value = trimmed(newValue);
   weight = newWeight;
+}
+
+void Style::set(Property property, std::string_view value, std::int64_t weight) {
+  Declared& declared = declared_[static_cast<std::size_t>(property)];
+  if (value.find("var(") == std::string_view::npos) return declared.set(value, weight);
+  const std::string resolved = withFallbacks(std::string(value));
+  fallsBack_ = fallsBack_ || resolved != value;
+  declared.set(resolved, weight);
+}
+
+std::string_view Style::unreadFunction() const {
+  for (const Declared& d : declared_) {
+    for (const std::string_view function : {"var(", "calc("}) {
+      if (d.value.find(function) != std::string::npos) return function == "var(" ? "var()" : "calc()";
+    }
+  }
+  return {};
 }
 
 void Style::declare(std::string_view declarations, std::int64_t weight) {
@@ -70,6 +101,7 @@ void Style::add(const Style& other) {
     if (other.declared_[k].weight >= 0) declared_[k].set(other.declared_[k].value, other.declared_[k].weight);
   }
   if (!other.unread_.empty()) unread_ = other.unread_;
+  fallsBack_ = fallsBack_ || other.fallsBack_;
 }
 
 bool Style::empty() const {
@@ -81,6 +113,13 @@ void Style::raise(std::int64_t weight) {
   for (Declared& d : declared_) {
     if (d.weight >= 0) d.weight += weight;
   }
+}
+
+bool definesProperty(std::string_view css) {
+  for (std::size_t at = css.find("--"); at != std::string_view::npos; at = css.find("--", at + 2)) {
+    if (at == 0 || css[at - 1] == '{' || css[at - 1] == ';' || isSpace(css[at - 1])) return true;
+  }
+  return false;
 }
 
 void StyleSheet::add(std::string_view text, std::string_view media) {

@@ -100,10 +100,12 @@ class Style {
   [[nodiscard]] bool isCss(Property property) const { return of(property).weight > 0; }
   /// A property that changes what is shown and is not read; empty: none is declared.
   [[nodiscard]] std::string_view unread() const { return unread_; }
+  /// "var()" or "calc()" where a value has one that is not read; else empty.
+  [[nodiscard]] std::string_view unreadFunction() const;
+  /// Whether a value is what var() gives where its custom property is not defined.
+  [[nodiscard]] bool fallsBack() const { return fallsBack_; }
 
-  void set(Property property, std::string_view value, std::int64_t weight) {
-    declared_[static_cast<std::size_t>(property)].set(value, weight);
-  }
+  void set(Property property, std::string_view value, std::int64_t weight);
   /// \param declarations  as in an attribute `style`.
   void declare(std::string_view declarations, std::int64_t weight);
   void add(const Style& other);
@@ -116,7 +118,11 @@ class Style {
 
   std::array<Declared, kPropertyNames.size()> declared_;
   std::string_view unread_;
+  bool fallsBack_ = false;
 };
+
+/// Whether declarations or rules may define a custom property.
+bool definesProperty(std::string_view css);
 
 /// Rules of <style> elements whose selectors are made of names, classes, ids and *, each inside of the one before it.
 class StyleSheet {
