@@ -151,6 +151,32 @@ TEST_CASE("what viewers show and is not read is told, once each, where it is sho
         std::vector<std::string>{"<marker>", "<filter>", "<pattern>"});
 }
 
+TEST_CASE("what masks and clip paths hold and is not read is told once") {
+  const auto notes = [](const std::string& inside) {
+    const std::string twice =
+        "<rect width='50' height='10' mask='url(#m)'/><g clip-path='url(#m)'>" + kDot + "</g>" + kDot;
+    std::vector<std::string> both;
+    for (const char* kind : {"mask", "clipPath"}) {
+      const std::string name = kind;
+      const Shape shape =
+          read("<filter id='f'/><marker id='k'/><" + name + " id='m'>" + inside + "</" + name + ">" + twice + twice);
+      CHECK(shape.drawing.texts + shape.drawing.images == 0);
+      REQUIRE(shape.drawing.unread.size() <= 1);
+      both.push_back(shape.drawing.unread.empty() ? "" : shape.drawing.unread[0]);
+    }
+    return both;
+  };
+  using Notes = std::vector<std::string>;
+  const std::string attributes = "width='9' height='9' fill='white' stroke='red'";
+  CHECK(notes("<text>A</text>") == Notes{"<text>", "<text>"});
+  CHECK(notes("<image width='9' height='9'/>") == Notes{"<image>", ""});  // no clip path shows one
+  CHECK(notes("<rect filter='url(#f)' " + attributes + "/>") == Notes{"<filter>", ""});
+  CHECK(notes("<path d='M1 1h9v9' marker-end='url(#k)'/>") == Notes{"<marker>", ""});
+  CHECK(notes("<circle r='5' style='r:9px'/>") == Notes{"CSS \"r\"", "CSS \"r\""});
+  CHECK(notes("<rect " + attributes + "/>") == Notes{"", ""});
+  CHECK(notes("<text visibility='hidden'>A</text>") == Notes{"", ""});
+}
+
 TEST_CASE("a switch shows its first child that any reader, or one of English, may see") {
   const std::string children = "<g systemLanguage='de'><rect width='50' height='10'/></g>";
   CHECK(areaOf(read("<switch>" + children + kDot + "</switch>")) == doctest::Approx(100));

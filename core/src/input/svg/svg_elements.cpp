@@ -205,22 +205,27 @@ class Drawing {
   void note(const std::string& what) {
     constexpr std::size_t kMost = 8;
     std::vector<std::string>& unread = shape_.drawing.unread;
-    if (reading_ != Reading::Painted || unread.size() == kMost) return;
+    if (reading_ == Reading::Outlines || unread.size() == kMost) return;
     if (std::find(unread.begin(), unread.end(), what) == unread.end()) unread.push_back(what);
   }
 
   void noteUnread(const Node& node, const Style& style, const State& state) {
     if (!state.paint.visible) return;
+    if (reading_ != Reading::Clip) noteEffects(style);
+    const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
+    if (!function.empty()) note("CSS " + quoted(function));
+    const std::string_view name = elementName(node);
+    if (!style.unread().empty() && !isRoot(node) && name != "g" && name != "a") note("CSS " + quoted(style.unread()));
+  }
+
+  // What clip paths do without.
+  void noteEffects(const Style& style) {
     for (const Property marker : {Property::Marker, Property::MarkerStart, Property::MarkerMid, Property::MarkerEnd}) {
       if (targetOf(style.value(marker), "marker")) note("<marker>");
     }
     const std::string filter = style.word(Property::Filter);
     const bool isFunction = filter.find('(') != std::string::npos && !startsWith(filter, "url");
     if (isFunction || targetOf(style.value(Property::Filter), "filter")) note("<filter>");
-    const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
-    if (!function.empty()) note("CSS " + quoted(function));
-    const std::string_view name = elementName(node);
-    if (!style.unread().empty() && !isRoot(node) && name != "g" && name != "a") note("CSS " + quoted(style.unread()));
   }
 
   // What url(#id) names, if it is such an element.
@@ -266,11 +271,17 @@ class Drawing {
     }
     if (!enter(node, state)) return;
     if (unread) {
-      const bool counts = reading_ == Reading::Outlines || (reading_ == Reading::Painted && state.paint.visible);
-      if (counts) ++(name == "image" ? shape_.drawing.images : shape_.drawing.texts);
+      noteMedium(name == "image", state);
       return;
     }
     drawContent(node, state);
+  }
+
+  // Texts and images are counted; masks and clip paths are read as often as they are used.
+  void noteMedium(bool isImage, const State& state) {
+    if (reading_ != Reading::Outlines && !state.paint.visible) return;
+    if (reading_ == Reading::Mask || reading_ == Reading::Clip) return note(isImage ? "<image>" : "<text>");
+    ++(isImage ? shape_.drawing.images : shape_.drawing.texts);
   }
 
   // What an element shows once its own attributes are read.
@@ -509,7 +520,7 @@ class Drawing {
     const std::vector<Layer> layers = drawnAs(Reading::Clip, [&] {
       for (const Node* child = clip.first_node(); child; child = child->next_sibling()) {
         const std::string_view name = elementName(*child);
-        if (name == "use" || isShape(name)) draw(*child, inside);
+        if (name == "use" || name == "text" || isShape(name)) draw(*child, inside);
       }
     });
     uses_.pop_back();
