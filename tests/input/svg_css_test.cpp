@@ -138,6 +138,10 @@ TEST_CASE("what viewers show and is not read is told, once each, where it is sho
   CHECK(note("<switch><foreignObject requiredExtensions='x'/><g/></switch>").empty());
   CHECK(note(line + "stroke-dasharray='1 1' pathLength='9'/>") == "pathLength");
   CHECK(note(line + "pathLength='9'/>").empty());
+  CHECK(note("<circle r='5' style='clip-path:circle(3px)'/>") == "CSS \"clip-path\"");
+  CHECK(note("<circle r='5' clip-path='inset(1px)'/>") == "CSS \"clip-path\"");
+  CHECK(note("<circle r='5' style='mask:linear-gradient(red,blue)'/>") == "CSS \"mask\"");
+  CHECK(note("<circle r='5' mask='url(#nothing)' clip-path='none'/>").empty());
   CHECK(note("<circle r='5' style='r:9px'/>") == "CSS \"r\"");
   CHECK(note("<style>rect{width:50px}</style>") == "CSS \"width\"");
   CHECK(note("<g style='transform:translateZ(0)'/>") == "transform \"translateZ(0)\"");

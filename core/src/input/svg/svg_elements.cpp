@@ -432,10 +432,12 @@ class Drawing {
   // `clip-path` and `mask` of an element. What names nothing limits nothing.
   void addLimits(const Node& node, const Style& style, State& state) {
     const auto named = [&](Property property, const char* kind) -> const Node* {
-      const Node* const target = targetOf(style.value(property), kind);
+      const std::string& value = style.value(property);
+      const Node* const target = targetOf(value, kind);
+      // circle(), linear-gradient(), url() of another file
+      if (value.find('(') != std::string::npos && urlOf(value).empty()) note("CSS " + quoted(nameOf(property)));
       if (std::find(uses_.begin(), uses_.end(), target) != uses_.end()) {
-        refuse(std::string(kPropertyNames[static_cast<std::size_t>(property)]) + " is " +
-               quoted(style.value(property)) + ", which shows itself again");
+        refuse(std::string(nameOf(property)) + " is " + quoted(value) + ", which shows itself again");
       }
       return target;
     };

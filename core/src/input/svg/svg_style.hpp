@@ -78,6 +78,8 @@ inline constexpr std::array<std::string_view, 29> kPropertyNames{"clip-path",
                                                                  "vector-effect",
                                                                  "visibility"};
 
+constexpr std::string_view nameOf(Property property) { return kPropertyNames[static_cast<std::size_t>(property)]; }
+
 /// What a property may come from: the last of the most specific wins.
 struct Declared {
   std::string value;  ///< trimmed, as written
