@@ -138,6 +138,12 @@ TEST_CASE("what viewers show and is not read is told, once each, where it is sho
   CHECK(note("<switch><foreignObject requiredExtensions='x'/><g/></switch>").empty());
   CHECK(note(line + "stroke-dasharray='1 1' pathLength='9'/>") == "pathLength");
   CHECK(note(line + "pathLength='9'/>").empty());
+  const std::string animate = "<animate attributeName='width' to='50' dur='1s'/>";
+  CHECK(note("<rect width='9' height='9'>" + animate + animate + "</rect>") == "animation");
+  CHECK(note("<g visibility='hidden'><set attributeName='visibility' to='visible'/></g>") == "animation");
+  CHECK(note("<style>rect{animation:a 1s}</style>") == "animation");
+  CHECK(note("<g style='animation-name:a'/>") == "animation");
+  CHECK(note("<g style='animation:none'/>").empty());
   CHECK(note("<circle r='5' style='clip-path:circle(3px)'/>") == "CSS \"clip-path\"");
   CHECK(note("<circle r='5' clip-path='inset(1px)'/>") == "CSS \"clip-path\"");
   CHECK(note("<circle r='5' style='mask:linear-gradient(red,blue)'/>") == "CSS \"mask\"");

@@ -56,6 +56,17 @@ bool isMeant(const Node& node) {
 
 bool isRoot(const Node& node) { return !node.parent()->parent(); }
 
+// By its children or by CSS; it is read at rest.
+bool isAnimated(const Node& node, const Style& style) {
+  for (const Property property : {Property::Animation, Property::AnimationName}) {
+    if (style.isCss(property) && style.word(property) != "none") return true;
+  }
+  for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
+    if (startsWith(elementName(*child), "animate") || elementName(*child) == "set") return true;
+  }
+  return false;
+}
+
 // What of an element counts.
 enum class Reading {
   Painted,
@@ -210,6 +221,7 @@ class Drawing {
   }
 
   void noteUnread(const Node& node, const Style& style, const State& state) {
+    if (isAnimated(node, style)) note("animation");
     if (!state.paint.visible) return;
     if (reading_ != Reading::Clip) noteEffects(style);
     const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();

@@ -18,6 +18,8 @@ namespace sillon::svg {
 
 /// In the order of kPropertyNames.
 enum class Property : std::size_t {
+  Animation,
+  AnimationName,
   ClipPath,
   ClipRule,
   Color,
@@ -48,7 +50,9 @@ enum class Property : std::size_t {
   VectorEffect,
   Visibility,
 };
-inline constexpr std::array<std::string_view, 29> kPropertyNames{"clip-path",
+inline constexpr std::array<std::string_view, 31> kPropertyNames{"animation",
+                                                                 "animation-name",
+                                                                 "clip-path",
                                                                  "clip-rule",
                                                                  "color",
                                                                  "display",
