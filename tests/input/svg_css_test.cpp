@@ -319,3 +319,36 @@ TEST_CASE("var() counts as its fallback, and what of var() and calc() is not rea
   for (int k = 0; k < 100000; ++k) deep += "var(--a,";
   CHECK(areaOf(rect("fill:" + deep)) == doctest::Approx(100));
 }
+
+TEST_CASE("a gradient is as opaque as its most opaque stop, and hides in a mask if all are black") {
+  const auto area = [](const std::string& gradients, const std::string& fill = "url(#g)") {
+    return areaOf(read(gradients + "<rect width='50' height='10' fill='" + fill + "'/>" + kDot));
+  };
+  const auto gradient = [](const std::string& inside) {
+    return "<radialGradient id='g'>" + inside + "</radialGradient>";
+  };
+  CHECK(area(gradient("<stop stop-opacity='0'/><stop offset='1' stop-opacity='.4'/>")) == doctest::Approx(600));
+  CHECK(area(gradient("<stop stop-opacity='0'/><stop stop-color='transparent'/>")) == doctest::Approx(100));
+  CHECK(area(gradient("<stop style='stop-opacity:0'/>")) == doctest::Approx(100));
+  CHECK(area(gradient("")) == doctest::Approx(100));
+  const std::string next = "<linearGradient id='g' href='#h'/><linearGradient id='h' xlink:href='";
+  CHECK(area(next + "'><stop stop-opacity='0'/></linearGradient>") == doctest::Approx(100));
+  CHECK(area(next + "'><stop/></linearGradient>") == doctest::Approx(600));
+  CHECK(area(next + "#g'/>") == doctest::Approx(100));
+  CHECK(area("", "url(other.svg#g)") == doctest::Approx(100));
+  CHECK(area("", "url(other.svg#g) red") == doctest::Approx(600));
+  CHECK(read(gradient("<stop stop-opacity='.3'/>") + "<rect width='50' height='10' fill='url(#g)'/>" + kDot)
+            .drawing.faintMm2 == doctest::Approx(500));
+
+  const auto masked = [&](const std::string& stops) {
+    return read(gradient(stops) +
+                "<mask id='m'><rect width='50' height='50' fill='white'/><rect width='50' height='10' "
+                "fill='url(#g)'/></mask><rect width='50' height='20' mask='url(#m)'/>");
+  };
+  const Shape hidden = masked("<stop/><stop offset='1' stop-color='#000'/>");
+  CHECK(areaOf(hidden) == doctest::Approx(500));
+  CHECK(hidden.drawing.unread.empty());
+  const Shape graded = masked("<stop/><stop offset='1' stop-color='white'/>");
+  CHECK(areaOf(graded) == doctest::Approx(1000));
+  CHECK(graded.drawing.unread == std::vector<std::string>{"gradient in <mask>"});
+}

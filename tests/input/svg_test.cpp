@@ -870,7 +870,9 @@ TEST_CASE("several colours are told, in whatever words they are written") {
     const auto square = [](std::string_view fill) {
       return "<rect width='9' height='9' fill='" + std::string(fill) + "'/>";
     };
-    const std::string gradients = "<linearGradient id='a'/><linearGradient id='b'/>";
+    const std::string gradients =
+        "<linearGradient id='a'><stop stop-color='red'/></linearGradient>"
+        "<linearGradient id='b'><stop stop-color='red'/></linearGradient>";
     return read(page(gradients + square(first) + square(second))).drawing.severalColours;
   };
   const std::pair<std::string_view, std::string_view> equal[] = {{"black", "#000"},

@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "input/svg/svg_length.hpp"
 #include "input/svg/svg_nesting.hpp"
 #include "input/svg/svg_paint.hpp"
+#include "input/svg/svg_paint_server.hpp"
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_shape.hpp"
 #include "input/svg/svg_stroke.hpp"
@@ -249,9 +249,8 @@ class Drawing {
 
   PaintContext contextOf(const State& state) {
     const double diagonal = std::sqrt(dot(state.viewport, state.viewport) / 2);
-    return {[this](std::string_view id) {
-              const auto found = byId_.find(id);
-              return found == byId_.end() ? std::string_view() : elementName(*found->second);
+    return {[this, current = state.paint.color](std::string_view id) {
+              return serverPaint(id, byId_, styleSheet_, current, work_);
             },
             [this, diagonal](std::string_view text) { return units_.ofStyle(text, diagonal); }};
   }
@@ -339,8 +338,7 @@ class Drawing {
   }
 
   void drawUse(const Node& node, State state) {
-    std::optional<std::string_view> href = attribute(node, "href");
-    if (!href) href = attribute(node, "xlink:href");
+    const std::optional<std::string_view> href = hrefOf(node);
     if (!href) return;
     const std::string_view target = trimmed(*href);
     if (!startsWith(target, "#")) refuse("href is " + quoted(target) + "; it must name an element of this file by #id");
@@ -374,18 +372,23 @@ class Drawing {
       return;
     }
     if (paint.fillAlpha() >= kFaintest) {
-      if (paint.fill.pattern) note("<pattern>");
+      noteServer(paint.fill);
       std::vector<Ring> rings = out.rings();
       filled_ = filled_ || (reading_ == Reading::Painted && !rings.empty());
       show({std::move(rings), paint.fillRule}, state, paint.fill, paint.fillAlpha());
     }
     if (paint.strokeAlpha() >= kFaintest) {
-      if (paint.stroke.pattern) note("<pattern>");
+      noteServer(paint.stroke);
       if (!paint.line.dashes.empty() && attribute(node, "pathLength")) note("pathLength");
       const Matrix& pen = paint.strokeScales ? state.toWorld : toPage_;
       show({strokeRings(out.lines(), paint.line, pen, options_.tolerance, pointsLeft_), FillRule::NonZero}, state,
            paint.stroke, paint.strokeAlpha());
     }
+  }
+
+  void noteServer(const Paint& paint) {
+    if (paint.pattern) note("<pattern>");
+    if (paint.gradient && reading_ == Reading::Mask && !paint.black()) note("gradient in <mask>");
   }
 
   // Adds what lies within all limits, and on the page.
@@ -574,7 +577,7 @@ class Drawing {
   bool painted_ = false;  // something is, be it off the page
   bool filled_ = false;
   std::uint64_t colour_ = 0;  // of what is painted first
-  std::unordered_map<std::string_view, const Node*> byId_;
+  Ids byId_;
   StyleSheet styleSheet_;
   bool definesProperty_ = false;   // a custom one, for var()
   std::vector<const Node*> uses_;  // targets being shown, outermost first

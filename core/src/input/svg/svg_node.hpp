@@ -24,4 +24,9 @@ inline std::optional<std::string_view> attribute(const Node& node, std::string_v
   return std::string_view(found->value(), found->value_size());
 }
 
+inline std::optional<std::string_view> hrefOf(const Node& node) {
+  const std::optional<std::string_view> href = attribute(node, "href");
+  return href ? href : attribute(node, "xlink:href");
+}
+
 }  // namespace sillon::svg

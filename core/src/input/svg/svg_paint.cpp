@@ -16,7 +16,7 @@
 namespace sillon::svg {
 namespace {
 
-constexpr std::uint64_t kBlack = 0, kWhite = 0xFFFFFF, kOther = 0x1000000;
+constexpr std::uint64_t kBlack = 0, kWhite = 0xFFFFFF;
 
 // A number, and what follows it.
 std::optional<double> leadingNumber(std::string_view text, std::string_view& rest) {
@@ -107,12 +107,10 @@ void setPaint(std::string_view value, const PaintContext& context, const Paint& 
     paint = initial;
     return;
   }
-  const std::string_view id = urlOf(value);
-  const std::string_view element = id.empty() ? id : context.element(id);
-  if (id.empty()) {
+  if (!startsWith(value, "url(")) {
     paint = colorOf(value, current).value_or(paint);
-  } else if (element == "linearGradient" || element == "radialGradient" || element == "pattern") {
-    paint = {1, named(value), element == "pattern"};
+  } else if (const std::optional<Paint> server = context.server(urlOf(value))) {
+    paint = *server;
   } else {
     const std::string_view fallback = trimmed(value.substr(std::min(value.find(')') + 1, value.size())));
     paint = fallback.empty() ? Paint{0} : colorOf(fallback, current).value_or(paint);
@@ -173,6 +171,14 @@ void setStroke(const Style& style, const PaintContext& context, Stroke& stroke) 
 }
 
 }  // namespace
+
+Paint stopPaint(const Style& style, const Paint& current) {
+  Paint paint = colorOf(style.value(Property::StopColor), current).value_or(Paint{});
+  double opacity = 1;
+  setShare(style.value(Property::StopOpacity), opacity);
+  paint.alpha *= opacity;
+  return paint;
+}
 
 std::string_view urlOf(std::string_view value) {
   value = trimmed(value);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +18,13 @@ struct Paint {
   double alpha = 1;          ///< 0: none
   std::uint64_t colour = 0;  ///< 0xRRGGBB, or another number for each name and each gradient
   bool pattern = false;
+  bool gradient = false;
 
   [[nodiscard]] bool black() const { return colour == 0; }
 };
+
+/// Added to the colour of a name or a gradient.
+inline constexpr std::uint64_t kOther = 0x1000000;
 
 /// Less shows on no screen.
 inline constexpr double kFaintest = 0.5 / 255;
@@ -44,12 +49,15 @@ struct PaintState {
 
 /// What a style needs to know of the document.
 struct PaintContext {
-  std::function<std::string_view(std::string_view id)> element;  ///< the name of the element with this id, or ""
-  std::function<double(std::string_view)> length;                ///< in user units; NaN: not a length
+  std::function<std::optional<Paint>(std::string_view id)> server;  ///< a gradient or pattern; nothing: it is neither
+  std::function<double(std::string_view)> length;                   ///< in user units; NaN: not a length
 };
 
 /// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
 void apply(const Style& style, const PaintContext& context, PaintState& state);
+
+/// Of a stop of a gradient.
+Paint stopPaint(const Style& style, const Paint& current);
 
 /// "#a" of "url(#a)", without the #; empty: no such reference.
 std::string_view urlOf(std::string_view value);

@@ -1,0 +1,46 @@
+#include "input/svg/svg_paint_server.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace sillon::svg {
+namespace {
+
+constexpr int kMaxLinks = 32;  // from gradient to gradient: they may go round in circles
+
+const Node* find(const Ids& ids, std::string_view id) {
+  const auto found = ids.find(id);
+  return found == ids.end() ? nullptr : found->second;
+}
+
+}  // namespace
+
+std::optional<Paint> serverPaint(std::string_view id, const Ids& ids, const StyleSheet& styles, const Paint& current,
+                                 Work& work) {
+  const Node* node = find(ids, id);
+  const std::string_view name = node ? elementName(*node) : std::string_view();
+  Paint paint{1, kOther | std::hash<std::string_view>()(id)};
+  paint.pattern = name == "pattern";
+  paint.gradient = name == "linearGradient" || name == "radialGradient";
+  if (paint.pattern) return paint;
+  if (!paint.gradient) return std::nullopt;
+
+  bool stops = false, black = true;
+  paint.alpha = 0;
+  for (int links = 0; node && !stops && links < kMaxLinks; ++links) {
+    for (const Node* child = node->first_node(); child; child = child->next_sibling()) {
+      if (elementName(*child) != "stop") continue;
+      work.spend(*child);
+      const Paint stop = stopPaint(styles.styleOf(*child, work), current);
+      stops = true;
+      black = black && stop.black();
+      paint.alpha = std::max(paint.alpha, stop.alpha);
+    }
+    const std::string_view href = trimmed(hrefOf(*node).value_or(""));
+    node = startsWith(href, "#") ? find(ids, href.substr(1)) : nullptr;
+  }
+  if (black) paint.colour = 0;
+  return paint;
+}
+
+}  // namespace sillon::svg
