@@ -513,6 +513,37 @@ TEST_CASE("prefixes, declarations, DOCTYPE, comments, entities and a byte order 
   CHECK(ringArea(shape) == doctest::Approx(16));
 }
 
+TEST_CASE("entities of the DOCTYPE are what they stand for, and a bomb of them is refused quickly") {
+  const auto drawing = [](const std::string& declarations, const std::string& body) {
+    return "<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' 'svg11.dtd' [\n" + declarations + "\n]>\n" + page(body);
+  };
+  const std::string rect = "<rect width='10' height='5' ";
+  const std::string stroked =
+      "<!ENTITY % p 'x'><!-- <!ENTITY s0 'fill:red'> --><!ENTITY ext SYSTEM 'a.txt'>"
+      "<!ENTITY s0 \"fill:none;\"><!ENTITY s0 'fill:red;'>\n<!ENTITY b '&s0;stroke:red;'>";
+  CHECK(ringArea(read(drawing(stroked, rect + "style='&s0;'/><path d='M20 20h9v9h-9z'/>"))) == doctest::Approx(81));
+  CHECK(read(drawing(stroked, rect + "style='&b;'/>")).drawing.linesOnly);
+  CHECK(ringArea(read(drawing("<!ENTITY p 'M0 0h9v9h-9z'>", "<path d='&p;'/>"))) == doctest::Approx(81));
+  CHECK(ringArea(read(drawing("<!ENTITY r \"" + rect + "/>\">", "&r;<title>&amp;&unknown;&</title>"))) ==
+        doctest::Approx(50));
+  checkRefused(drawing("<!ENTITY p 'M0 0h'>", "\n<path d='&p;'/>"), ErrorCode::InvalidFile, {"<path> in line 5"});
+
+  std::string bomb = "<!ENTITY l0 'ha'>", many;
+  for (int k = 1; k < 30; ++k) {
+    std::string ten;
+    for (int n = 0; n < 10; ++n) ten += "&l" + std::to_string(k - 1) + ";";
+    bomb += "<!ENTITY l" + std::to_string(k) + " '" + ten + "'>";
+  }
+  checkRefused(drawing(bomb, rect + "id='&l29;'/>"), ErrorCode::TooLarge, {"entities"});
+  for (int k = 0; k < 1000; ++k) many += "&p;";
+  checkRefused(drawing("<!ENTITY p '" + std::string(100000, 'x') + "'>", rect + "id='" + many + "'/>"),
+               ErrorCode::TooLarge, {"entities"});
+  for (const char* broken : {"<!ENTITY", "<!ENTITY p", "<!ENTITY p '", "<!ENTITY p 'x'", "<!--", "]"}) {
+    CAPTURE(std::string(broken));
+    CHECK_FALSE(readSvg("<!DOCTYPE svg [" + std::string(broken)).ok());
+  }
+}
+
 TEST_CASE("points lie on a grid of 1 nm, none is repeated, and every ring is a polygon") {
   const Shape shape =
       read(page("<path transform=\"rotate(33.3)\" d=\"M10 10C40 0 60 70 20 30 L20 30 L20 30.0000001z\"/>"

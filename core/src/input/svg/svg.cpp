@@ -11,6 +11,7 @@
 #include <rapidxml/rapidxml.hpp>
 
 #include "input/svg/svg_elements.hpp"
+#include "input/svg/svg_entities.hpp"
 #include "input/svg/svg_namespaces.hpp"
 #include "input/svg/svg_nesting.hpp"
 #include "input/svg/svg_node.hpp"
@@ -44,12 +45,14 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
   if (text.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};
   }
-  std::string buffer;
+  std::string buffer, expanded;
   const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB: too large for small stacks
   const Node* current = nullptr;
   try {
     if (startsWith(text, "\x1f\x8b")) refuse("the file is compressed (svgz); save it as plain SVG");
     if (text.find('\0') != std::string_view::npos) refuse("the file is not UTF-8 text");
+    expanded = withEntities(text, kMaxBytes);
+    if (!expanded.empty()) text = expanded;
     checkNesting(text);
     buffer = text;
     document->parse<rapidxml::parse_validate_closing_tags>(buffer.data());
