@@ -239,6 +239,23 @@ TEST_CASE("curves stay within the tolerance, and a finer one costs more points")
   }
 }
 
+TEST_CASE("a drawing in small units is as smooth at the width asked for as any other") {
+  SvgOptions options;
+  options.width = 100;
+  const Shape disc = read("<svg viewBox='0 0 1 2'><circle cx='.5' cy='.5' r='.5'/></svg>", options);
+  CHECK(disc.page == Vec2{100, 200});
+  CHECK(std::abs(ringArea(disc) / (std::numbers::pi * 2500) - 1) < 1e-4);
+  const Shape line = read("<svg width='20mm' height='20mm'><path d='M0 9h9' stroke='red' stroke-width='2mm'/></svg>",
+                          options);  // five times as long and as wide
+  CHECK(ringArea(line) == doctest::Approx(9 * 25.4 / 96 * 5 * 10));
+  CHECK(read("<svg viewBox='0 0 9 9'><rect x='3' width='9' height='3'/></svg>", options).drawing.offPage ==
+        doctest::Approx(10000.0 / 9));
+  options.width = -1;
+  CHECK(readSvg("<svg viewBox='0 0 1 1'/>", options).error().code == ErrorCode::InvalidArgument);
+  options.width = 1e5;
+  CHECK(readSvg("<svg viewBox='0 0 1 9'/>", options).error().code == ErrorCode::TooLarge);
+}
+
 TEST_CASE("circles and ellipses touch their extremes exactly") {
   const Shape circle = read(page("<circle cx=\"50\" cy=\"40\" r=\"20\"/>"));
   checkBounds(circle, 30, 40, 70, 80, 0);

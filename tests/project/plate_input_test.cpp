@@ -46,6 +46,10 @@ TEST_CASE("a shape file is an SVG by how it begins, and by its name") {
 
   project.pageWidth = 30;
   CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{30, 60});
+  // Outlines are made at that width: a disc of 1 px, printed at 100 mm, has more than the 8 corners it has at its own.
+  files.byName["picture.png"] = std::string("<svg viewBox='0 0 1 1'><circle cx='.5' cy='.5' r='.5'/></svg>");
+  project.pageWidth = 100;
+  CHECK(readPlateInput(project, files.reader()).value().shape.paths.at(0).rings.at(0).size() > 100);
 
   project.shapeFile = "broken.svg";
   const auto broken = readPlateInput(project, files.reader());

@@ -34,8 +34,8 @@ Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
     SvgOptions options;
     options.unitlessIsMm = project.unitlessIsMm;
     options.ignorePaint = project.ignorePaint;
-    Result<Shape> shape = readSvg(*text, options);
-    return shape && project.pageWidth != 0 ? scaledToWidth(shape.value(), project.pageWidth) : shape;
+    options.width = project.pageWidth;
+    return readSvg(*text, options);
   }
   const Result<Image> mask = picture(std::move(file).value(), project.shapeFile);
   if (!mask) return mask.error();

@@ -13,6 +13,7 @@ struct SvgOptions {
   /// Outlines of all closed shapes count whatever their paint, strokes, clipping and the page's edges do not: how the
   /// published scene files are meant.
   bool ignorePaint = false;
+  double width = 0;          ///< the page is scaled to it [mm], up to 100000; 0: as drawn
   double tolerance = 0.002;  ///< largest distance between a curve and its polygon [mm], 0.0001..10
 };
 
@@ -32,9 +33,9 @@ struct SvgOptions {
 ///
 /// \param text  the whole file, UTF-8, up to 64 MiB; hostile input ends in an error, never in a crash or a hang.
 /// \return points in mm, y up, snapped to 1 nm so that every platform reads the same bytes.
-///   InvalidFile (what, where), EmptyShape (no area, or all of it off the page), InvalidArgument (tolerance), TooLarge
-///   (page over 100000 mm, more than 2 million points, elements nested deeper than 200, `<use>`, clipping or rules
-///   without measure).
+///   InvalidFile (what, where), EmptyShape (no area, or all of it off the page), InvalidArgument (tolerance, width),
+///   TooLarge (page over 100000 mm, more than 2 million points, elements nested deeper than 200, `<use>`, clipping or
+///   rules without measure).
 Result<Shape> readSvg(std::string_view text, const SvgOptions& options = {});
 
 }  // namespace sillon

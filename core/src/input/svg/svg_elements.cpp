@@ -88,10 +88,13 @@ class Drawing {
     collect(root);
     const std::optional<ViewBox> box = viewBoxOf(root);
     const Vec2 page = pageSize(root, box);
-    shape_.page = {std::round(page.x * 1e6) / 1e6, std::round(page.y * 1e6) / 1e6};
+    // Curves and strokes are made as they are printed: scaled later, they would have too few points.
+    const double scale = options_.width > 0 ? options_.width / page.x : 1;
+    shape_.page = {std::round(page.x * scale * 1e6) / 1e6, std::round(page.y * scale * 1e6) / 1e6};
+    checkPageSide("the height at this width", shape_.page.y, std::to_string(shape_.page.y) + " mm");
 
     State state;
-    toPage_ = matrix(units_.mm, 0, 0, -units_.mm, 0, shape_.page.y);
+    toPage_ = matrix(units_.mm * scale, 0, 0, -units_.mm * scale, 0, shape_.page.y);
     const Vec2 size = page * (1 / units_.mm);
     state.viewport = size;
     state.toWorld = toPage_;
