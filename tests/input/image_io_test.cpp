@@ -391,6 +391,16 @@ TEST_CASE("a file too small for its dimensions is refused before memory is taken
   CHECK_FALSE(decodeImage(packed, "hollow tga").ok());
 }
 
+TEST_CASE("a BMP packed by run lengths is refused as such, not as cut off") {
+  Bytes packed = bmp();
+  packed[28] = 8;  // bits
+  packed[30] = 1;
+  packed.resize(64);
+  const auto refused = decodeImage(packed, "rle.bmp");
+  CHECK(says(refused, "it is packed"));
+  CHECK(says(refused, "save it without compression"));
+}
+
 TEST_CASE("a PNG that unpacks to far more than its pixels is refused") {
   REQUIRE(decodeImage(pngOf(257, 1, 8, 0, zlibOfZeros(1)), "honest").ok());
   CHECK_FALSE(decodeImage(pngOf(1, 1, 8, 0, zlibOfZeros(100000)), "bomb").ok());

@@ -254,6 +254,8 @@ std::string bmpDefect(Bytes bytes) {
   const std::uint64_t height = !oldHeader && (signedHeight >> 31) != 0 ? 0u - signedHeight : signedHeight;
   const std::uint64_t bits = le16(bytes, oldHeader ? 24 : 28);
   if (width == 0 || height == 0 || bits == 0 || bits > 32) return "it is damaged (header)";
+  const std::uint32_t packing = oldHeader ? 0 : le32(bytes, 30);
+  if (packing == 1 || packing == 2) return "it is packed (run lengths); save it without compression";
   const std::uint64_t rowBytes = (width * bits + 7) / 8;
   const std::uint64_t stride = (rowBytes + 3) / 4 * 4;  // the last row may lack its padding
   return offset + stride * (height - 1) + rowBytes > bytes.size() ? "it is cut off" : "";
