@@ -47,7 +47,7 @@ std::optional<std::string> otherThanJson(std::string_view text) {
   if (first != std::string_view::npos && start[first] == '<')
     return " is a drawing and not a project; give it as --shape";
   if (std::any_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < 9; })) {
-    return " is not a text file, so it is not a project; --picture takes pictures, as PNG, JPEG, BMP or TGA";
+    return " is neither a project nor a picture that can be read; PNG, JPEG, BMP and TGA can";
   }
   return std::nullopt;
 }

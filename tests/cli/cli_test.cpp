@@ -975,7 +975,7 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate logo.svg" + kOutputs,
                "scene \"logo.svg\" is a drawing and not a project; give it as --shape");
   checkRefused(folder, "generate moving.gif" + kOutputs,
-               "scene \"moving.gif\" is not a text file, so it is not a project; --picture");
+               "\"moving.gif\" is neither a project nor a picture that can be read; PNG, JPEG, BMP and TGA can");
   checkRefused(folder, "generate tiny.png --directions tiny.png" + kOutputs, "--directions cannot be given beside it");
   folder.write("scene.json", R"({"sillon": 1})");
   checkRefused(folder, "generate scene.json tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");
