@@ -23,13 +23,15 @@ struct SvgOptions {
 /// percent follows from the viewBox.
 ///
 /// Read: all path commands and basic shapes, transforms, viewBox and preserveAspectRatio, nested `<svg>`, `<use>`,
-/// `<symbol>`, `<switch>` (in English); fill, stroke with width, caps, joins, miter limit, dashes and vector-effect,
-/// opacities, fill-rule, display, visibility, clip-path, mask (by luminance or alpha: black hides, all else shows),
-/// overflow, transform with transform-origin and transform-box, from attributes, `style` and `<style>` rules that
-/// select by names, classes and ids, and by what lies in what. Not read, and told by Shape::drawing: text, images,
-/// `<foreignObject>`, markers, filters, patterns (they count as solid), sizes of shapes in CSS, transforms in space,
-/// other selectors, nested rules, `@media` and the like, `pathLength`.
-/// A broken attribute is an error that names its element and line: half a drawing would be printed unnoticed.
+/// `<symbol>`, `<switch>`, `systemLanguage` (English) and `requiredExtensions` (none); fill, stroke with width, caps,
+/// joins, miter limit, dashes and vector-effect, opacities, gradients (solid, as opaque as their most opaque stop),
+/// fill-rule, display, visibility, clip-path, mask (by luminance or alpha: black hides, all else shows), overflow,
+/// transform with transform-origin and transform-box, from attributes, `style` and `<style>` rules that select by
+/// names, classes and ids, and by what lies in what; `var()` by its fallback, namespaces, entities of the DOCTYPE. Not
+/// read, and told by Shape::drawing: text, images, `<foreignObject>`, markers, filters, patterns (they count as solid),
+/// gradients in masks, animation, sizes of shapes in CSS, shapes of clip-path and pictures of mask in CSS, custom
+/// properties, `calc()`, transforms in space, other selectors, nested rules, `@media` and the like, `pathLength`. A
+/// broken attribute is an error that names its element and line: half a drawing would be printed unnoticed.
 ///
 /// \param text  the whole file, UTF-8, up to 64 MiB; hostile input ends in an error, never in a crash or a hang.
 /// \return points in mm, y up, snapped to 1 nm so that every platform reads the same bytes.
