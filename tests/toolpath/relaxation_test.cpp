@@ -305,6 +305,20 @@ TEST_CASE("a kink stays where another path lies in its corner") {
   }
 }
 
+TEST_CASE("a run that is cancelled while neighbours are sorted rounds no kink") {
+  const ClosedCurves before = resampled(rows({10, 10.4, 10.8, 11.2}, 20), 0.1f, RunContext(1));
+  const BorderIndex border = farBorder();
+  for (const int last : {1, 2}) {  // of the two loops that sort
+    ClosedCurves after = before;
+    RunContext run(1);
+    int asked = 0;
+    run.onPoll([&] { return ++asked == last; });
+    roundKinks(after, border, 0.4, run);
+    CHECK(run.cancelled());
+    CHECK(after.points == before.points);
+  }
+}
+
 TEST_CASE("a kink round a corner of the shape comes no nearer to it") {
   // An L whose inner corner lies at (10, 10), and paths so far from it.
   const Shape shape = scenes::shapeOf({{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}}, {20, 20});

@@ -180,8 +180,9 @@ void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing,
         if (turnsMore(p - at(previousOf(curves, c, k)), at(nextOf(curves, c, k)) - p, kSuspect)) suspects.push_back(k);
       }
     }
-    if (suspects.empty() || run.cancelled()) return;
+    if (suspects.empty()) return;
     Rounding rounding(curves, border, static_cast<float>(spacing), run);
+    if (run.cancelled()) return;  // its grid may be half made
     for (const int point : suspects) rounding.roundAt(point);
   }
 }
