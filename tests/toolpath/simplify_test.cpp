@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "sillon/quality/metrics.hpp"
+#include "support/scenes.hpp"
+
 using namespace sillon;
 
 namespace {
@@ -54,6 +57,27 @@ TEST_CASE("a bead stands for as many points as the tolerance lets it, all along 
       if (to < kCount) CHECK(deviation(curves.points, from, to + 1) > params.simplifyTolerance - 1e-5);
       from = to;
     }
+  }
+}
+
+TEST_CASE("a cancelled run never returns a path that crosses itself") {
+  // Without its bump, which the tolerance allows, the first curve would run through the tip of the second.
+  const ClosedCurves curves =
+      scenes::closed({{{0, 0}, {1, 0.5f}, {2, 0}, {2, 5}, {0, 5}}, {{1, 0.3f}, {0.5f, -2}, {1.5f, -2}}});
+  const BeadWidths widths{std::vector<float>(8, 0.2f), std::vector<float>(8, 1e9f)};
+  ToolpathParams params;
+  params.simplifyTolerance = 1;
+  bool cancelled = true;
+  for (int last = 1; cancelled; ++last) {
+    RunContext run(1);
+    int asked = 0;
+    run.onPoll([&] { return ++asked == last; });
+    const auto toolpath = finishToolpath(curves, widths, params, run);
+    cancelled = run.cancelled();
+    CAPTURE(last);
+    CHECK(toolpath.ok() == !cancelled);
+    if (toolpath.ok()) CHECK(countCrossings(toolpath.value()) == 0);
+    if (!cancelled) CHECK(last > 4);
   }
 }
 

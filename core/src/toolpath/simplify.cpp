@@ -156,6 +156,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
     }
     path.begin.push_back(static_cast<int>(path.points.size()));
     const auto crossings = findCrossings(path, run);
+    if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};  // some may not be found
     if (crossings.empty() || attempt == kAttempts) {
       Toolpath toolpath;
       toolpath.spacing = params.spacing;
