@@ -258,6 +258,23 @@ TEST_CASE("parameters out of range are named with their value and range, and not
   }
 }
 
+TEST_CASE("maps whose sides and values do not fit each other are refused") {
+  const PlateInput plate = scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {5, 5})}, {5, 5}), scenes::waves());
+  const auto refusal = [](const PlateInput& input) {
+    const auto made = generateToolpath(input, {}, kRun);
+    return made ? std::string() : made.error().message;
+  };
+  CHECK(refusal(plate).empty());
+  PlateInput wrong = plate;
+  wrong.directions.height += 1;
+  CHECK(refusal(wrong).find("direction map is ") == 0);
+  wrong = plate;
+  wrong.modes.width = -1;
+  wrong.modes.height = -1;
+  CHECK(refusal(wrong) ==
+        "mode map is -1 x -1 pixels with 1 values; it must have a pixel at least, and one value for each");
+}
+
 TEST_CASE("odd shapes end in an error that says why") {
   const DirectionMap map = scenes::waves();
   std::string message;

@@ -13,6 +13,7 @@
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
+#include "toolpath/toolpath_check.hpp"
 
 namespace sillon {
 namespace {
@@ -420,9 +421,7 @@ std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roug
   if (pictures.empty() || pictures.size() > kMaxPictures) {
     return std::to_string(pictures.size()) + " pictures are asked for; there must be 1 to 4";
   }
-  if (!within(page.x, 1e-3, 1e5) || !within(page.y, 1e-3, 1e5)) {
-    return "page is outside its range of 0.001 to 100000 mm per side";
-  }
+  if (std::string defect = pageDefect(page); !defect.empty()) return defect;
   if (!within(spacing, 1e-3, 1e3)) return "spacing is outside its range of 0.001 to 1000 mm";
   if (!within(params.smoothness, 0.001, 10)) return "smoothness is outside its range of 0.001 to 10";
   if (!within(params.sharpness, 0, 2)) return "sharpness is outside its range of 0 to 2";

@@ -1,30 +1,36 @@
 #include "sillon/pipeline/pipeline.hpp"
 
-#include "base/decimal_text.hpp"
+#include <cstdint>
+#include <string>
+#include <utility>
+
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/steps.hpp"
 #include "sillon/pipeline/stages.hpp"
 #include "sillon/settings/table.hpp"
+#include "toolpath/toolpath_check.hpp"
 
 namespace sillon {
 namespace {
 
-bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
+std::string mapDefect(const char* name, int width, int height, std::size_t values) {
+  if (width > 0 && height > 0 &&
+      std::uint64_t{values} == static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height))
+    return {};
+  return std::string(name) + " map is " + std::to_string(width) + " x " + std::to_string(height) + " pixels with " +
+         std::to_string(values) + " values; it must have a pixel at least, and one value for each";
+}
 
 }  // namespace
 
-std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params) {
-  if (std::string bad = invalidSettings(params); !bad.empty()) return Error{ErrorCode::InvalidArgument, std::move(bad)};
-  if (!within(input.shape.page.x, 1e-3, 1e5) || !within(input.shape.page.y, 1e-3, 1e5)) {
-    return Error{ErrorCode::InvalidArgument, "the page is " + decimal(input.shape.page.x, 3) + " x " +
-                                                 decimal(input.shape.page.y, 3) +
-                                                 " mm; both sides must be 0.001 to 100000 mm"};
-  }
-  if (input.directions.angle.empty() || input.modes.mode.empty()) {
-    return Error{ErrorCode::InvalidArgument,
-                 "the direction map or the mode map is empty; each needs at least one pixel"};
-  }
-  return std::nullopt;
+std::optional<Error> wrongInput(const Shape& shape, const DirectionMap& directions, const ModeMap& modes,
+                                const ToolpathParams& params) {
+  std::string bad = invalidSettings(params);
+  if (bad.empty()) bad = pageDefect(shape.page);
+  if (bad.empty()) bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
+  if (bad.empty()) bad = mapDefect("mode", modes.width, modes.height, modes.mode.size());
+  if (bad.empty()) return std::nullopt;
+  return Error{ErrorCode::InvalidArgument, std::move(bad)};
 }
 
 Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,

@@ -48,7 +48,11 @@ Result<ToolpathResult> widthStep(RelaxedPath& path, const BorderIndex& border, F
                                  const ToolpathParams& params, StageClock& clock, const RunContext& run,
                                  Stages* record = nullptr);
 
-/// InvalidArgument if the parameters, the page or the maps are out of range.
-std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params);
+/// InvalidArgument if the parameters, the page or the maps are out of range. Points of the shape: resolveOutline.
+std::optional<Error> wrongInput(const Shape& shape, const DirectionMap& directions, const ModeMap& modes,
+                                const ToolpathParams& params);
+inline std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params) {
+  return wrongInput(input.shape, input.directions, input.modes, params);
+}
 
 }  // namespace sillon
