@@ -207,7 +207,7 @@ TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing
                                    uniformMode(DirectionMode::Constrained), {}, kRun);
     return m ? std::string() : m.error().message;
   };
-  CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "spacing is 0 mm; it must be 0.05 to 20 mm");
+  CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "toolpath.spacing is 0 mm; it must be 0.05 to 20");
   CHECK(refusal(toolpathOf({{1, 1}, {NAN, 1}, {4, 4}}, 0.4f)) == "toolpath has a point outside -100000 to 100000 mm");
   CHECK(refusal({{{}}, 0.4}) == "toolpath has a cycle without points; each must have some");
   CHECK(refusal(toolpathOf({{1, 1}}, 0.4f)).empty());
@@ -216,6 +216,28 @@ TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing
   lacking.cycles[0].widths.pop_back();
   CHECK(refusal(lacking) == "toolpath has a cycle with 3 points and 2 widths; there must be as many");
   CHECK(measured({{}, 0.4}, shape).coverage == 0);
+}
+
+TEST_CASE("maps, parameters and memory that no plate could be made with are refused") {
+  const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {5, 5})}, {5, 5});
+  const Toolpath toolpath = toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f);
+  const DirectionMap map = scenes::mapOf(1, [](double, double) { return 0.0; });
+  const ModeMap mode = uniformMode(DirectionMode::Constrained);
+  const auto refusal = [&](const DirectionMap& directions, const ModeMap& modes, const ToolpathParams& params) {
+    const auto m = measureToolpath(toolpath, shape, directions, modes, params, kRun);
+    return m ? std::string() : m.error().message;
+  };
+  CHECK(refusal(map, mode, {}).empty());
+  CHECK(refusal({}, mode, {}).find("direction map is 0 x 0 pixels with 0 values") == 0);
+  CHECK(refusal(map, {3, 2, mode.mode}, {}).find("mode map is 3 x 2 pixels with 1 values") == 0);
+  ToolpathParams params;
+  params.kernelRadius = NAN;
+  CHECK(refusal(map, mode, params).find("toolpath.kernelRadius is") == 0);
+  RunContext little;
+  little.limitMemory(1e5);
+  const auto refused = measureToolpath(toolpath, shape, map, mode, {}, little);
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().code == ErrorCode::OutOfMemory);
 }
 
 TEST_CASE("measures are equal for any number of threads, and digests tell plates apart") {

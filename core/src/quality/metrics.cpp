@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/decimal_text.hpp"
 #include "base/fast_math.hpp"
 #include "base/whole_number.hpp"
 #include "field/wave_fields.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/lost_cells.hpp"
+#include "pipeline/steps.hpp"
 #include "quality/alignment.hpp"
 #include "quality/bead_area.hpp"
 #include "quality/turns.hpp"
@@ -95,9 +95,10 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
     if (cycle.points.empty())
       return Error{ErrorCode::InvalidArgument, "toolpath has a cycle without points; each must have some"};
   }
-  for (const double spacing : {toolpath.spacing, params.spacing}) {
-    if (!(spacing >= 0.05 && spacing <= 20))  // NaN too
-      return Error{ErrorCode::InvalidArgument, outOfRange("spacing", spacing, " mm", "0.05 to 20 mm")};
+  ToolpathParams made = params;
+  made.spacing = toolpath.spacing;
+  for (const ToolpathParams& each : {made, params}) {
+    if (auto wrong = wrongInput(shape, directions, modes, each)) return *wrong;
   }
   const double making = known ? 0 : 0.3;  // the waves' share
   run.beginJob();
@@ -108,7 +109,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   for (const Cycle& cycle : toolpath.cycles) {
     for (const Vec2f p : cycle.points) box.add({static_cast<double>(p.x), static_cast<double>(p.y)});
   }
-  if (auto error = plateTooLarge(box.size(), std::min(toolpath.spacing, params.spacing))) return *error;
+  if (auto error = plateTooLarge(box.size(), std::min(toolpath.spacing, params.spacing), run.memory())) return *error;
   const Result<Dislocations> dislocations =
       known ? *known : dislocationsOf(outline.value(), shape, directions, modes, params, run);
   if (!dislocations) return dislocations.error();

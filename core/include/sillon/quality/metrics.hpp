@@ -54,8 +54,9 @@ struct Measures {
 };
 
 /// Judges a toolpath as delivered. Takes a fifth to two fifths as long as making it.
-/// An error names what of the toolpath or the parameters is out of range.
-/// \param dislocations  of the waves that these arguments make, where they are known (ToolpathResult::dislocations).
+/// \return InvalidArgument (what of the toolpath, the maps or the parameters is out of range), TooLarge, OutOfMemory,
+/// the errors of resolveOutline, or Cancelled. \param dislocations  of the waves that these arguments make, where they
+/// are known (ToolpathResult::dislocations).
 Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
                                  const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
                                  const std::optional<Dislocations>& dislocations = std::nullopt);
