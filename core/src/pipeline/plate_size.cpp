@@ -6,14 +6,14 @@
 #include <string>
 
 #include "base/decimal_text.hpp"
+#include "sillon/settings/table.hpp"
 
 namespace sillon {
 namespace {
 
 // Where pointers have 32 bits no more than 4 GB can be had, and a plate is to leave room for its answers.
 constexpr double kMaxCells = sizeof(void*) == 4 ? 20e6 : 100e6;
-constexpr double kFrame = 3;           // [tau] in each direction, around the outline
-constexpr double kWidestSpacing = 20;  // [mm] that may be chosen
+constexpr double kFrame = 3;  // [tau] in each direction, around the outline
 
 // The spacing at which there are just so many cells [mm]; infinite where the frame alone has more.
 double spacingFor(Vec2 size, double cells) {
@@ -41,7 +41,8 @@ std::optional<Error> plateTooLarge(Vec2 size, double spacing, double freeBytes) 
   if (byMemory) text += " in " + decimal(std::floor(freeBytes / 1e7) / 100, 2) + " GB of memory";
   const double wider = std::ceil(1000 * spacingFor(size, most)) / 1000;
   const double percent = std::floor(100 * spacing / wider);
-  if (wider <= kWidestSpacing) text += ": use a spacing of at least " + decimal(wider, 3) + " mm";
+  if (wider <= findSetting(Section::Toolpath, "spacing")->high)
+    text += ": use a spacing of at least " + decimal(wider, 3) + " mm";
   if (percent >= 1) text += ", or a size of at most " + decimal(percent, 0) + " % of this";
   return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge, std::move(text)};
 }
