@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -242,6 +243,25 @@ TEST_CASE("shapes without area say so") {
     REQUIRE(!outline.ok());
     CHECK(outline.error().code == ErrorCode::EmptyShape);
   }
+}
+
+TEST_CASE("a point that is no place on a plate is refused, wherever the shape has it") {
+  const double nan = std::nan("");
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Shape square = shapeOf({rectangle({0, 0}, {10, 10})}, {10, 10});
+  for (const double odd : {nan, infinite, -infinite, 1e200, -1e15, 1.000001e6}) {
+    for (const Vec2 p : {Vec2{odd, 5}, Vec2{5, odd}}) {
+      Shape ring = square, middle = square;
+      ring.paths[0].rings[0][2] = p;
+      middle.middles.push_back(p);
+      CAPTURE(odd);
+      for (const auto& outline : {resolveOutline(ring), outlineOnGrid(ring), resolveOutline(middle)}) {
+        REQUIRE(!outline.ok());
+        CHECK(outline.error().code == ErrorCode::InvalidArgument);
+      }
+    }
+  }
+  CHECK(resolveOutline(shapeOf({rectangle({-1e6, 0}, {1e6, 10})}, {10, 10})).value().area == doctest::Approx(2e7));
 }
 
 TEST_CASE("a drawing that meets itself too often is refused, not computed for ever") {

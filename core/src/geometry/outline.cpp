@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/decimal_text.hpp"
 #include "geometry/covered_paths.hpp"
 
 namespace sillon {
@@ -525,7 +526,28 @@ class Chains {
 
 namespace {
 
+/// A point beyond kMaxCoordinate, or that is no number.
+const Vec2* farPoint(const std::vector<Vec2>& points) {
+  for (const Vec2& p : points) {
+    if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
+  }
+  return nullptr;
+}
+
+const Vec2* farPoint(const Shape& shape) {
+  const Vec2* far = farPoint(shape.middles);
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) far = far != nullptr ? far : farPoint(ring);
+  }
+  return far;
+}
+
 Result<Outline> outlineOf(const Shape& shape, Points points) {
+  if (const Vec2* far = farPoint(shape)) {
+    return Error{ErrorCode::InvalidArgument, "the shape has a point at " + shownNumber(far->x) + ", " +
+                                                 shownNumber(far->y) +
+                                                 " mm; both coordinates must be -1000000 to 1000000 mm"};
+  }
   Result<Outline> outline = borderOf(shape.paths, nullptr, points);
   if (!outline) return outline;
   if (outline.value().bounds.empty()) {

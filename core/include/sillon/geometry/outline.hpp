@@ -23,7 +23,8 @@ struct Outline {
 };
 
 /// Splits all rings where they meet and keeps the pieces with inside on exactly one side.
-/// \return EmptyShape if no area remains; TooLarge beyond 4 million pieces.
+/// \return EmptyShape if no area remains; TooLarge beyond 4 million pieces; InvalidArgument for a point beyond
+///   kMaxCoordinate.
 Result<Outline> resolveOutline(const Shape& shape);
 
 /// The same with all points on the grid of 0.001 mm that files hold: each moves by at most 0.71 µm for each of the

@@ -13,6 +13,9 @@ enum class FillRule { NonZero, EvenOdd };
 
 using Ring = std::vector<Vec2>;  ///< closed polygon [mm], first point not repeated, any winding
 
+/// How far from 0 the points of a shape may lie [mm]; 1e12 nm are exact in a double.
+inline constexpr double kMaxCoordinate = 1e6;
+
 /// One painted element: its rings under one fill rule.
 struct FilledPath {
   std::vector<Ring> rings;

@@ -13,8 +13,6 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kMaxCoordinate = 1e6;  // [mm]; 1e12 nm are exact in a double
-
 Vec2 vectorBy(const Matrix& m, Vec2 v) {
   const Eigen::Vector2d out = m.linear() * Eigen::Vector2d(v.x, v.y);
   return {out.x(), out.y()};
