@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "sillon/geometry/signed_distance.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -44,6 +45,23 @@ void operator delete(void* p) noexcept { uncounted(p); }
 void operator delete[](void* p) noexcept { uncounted(p); }
 void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
 void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
+
+TEST_CASE("an outline that is too detailed for the memory is refused before it takes more") {
+  // Every piece of a circle is nearest to some place about its middle.
+  const Shape disc = scenes::shapeOf({scenes::circle({50, 50}, 50, 40000)}, {100, 100});
+  const Outline outline = resolveOutline(disc).value();
+  for (const int threads : {1, 2}) {
+    CAPTURE(threads);
+    RunContext run(threads);
+    run.limitMemory(30e6);
+    const std::size_t before = held;
+    most = before;
+    const auto border = buildBorderIndex(outline, makeGrid(outline.bounds, 0.4), run);
+    REQUIRE(!border.ok());
+    CHECK(border.error().code == ErrorCode::OutOfMemory);
+    CHECK(static_cast<double>(most - before) < 30e6);
+  }
+}
 
 TEST_CASE("a plate takes at most 120 bytes a cell while it is made") {
   const PlateInput input =

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <span>
+#include <string>
 
 #include "base/parallel_for.hpp"
 
@@ -12,7 +14,8 @@ namespace {
 
 constexpr int kBlockCells = 4;  ///< side of a leaf block in cells
 constexpr std::int64_t kMaxRowCrossings = 100'000'000;
-constexpr std::size_t kMaxCandidates = 400'000'000;
+constexpr double kMaxCandidates = 400e6;
+constexpr double kBytesPerCandidate = 12;  ///< in its block, which has room to grow, and in the index
 
 constexpr int kTile = 4;  ///< samples of a side that bandDistance takes together
 
@@ -68,31 +71,30 @@ class Subdivision {
  public:
   Subdivision(const std::vector<BorderSegment>& segments, const Grid& blocks) : segments_(segments), blocks_(blocks) {}
 
-  // Calls visit(block, lowest distance) for every block of side `leaf` under `block`.
+  // Calls visit(block, lowest distance) for every block of side `leaf` under `block`, until it returns false.
   template <class Visit>
-  void descend(const Block& block, int leaf, const Visit& visit) const {
+  bool descend(const Block& block, int leaf, const Visit& visit) const {
     std::vector<double> scratch;
-    descend(block.x, block.y, block.side, block.candidates, leaf, visit, scratch);
+    return descend(block.x, block.y, block.side, block.candidates, leaf, visit, scratch);
   }
 
  private:
   template <class Visit>
-  void descend(int x, int y, int size, const std::vector<int>& list, int leaf, const Visit& visit,
+  bool descend(int x, int y, int size, const std::vector<int>& list, int leaf, const Visit& visit,
                std::vector<double>& scratch) const {
-    if (x >= blocks_.nx || y >= blocks_.ny) return;
+    if (x >= blocks_.nx || y >= blocks_.ny) return true;
     const double side = size * blocks_.cell;
     const Vec2 centre{blocks_.origin.x + x * blocks_.cell + 0.5 * side,
                       blocks_.origin.y + y * blocks_.cell + 0.5 * side};
     double lowest = 0;
     std::vector<int> candidates =
         nearestCandidates(segments_, list, centre, side * 0.70710678118654757, lowest, scratch);
-    if (size <= leaf) {
-      visit(Block{x, y, size, std::move(candidates)}, lowest);
-      return;
-    }
+    if (size <= leaf) return visit(Block{x, y, size, std::move(candidates)}, lowest);
     const int half = size / 2;
-    for (int k = 0; k < 4; ++k)
-      descend(x + (k & 1) * half, y + (k >> 1) * half, half, candidates, leaf, visit, scratch);
+    for (int k = 0; k < 4; ++k) {
+      if (!descend(x + (k & 1) * half, y + (k >> 1) * half, half, candidates, leaf, visit, scratch)) return false;
+    }
+    return true;
   }
 
   const std::vector<BorderSegment>& segments_;
@@ -232,11 +234,20 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   root.candidates.resize(outline.segments.size());
   for (std::size_t k = 0; k < root.candidates.size(); ++k) root.candidates[k] = static_cast<int>(k);
 
+  const bool byMemory = run.memory() < kMaxCandidates * kBytesPerCandidate;
+  const auto most = static_cast<std::size_t>(byMemory ? run.memory() / kBytesPerCandidate : kMaxCandidates);
+  std::atomic<std::size_t> kept{0};
+  const auto hasRoom = [&](const Block& block) { return (kept += block.candidates.size()) <= most; };
+
   // A few large blocks on this thread, then each on any thread.
   const Subdivision subdivision(index.segments_, blocks);
   std::vector<Block> tasks;
-  subdivision.descend(root, std::max(1, root.side / 16),
-                      [&](Block block, double) { tasks.push_back(std::move(block)); });
+  if (subdivision.descend(root, std::max(1, root.side / 16), [&](Block block, double) {
+        tasks.push_back(std::move(block));
+        return hasRoom(tasks.back());
+      })) {
+    kept = 0;
+  }
   struct Leaf {
     std::size_t block;
     float lowest;
@@ -246,28 +257,30 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   parallelFor(run, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       subdivision.descend(tasks[static_cast<std::size_t>(k)], 1, [&](Block block, double lowest) {
+        if (!hasRoom(block)) return false;
         leaves[static_cast<std::size_t>(k)].push_back(
             {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
+        return true;
       });
     }
   });
   if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (kept > most) {
+    return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge,
+                 std::string("the outline is too detailed for this spacing") + (byMemory ? " and this memory" : "") +
+                     "; simplify the drawing"};
+  }
 
   index.lowest_.assign(blocks.size(), 0);
   index.begin_.assign(blocks.size() + 1, 0);
-  std::size_t total = 0;
   for (const std::vector<Leaf>& task : leaves) {
     for (const Leaf& leaf : task) {
       index.begin_[leaf.block + 1] = static_cast<int>(leaf.candidates.size());
       index.lowest_[leaf.block] = leaf.lowest;
-      total += leaf.candidates.size();
     }
   }
-  if (total > kMaxCandidates) {
-    return Error{ErrorCode::TooLarge, "the outline is too detailed for this spacing; simplify the drawing"};
-  }
   for (std::size_t k = 0; k < blocks.size(); ++k) index.begin_[k + 1] += index.begin_[k];
-  index.candidates_.resize(total);
+  index.candidates_.resize(kept);
   for (const std::vector<Leaf>& task : leaves) {
     for (const Leaf& leaf : task) {
       std::copy(leaf.candidates.begin(), leaf.candidates.end(), index.candidates_.begin() + index.begin_[leaf.block]);

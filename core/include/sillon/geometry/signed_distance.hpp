@@ -46,7 +46,8 @@ class BorderIndex {
   std::vector<char> outside_;  ///< side of the whole block, where the border does not pass it
 };
 
-/// \return TooLarge when the outline is too detailed for the grid.
+/// \return TooLarge when the outline is too detailed for the grid, OutOfMemory when it is for RunContext::memory(), or
+///   Cancelled.
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);
 
 /// Signed distance [mm] and its unit gradient at the cell centres, row-major.
