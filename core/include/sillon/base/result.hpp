@@ -1,4 +1,4 @@
-// Errors as values: nothing throws out of the core.
+// Errors as values: nothing throws out of the core but std::bad_alloc, where the system has no more memory.
 #pragma once
 
 #include <cassert>
