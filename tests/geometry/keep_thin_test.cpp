@@ -73,6 +73,15 @@ TEST_CASE("a bar of 0.4 beads, wide ones and corners stay as they are") {
   CHECK(kept(shapeOf({rectangle({0, 0}, {10, 10})}, {10, 10})) == shapeOf({rectangle({0, 0}, {10, 10})}, {10, 10}));
 }
 
+TEST_CASE("a spacing that no plate can have keeps nothing and is refused") {
+  for (const double spacing : {0.0, -1.0, 0.049, 21.0, std::nan("")}) {
+    CAPTURE(spacing);
+    const auto shape = keepThinPlaces(barOf(0.4, 15, 20), spacing, RunContext(1));
+    REQUIRE(!shape.ok());
+    CHECK(shape.error().code == ErrorCode::InvalidArgument);
+  }
+}
+
 TEST_CASE("a bar of half a bead is kept, and one a little thinner is not") {
   CHECK(kept(barOf(0.501 * kSpacing, 15, 30)).kept.size() == 1);
   CHECK(kept(barOf(0.498 * kSpacing, 15, 30)).kept.empty());

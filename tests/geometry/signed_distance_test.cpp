@@ -59,6 +59,12 @@ TEST_CASE("the grid holds the box and a margin of one and a half spacings, in ce
   CHECK(nodes.centre(0, 0).x == doctest::Approx(grid.origin.x));
 }
 
+TEST_CASE("there is no distance to an outline without a border") {
+  const auto index = buildBorderIndex({}, makeGrid({{0, 0}, {10, 10}}, 0.4), RunContext(1));
+  REQUIRE(!index.ok());
+  CHECK(index.error().code == ErrorCode::EmptyShape);
+}
+
 TEST_CASE("the distance to a rectangle is that of its closed form, inside and out") {
   const SignedDistanceField field = fieldOf(shapeOf({rectangle({0, 0}, {9, 5})}, {9, 5}), 0.4);
   for (int y = 0; y < field.grid.ny; ++y) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/decimal_text.hpp"
 #include "geometry/lost_cells.hpp"
 #include "sillon/geometry/outline.hpp"
 
@@ -91,6 +92,9 @@ class DiscMask {
 }  // namespace
 
 Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run) {
+  if (!(spacing >= 0.05 && spacing <= 20)) {  // NaN too
+    return Error{ErrorCode::InvalidArgument, outOfRange("spacing", spacing, " mm", "0.05 to 20 mm")};
+  }
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   const Result<BorderIndex> border = buildBorderIndex(outline.value(), makeGrid(outline.value().bounds, spacing), run);

@@ -223,6 +223,7 @@ Grid nodeLattice(const Grid& grid) {
 }
 
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run) {
+  if (outline.segments.empty()) return Error{ErrorCode::EmptyShape, "the outline is empty; it needs a piece of border"};
   BorderIndex index;
   index.segments_ = outline.segments;
   index.blocks_ = {grid.origin, kBlockCells * grid.cell, (grid.nx - 1) / kBlockCells + 1,

@@ -22,10 +22,11 @@ class BorderIndex {
  public:
   /// Exact nearest border point. Points outside the grid are answered from its nearest block (approximate).
   [[nodiscard]] NearestBorder nearest(Vec2 p) const;
-  /// Lower bound of the unsigned distance over the block that holds p: a cheap way to skip the interior.
+  /// Lower bound of the unsigned distance [mm] over the block that holds p: a cheap way to skip the interior.
   [[nodiscard]] float blockDistance(Vec2 p) const;
 
-  /// The same of the depth inside the shape: 0 where the block is not inside.
+  /// Lower bound of the depth inside the shape [mm] over the block that holds p; 0 where the block is not wholly
+  /// inside.
   [[nodiscard]] float blockDepth(Vec2 p) const;
 
   /// Whether p lies outside the shape; cheap away from the border.
@@ -46,8 +47,8 @@ class BorderIndex {
   std::vector<char> outside_;  ///< side of the whole block, where the border does not pass it
 };
 
-/// \return TooLarge when the outline is too detailed for the grid, OutOfMemory when it is for RunContext::memory(), or
-///   Cancelled.
+/// \return TooLarge when the outline is too detailed for the grid, OutOfMemory when it is for RunContext::memory(),
+///   EmptyShape when it has no segment, or Cancelled.
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);
 
 /// Signed distance [mm] and its unit gradient at the cell centres, row-major.
