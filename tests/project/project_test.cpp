@@ -692,6 +692,17 @@ TEST_CASE("the notes say what made a plate, and how good it is where that is kno
                                  "toolpath digest = 0123456789abcdef"});
 }
 
+TEST_CASE("a report tells only of pictures that were measured, and what is no report stays as it was") {
+  const std::string report = reportJson(ToolpathResult{}, std::nullopt, 1, 0);
+  const std::vector<PictureMeasures> measures(2);
+  const std::vector<ShownPicture> one = {{"a.png", {}, {}}};
+  CHECK(withPictures(report, {}, measures, false) == report);
+  CHECK(withPictures("{}", one, measures, false) == "{}");
+  const Json with = Json::parse(withPictures(report, one, measures, false), nullptr, false);
+  REQUIRE(with.is_object());
+  CHECK(with["pictures"].size() == 1);
+}
+
 TEST_CASE("a report of nothing and of what is no number is JSON too") {
   CHECK(Json::parse(reportJson(ToolpathResult{}, Measures{}, 1, 0), nullptr, false).is_object());
   Measures measures;

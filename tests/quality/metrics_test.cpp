@@ -259,6 +259,10 @@ TEST_CASE("measures are equal for any number of threads, and digests tell plates
   Toolpath other = path;
   other.cycles[0].points[3].x += 0.001f;
   CHECK(digestOf(other) != digestOf(path));
+  Toolpath bare = path, flat = path;
+  bare.cycles[0].widths.clear();
+  std::fill(flat.cycles[0].widths.begin(), flat.cycles[0].widths.end(), 0.0f);
+  CHECK(digestOf(bare) == digestOf(flat));
 }
 
 TEST_CASE(

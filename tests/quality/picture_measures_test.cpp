@@ -162,6 +162,11 @@ TEST_CASE(
   CHECK(flat.r == 0);
   CHECK(flat.contrast == doctest::Approx(1));
   CHECK(compareTones(std::vector<float>(1600, -1.0f), tones).r == 0);  // no plate at all
+  CHECK(compareTones({}, tones).r == 0);                               // other sizes
+  CHECK(compareTones(std::vector<float>(1601, 0.3f), tones).contrast == 1);
+  Tones lacking = tones;
+  lacking.value.pop_back();
+  CHECK(compareTones(light, lacking).r == 0);
   // An affine change of what is seen is the exposure's, and does not count.
   std::vector<float> dimmer;
   for (const float v : tones.value) dimmer.push_back(lightOfCode(0.2f + 0.5f * v));

@@ -78,7 +78,7 @@ std::string digestOf(const Toolpath& toolpath) {
     for (std::size_t k = 0; k < cycle.points.size(); ++k) {
       addLength(cycle.points[k].x);
       addLength(cycle.points[k].y);
-      addLength(cycle.widths[k]);
+      addLength(k < cycle.widths.size() ? cycle.widths[k] : 0);
     }
   }
   std::string digits(16, '0');

@@ -165,6 +165,8 @@ Sums sumsOf(std::span<const float> light, const Tones& picture) {
 
 PictureMeasures compareTones(std::span<const float> light, const Tones& picture) {
   PictureMeasures out;
+  const std::size_t cells = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  if (light.size() != cells || picture.value.size() != cells) return out;
   const Sums sums = sumsOf(light, picture);
   if (!(sums.weight > 0)) return out;
   out.r = correlation(sums);

@@ -142,9 +142,11 @@ std::string reportJson(const ToolpathResult& plate, const std::optional<Measures
 
 std::string withPictures(std::string report, std::span<const ShownPicture> pictures,
                          std::span<const PictureMeasures> measures, bool fromGcode) {
-  if (measures.empty()) return report;
+  const std::size_t count = std::min(pictures.size(), measures.size());
+  const std::size_t end = report.rfind("\n}");
+  if (count == 0 || end == std::string::npos) return report;
   std::string list;
-  for (std::size_t k = 0; k < measures.size(); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     const PictureMeasures& m = measures[k];
     const Lamp& lamp = pictures[k].lamp;
     std::string others;
@@ -162,7 +164,7 @@ std::string withPictures(std::string report, std::span<const ShownPicture> pictu
     object.add("from", jsonString(fromGcode ? "gcode" : "toolpath"));
     list += (list.empty() ? "\n    " : ",\n    ") + object.text();
   }
-  report.resize(report.rfind("\n}"));
+  report.resize(end);
   return report + ",\n  \"pictures\": [" + list + "\n  ]\n}\n";
 }
 

@@ -64,7 +64,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
 /// Pairs of non-consecutive segments that share a point, all cycles together, exact on integers of 1 µm.
 std::int64_t countCrossings(const Toolpath& toolpath);
 
-/// Digest of points and widths in µm: equal digests mean equal plates.
+/// Digest of points and widths in µm: equal digests mean equal plates. Widths that are missing count as 0.
 std::string digestOf(const Toolpath& toolpath);
 
 }  // namespace sillon

@@ -43,7 +43,8 @@ Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, V
                                                      std::span<const ShownPicture> pictures, const Roughness& roughness,
                                                      const RunContext& run);
 
-/// The same of light that is known: rows of cells, row 0 on top, negative where there is no plate.
+/// The same of light that is known: rows of cells, row 0 on top, negative where there is no plate. As of no plate where
+/// there are not as many cells as the picture has.
 PictureMeasures compareTones(std::span<const float> light, const Tones& picture);
 
 }  // namespace sillon

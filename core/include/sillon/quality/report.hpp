@@ -19,8 +19,9 @@ namespace sillon {
 std::string reportJson(const ToolpathResult& plate, const std::optional<Measures>& measures, int threads,
                        std::int64_t peakBytes);
 
-/// The report with `pictures` as its last entry. \param measures  one per picture; none: the report as it was.
-/// \param fromGcode  whether the G-code was judged, else the toolpath.
+/// The report with `pictures` as its last entry. \param report  of reportJson. \param measures  one per picture, and
+/// what has none is left out; none: the report as it was. \param fromGcode  whether the G-code was judged, else the
+/// toolpath.
 std::string withPictures(std::string report, std::span<const ShownPicture> pictures,
                          std::span<const PictureMeasures> measures, bool fromGcode);
 
