@@ -7,12 +7,13 @@
 
 namespace sillon {
 
-/// Leaves out cycles that come no deeper than a twentieth of a spacing, along spurs and cracks whose sides fall
-/// together: their beads would be next to nothing. Leaves out cycles shorter than a spacing beside a longer one, half a
-/// spacing away at most: they would add two hairpins and cover next to nothing. Other cycles of less than 1.75 spacings
-/// become circles of that length at the deepest place nearby, as the nozzle can go round those; they stay as they are
-/// where a circle would meet another curve or come nearer to the border than 0.2 spacings. \param curves  closed curves
-/// that do not meet, their points at most about a quarter of a spacing apart.
+/// Leaves out cycles that lie at the border all round, along spurs and cracks whose sides fall together: their beads
+/// would be next to nothing. Leaves out the shortest ones, dots of less than a bead, close beside a longer one: they
+/// would add two hairpins and cover next to nothing. Other short cycles become circles of about their length, or of
+/// less where there is no room for that, at the deepest place nearby, as the nozzle can go round those. They stay as
+/// they are beside another cycle, which they will be joined to, and where even the smallest circle would come too near
+/// to the border. The limits, in spacings, are the constants in small_cycles.cpp. \param curves  closed curves that do
+/// not meet, their points at most about a quarter of a spacing apart.
 ClosedCurves regularizeSmallCycles(const ClosedCurves& curves, const BorderIndex& border, double spacing,
                                    const RunContext& run);
 
