@@ -9,8 +9,8 @@ namespace sillon {
 
 /// Keeps the fields that depend on the shape (some 17 bytes a cell), those of its waves (some 27 more) and the path
 /// before its widths (some 16 more) from one call to the next, with copies of the inputs they were made of. Whatever
-/// changed is made anew, so that results are those of generateToolpath, to the byte. Of a plate with more than 0.4 of
-/// the most cells nothing is kept. One call at a time.
+/// changed is made anew, so that results are those of generateToolpath, to the byte. Of a plate of more
+/// than 40 million cells (3.2 million where pointers have 32 bits) nothing is kept. One call at a time.
 class Session {
  public:
   Session();

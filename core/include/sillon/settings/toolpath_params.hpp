@@ -28,7 +28,7 @@ struct ToolpathParams {
   double spacing = 0.4;  ///< tau [mm], distance between neighbouring beads, 0.05..20
   PerimeterMode perimeterMode = PerimeterMode::Count;
   int perimeters = 1;            ///< beads along the border in mode Count, 0..100
-  std::optional<double> bridge;  ///< solids nearer than this count as one part [mm], >= 0; unset: one spacing
+  std::optional<double> bridge;  ///< solids nearer than this count as one part [mm], 0..100; unset: one spacing
   MapFilter mapFilter = MapFilter::Average;
   std::uint64_t seed = 0;  ///< 0: regular sample points; others: moved by `jitter`, another plate of like quality
   double jitter = 0.025;   ///< how far a seed moves sample points [tau], 0..0.25

@@ -9,12 +9,13 @@
 
 namespace sillon {
 
-/// One vertex per lattice edge whose ends differ in sign, zero counting as positive, at the root of the phase (arc
-/// sine) where both ends are inside, of the value elsewhere. Larger values lie on the left of every curve, so that
-/// neighbouring curves run in opposite senses. Order and orientation are fixed by the lowest edge.
+/// One vertex per lattice edge whose ends differ in sign, zero counting as positive: at the root of the phase (arc
+/// sine) where both ends lie deeper inside than half a spacing, of the value elsewhere, and a little off both ends.
+/// Larger values lie on the left of every curve, so that neighbouring curves run in opposite senses. Order and
+/// orientation are fixed by the lowest edge.
 /// \param values    nx x ny, positive on the frame.
 /// \param distance  nx x ny signed distances [mm].
-/// \return TooLarge beyond 2^31 vertices.
+/// \return TooLarge from 2^30 vertices on, or Cancelled.
 Result<ClosedCurves> contourCycles(const Grid& lattice, const std::vector<float>& values,
                                    const std::vector<float>& distance, double spacing, const RunContext& run);
 

@@ -34,10 +34,11 @@ struct Stitched {
 /// length added.
 /// Only where a part is not one curve then do joints cross gaps: first between neighbours, as far as `bridge` says;
 /// then wherever points of two curves face each other with nothing between them, those that leave the shape least
-/// first, each edge for at most eight spacings. No edge gets farther from the shape than half a bridge and half a bead.
-/// Where points are used up, the paths made so far are curves again, and are joined once more, a few times. What is not
-/// joined then stays a curve of its own. The work is bounded: a constant number of rounds, each of n log n in the
-/// points and cells. \param curves  equally spaced points, tau/4 apart, neighbours in opposite senses.
+/// first, each edge for at most eight spacings, or about two and a half bridges where these are more. No edge gets
+/// farther from the shape than half a bridge and half a bead. Where points are used up, the paths made so far are
+/// curves again, and are joined once more, a few times. What is not joined then stays a curve of its own. The work is
+/// bounded: a constant number of rounds, each of n log n in the points and cells. \param curves  equally spaced points,
+/// tau/4 apart, neighbours in opposite senses.
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                               const Parts& parts, const ToolpathParams& params, const RunContext& run);
 
