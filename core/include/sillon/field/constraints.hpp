@@ -32,9 +32,11 @@ struct CellConstraints {
   std::vector<Vec2f> mapLine;  ///< z of d as the map asks, unit
 };
 
-/// Zones from the distance; modes from the nearest texel; lines averaged over the cell in z (or nearest), and taken
-/// from the nearest texel where the average is below 0.1: the edges of mosaics, where it means nothing.
-/// \param page  over which both maps are stretched [mm].
+/// Zones from the distance; modes from the nearest texel; lines averaged in z over the cell, or over a texel's size
+/// where that is larger (or nearest, see MapFilter), and taken from the nearest texel where the average is shorter than
+/// 0.1: the edges of mosaics, where it means nothing. Masked cells have neither mode nor line.
+/// \param directions, modes  with as many values as pixels, at least one. \param page  over which both maps are
+/// stretched [mm]. \return Cancelled.
 Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
                                         const ModeMap& modes, Vec2 page, const ToolpathParams& params,
                                         const RunContext& run);

@@ -40,6 +40,7 @@ using InsideRule = std::function<bool(const std::vector<char>& filled)>;
 ///   TooLarge beyond 4 million pieces.
 Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRule& rule);
 
+/// A stretch of a horizontal line: x from begin to end [mm], begin < end.
 struct Interval {
   double begin = 0;
   double end = 0;

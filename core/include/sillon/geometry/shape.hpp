@@ -76,7 +76,7 @@ Result<Shape> shapeFromMask(const Image& mask, double width);
 /// The same shape and page scaled so that the page is `width` mm wide. \param width  [mm], > 0.
 Result<Shape> scaledToWidth(const Shape& shape, double width);
 
-/// Box around all rings.
+/// Box around the points of all rings, also of those that enclose nothing [mm]; empty without points.
 Bounds bounds(const Shape& shape);
 
 }  // namespace sillon
