@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>
 #include <utility>
+
+#include "base/decimal_text.hpp"
 
 namespace sillon {
 namespace {
@@ -21,27 +22,11 @@ constexpr std::int64_t kMaxMaskPoints = 4'000'000;
 double snapped(double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; }
 Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
 
-// Six decimals at most; printf would follow the locale.
-std::string decimal(double value) {
-  if (std::isnan(value)) return "not a number";
-  if (!(std::abs(value) < 1e12)) return value > 0 ? "more than 1e12" : "less than -1e12";
-  const long long scaled = std::llround(std::abs(value) * 1e6);
-  std::array<char, 24> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), 1'000'000 + scaled % 1'000'000).ptr;
-  std::string text = value < 0 && scaled != 0 ? "-" : "";
-  text += std::to_string(scaled / 1'000'000);
-  text += '.';
-  text.append(digits.data() + 1, end);  // without the 1 that keeps leading zeros
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 bool validSize(double mm) { return snapped(mm) > 0 && mm <= kMaxSize; }  // false for NaN
 
 Error sizeError(const std::string& what, double mm) {
   return {ErrorCode::InvalidArgument,
-          what + " is " + decimal(mm) + " mm; it must be more than 0 and at most " + decimal(kMaxSize) + " mm"};
+          what + " is " + shownNumber(mm) + " mm; it must be more than 0 and at most " + shownNumber(kMaxSize) + " mm"};
 }
 
 Shape oneRing(Ring ring, Vec2 page) {
@@ -251,7 +236,8 @@ Result<Shape> makeRectangle(Vec2 size) {
 
 Result<Shape> makeRoundedRectangle(Vec2 size, double radius) {
   if (!(radius >= 0)) {
-    return Error{ErrorCode::InvalidArgument, "The corner radius is " + decimal(radius) + " mm; it must be 0 or more"};
+    return Error{ErrorCode::InvalidArgument,
+                 "The corner radius is " + shownNumber(radius) + " mm; it must be 0 or more"};
   }
   Result<Shape> rectangle = makeRectangle(size);
   if (!rectangle || radius == 0) return rectangle;
@@ -315,7 +301,7 @@ Result<Shape> scaledToWidth(const Shape& shape, double width) {
     if (!copy.rings.empty()) scaled.paths.push_back(std::move(copy));
   }
   if (scaled.paths.empty()) {
-    return Error{ErrorCode::EmptyShape, "Nothing of the shape is left at a width of " + decimal(width) + " mm"};
+    return Error{ErrorCode::EmptyShape, "Nothing of the shape is left at a width of " + shownNumber(width) + " mm"};
   }
   return scaled;
 }
