@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/base64.hpp"
 #include "base/decimal_text.hpp"
 #include "printer/bed.hpp"
 #include "printer/dialect.hpp"
