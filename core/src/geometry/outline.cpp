@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
+#include "geometry/border_of.hpp"
 #include "geometry/covered_paths.hpp"
+#include "geometry/winding.hpp"
 
 namespace sillon {
 namespace {
@@ -25,103 +27,31 @@ constexpr double kPerGrid = 1000;                ///< points of the grid that fi
 constexpr std::size_t kMaxPieces = 4'000'000;    ///< beyond any drawing that a spacing of 0.05 mm could show
 constexpr std::uint64_t kMaxWork = 800'000'000;  ///< pair tests; a few seconds, reached by hostile drawings only
 
-enum class Points { AsGiven, OnGrid };  // mm as they are, or whole steps of the grid
-
-struct Edge {
-  Vec2 a;
-  Vec2 b;
-  int path;
-};
-
-/// \param without  where not empty, 1 for paths that are left out.
-std::vector<Edge> edgesOf(const std::vector<FilledPath>& paths, const std::vector<char>& without = {}) {
-  std::vector<Edge> edges;
-  for (std::size_t path = 0; path < paths.size(); ++path) {
-    if (!without.empty() && without[path] != 0) continue;
-    for (const Ring& ring : paths[path].rings) {
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Vec2 a = ring[k];
-        const Vec2 b = ring[k + 1 < ring.size() ? k + 1 : 0];
-        if (!(a == b)) edges.push_back({a, b, static_cast<int>(path)});
-      }
-    }
-  }
-  return edges;
-}
-
 Vec2 rounded(Vec2 p) { return {std::round(p.x) + 0.0, std::round(p.y) + 0.0}; }
 
 // In steps of the grid: sums and products of these are exact.
-std::vector<Edge> gridEdges(const std::vector<Edge>& edges) {
-  std::vector<Edge> out;
-  for (const Edge& edge : edges) {
-    const Edge to{rounded(edge.a * kPerGrid), rounded(edge.b * kPerGrid), edge.path};
+std::vector<PathEdge> gridEdges(const std::vector<PathEdge>& edges) {
+  std::vector<PathEdge> out;
+  for (const PathEdge& edge : edges) {
+    const PathEdge to{rounded(edge.a * kPerGrid), rounded(edge.b * kPerGrid), edge.path};
     if (!(to.a == to.b)) out.push_back(to);
   }
   return out;
 }
 
-bool filled(FillRule rule, int winding) { return rule == FillRule::NonZero ? winding != 0 : (winding & 1) != 0; }
-
-// Half-open in y, so that a vertex on the line counts once. +1 upwards, -1 downwards, 0 none.
-int crossesRow(const Edge& edge, double y) {
-  const bool below = edge.a.y <= y;
-  return below == (edge.b.y <= y) ? 0 : (below ? 1 : -1);
-}
-
-double crossingX(const Edge& edge, double y) {
-  return edge.a.x + (y - edge.a.y) / (edge.b.y - edge.a.y) * (edge.b.x - edge.a.x);
-}
-
-// Winding numbers of all paths along one line, and how many paths are filled there.
-class WindingState {
- public:
-  /// \param rule  null: inside is where any path is filled.
-  explicit WindingState(const std::vector<FilledPath>& paths, const InsideRule* rule = nullptr)
-      : paths_(paths), rule_(rule), winding_(paths.size(), 0), filled_(rule ? paths.size() : 0, 0) {}
-
-  void cross(int path, int direction) {
-    const auto k = static_cast<std::size_t>(path);
-    int& winding = winding_[k];
-    const FillRule rule = paths_[k].fillRule;
-    inside_ -= filled(rule, winding) ? 1 : 0;
-    winding += direction;
-    inside_ += filled(rule, winding) ? 1 : 0;
-    if (rule_) filled_[k] = filled(rule, winding) ? 1 : 0;
-    touched_.push_back(path);
-  }
-  [[nodiscard]] bool inside() const { return rule_ ? (*rule_)(filled_) : inside_ > 0; }
-  void reset() {
-    for (const int path : touched_) {
-      winding_[static_cast<std::size_t>(path)] = 0;
-      if (rule_) filled_[static_cast<std::size_t>(path)] = 0;
-    }
-    touched_.clear();
-    inside_ = 0;
-  }
-
- private:
-  const std::vector<FilledPath>& paths_;
-  const InsideRule* rule_;
-  std::vector<int> winding_;
-  std::vector<char> filled_;
-  std::vector<int> touched_;
-  int inside_ = 0;
-};
-
 /// Whether a piece runs upwards, or level to the right.
-bool runsUp(const Edge& piece) { return piece.a.y != piece.b.y ? piece.a.y < piece.b.y : piece.a.x < piece.b.x; }
+bool runsUp(const PathEdge& piece) { return piece.a.y != piece.b.y ? piece.a.y < piece.b.y : piece.a.x < piece.b.x; }
 
 // Tells what lies beside a steep piece by casting a ray to the left from its middle, through pieces bucketed by rows.
 // The piece itself and those on the same ends are crossed by count, not by place: whatever else is near lies exactly on
 // one side or the other.
 class SideQuery {
  public:
-  SideQuery(const std::vector<FilledPath>& paths, const InsideRule* rule, const std::vector<Edge>& pieces,
+  SideQuery(const std::vector<FilledPath>& paths, const InsideRule* rule, const std::vector<PathEdge>& pieces,
             const std::vector<std::size_t>& groupOf, const Bounds& box)
       : pieces_(pieces), groupOf_(groupOf), winding_(paths, rule), bottom_(box.min.y) {
     double climb = 0;
-    for (const Edge& piece : pieces) climb += std::abs(piece.b.y - piece.a.y);
+    for (const PathEdge& piece : pieces) climb += std::abs(piece.b.y - piece.a.y);
     const double height = std::max(box.size().y, 1e-9);
     row_ = std::max(height / 65536, climb / (4.0 * static_cast<double>(pieces.size())));
     buckets_.resize(static_cast<std::size_t>(height / row_) + 1);
@@ -140,7 +70,7 @@ class SideQuery {
     const Vec2 p = (pieces_[piece].a + pieces_[piece].b) * 0.5;
     winding_.reset();
     for (const int k : buckets_[bucketOf(p.y)]) {
-      const Edge& other = pieces_[static_cast<std::size_t>(k)];
+      const PathEdge& other = pieces_[static_cast<std::size_t>(k)];
       const int direction = crossesRow(other, p.y);
       if (direction == 0 || groupOf_[static_cast<std::size_t>(k)] == piece) continue;
       if (crossingX(other, p.y) < p.x) winding_.cross(other.path, direction);
@@ -157,7 +87,7 @@ class SideQuery {
     return static_cast<std::size_t>(row);
   }
 
-  const std::vector<Edge>& pieces_;
+  const std::vector<PathEdge>& pieces_;
   const std::vector<std::size_t>& groupOf_;
   WindingState winding_;
   double bottom_;
@@ -173,7 +103,7 @@ struct Split {
 
 // Where an end of another edge lies on this one. On the grid: where this one passes through the end's pixel, so that
 // what crosses stays crossed and splitting comes to an end (iterated snap rounding; Halperin and Packer 2002).
-void splitAtEnd(const Edge& edge, int index, Vec2 end, Points points, std::vector<Split>& splits) {
+void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::vector<Split>& splits) {
   const Vec2 along = edge.b - edge.a;
   const double size = length(along);
   const double t = dot(end - edge.a, along) / (size * size);
@@ -183,9 +113,9 @@ void splitAtEnd(const Edge& edge, int index, Vec2 end, Points points, std::vecto
     splits.push_back({index, t, end});
 }
 
-void splitPair(const std::vector<Edge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
-  const Edge& e = edges[static_cast<std::size_t>(i)];
-  const Edge& f = edges[static_cast<std::size_t>(j)];
+void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
+  const PathEdge& e = edges[static_cast<std::size_t>(i)];
+  const PathEdge& f = edges[static_cast<std::size_t>(j)];
   const std::size_t before = splits.size();
   splitAtEnd(e, i, f.a, points, splits);
   splitAtEnd(e, i, f.b, points, splits);
@@ -209,7 +139,7 @@ void splitPair(const std::vector<Edge>& edges, int i, int j, Points points, std:
   splits.push_back({j, s, at});
 }
 
-Bounds boxOf(const Edge& edge) {
+Bounds boxOf(const PathEdge& edge) {
   Bounds box;
   box.add(edge.a);
   box.add(edge.b);
@@ -217,11 +147,11 @@ Bounds boxOf(const Edge& edge) {
 }
 
 // All places where edges meet away from their own ends. False: too much work, with what was done before.
-bool findSplits(const std::vector<Edge>& edges, const Bounds& box, Points points, std::vector<Split>& splits,
+bool findSplits(const std::vector<PathEdge>& edges, const Bounds& box, Points points, std::vector<Split>& splits,
                 std::uint64_t& work) {
   const double reach = points == Points::OnGrid ? 1 : kNear;
   double total = 0;
-  for (const Edge& edge : edges) total += length(edge.b - edge.a);
+  for (const PathEdge& edge : edges) total += length(edge.b - edge.a);
   const Vec2 size = box.size();
   const double cell = std::max(total / static_cast<double>(edges.size()), std::max(size.x, size.y) / 1e6);
   struct Entry {
@@ -233,7 +163,7 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, Points points
     return static_cast<std::int64_t>(std::floor((value - low) / cell));
   };
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Edge& edge = edges[k];
+    const PathEdge& edge = edges[k];
     const std::int64_t firstRow = cellOf(std::min(edge.a.y, edge.b.y) - reach, box.min.y);
     const std::int64_t lastRow = cellOf(std::max(edge.a.y, edge.b.y) + reach, box.min.y);
     for (std::int64_t row = firstRow; row <= lastRow; ++row) {
@@ -286,7 +216,7 @@ bool findSplits(const std::vector<Edge>& edges, const Bounds& box, Points points
 
 /// Gives crossings that coincide the same digits, and those of points where they lie on one: pieces that cover each
 /// other must have the same ends.
-void unifyCrossings(const std::vector<Edge>& edges, std::vector<Split>& splits) {
+void unifyCrossings(const std::vector<PathEdge>& edges, std::vector<Split>& splits) {
   if (splits.empty()) return;
   constexpr double kCell = 2 * kTouch;
   struct Hash {
@@ -301,7 +231,7 @@ void unifyCrossings(const std::vector<Edge>& edges, std::vector<Split>& splits) 
     return std::pair{static_cast<std::int64_t>(std::floor(p.x / kCell)),
                      static_cast<std::int64_t>(std::floor(p.y / kCell))};
   };
-  for (const Edge& edge : edges) known.emplace(cellOf(edge.a), edge.a);
+  for (const PathEdge& edge : edges) known.emplace(cellOf(edge.a), edge.a);
   for (Split& split : splits) {
     const auto [column, row] = cellOf(split.at);
     std::optional<Vec2> best;
@@ -321,8 +251,8 @@ void unifyCrossings(const std::vector<Edge>& edges, std::vector<Split>& splits) 
 }
 
 /// The edges in pieces that meet at their ends only. Every ring stays closed.
-std::vector<Edge> piecesOf(const std::vector<Edge>& edges, const std::vector<Split>& splits) {
-  std::vector<Edge> pieces;
+std::vector<PathEdge> piecesOf(const std::vector<PathEdge>& edges, const std::vector<Split>& splits) {
+  std::vector<PathEdge> pieces;
   pieces.reserve(edges.size() + splits.size());
   std::size_t next = 0;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -339,10 +269,10 @@ std::vector<Edge> piecesOf(const std::vector<Edge>& edges, const std::vector<Spl
 }
 
 /// Pieces with the same ends, next to each other, each group in the order of the pieces.
-std::vector<std::size_t> groupedByEnds(const std::vector<Edge>& pieces) {
+std::vector<std::size_t> groupedByEnds(const std::vector<PathEdge>& pieces) {
   using Key = std::array<double, 4>;
   const auto keyOf = [&](std::size_t k) {
-    const Edge& p = pieces[k];
+    const PathEdge& p = pieces[k];
     return runsUp(p) ? Key{p.a.x, p.a.y, p.b.x, p.b.y} : Key{p.b.x, p.b.y, p.a.x, p.a.y};
   };
   std::vector<std::pair<Key, std::size_t>> keys;
@@ -359,10 +289,10 @@ std::vector<std::size_t> groupedByEnds(const std::vector<Edge>& pieces) {
 
 Vec2 mirrored(Vec2 p) { return {p.y, p.x}; }
 
-std::vector<Edge> mirroredPieces(const std::vector<Edge>& pieces) {
-  std::vector<Edge> out;
+std::vector<PathEdge> mirroredPieces(const std::vector<PathEdge>& pieces) {
+  std::vector<PathEdge> out;
   out.reserve(pieces.size());
-  for (const Edge& piece : pieces) out.push_back({mirrored(piece.a), mirrored(piece.b), piece.path});
+  for (const PathEdge& piece : pieces) out.push_back({mirrored(piece.a), mirrored(piece.b), piece.path});
   return out;
 }
 
@@ -373,24 +303,24 @@ Bounds mirroredBox(const Bounds& box) {
   return out;
 }
 
-/// The pieces with inside on exactly one side, on their left. No pieces if nothing is inside.
-/// \param rule  null: inside is where any path is filled.
+}  // namespace
+
 Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule* rule, Points points) {
   const Error tooLarge{
       ErrorCode::TooLarge,
       "the outline has too many edges or meets itself too often; at most 4 million pieces can be read; "
       "merge its paths in a drawing program, or draw it as a PNG"};
   const bool grid = points == Points::OnGrid;
-  std::vector<Edge> edges = edgesOf(paths, rule ? std::vector<char>{} : coveredPaths(paths));
+  std::vector<PathEdge> edges = edgesOf(paths, rule ? std::vector<char>{} : coveredPaths(paths));
   if (grid) edges = gridEdges(edges);
   Outline outline;
-  for (const Edge& edge : edges) outline.bounds.add(edge.a);
+  for (const PathEdge& edge : edges) outline.bounds.add(edge.a);
   if (edges.empty()) return outline;
   if (edges.size() > kMaxPieces) return tooLarge;
 
   // What goes through a point within kNear, or through the grid's nearest to a crossing, is bent by that much and may
   // cross what it did not before.
-  std::vector<Edge> pieces = edges;
+  std::vector<PathEdge> pieces = edges;
   std::uint64_t splitting = 0;
   bool settled = false;
   for (int round = 0; round < (grid ? kMaxGridRounds : kMaxRounds) && !settled; ++round) {
@@ -414,14 +344,14 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
     if (groupOf[k] != k) doubles[groupOf[k]].push_back(k);
   }
   // Rays run across a piece: along it, the last digit of a coordinate would decide.
-  const std::vector<Edge> turned = mirroredPieces(pieces);
+  const std::vector<PathEdge> turned = mirroredPieces(pieces);
   SideQuery steep(paths, rule, pieces, groupOf, outline.bounds);
   SideQuery flat(paths, rule, turned, groupOf, mirroredBox(outline.bounds));
-  const auto isFlat = [&](const Edge& piece) {
+  const auto isFlat = [&](const PathEdge& piece) {
     return std::abs(piece.b.x - piece.a.x) > std::abs(piece.b.y - piece.a.y);
   };
   std::uint64_t work = rule ? pieces.size() * paths.size() : 0;
-  for (const Edge& piece : pieces) {
+  for (const PathEdge& piece : pieces) {
     const Vec2 middle = 0.5 * (piece.a + piece.b);
     work += isFlat(piece) ? flat.cost(middle.x) : steep.cost(middle.y);
   }
@@ -449,80 +379,6 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
   }
   return outline;
 }
-
-/// Joins segments end to end. Where several go on from a point any will do: winding is the same.
-class Chains {
- public:
-  explicit Chains(const std::vector<BorderSegment>& segments) : segments_(segments), used_(segments.size(), 0) {
-    byStart_.reserve(segments.size());
-    for (std::size_t k = 0; k < segments.size(); ++k) byStart_.emplace_back(cellOf(segments[k].a), k);
-    std::sort(byStart_.begin(), byStart_.end());
-    skip_.resize(byStart_.size(), 0);
-  }
-
-  std::vector<Ring> rings() {
-    std::vector<Ring> rings;
-    for (std::size_t first = 0; first < segments_.size(); ++first) {
-      if (used_[first] != 0) continue;
-      Ring ring;
-      for (std::size_t k = first; k < segments_.size(); k = following(segments_[k].b)) {
-        used_[k] = 1;
-        const Vec2 p{std::round(segments_[k].a.x * 1e6) / 1e6 + 0.0, std::round(segments_[k].a.y * 1e6) / 1e6 + 0.0};
-        if (ring.empty() || !(ring.back() == p)) ring.push_back(p);
-      }
-      while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
-      if (ring.size() >= 3) rings.push_back(std::move(ring));
-    }
-    return rings;
-  }
-
- private:
-  using Cell = std::pair<std::int64_t, std::int64_t>;
-  static constexpr double kGap = 1e-5;  // between ends that belong together [mm]
-
-  static Cell cellOf(Vec2 p) {
-    return {static_cast<std::int64_t>(std::floor(p.x / kGap)), static_cast<std::int64_t>(std::floor(p.y / kGap))};
-  }
-
-  /// The first entry from `at` on whose segment is unused; what is passed over is passed at once next time.
-  std::size_t unusedFrom(std::size_t at) {
-    std::size_t end = at;
-    while (end < byStart_.size() && used_[byStart_[end].second] != 0) end = std::max(end + 1, skip_[end]);
-    while (at < end) {
-      const std::size_t next = std::max(at + 1, skip_[at]);
-      skip_[at] = end;
-      at = next;
-    }
-    return end;
-  }
-
-  /// The nearest unused segment that begins at p; their number if there is none.
-  std::size_t following(Vec2 p) {
-    const Cell cell = cellOf(p);
-    std::size_t best = segments_.size();
-    double nearest = kGap;
-    for (std::int64_t x = cell.first - 1; x <= cell.first + 1; ++x) {
-      const auto first =
-          std::lower_bound(byStart_.begin(), byStart_.end(), std::pair<Cell, std::size_t>{{x, cell.second - 1}, 0});
-      for (std::size_t at = unusedFrom(static_cast<std::size_t>(first - byStart_.begin()));
-           at < byStart_.size() && byStart_[at].first <= Cell{x, cell.second + 1}; at = unusedFrom(at + 1)) {
-        const double distance = length(segments_[byStart_[at].second].a - p);
-        if (distance == 0) return byStart_[at].second;
-        if (distance >= nearest) continue;
-        best = byStart_[at].second;
-        nearest = distance;
-      }
-    }
-    return best;
-  }
-
-  const std::vector<BorderSegment>& segments_;
-  std::vector<char> used_;
-  std::vector<std::pair<Cell, std::size_t>> byStart_;
-  std::vector<std::size_t> skip_;
-};
-
-}  // namespace
 
 namespace {
 
@@ -564,49 +420,5 @@ Result<Outline> outlineOf(const Shape& shape, Points points) {
 Result<Outline> resolveOutline(const Shape& shape) { return outlineOf(shape, Points::AsGiven); }
 
 Result<Outline> outlineOnGrid(const Shape& shape) { return outlineOf(shape, Points::OnGrid); }
-
-Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRule& rule) {
-  const Result<Outline> outline = borderOf(paths, &rule, Points::AsGiven);
-  if (!outline) return outline.error();
-  return FilledPath{Chains(outline.value().segments).rings(), FillRule::NonZero};
-}
-
-std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step, int rows) {
-  struct Crossing {
-    double x;
-    int path;
-    int direction;
-  };
-  std::vector<std::vector<Crossing>> crossings(static_cast<std::size_t>(std::max(rows, 0)));
-  for (const Edge& edge : edgesOf(shape.paths)) {
-    const double low = std::ceil((std::min(edge.a.y, edge.b.y) - firstY) / step) - 1;
-    const double high = std::floor((std::max(edge.a.y, edge.b.y) - firstY) / step) + 1;
-    const int first = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(rows)));
-    const int last = static_cast<int>(std::clamp(high, -1.0, static_cast<double>(rows - 1)));
-    for (int row = first; row <= last; ++row) {
-      const double y = firstY + row * step;
-      const int direction = crossesRow(edge, y);
-      if (direction != 0)
-        crossings[static_cast<std::size_t>(row)].push_back({crossingX(edge, y), edge.path, direction});
-    }
-  }
-  std::vector<std::vector<Interval>> intervals(crossings.size());
-  WindingState winding(shape.paths);
-  for (std::size_t row = 0; row < crossings.size(); ++row) {
-    std::vector<Crossing>& line = crossings[row];
-    std::sort(line.begin(), line.end(), [](const Crossing& a, const Crossing& b) {
-      return a.x != b.x ? a.x < b.x : (a.path != b.path ? a.path < b.path : a.direction < b.direction);
-    });
-    winding.reset();
-    double begin = 0;
-    for (const Crossing& crossing : line) {
-      const bool before = winding.inside();
-      winding.cross(crossing.path, crossing.direction);
-      if (!before && winding.inside()) begin = crossing.x;
-      if (before && !winding.inside() && crossing.x > begin) intervals[row].push_back({begin, crossing.x});
-    }
-  }
-  return intervals;
-}
 
 }  // namespace sillon

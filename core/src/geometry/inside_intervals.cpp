@@ -1,0 +1,47 @@
+// The inside of a shape, row by row.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/winding.hpp"
+
+namespace sillon {
+
+std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step, int rows) {
+  struct Crossing {
+    double x;
+    int path;
+    int direction;
+  };
+  std::vector<std::vector<Crossing>> crossings(static_cast<std::size_t>(std::max(rows, 0)));
+  for (const PathEdge& edge : edgesOf(shape.paths)) {
+    const double low = std::ceil((std::min(edge.a.y, edge.b.y) - firstY) / step) - 1;
+    const double high = std::floor((std::max(edge.a.y, edge.b.y) - firstY) / step) + 1;
+    const int first = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(rows)));
+    const int last = static_cast<int>(std::clamp(high, -1.0, static_cast<double>(rows - 1)));
+    for (int row = first; row <= last; ++row) {
+      const double y = firstY + row * step;
+      const int direction = crossesRow(edge, y);
+      if (direction != 0)
+        crossings[static_cast<std::size_t>(row)].push_back({crossingX(edge, y), edge.path, direction});
+    }
+  }
+  std::vector<std::vector<Interval>> intervals(crossings.size());
+  WindingState winding(shape.paths);
+  for (std::size_t row = 0; row < crossings.size(); ++row) {
+    std::vector<Crossing>& line = crossings[row];
+    std::sort(line.begin(), line.end(), [](const Crossing& a, const Crossing& b) {
+      return a.x != b.x ? a.x < b.x : (a.path != b.path ? a.path < b.path : a.direction < b.direction);
+    });
+    winding.reset();
+    double begin = 0;
+    for (const Crossing& crossing : line) {
+      const bool before = winding.inside();
+      winding.cross(crossing.path, crossing.direction);
+      if (!before && winding.inside()) begin = crossing.x;
+      if (before && !winding.inside() && crossing.x > begin) intervals[row].push_back({begin, crossing.x});
+    }
+  }
+  return intervals;
+}
+
+}  // namespace sillon
