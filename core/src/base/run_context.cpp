@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 
 #if defined(__SSE2__)
@@ -151,6 +152,8 @@ void forRanges(const RunContext& run, int count, int grain, const RangeBody& bod
     run.pool().run(chunks, chunkBody);
   }
 }
+
+Error cancelledRun() { return {ErrorCode::Cancelled, "the run was cancelled"}; }
 
 RunContext::RunContext(int threads) : pool_(std::make_unique<ThreadPool>(threads)) {}
 RunContext::~RunContext() = default;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 
@@ -111,7 +112,7 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
       }
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return cells;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 
@@ -123,7 +124,7 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
     const float u = give[i].logFrequency;
     given.frequency[i] = 1 + u * (1 + u / 2 * (1 + u / 3 * (1 + u / 4)));
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return given;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
@@ -204,7 +205,7 @@ Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraint
   forCells([&](std::size_t i) {
     if (cells.zone[i] != Zone::Masked) field.direction[i] = directionOf(lines.line[i]);
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return field;
 }
 

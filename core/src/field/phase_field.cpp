@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/free_memory.hpp"
 #include "base/parallel_for.hpp"
@@ -370,7 +371,7 @@ Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequen
       if (k == 0) run.report((sweep + 1.0) / params.sweepsPerLevel);
     }
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
 
   PhaseLevel& finest = levels[0];
   release(finest.edges);  // the largest part of it; memory peaks in here

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 
@@ -162,7 +163,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     }
     for (; flushed <= lastNode; ++flushed) flush(flushed);
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return values;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
 #include "field/double_angle.hpp"
@@ -252,7 +253,7 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
       }
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return frequency;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 
 namespace sillon {
@@ -64,7 +65,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
       }
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   std::vector<std::size_t> place;
   for (std::size_t start = nextMarked(lost, 0, lost.size()); start < lost.size();
        start = nextMarked(lost, start + 1, lost.size())) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 
 namespace sillon {
@@ -265,7 +266,7 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
       });
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   if (kept > most) {
     return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge,
                  std::string("the outline is too detailed for this spacing") + (byMemory ? " and this memory" : "") +
@@ -363,7 +364,7 @@ Result<SignedDistanceField> signedDistanceField(const Shape& shape, const Border
       }
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return field;
 }
 
@@ -419,7 +420,7 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
       }
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return distance;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "base/free_memory.hpp"
 #include "geometry/closed_curves.hpp"
@@ -76,7 +77,7 @@ Result<Dislocations> dislocationStep(const WaveFields& waves, const ShapeFields&
                                      StageClock& clock, const RunContext& run) {
   clock.stop();
   const Dislocations found = findDislocations(waves.lines, waves.waves, waves.cells, shape.sdf, params, run);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return found;
 }
 
@@ -120,7 +121,7 @@ Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFi
   clock.start("stitch", 0.65);
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
   cycles = regularizeSmallCycles(cycles, shape.border, params.spacing, run);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   if (cycles.count() == 0) return noBead();
   ToolpathParams joining = params;
   if (input.showsPictures) joining.stitchAlignment = std::max(joining.stitchAlignment, kPictureStitchAlignment);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/whole_number.hpp"
 #include "field/wave_fields.hpp"
@@ -159,7 +160,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   out.kinks = turns.kinks;
   out.crossings = static_cast<std::int64_t>(findCrossings(curves, run).size());
   out.width = widthMeasures(toolpath, params, out.lengthMm);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   run.report(1);
   return out;
 }

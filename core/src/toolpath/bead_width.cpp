@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
 #include "geometry/border_depth.hpp"
@@ -233,7 +234,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
   // What simplification may still move counts as overlap already.
   const float allowed = static_cast<float>(params.beadOverlap * params.spacing - params.simplifyTolerance);
   holdApart(curves, curveOf, {spacing, low, allowed, 1}, widths.width, run);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return widths;
 }
 

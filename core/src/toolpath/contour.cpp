@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 
@@ -183,13 +184,13 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
       }
     }
   });
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
 
   ClosedCurves cycles;
   cycles.points.reserve(vertices.size());
   for (std::size_t start = 0; start < next.size(); ++start) {
     if (next[start] < 0) continue;
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+    if (run.cancelled()) return cancelledRun();
     cycles.begin.push_back(static_cast<int>(cycles.points.size()));
     for (std::size_t i = start; next[i] >= 0;) {
       cycles.points.push_back(vertices[i]);

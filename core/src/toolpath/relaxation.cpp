@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/cancelled.hpp"
 #include "base/free_memory.hpp"
 #include "base/parallel_for.hpp"
 #include "geometry/border_depth.hpp"
@@ -156,7 +157,7 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
     }
     run.report((round + 1.0) / rounds);
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return Relaxed{std::move(path), std::move(gaps)};
 }
 

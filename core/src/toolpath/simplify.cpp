@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "geometry/closed_curves.hpp"
 
@@ -145,7 +146,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
     ClosedCurves path;
     const std::vector<std::vector<std::size_t>> kept =
         keptPoints(full, attempt < kAttempts ? tolerance : 0.0f, keep, run);
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+    if (run.cancelled()) return cancelledRun();
     std::vector<std::pair<std::size_t, std::size_t>> source;  // curve and point of each point kept
     for (std::size_t c = 0; c < full.size(); ++c) {
       path.begin.push_back(static_cast<int>(path.points.size()));
@@ -156,7 +157,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
     }
     path.begin.push_back(static_cast<int>(path.points.size()));
     const auto crossings = findCrossings(path, run);
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};  // some may not be found
+    if (run.cancelled()) return cancelledRun();  // some may not be found
     if (crossings.empty() || attempt == kAttempts) {
       Toolpath toolpath;
       toolpath.spacing = params.spacing;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
@@ -329,7 +330,7 @@ int joinInOrder(const std::vector<Candidate>& candidates, float gap, Joining& jo
 Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                             const Parts& parts, const ToolpathParams& params, const RunContext& run) {
   const PointGrid grid(curves.points, static_cast<float>(params.spacing), run);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};  // the grid may be half made
+  if (run.cancelled()) return cancelledRun();  // the grid may be half made
   Joining joining(curves, grid, lines, border, params);
   std::vector<int> partOfCurve;
   for (int c = 0; c < curves.count(); ++c) {
@@ -366,7 +367,7 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
     if (search == Search::AroundFacing) break;
     search = wider(search);
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "the run was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   stitched.curves = joining.joined();
   stitched.parts = held;
   stitched.longestJoint = static_cast<double>(joining.longestJoint());
