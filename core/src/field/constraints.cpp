@@ -60,8 +60,7 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
   CellConstraints cells{grid, std::vector<Zone>(grid.size()), std::vector<DirectionMode>(grid.size()),
                         std::vector<Vec2f>(grid.size())};
   const float spacing = static_cast<float>(params.spacing);
-  const float shellDepth =
-      params.perimeterMode == PerimeterMode::Count ? static_cast<float>(params.perimeters) * spacing : 0;
+  const float shellDepth = static_cast<float>(countedPerimeters(params)) * spacing;
 
   std::vector<Vec2f> lineOf = beadLines();
   for (Vec2f& line : lineOf) line = acrossBead(line);

@@ -68,7 +68,7 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
                                           const SineField& waves, const CellConstraints& cells,
                                           const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = asked.grid;
-  const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
+  const bool ring = countedPerimeters(params) >= 1;
   const float most = static_cast<float>(params.directionTolerance) * kPi / 180;
   const float bend = static_cast<float>(params.spacingVariation);
   const auto stays = [&](std::size_t i) {

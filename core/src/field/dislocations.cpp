@@ -187,7 +187,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
   }
   const std::vector<Vec2f> z = smoothDirections(lines, cells, run);
   found.bound = boundOf(z, cells, run);
-  const int perimeters = params.perimeterMode == PerimeterMode::Count ? params.perimeters : 0;
+  const int perimeters = countedPerimeters(params);
   found.borderTurns = borderTurnsOf(z, sdf, cells, std::max(1, perimeters) * params.spacing);
   return found;
 }

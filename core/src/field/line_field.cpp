@@ -166,7 +166,7 @@ std::vector<Vec2f> smoothLines(const Grid& grid, const LineInput& input, int swe
 Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraints& cells, const ToolpathParams& params,
                             const RunContext& run) {
   const Grid& grid = cells.grid;
-  const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
+  const bool ring = countedPerimeters(params) >= 1;
   bool needsBase = ring && params.perimeters >= 2;
   bool needsFinal = false;
   for (std::size_t i = 0; i < grid.size(); ++i) {

@@ -306,7 +306,7 @@ PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequen
   const Grid& grid = lines.grid;
   const float spacing = static_cast<float>(params.spacing);
   const bool soft = params.perimeterMode == PerimeterMode::Soft;
-  const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
+  const bool ring = countedPerimeters(params) >= 1;
   PhaseLevel level = makeLevel(LevelShape(grid.nx, grid.ny), 0.5f * kPi, 0, params.phaseTransport, soft);
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {

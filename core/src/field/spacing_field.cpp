@@ -204,7 +204,7 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
   const Grid& grid = lines.grid;
   std::vector<float> frequency(grid.size(), 1.0f);
   if (params.spacingVariation == 0) return frequency;
-  const bool ring = params.perimeterMode == PerimeterMode::Count && params.perimeters >= 1;
+  const bool ring = countedPerimeters(params) >= 1;
   const CoarseGrid coarse = coarseLines(lines, cells, ring, run);
   const std::vector<float> u = logFrequency(coarse, static_cast<float>(params.spacingVariation), run);
 

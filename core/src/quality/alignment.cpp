@@ -97,7 +97,7 @@ Alignment sumsOf(const Stretch& stretch, const Asked& asked) {
 Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, Vec2 page, const DirectionMap& directions,
                       const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
   const std::vector<Vec2f> lines = beadLines();
-  const double perimeters = params.perimeterMode == PerimeterMode::Count ? std::max(params.perimeters, 1) : 1;
+  const double perimeters = std::max(countedPerimeters(params), 1);
   const Asked asked{border, page, directions, lines, modes, params.spacing, (perimeters + 0.05) * params.spacing};
   const std::vector<Stretch> stretches = stretchesOf(toolpath);
   std::vector<Alignment> sums(stretches.size());

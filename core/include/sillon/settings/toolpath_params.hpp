@@ -52,4 +52,9 @@ struct ToolpathParams {
   friend bool operator==(const ToolpathParams&, const ToolpathParams&) = default;
 };
 
+/// Beads that follow the border whatever the directions: none in the other modes.
+inline int countedPerimeters(const ToolpathParams& params) {
+  return params.perimeterMode == PerimeterMode::Count ? params.perimeters : 0;
+}
+
 }  // namespace sillon
