@@ -87,7 +87,7 @@ Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, doub
         const auto from = static_cast<std::size_t>(curves.value().begin[static_cast<std::size_t>(c)]);
         for (int i = 0; i < curves.value().size(c); ++i) {
           const Vec2f p = curves.value().points[from + static_cast<std::size_t>(i)];
-          line.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+          line.push_back(wide(p));
         }
         line = thinned(line);
         if (line.size() >= 3) loops->push_back(std::move(line));

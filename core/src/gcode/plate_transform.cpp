@@ -49,7 +49,7 @@ Toolpath PlateTransform::apply(const Toolpath& toolpath) const {
   Toolpath out = toolpath;
   for (Cycle& cycle : out.cycles) {
     for (Vec2f& p : cycle.points) {
-      const Vec2 turned = apply(Vec2{static_cast<double>(p.x), static_cast<double>(p.y)});
+      const Vec2 turned = apply(wide(p));
       p = {static_cast<float>(turned.x), static_cast<float>(turned.y)};
     }
   }

@@ -11,7 +11,7 @@ std::optional<NearestBorder> BorderDepth::nearerThan(float depth, Vec2f p) {
   const Vec2f move = p - at_;
   const float spare = known_ - depth;
   if (spare > 0 && dot(move, move) < spare * spare) return std::nullopt;
-  const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+  const Vec2 at = wide(p);
   at_ = p;
   known_ = kRounding * border_.blockDepth(at);
   if (known_ > depth) return std::nullopt;

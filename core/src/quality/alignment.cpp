@@ -11,8 +11,6 @@
 namespace sillon {
 namespace {
 
-Vec2 wide(Vec2f p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
 // Everything that the pieces of all beads are compared with.
 struct Asked {
   const BorderIndex& border;

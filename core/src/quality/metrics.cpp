@@ -108,7 +108,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   if (!outline) return outline.error();
   Bounds box = outline.value().bounds;
   for (const Cycle& cycle : toolpath.cycles) {
-    for (const Vec2f p : cycle.points) box.add({static_cast<double>(p.x), static_cast<double>(p.y)});
+    for (const Vec2f p : cycle.points) box.add(wide(p));
   }
   if (auto error = plateTooLarge(box.size(), std::min(toolpath.spacing, params.spacing), run.memory())) return *error;
   const Result<Dislocations> dislocations =

@@ -221,9 +221,8 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
         float distance = at->distance;
         for (const Vec2f end : neighbours) {
           const Vec2f q = (p + end) * 0.5f;
-          distance = std::max(distance, border.nearest({static_cast<double>(q.x), static_cast<double>(q.y)}).distance);
-          if (distance > -0.25f * spacing && border.outside({static_cast<double>(end.x), static_cast<double>(end.y)}))
-            distance = 0;
+          distance = std::max(distance, border.nearest(wide(q)).distance);
+          if (distance > -0.25f * spacing && border.outside(wide(end))) distance = 0;
         }
         widths.limit[i] = std::max(-2 * distance, kThread * spacing);
         width = std::min(width, widths.limit[i]);

@@ -45,7 +45,7 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(first + k);
         const Vec2f tangent = tangentAt(curves, c, first + k);
-        const Vec2 p{static_cast<double>(curves.points[i].x), static_cast<double>(curves.points[i].y)};
+        const Vec2 p = wide(curves.points[i]);
         const float part = border.blockDistance(p) < spacing ? atBorder : strength;
         const float difference = gaps.left[i] - gaps.right[i];
         const float drift = std::clamp(difference, -kDrift * spacing, kDrift * spacing);
@@ -68,7 +68,7 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
 Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, BorderDepth& depth, float spacing) {
   const auto after = depth.nearerThan(0.25f * spacing, to);
   if (!after) return to;
-  const float before = border.nearest({static_cast<double>(from.x), static_cast<double>(from.y)}).distance;
+  const float before = border.nearest(wide(from)).distance;
   return after->distance <= before ? to : from;
 }
 

@@ -107,13 +107,11 @@ class Settling {
   }
   [[nodiscard]] int begin(int c) const { return curves_.begin[static_cast<std::size_t>(c)]; }
   [[nodiscard]] Vec2f at(int point) const { return curves_.points[static_cast<std::size_t>(point)]; }
-  [[nodiscard]] float distanceAt(Vec2f p) const {
-    return border_.nearest({static_cast<double>(p.x), static_cast<double>(p.y)}).distance;
-  }
+  [[nodiscard]] float distanceAt(Vec2f p) const { return border_.nearest(wide(p)).distance; }
   [[nodiscard]] bool isInside(Vec2f a, Vec2f b) const {
     for (int k = 1; k < 8; ++k) {
       const Vec2f p = a + (b - a) * (static_cast<float>(k) / 8);
-      if (border_.outside({static_cast<double>(p.x), static_cast<double>(p.y)})) return false;
+      if (border_.outside(wide(p))) return false;
     }
     return true;
   }

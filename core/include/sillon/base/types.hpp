@@ -29,6 +29,12 @@ struct Vec2T {
 using Vec2 = Vec2T<double>;  ///< outlines and everything computed once
 using Vec2f = Vec2T<float>;  ///< dense fields and paths: 0.03 µm at 400 mm
 
+/// The same in doubles.
+template <class T>
+constexpr Vec2 wide(Vec2T<T> v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
 /// Axis-parallel box [mm]; empty while max < min.
 struct Bounds {
   Vec2 min{1e30, 1e30};
