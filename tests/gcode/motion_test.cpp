@@ -97,7 +97,6 @@ TEST_CASE("a short segment becomes as many moves as are 33 micrometres long") {
   MotionLimits limits = someLimits();
   limits.pressureAdvance = 0;
   for (const auto& [length, moves] : {std::pair{0.3, 9}, {0.1, 3}, {0.07, 2}, {0.06, 1}}) {
-    CAPTURE(length);
     BeadPath path = pathOf({{0, 0}, {length, 0}}, 0.3);
     path.widths[1] = 0.55;  // 13 steps of 0.02 mm, if there is room
     CHECK(planMotion(path, 0, limits).lengths.size() == static_cast<std::size_t>(moves));
@@ -260,8 +259,8 @@ TEST_CASE("beads that slow down go in whole mm/s down to 1, and in whole mm/min 
   MotionLimits limits = someLimits();
   limits.pressureAdvance = 0;
   for (const auto& [speed, feedrate] : {std::pair{2.5, 120}, {1.5, 60}, {1.0, 60}, {0.75, 45}}) {
-    CAPTURE(speed);
     limits.maxFlow = speed * limits.layerHeight * 0.4;
+    CAPTURE(limits.maxFlow);
     BeadPath path = pathOf({{0, 0}, {10, 0}, {10.03, 0}, {20, 0}}, 0.4);
     path.widths[0] = path.widths[1] = 0.004;  // as fast as may be
     const Motion motion = planMotion(path, 0, limits);

@@ -173,11 +173,11 @@ TEST_CASE("where lines are asked for, a quarter of the difference is moved at le
   level.direction.assign(level.grid.size(), {0, 1});
   level.fixed.assign(level.grid.size(), 1);
   for (const auto& [strength, share] : {std::pair{0.0, 0.25}, {0.1, 0.25}, {0.5, 0.5}}) {
-    CAPTURE(strength);
     ToolpathParams params;
     params.relaxationRounds = 1;
     params.relaxationSmoothing = 0;
     params.relaxationStrength = strength;
+    CAPTURE(params.relaxationStrength);
     const auto relaxed =
         relaxSpacing(rows({10.9, 11.6, 12, 12.47, 13.17}, 20), farBorder(), params, RunContext(1), &level);
     REQUIRE(relaxed.ok());
