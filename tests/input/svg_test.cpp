@@ -250,8 +250,10 @@ TEST_CASE("a drawing in small units is as smooth at the width asked for as any o
   CHECK(ringArea(line) == doctest::Approx(9 * 25.4 / 96 * 5 * 10));
   CHECK(read("<svg viewBox='0 0 9 9'><rect x='3' width='9' height='3'/></svg>", options).drawing.offPage ==
         doctest::Approx(10000.0 / 9));
-  options.width = -1;
-  CHECK(readSvg("<svg viewBox='0 0 1 1'/>", options).error().code == ErrorCode::InvalidArgument);
+  for (const double width : {-1.0, 1e-7, 1.1e5, std::numeric_limits<double>::quiet_NaN()}) {
+    options.width = width;
+    CHECK(readSvg("<svg viewBox='0 0 1 1'/>", options).error().code == ErrorCode::InvalidArgument);
+  }
   options.width = 1e5;
   CHECK(readSvg("<svg viewBox='0 0 1 9'/>", options).error().code == ErrorCode::TooLarge);
 }

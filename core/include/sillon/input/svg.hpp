@@ -13,7 +13,7 @@ struct SvgOptions {
   /// Outlines of all closed shapes count whatever their paint, strokes, clipping and the page's edges do not: how the
   /// published scene files are meant.
   bool ignorePaint = false;
-  double width = 0;          ///< the page is scaled to it [mm], up to 100000; 0: as drawn
+  double width = 0;          ///< the page is scaled to it [mm], 1e-6..1e5; 0: as drawn
   double tolerance = 0.002;  ///< largest distance between a curve and its polygon [mm], 0.0001..10
 };
 

@@ -42,8 +42,8 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
   if (!(options.tolerance >= 1e-4 && options.tolerance <= 10)) {
     return Error{ErrorCode::InvalidArgument, "The tolerance of curves is out of range; it must be 0.0001 to 10 mm"};
   }
-  if (!(options.width >= 0 && options.width <= 1e5)) {
-    return Error{ErrorCode::InvalidArgument, "The width of the page is out of range; it must be 0 to 100000 mm"};
+  if (options.width != 0 && !(options.width >= 1e-6 && options.width <= 1e5)) {
+    return Error{ErrorCode::InvalidArgument, "The width of the page is out of range; it must be 0.000001 to 100000 mm"};
   }
   if (text.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};

@@ -91,7 +91,9 @@ class Drawing {
     // Curves and strokes are made as they are printed: scaled later, they would have too few points.
     const double scale = options_.width > 0 ? options_.width / page.x : 1;
     shape_.page = {std::round(page.x * scale * 1e6) / 1e6, std::round(page.y * scale * 1e6) / 1e6};
-    checkPageSide("the height at this width", shape_.page.y, std::to_string(shape_.page.y) + " mm");
+    if (!(shape_.page.y > 0 && shape_.page.y <= kMaxPage)) {
+      refuseTooLarge("the height at the width asked for is out of range; it must be more than 0 and at most 100000 mm");
+    }
 
     State state;
     toPage_ = matrix(units_.mm * scale, 0, 0, -units_.mm * scale, 0, shape_.page.y);
@@ -250,12 +252,12 @@ class Drawing {
     return found == byId_.end() || elementName(*found->second) != kind ? nullptr : found->second;
   }
 
+  // For as long as `state` is.
   PaintContext contextOf(const State& state) {
     const double diagonal = std::sqrt(dot(state.viewport, state.viewport) / 2);
-    return {[this, current = state.paint.color](std::string_view id) {
-              return serverPaint(id, byId_, styleSheet_, current, work_);
-            },
-            [this, diagonal](std::string_view text) { return units_.ofStyle(text, diagonal); }};
+    return {
+        [this, &state](std::string_view id) { return serverPaint(id, byId_, styleSheet_, state.paint.color, work_); },
+        [this, diagonal](std::string_view text) { return units_.ofStyle(text, diagonal); }};
   }
 
   void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {

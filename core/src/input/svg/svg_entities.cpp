@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kMaxEntities = 1000, kMaxName = 64;
 constexpr std::size_t kMaxDeclared = std::size_t{1} << 20;  // bytes of all of them: they may hold each other
 constexpr const char* kTooMany =
-    "the DOCTYPE's entities are too many or too long; at most 1000 of 1 MiB, and 64 MiB in use, are read";
+    "the entities of the DOCTYPE are too many or too long; at most 1000 are read, of 1 MiB in all, for a text of 64 "
+    "MiB";
 
 struct Entity {
   std::string_view name;
