@@ -115,7 +115,7 @@ function show(plate: Plate, fresh = false): void {
 
 /** At a plate that nobody has looked at yet. */
 function look(): void {
-  store.set({ mark: -1, played: 1, playing: false, tool: 'pan', opened: [] });
+  store.set({ mark: -1, played: 1, playing: false, tool: 'pan', opened: undefined });
   studio.stage?.fit();
 }
 

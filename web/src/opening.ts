@@ -33,26 +33,23 @@ export function createOpener(
   engine: () => Promise<Engine>,
   show: (plate: Plate, fresh?: boolean) => void,
 ): Opener {
-  /** What the files are put into, whatever they are used as. */
-  let before: Plate | undefined;
-
-  /** @param step  while the plate is made of them */
+  /** @param before  what they are put into @param step  while the plate is made of them */
   async function use(
-    opened: readonly Opened[],
+    before: Plate,
+    files: readonly Opened[],
     step: (work: Promise<Plate>) => Promise<Plate> = (work) => work,
   ): Promise<void> {
     const { withFiles } = await import('./files/open.js');
-    const base = before ?? studio.store.state.plate;
     const { light, lightMode, result } = studio.store.state;
     const tell = (problem: Problem): void => {
       studio.fail(problem);
     };
     // That on the screen: where a hand has put it, else where it comes back to.
-    const lamp = lightMode === 'fixed' ? light : homeLight(base, result?.toolpath.look);
-    const plate = await step(withFiles(base, opened, await engine(), tell, lamp));
+    const lamp = lightMode === 'fixed' ? light : homeLight(before, result?.toolpath.look);
+    const made = await step(withFiles(before, files, await engine(), tell, lamp));
     // One step of undo, however often the roles are changed.
-    studio.store.change(() => plate, gesture);
-    studio.store.set({ opened });
+    studio.store.change(() => made, gesture);
+    studio.store.set({ opened: { before, made, files } });
     studio.stage?.fit();
   }
 
@@ -98,15 +95,13 @@ export function createOpener(
     if (found.project !== undefined) {
       show(onOwnPrinter(found.project, plate.printer));
       if (sliced !== undefined && files.length === 1) studio.services.openedFrom(sliced);
-      studio.store.set({ opened: [] });
       return;
     }
-    before = plate;
     studio.store.settle();
     if (role !== undefined) {
       found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
     }
-    await use(found.opened, (work) => step(0.7, work));
+    await use(plate, found.opened, (work) => step(0.7, work));
     if (found.opened.length > 1) {
       studio.show('files');
       return;
@@ -137,8 +132,11 @@ export function createOpener(
     },
 
     async setRole(index, role) {
-      const { opened } = studio.store.state;
-      await use(opened.map((file, k) => (k === index ? { ...file, role } : file)));
+      const { opened, plate } = studio.store.state;
+      if (opened === undefined) return;
+      const { withoutFiles } = await import('./files/open.js');
+      const files = opened.files.map((file, k) => (k === index ? { ...file, role } : file));
+      await use(withoutFiles(plate, opened), files);
     },
 
     async load(openings, trusted = false) {
@@ -147,17 +145,14 @@ export function createOpener(
       const files = await Promise.all(openings.map(({ file }) => readable(file)));
       const found = await identify(files, plate, await engine());
       const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
-      before = plate;
       const own = studio.store.state.plate.printer;
       const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own);
       show(project ?? (await withFiles(plate, opened, await engine())));
       studio.store.forgetSteps();
-      studio.store.set({ opened });
     },
 
     async openExample(example) {
       show(await plateOf(example), true);
-      studio.store.set({ opened: [] });
     },
 
     async first() {

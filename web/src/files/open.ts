@@ -4,7 +4,7 @@ import { newFileDirections, newLampDirections, newShape } from '../model/default
 import { homeLight, lampFor, mostPictures } from '../model/lamp.js';
 import type { DirectionSource, Plate, ShapeSource, SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
-import type { Opened, Role } from '../model/file-role.js';
+import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
 import { coloursIn, coloursOf, isSvg } from './drawn.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
@@ -211,7 +211,10 @@ export function withFile(
     case 'more': {
       const { directions } = plate;
       const before = directions.kind === 'lamp' ? directions : undefined;
-      const kept = role === 'more' && before !== undefined ? before.pictures.slice(0, mostPictures - 1) : [];
+      const kept =
+        role === 'more' && before !== undefined
+          ? before.pictures.filter((one) => one.file !== file).slice(0, mostPictures - 1)
+          : [];
       const stands = role === 'lamp' ? before?.pictures[0]?.lamp : undefined;
       const picture = { file, lamp: stands ?? lampFor(kept, light) };
       const next = { ...(before ?? newLampDirections([])), pictures: [...kept, picture] };
@@ -222,6 +225,20 @@ export function withFile(
       return directions === undefined ? plate : { ...framed(plate, size), directions };
     }
   }
+}
+
+/** What files change of a plate: a shape and its size are one. */
+const parts: readonly (readonly (keyof Plate)[])[] = [
+  ['name'],
+  ['modes'],
+  ['directions'],
+  ['shape', 'width', 'height'],
+];
+
+/** The plate with all that a hand has changed since files were put into it, and without what they still are. */
+export function withoutFiles(plate: Plate, { before, made }: OpenedFiles): Plate {
+  const untouched = parts.filter((part) => part.every((key) => plate[key] === made[key])).flat();
+  return { ...plate, ...Object.fromEntries(untouched.map((key) => [key, before[key]])) };
 }
 
 type Tell = (problem: StudioError) => void;

@@ -1,5 +1,5 @@
 // What the files that people open are for.
-import type { SourceFile } from './plate.js';
+import type { Plate, SourceFile } from './plate.js';
 
 /** What a file may be for; the dictionary has `role.NAME`. */
 export type Role =
@@ -24,6 +24,13 @@ export interface Opened {
   role: Role;
   /** What it may be used as. */
   roles: readonly Role[];
+}
+
+/** Files that were opened together, and the plate without them and with them. */
+export interface OpenedFiles {
+  before: Plate;
+  made: Plate;
+  files: readonly Opened[];
 }
 
 /** A file, and what it is for where somebody says so: 'shape', 'image' (its directions), or a role. Empty: as it is guessed. */

@@ -63,7 +63,7 @@ export class Files extends DialogElement {
     return html`
       <p>${t('files.guess')}</p>
       <ul class="files">
-        ${opened.map((file, k) => this.#row(file, k))}
+        ${opened?.files.map((file, k) => this.#row(file, k))}
       </ul>
       <div class="end">
         <button

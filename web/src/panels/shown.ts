@@ -3,7 +3,7 @@ import type { EngineInfo, DirectionMode } from 'sillon';
 import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
 import type { Problem } from '../model/problem.js';
-import type { Opened } from '../model/file-role.js';
+import type { OpenedFiles } from '../model/file-role.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
 import type { Mark, Shimmer } from '../model/view.js';
 
@@ -81,7 +81,7 @@ export interface Shown extends State {
   live: boolean;
   dialog: Dialog | undefined;
   /** The files that were opened last, for as long as what they are for can be changed. */
-  opened: readonly Opened[];
+  opened: OpenedFiles | undefined;
   /** The print that dialog 'rebrush' is about. */
   sliced: File | undefined;
   /** The visitor's own; undefined: not looked for yet. */
@@ -131,7 +131,7 @@ export const newShown = (): Shown => ({
   keepRatio: true,
   live: false,
   dialog: undefined,
-  opened: [],
+  opened: undefined,
   sliced: undefined,
   spools: undefined,
   dropping: false,

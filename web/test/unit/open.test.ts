@@ -5,7 +5,7 @@ import { after, before, test } from 'node:test';
 import { createEngine, type Engine, type Picture } from 'sillon';
 import { allowedRoles, factsOf, guessRoles } from '../../src/files/guess.js';
 import { kindOf } from '../../src/files/kind.js';
-import { identify, withFile, withFiles } from '../../src/files/open.js';
+import { identify, withFile, withFiles, withoutFiles } from '../../src/files/open.js';
 import { encodeGreyPng } from '../../src/files/png16.js';
 import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-file.js';
 import { newFileDirections, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
@@ -288,6 +288,31 @@ test('the examples’ own files are recognised, and make the plate', async () =>
   assert.equal(toned.directions.kind, 'tone');
   assert.deepEqual([toned.modes.file, toned.name], [undefined, '2']);
   assert.equal((await withFiles(plateWith({ name: 'kept' }), others, engine)).name, 'kept');
+});
+
+test('another role keeps every edit since the files were opened', async () => {
+  const wide = await encodeGreyPng(
+    40,
+    10,
+    new Uint8Array(400).map((_, k) => k % 251),
+  );
+  const before = newPlate();
+  const { opened: files } = await identify([new File([wide], 'photo.png')], before, engine);
+  const made = await withFiles(before, files, engine);
+  const opened = { before, made, files };
+  assert.deepEqual(withoutFiles(made, opened), before);
+  const edited = { ...made, name: 'Gift', print: { ...made.print, base: 5 } };
+  assert.deepEqual(withoutFiles(edited, opened), { ...before, name: 'Gift', print: { ...before.print, base: 5 } });
+  // A size is of no use to another shape.
+  const larger = { ...made, width: 100, height: 25 };
+  const { shape, width, height, directions } = withoutFiles(larger, opened);
+  assert.deepEqual([shape, width, height, directions], [made.shape, 100, 25, before.directions]);
+  // A picture whose lamp was moved is there once, whatever it is used as.
+  const moved = { ...made, directions: { ...made.directions, lampSize: 0.01 } } as Plate;
+  const again = files.map((one) => ({ ...one, role: 'more' as const }));
+  const { directions: lit } = await withFiles(withoutFiles(moved, opened), again, engine);
+  assert.ok(lit.kind === 'lamp');
+  assert.deepEqual([lit.pictures.length, lit.lampSize], [1, 0.01]);
 });
 
 test('shapes come first, in whatever order files are dropped', async () => {
