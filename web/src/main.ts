@@ -115,7 +115,8 @@ function show(plate: Plate, fresh = false): void {
 
 /** At a plate that nobody has looked at yet. */
 function look(): void {
-  store.set({ mark: -1, played: 1, playing: false, tool: 'pan', opened: undefined });
+  store.set({ mark: -1, played: 1, playing: false, tool: 'pan' });
+  studio.setOpened(undefined);
   studio.stage?.fit();
 }
 

@@ -49,7 +49,7 @@ export function createOpener(
     const made = await step(withFiles(before, files, await engine(), tell, lamp));
     // One step of undo, however often the roles are changed.
     studio.store.change(() => made, gesture);
-    studio.store.set({ opened: { before, made, files } });
+    studio.setOpened({ before, made, files });
     studio.stage?.fit();
   }
 
@@ -112,12 +112,13 @@ export function createOpener(
       const unsaid = drawn && !(await hasUnits(source));
       const size = { width: made.width, height: made.height };
       const told = `${t('files.opened', { name: source.name, role: t(`role.${role}`) })} ${unsaid ? t('files.sized', size) : ''}`;
-      studio.notify(told.trim(), {
+      const change = {
         label: t('files.change'),
         run: () => {
           studio.show('files');
         },
-      });
+      };
+      studio.notify(told.trim(), change, true);
     }
   }
 

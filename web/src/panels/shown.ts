@@ -42,12 +42,19 @@ export interface Reading {
   cancel: () => void;
 }
 
+export interface NoticeAction {
+  label: string;
+  run: () => void;
+}
+
 /** Something to tell, that goes away by itself unless it is a problem. */
 export interface Notice {
   id: number;
   text: string;
   problem?: Problem;
-  action?: { label: string; run: () => void };
+  action?: NoticeAction;
+  /** Of the files that were opened last: goes with them. */
+  ofFiles?: boolean;
 }
 
 export interface Shown extends State {

@@ -14,10 +14,10 @@ import { isAbort, problemOf, same } from '../model/problem.js';
 import type { Store } from '../model/store.js';
 import type { PlateResult, Theme, Tool } from '../model/state.js';
 import type { Light, ViewName } from '../model/view.js';
-import type { Role } from '../model/file-role.js';
+import type { OpenedFiles, Role } from '../model/file-role.js';
 import type { Draw } from './drawn-choices.js';
 import type { Example } from './examples.js';
-import type { Dialog, LightMode, Notice, Shown } from './shown.js';
+import type { Dialog, LightMode, Notice, NoticeAction, Shown } from './shown.js';
 
 export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
 
@@ -264,8 +264,8 @@ export class Studio {
 
   // --- Words --------------------------------------------------------------------------------------------------------------
 
-  notify(text: string, action?: Notice['action']): void {
-    this.#tell(action === undefined ? { text } : { text, action });
+  notify(text: string, action?: NoticeAction, ofFiles = false): void {
+    this.#tell({ text, ofFiles, ...(action === undefined ? {} : { action }) });
   }
 
   fail(problem: Problem): void {
@@ -300,6 +300,11 @@ export class Studio {
     setTimeout(() => {
       this.dismiss(id);
     }, shownFor);
+  }
+
+  /** @param opened  undefined: another plate, of other files; what was offered for those before would be done to these */
+  setOpened(opened: OpenedFiles | undefined): void {
+    this.store.set({ opened, notices: this.store.state.notices.filter(({ ofFiles }) => !ofFiles) });
   }
 
   // --- Files --------------------------------------------------------------------------------------------------------------

@@ -1,0 +1,38 @@
+// What files that were dropped are for can be changed, for as long as they are in the plate.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { sharedBench } from './support/shared.js';
+import { fileAt, inputs, skip, start } from './support/studio.js';
+
+const bench = sharedBench(skip, start);
+const photo = (name) => ({ ...fileAt(join(inputs, 'photo.png')), name });
+
+async function dropped() {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24); // of the link, which would take the file's place
+  await visit.drop([photo('first.png')]);
+  await visit.page.getByText('first.png: Picture under a lamp').waitFor();
+  return visit;
+}
+
+test('what a file is for can be changed after other changes, which stay', { skip }, async () => {
+  const visit = await dropped();
+  await visit.section('Print');
+  await visit.page.getByRole('spinbutton', { name: 'Base layers' }).fill('5');
+  await visit.button('Change').click();
+  await visit.page.getByRole('dialog').getByRole('combobox').selectOption('tone');
+  await visit.until(({ plate }) => plate.directions.kind === 'tone');
+  assert.equal(await visit.state(({ plate }) => plate.print.base), 5);
+});
+
+test('what was said of files goes with them', { skip }, async () => {
+  const visit = await dropped();
+  await visit.drop([photo('second.png')]);
+  await visit.page.getByText('second.png: One more picture').waitFor();
+  assert.equal(await visit.button('Change').count(), 1);
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
+  await visit.button('Change').waitFor({ state: 'detached' });
+  assert.equal(await visit.state(({ opened }) => opened === undefined), true);
+});
