@@ -72,7 +72,7 @@ export function createOpener(
       studio.store.set({ reading: { name, fraction, cancel } });
       return Promise.race([work, stopped]);
     };
-    const { hasUnits, identify, isSliced, readable } = await step(0.05, import('./files/open.js'));
+    const { identify, isSliced, readable } = await step(0.05, import('./files/open.js'));
     const { mode, host } = studio.store.state;
     const plate = withoutExample(studio.store.state.plate);
     const [sliced] = files;
@@ -106,20 +106,8 @@ export function createOpener(
       studio.show('files');
       return;
     }
-    for (const { source, role } of found.opened) {
-      const { plate: made } = studio.store.state;
-      const drawn = role === 'shape' || (role === 'colours' && source.bytes.type === 'image/svg+xml');
-      const unsaid = drawn && !(await hasUnits(source));
-      const size = { width: made.width, height: made.height };
-      const told = `${t('files.opened', { name: source.name, role: t(`role.${role}`) })} ${unsaid ? t('files.sized', size) : ''}`;
-      const change = {
-        label: t('files.change'),
-        run: () => {
-          studio.show('files');
-        },
-      };
-      studio.notify(told.trim(), change, true);
-    }
+    const [only] = found.opened;
+    if (only !== undefined) await (await import('./tell-opened.js')).tellOpened(studio, only);
   }
 
   const opener: Opener = {

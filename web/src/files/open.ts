@@ -9,6 +9,7 @@ import type { Light } from '../model/view.js';
 import { coloursIn, coloursOf, isSvg } from './drawn.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
 import { enoughToKnow, kindOf, type Kind } from './kind.js';
+import { filesOf } from './plate-data.js';
 import { seemsSliced } from './sliced.js';
 import { sourceFile, stemOf } from './source-file.js';
 
@@ -284,6 +285,9 @@ async function withColours(
   return { ...made, directions: await coloursOf(file, engine, before) };
 }
 
+/** Whether nobody has given the plate a name. */
+const isOfFile = (plate: Plate): boolean => filesOf(plate).some(({ name }) => stemOf(name) === plate.name);
+
 /** The plate with all of them put to use: shapes first, as pictures are laid over them.
  * @param tell  what of a file is not in the plate
  * @param light  on the screen
@@ -304,6 +308,7 @@ export async function withFiles(
         ? await withColours(made, one, engine, tell)
         : withFile(made, one.source, one.role, await sizeOf(made, one, engine, tell), light);
   }
-  const [first] = used;
-  return made.name === '' && first !== undefined ? { ...made, name: stemOf(first.source.name) } : made;
+  const pictured = used.find(({ role }) => role !== 'modes');
+  const first = plate.name === '' ? used[0] : isOfFile(plate) ? pictured : undefined;
+  return first === undefined ? made : { ...made, name: stemOf(first.source.name) };
 }

@@ -188,6 +188,12 @@ export const rareEn = {
     'As computed, a phone reads this code with the light at {where}, counter-clockwise from the right, or from the opposite side.',
   'rare.scan.none':
     'As computed, no phone reads this code, wherever the light is. Make the plate larger, the text shorter, or the two directions more different; a round shape leaves less room than a square.',
+  'rare.files.what': 'What is each file for?',
+  'rare.files.guess': 'This is a guess. Change it if it is wrong.',
+  'rare.files.opened': '{name}: {role}.',
+  'rare.files.sized': 'It says no unit, so it is as large as the plate was: {width} × {height} mm.',
+  'rare.files.change': 'Change',
+  'rare.files.instead': 'Use it instead',
   'rare.role.shape.help': 'Its outline is what gets filled.',
   'rare.role.mask.help': 'Bright, opaque pixels are inside.',
   'rare.role.lamp.help': 'The plate shows the picture while the lamp stands where it is on the screen.',

@@ -50,7 +50,7 @@ export class Files extends DialogElement {
 
   readonly #pictures = new Map<string, string>();
 
-  protected override heading = (): string => t('files.what');
+  protected override heading = (): string => rare('files.what');
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
@@ -61,7 +61,7 @@ export class Files extends DialogElement {
   protected override body(): TemplateResult {
     const { opened } = this.state;
     return html`
-      <p>${t('files.guess')}</p>
+      <p>${rare('files.guess')}</p>
       <ul class="files">
         ${opened?.files.map((file, k) => this.#row(file, k))}
       </ul>

@@ -58,6 +58,9 @@ export class Notices extends StudioElement {
       .problem summary {
         min-height: 26px;
       }
+      .link {
+        margin-right: 8px;
+      }
       .close {
         min-height: 24px;
         width: 24px;
@@ -122,25 +125,24 @@ export class Notices extends StudioElement {
     </button>`;
   }
 
-  #word({ id, text, action }: Notice): TemplateResult {
+  #word({ id, text, actions }: Notice): TemplateResult {
     return html`<div class="notice">
       ${icon('check')}
       <div>
         ${text}
-        ${
-          action === undefined
-            ? nothing
-            : html`<button
-                type="button"
-                class="link"
-                @click=${() => {
-                  this.studio.dismiss(id);
-                  action.run();
-                }}
-              >
-                ${action.label}
-              </button>`
-        }
+        ${actions?.map(
+          ({ label, run }) =>
+            html`<button
+              type="button"
+              class="link"
+              @click=${() => {
+                this.studio.dismiss(id);
+                run();
+              }}
+            >
+              ${label}
+            </button>`,
+        )}
       </div>
       ${this.#close(() => {
         this.studio.dismiss(id);

@@ -52,7 +52,7 @@ export interface Notice {
   id: number;
   text: string;
   problem?: Problem;
-  action?: NoticeAction;
+  actions?: readonly NoticeAction[];
   /** Of the files that were opened last: goes with them. */
   ofFiles?: boolean;
 }

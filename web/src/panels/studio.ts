@@ -264,12 +264,12 @@ export class Studio {
 
   // --- Words --------------------------------------------------------------------------------------------------------------
 
-  notify(text: string, action?: NoticeAction, ofFiles = false): void {
-    this.#tell({ text, ofFiles, ...(action === undefined ? {} : { action }) });
+  notify(text: string, ...actions: NoticeAction[]): void {
+    this.tell({ text, actions });
   }
 
   fail(problem: Problem): void {
-    this.#tell({ text: '', problem });
+    this.tell({ text: '', problem });
   }
 
   dismiss(id: number): void {
@@ -287,7 +287,7 @@ export class Studio {
     }
   }
 
-  #tell(words: Omit<Notice, 'id'>): void {
+  tell(words: Omit<Notice, 'id'>): void {
     const { problem } = this.store.state;
     if (problem !== undefined && words.problem !== undefined && same(problem, words.problem)) return; // it stands there already
     const id = this.#nextNotice++;
@@ -296,7 +296,7 @@ export class Studio {
     );
     this.store.set({ notices: [...others, { id, ...words }].slice(-3) });
     if (words.problem !== undefined) return;
-    const shownFor = words.action === undefined ? noticeFor : offerFor;
+    const shownFor = words.actions?.length ? offerFor : noticeFor;
     setTimeout(() => {
       this.dismiss(id);
     }, shownFor);

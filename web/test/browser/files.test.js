@@ -36,3 +36,14 @@ test('what was said of files goes with them', { skip }, async () => {
   await visit.button('Change').waitFor({ state: 'detached' });
   assert.equal(await visit.state(({ opened }) => opened === undefined), true);
 });
+
+test('a second picture is lit at once, names the plate, and can take the place of the first', { skip }, async () => {
+  const visit = await dropped();
+  await visit.drop([photo('second.png')]);
+  await visit.until(({ lamp }) => lamp === 1);
+  const names = ({ plate }) => [plate.name, ...plate.directions.pictures.map(({ file }) => file.name)];
+  assert.deepEqual(await visit.state(names), ['second', 'first.png', 'second.png']);
+  await visit.button('Use it instead').click();
+  await visit.until(({ plate, lamp }) => plate.directions.pictures.length === 1 && lamp === 0);
+  assert.deepEqual(await visit.state(names), ['second', 'second.png']);
+});

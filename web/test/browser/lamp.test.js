@@ -81,8 +81,11 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
     ['moon.jpg', [115, 35]],
   ]);
   await visit.until(({ result }) => result?.report.pictures?.length === 2);
-  // Turned with motion reduced: at once. The light is then the second picture's, and stays there.
+  // The light is the new picture's. Turned with motion reduced: at once, and it stays there.
+  await visit.until('({ light, lamp }) => lamp === 1 && light.azimuth === 115');
   await visit.button('Turn the lamp').click();
+  await visit.until('({ light, lamp }) => lamp === 0 && light.azimuth === 60');
+  await visit.button('Light the picture: moon.jpg').click();
   await visit.until('({ light, lamp }) => lamp === 1 && light.azimuth === 115');
   await visit.button('Light the picture: photo.png').click();
   await visit.until('({ light, lamp }) => lamp === 0 && light.azimuth === 60');

@@ -58,7 +58,7 @@ for (const { mode, path, panels } of pages) {
                   view,
                   notices: words
                     ? [
-                        { id: -1, text: long, action: { label: 'Undo that', run() {} } },
+                        { id: -1, text: long, actions: [{ label: 'Undo that', run() {} }] },
                         { id: -2, text: 'Short.' },
                       ]
                     : [],

@@ -315,6 +315,27 @@ test('another role keeps every edit since the files were opened', async () => {
   assert.deepEqual([lit.pictures.length, lit.lampSize], [1, 0.01]);
 });
 
+test('a name that is a file’s goes on to the next picture, and not to what it does not show', async () => {
+  const named = async (plate: Plate, role: Role, name: string): Promise<Plate> => {
+    const grey = await encodeGreyPng(
+      9,
+      9,
+      new Uint8Array(81).map((_, k) => 3 * k),
+    );
+    const { opened } = await identify([new File([grey], name)], plate, engine);
+    return withFiles(
+      plate,
+      opened.map((one) => ({ ...one, role })),
+      engine,
+    );
+  };
+  const first = await named(newPlate(), 'lamp', 'cat.png');
+  assert.equal(first.name, 'cat');
+  assert.equal((await named(first, 'more', 'coins.png')).name, 'coins');
+  assert.equal((await named(first, 'modes', 'modes.png')).name, 'cat');
+  assert.equal((await named({ ...first, name: 'Gift' }, 'more', 'coins.png')).name, 'Gift');
+});
+
 test('shapes come first, in whatever order files are dropped', async () => {
   const wide = await encodeGreyPng(
     40,
