@@ -55,8 +55,8 @@ export class LightControl extends StudioElement {
       /* One row over the plate of a phone. */
       @container (width < 420px) {
         :host {
-          min-width: min-content;
-          grid-template-columns: auto max-content minmax(40px, 1fr); /* the longest of its words stays whole */
+          min-width: 0;
+          grid-template-columns: auto minmax(0, max-content) minmax(40px, 1fr);
           padding: 4px 8px 4px 4px;
         }
         sillon-dial {

@@ -189,7 +189,7 @@ export class StageElement extends StudioElement {
           right: 6px;
         }
         .light {
-          flex: 1;
+          flex: auto;
           width: auto;
         }
         .bottom {

@@ -78,6 +78,18 @@ for (const { mode, path, panels } of pages) {
   });
 }
 
+test('on the narrowest phones the light keeps inside of the page in every language', { skip }, async () => {
+  const viewport = { width: 360, height: 740 };
+  const visit = await bench.open({ small: true, viewport, hasTouch: true, isMobile: true });
+  for (const language of ['en', 'fr', 'de']) {
+    await visit.page.evaluate((name) => document.querySelector('sillon-app').studio.setLanguage(name), language);
+    await settled(visit.page);
+    const { x, width } = await visit.page.locator('sillon-light').boundingBox();
+    const slider = await visit.page.locator('sillon-light input[type=range]').boundingBox();
+    assert.ok(x + width <= 360 && slider.x + slider.width < x + width, `${language}: ${x + width}, ${slider.width}`);
+  }
+});
+
 test('figures and values are whole in a narrow page in French, and so is a comma', { skip }, async () => {
   const visit = await bench.open({ small: true, viewport: { width: 768, height: 700 }, locale: 'fr-FR' });
   await visit.idle();
