@@ -32,6 +32,7 @@ export const swatchStyle = css`
     border-radius: 50%;
     box-shadow: inset 0 0 0 1px var(--edge);
     background: ${spoolColour};
+    forced-color-adjust: none;
   }
   .swatches label:has(:checked) {
     outline: 2px solid var(--accent);

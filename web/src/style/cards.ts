@@ -16,6 +16,11 @@ export const choiceCards = css`
     background: var(--tint);
     box-shadow: inset 0 0 0 1px var(--accent);
   }
+  @media (forced-colors: active) {
+    .card:has(:checked) {
+      outline: 3px solid Highlight;
+    }
+  }
   .card:has(:focus-visible) {
     outline: 2px solid var(--accent);
     outline-offset: 2px;

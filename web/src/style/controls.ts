@@ -445,6 +445,25 @@ export const controls = css`
     background: var(--on-accent);
   }
 
+  /* Where the system's colours take the place of ours, it leaves no gradients and no backgrounds. */
+  @media (forced-colors: active) {
+    select,
+    button.main,
+    input[type='range'],
+    .switch input {
+      forced-color-adjust: none;
+    }
+    button[aria-pressed='true'],
+    [aria-selected='true'],
+    nav [aria-expanded='true'],
+    .segments label:has(:checked),
+    .cards label:has(:checked) {
+      forced-color-adjust: none;
+      background: Highlight !important;
+      color: HighlightText !important;
+    }
+  }
+
   .file {
     display: flex;
     align-items: center;

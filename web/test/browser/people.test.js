@@ -196,6 +196,29 @@ test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, as
   assert.deepEqual(small, []);
 });
 
+test(
+  'with the system’s own colours, what is selected differs from the rest, and sliders have tracks',
+  { skip },
+  async () => {
+    const visit = await bench.open({ small: true, forcedColors: 'active' });
+    const ground = (one) => one.evaluate((element) => getComputedStyle(element).backgroundColor);
+    const tab = (selected) => visit.page.locator(`[role=tab][aria-selected=${selected}]`).first();
+    const section = (expanded) => visit.page.locator(`nav [aria-expanded=${expanded}]`).first();
+    await visit.section('Toolpath');
+    await visit.page.locator('.cards :checked').waitFor();
+    const card = (checked) => visit.page.locator('.cards label', { has: visit.page.locator(checked) }).first();
+    for (const [chosen, other] of [
+      [tab(true), tab(false)],
+      [section(true), section(false)],
+      [card(':checked'), card(':not(:checked)')],
+    ])
+      assert.notEqual(await ground(chosen), await ground(other));
+    const adjusted = (one) => one.evaluate((element) => getComputedStyle(element).forcedColorAdjust);
+    assert.equal(await adjusted(visit.page.locator('input[type=range]').first()), 'none');
+    assert.equal(await adjusted(visit.page.locator('select').first()), 'none');
+  },
+);
+
 test('French, from the browser or from the menu, and it stays', { skip }, async () => {
   const visit = await bench.open({ small: true, locale: 'fr-FR' });
   await visit.idle();
