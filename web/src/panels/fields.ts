@@ -108,11 +108,10 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
   };
   const onChange = (event: Event): void => {
     const input = event.currentTarget as HTMLInputElement;
-    if (readNumber(field, input) === undefined) {
-      // What cannot be used does not stay; the sentence about it does, until the next change.
-      input.value = inputText(shortNumber(field.value, step));
-      input.setAttribute('aria-invalid', 'false');
-    }
+    const value = readNumber(field, input);
+    // What cannot be used does not stay; the sentence about it does, until the next change.
+    input.value = inputText(value ?? shortNumber(field.value, step));
+    input.setAttribute('aria-invalid', 'false');
     field.onSettle();
   };
   /** As the spin buttons of number fields, which write no comma where the page's language has one. */

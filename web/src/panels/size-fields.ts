@@ -51,64 +51,52 @@ export const sizeStyle = css`
   }
 `;
 
-function resize(studio: Studio, change: (plate: Plate) => Partial<Plate>, gesture: string): void {
-  studio.change((plate) => ({ ...plate, ...change(plate) }), gesture);
-}
-
-function sideField(studio: Studio, side: 'width' | 'height', locked: boolean): TemplateResult {
+/** @param sizes  what the plate gets with another side */
+function sideField(
+  studio: Studio,
+  side: 'width' | 'height',
+  label: string,
+  sizes: (plate: Plate, value: number) => Partial<Plate>,
+): NumberField {
   const { plate, units } = studio.store.state;
-  const other = side === 'width' ? 'height' : 'width';
-  const field = {
-    id: `size-${side}`,
-    label: t(`size.${side}`),
-    value: hundredth(plate[side]),
-    min: smallest,
-    max: largest,
-    step: 0.1,
-    onInput: (value: number) => {
-      resize(
-        studio,
-        (now) => ({ [side]: value, ...(locked ? { [other]: hundredth((now[other] / now[side]) * value) } : {}) }),
-        side,
-      );
+  return lengthField(
+    {
+      id: `size-${side}`,
+      label,
+      value: hundredth(plate[side]),
+      min: smallest,
+      max: largest,
+      step: 0.1,
+      usual: [10, 200],
+      onInput: (value) => {
+        studio.change((now) => ({ ...now, ...sizes(now, value) }), side);
+      },
+      onSettle: () => {
+        studio.settle();
+      },
     },
-    onSettle: () => {
-      studio.settle();
-    },
-  };
-  return html`<div class="field stacked">
-    <label for=${field.id}>${field.label}</label>${numberInput(lengthField(field, units))}
-    <p class="error" id="${field.id}-error" role="status" hidden></p>
-  </div>`;
-}
-
-function diameterField(studio: Studio): TemplateResult {
-  const { plate, units } = studio.store.state;
-  const field = {
-    id: 'size-width',
-    label: t('size.diameter'),
-    value: hundredth(plate.width),
-    min: smallest,
-    max: largest,
-    step: 0.1,
-    usual: [10, 200] as const,
-    onInput: (value: number) => {
-      resize(studio, () => ({ width: value, height: value }), 'width');
-    },
-    onSettle: () => {
-      studio.settle();
-    },
-  };
-  return numberField(lengthField(field, units));
+    units,
+  );
 }
 
 export function sizeFields(studio: Studio): TemplateResult {
   const { keepRatio, plate } = studio.store.state;
   const { kind } = plate.shape;
-  if (kind === 'disc') return diameterField(studio);
+  if (kind === 'disc')
+    return numberField(sideField(studio, 'width', t('size.diameter'), (_, value) => ({ width: value, height: value })));
   const locked = keepRatio || kind === 'file'; // a file's proportions are its own
+  const stacked = (side: 'width' | 'height', other: 'width' | 'height'): TemplateResult => {
+    const field = sideField(studio, side, t(`size.${side}`), (now, value) => ({
+      [side]: value,
+      ...(locked ? { [other]: hundredth((now[other] / now[side]) * value) } : {}),
+    }));
+    return html`<div class="field stacked">
+      <label for=${field.id}>${field.label}</label>${numberInput(field)}
+      <p class="error" id="${field.id}-error" role="status" hidden></p>
+    </div>`;
+  };
   return html`<div class="size">
-    ${sideField(studio, 'width', locked)}
+    ${stacked('width', 'height')}
     <button
       type="button"
       class="square"
@@ -122,6 +110,6 @@ export function sizeFields(studio: Studio): TemplateResult {
     >
       ${icon(locked ? 'lock' : 'unlock', 16)}
     </button>
-    ${sideField(studio, 'height', locked)}
+    ${stacked('height', 'width')}
   </div>`;
 }

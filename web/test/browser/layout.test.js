@@ -90,6 +90,25 @@ test('on the narrowest phones the light keeps inside of the page in every langua
   }
 });
 
+test(
+  'a size that cannot be is told until the next one, and what is taken is written as the page writes it',
+  { skip },
+  async () => {
+    const visit = await bench.open({ small: true });
+    await visit.section('Shape');
+    const field = visit.page.getByRole('spinbutton', { name: 'Diameter' });
+    const error = visit.page.getByText('Diameter must be 1 to 1,000.');
+    await field.fill('2000');
+    await field.press('Tab');
+    assert.equal(await field.inputValue(), '24');
+    await error.waitFor();
+    await field.fill('12,5');
+    await field.press('Tab');
+    assert.equal(await field.inputValue(), '12.5');
+    assert.equal(await error.count(), 0);
+  },
+);
+
 test('figures and values are whole in a narrow page in French, and so is a comma', { skip }, async () => {
   const visit = await bench.open({ small: true, viewport: { width: 768, height: 700 }, locale: 'fr-FR' });
   await visit.idle();
