@@ -226,7 +226,7 @@ export const de: Translation = {
   'lamp.size.softbox': 'Softbox',
   'lamp.size.window': 'Fenster',
   'lamp.stands': 'Lampe bei {azimuth}°, {elevation}° hoch',
-  'lamp.here': 'Lampe dorthin stellen, wo das Licht ist',
+  'lamp.here': 'Dieses Licht nehmen',
   'lamp.best': 'Besten Ort wählen',
   'lamp.gauge': 'Kontrast {contrast} : 1, etwa {n} Graustufen',
   'lamp.shown': 'Beleuchtetes Bild',

@@ -209,7 +209,7 @@ export const en = {
   'lamp.size.softbox': 'Softbox',
   'lamp.size.window': 'Window',
   'lamp.stands': 'Lamp at {azimuth}°, {elevation}° high',
-  'lamp.here': 'Put the lamp where the light is',
+  'lamp.here': 'Use this light',
   'lamp.best': 'Choose the best place',
   'lamp.gauge': 'Contrast {contrast} : 1, about {n} steps of grey',
   'lamp.shown': 'Picture that is lit',

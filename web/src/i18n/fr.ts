@@ -226,7 +226,7 @@ export const fr: Translation = {
   'lamp.size.softbox': 'Boîte à lumière',
   'lamp.size.window': 'Fenêtre',
   'lamp.stands': 'Lampe à {azimuth}°, {elevation}° de haut',
-  'lamp.here': 'Mettre la lampe où est la lumière',
+  'lamp.here': 'Utiliser cette lumière',
   'lamp.best': 'Choisir la meilleure place',
   'lamp.gauge': 'Contraste {contrast} : 1, environ {n} nuances de gris',
   'lamp.shown': 'Image éclairée',
