@@ -1,5 +1,5 @@
 // How a drawing is read: fetched when there is one.
-import { html, nothing, type TemplateResult } from 'lit';
+import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { d } from '../i18n/drawing.js';
 import { paintOf } from '../model/input.js';
@@ -14,7 +14,16 @@ type Drawing = Extract<ShapeSource, { kind: 'file' }>;
 export class DrawingFields extends StudioElement {
   static override reads = ['plate'] as const;
 
-  static override styles = [...StudioElement.styles, panelStyle];
+  static override styles = [
+    ...StudioElement.styles,
+    panelStyle,
+    css`
+      :host {
+        display: grid;
+        gap: 12px;
+      }
+    `,
+  ];
 
   override render(): TemplateResult | typeof nothing {
     const { shape } = this.state.plate;
