@@ -39,6 +39,9 @@ export class PrintPanel extends StudioElement {
         letter-spacing: -0.01em;
         font-variant-numeric: tabular-nums;
       }
+      .before h3 {
+        margin-bottom: 12px;
+      }
       .warnings {
         display: grid;
         gap: 6px;
@@ -115,7 +118,6 @@ export class PrintPanel extends StudioElement {
         this.studio,
         settings.filter(({ section, advanced }) => section !== 'toolpath' && advanced),
       )}
-      <sillon-doubts .studio=${this.studio}></sillon-doubts>
       <div class="take">
         <button
           type="button"
@@ -162,14 +164,13 @@ export class PrintPanel extends StudioElement {
       <p class="note">
         ${t('summary.estimate')} ${summary === undefined ? '' : t('summary.size', { size: formatBytes(summary.bytes) })}
       </p>
-      ${
-        warnings.length === 0
-          ? nothing
-          : html`<h3>${t('summary.warnings')}</h3>
-              <ul class="warnings">
-                ${warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
-              </ul>`
-      }
+      <div class="before">
+        ${summary === undefined ? nothing : html`<h3>${t('summary.warnings')}</h3>`}
+        <sillon-doubts .studio=${this.studio}></sillon-doubts>
+        <ul class="warnings">
+          ${warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
+        </ul>
+      </div>
       ${this.#findings()} ${this.#startLines()}`;
   }
 

@@ -125,12 +125,15 @@ const text = { kind: 'text', text: 'Hello', font: 'sans-serif', bold: true, size
 const doubts = (visit) => visit.page.locator('#export sillon-doubts');
 
 test(
-  'letters that are too fine for their beads are told in the menu of downloads, with the way out',
+  'letters that are too fine for their beads are told above the print and in the menu of downloads, with the way out',
   { skip },
   async () => {
     const shape = { kind: 'rectangle' };
     const visit = await bench.open({ path: `/${linkOf({ shape, width: 12, height: 6, directions: text })}` });
     await visit.idle();
+    await visit.section('Print');
+    const summary = visit.page.getByRole('region', { name: 'Print', exact: true });
+    await summary.getByText('These letters can hardly be read').waitFor();
     await visit.page.locator('[popovertarget=export]').click();
     await doubts(visit).getByText('These letters can hardly be read').waitFor();
     await visit.page.evaluate(() => {
