@@ -23,10 +23,12 @@ export class StageElement extends StudioElement {
   static override styles = [
     ...StudioElement.styles,
     css`
-      /* Words have a row of their own, so that they never lie over a button; the plate goes on behind them, and stays. */
+      /* Words have a row of their own, so that they never lie over a button; the plate goes on behind them, and stays. On a
+         wide bench there is room for them at its right, and nothing has to move. */
       :host {
         display: grid;
         grid-template: minmax(0, 1fr) minmax(0, auto) auto / minmax(0, 1fr);
+        container-type: size;
         min-width: 0;
         min-height: 0;
       }
@@ -44,6 +46,17 @@ export class StageElement extends StudioElement {
       }
       sillon-notices {
         grid-area: 2 / 1;
+      }
+      @container (width >= 1000px) and (height >= 400px) {
+        .bench,
+        sillon-notices {
+          grid-area: 1 / 1 / 3 / 2;
+        }
+        sillon-notices {
+          align-self: start;
+          max-height: calc(100% - 180px);
+          margin-top: 70px;
+        }
       }
       sillon-status {
         grid-area: 3 / 1;

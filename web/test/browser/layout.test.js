@@ -140,3 +140,19 @@ test('figures and values are whole in a narrow page in French, and so is a comma
   await visit.until('({ plate, live }) => plate.toolpath.spacing > 0.77 && !live');
   await visit.close();
 });
+
+test('on a wide bench words move nothing', { skip }, async () => {
+  const visit = await bench.open({ small: true, viewport: { width: 1440, height: 900 } });
+  await visit.idle();
+  await visit.page.evaluate(() => {
+    document.querySelector('sillon-app').studio.store.set({ notices: [] });
+  });
+  const bars = async () => [
+    await visit.page.locator('sillon-looks').boundingBox(),
+    await visit.page.locator('sillon-light').boundingBox(),
+  ];
+  const before = await bars();
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.notify('A word of what has happened'));
+  await visit.page.getByText('A word of what has happened').waitFor();
+  assert.deepEqual(await bars(), before);
+});
