@@ -72,6 +72,9 @@ export class Notices extends StudioElement {
         margin-top: 6px;
       }
       @media (pointer: coarse) {
+        .notice {
+          align-items: center;
+        }
         .close {
           min-height: 44px;
           width: 44px;
