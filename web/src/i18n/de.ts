@@ -677,6 +677,11 @@ export const de: Translation = {
     one: '{n} Kehre, {density} je cm². Diese Richtungen brauchen etwa {bound}; glattere brauchen weniger.',
     other: '{n} Kehren, {density} je cm². Diese Richtungen brauchen etwa {bound}; glattere brauchen weniger.',
   },
+  'verdict.uTurns.needed': {
+    one: '{n} Kehre, {density} je cm². Nicht mehr, als diese Richtungen brauchen (etwa {bound}); glattere brauchen weniger.',
+    other:
+      '{n} Kehren, {density} je cm². Nicht mehr, als diese Richtungen brauchen (etwa {bound}); glattere brauchen weniger.',
+  },
   'verdict.kinks.good': { one: '{n} scharfe Ecke.', other: '{n} scharfe Ecken.' },
   'verdict.kinks.fair': {
     one: '{n} scharfe Ecke; dort bremst der Drucker. Die Qualität „Fein“ beseitigt die meisten.',

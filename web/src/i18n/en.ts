@@ -640,6 +640,11 @@ export const en = {
     one: '{n} U-turn, {density} per cm². These directions need about {bound}; smoother ones need fewer.',
     other: '{n} U-turns, {density} per cm². These directions need about {bound}; smoother ones need fewer.',
   },
+  'verdict.uTurns.needed': {
+    one: '{n} U-turn, {density} per cm². No more than these directions need (about {bound}); smoother ones need fewer.',
+    other:
+      '{n} U-turns, {density} per cm². No more than these directions need (about {bound}); smoother ones need fewer.',
+  },
   'verdict.kinks.good': { one: '{n} sharp corner.', other: '{n} sharp corners.' },
   'verdict.kinks.fair': {
     one: '{n} sharp corner; the printer slows down there. The preset “Fine” removes most.',

@@ -683,6 +683,11 @@ export const fr: Translation = {
     other:
       '{n} demi-tours, {density} par cm². Ces directions en demandent environ {bound} ; de plus douces en demandent moins.',
   },
+  'verdict.uTurns.needed': {
+    one: '{n} demi-tour, {density} par cm². Pas plus que ces directions n’en demandent (environ {bound}) ; de plus douces en demandent moins.',
+    other:
+      '{n} demi-tours, {density} par cm². Pas plus que ces directions n’en demandent (environ {bound}) ; de plus douces en demandent moins.',
+  },
   'verdict.kinks.good': { one: '{n} angle vif.', other: '{n} angles vifs.' },
   'verdict.kinks.fair': {
     one: '{n} angle vif ; l’imprimante y ralentit. La qualité « Fine » en retire la plupart.',

@@ -20,6 +20,7 @@ export type VerdictText =
   | `${'coverage' | 'overlap' | 'uTurns' | 'widths' | 'lost' | 'alignment' | 'picture'}.${Level}`
   | `${'kinks' | 'fill'}.${'good' | 'fair'}`
   | 'alignment.free'
+  | 'uTurns.needed'
   | 'path.one'
   | 'path.many'
   | 'path.apart'
@@ -106,8 +107,13 @@ export function verdictsOf(report: Report): Verdict[] {
   const filled = fillRatio >= 0.97 && fillRatio <= 1.05 ? 'good' : 'fair';
   const lostShare = (100 * lostAreaMm2) / area;
   const lost = lostAreaMm2 < 0.005 ? 'good' : lostShare < 1 ? 'fair' : 'poor';
+  const turns = levelBetween(perCm2(uTurns), 6, 15, true);
+  // Where no path turns less often, it is the directions that are to be looked at.
+  const needed = turns !== 'good' && uTurns <= turnBound;
   verdicts.push(
-    judged('uTurns', levelBetween(perCm2(uTurns), 6, 15, true), turning),
+    needed
+      ? { measure: 'uTurns', level: 'fair', text: 'uTurns.needed', values: turning }
+      : judged('uTurns', turns, turning),
     judged('kinks', perCm2(kinks) <= 0.2 ? 'good' : 'fair', { n: kinks }),
     judged('widths', levelBetween(width.clamped, 0.01, 0.05, true), widths),
     judged('fill', filled, { percent: round(100 * fillRatio, 1) }),

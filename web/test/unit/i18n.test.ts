@@ -421,6 +421,7 @@ test('each measure is judged by itself, in every language', async () => {
     [{ alignmentConstrained: 0 }, 'alignment', 'good'],
     [{ uTurns: 1000 }, 'uTurns', 'fair'],
     [{ uTurns: 5000 }, 'uTurns', 'poor'],
+    [{ uTurns: 5000, turnBound: 5000 }, 'uTurns', 'fair'],
     [{ kinks: 100 }, 'kinks', 'fair'],
     [{ width: { p01: 0.5, median: 1, p99: 2, belowHalf: 0, clamped: 0.03 } }, 'widths', 'fair'],
     [{ width: { p01: 0.5, median: 1, p99: 2, belowHalf: 0, clamped: 0.3 } }, 'widths', 'poor'],
@@ -442,6 +443,15 @@ test('each measure is judged by itself, in every language', async () => {
       for (const other of verdicts) if (other !== verdict) assert.equal(other.level, 'good', other.measure);
     }
   }
+});
+
+test('no more U-turns than the directions need are no fault of the path', () => {
+  const told = (turnBound: number): string | undefined =>
+    verdictsOf({ ...good, uTurns: 1000, turnBound })
+      .map(verdictText)
+      .find((text) => text.includes('U-turn'));
+  assert.match(told(1000) ?? '', /^1,000 U-turns, .* No more than these directions need \(about 1,000\)/);
+  assert.doesNotMatch(told(999) ?? '', /No more/);
 });
 
 test('a plate that was not measured is not judged', () => {
