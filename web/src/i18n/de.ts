@@ -857,7 +857,7 @@ export const de: Translation = {
   'drawing.paint.help': 'Nach ihren Umrissen: gleich, womit sie gefüllt sind, auch wenn sie gar keine Füllung haben.',
   'drawing.keepThin': 'Dünne Stellen behalten',
   'drawing.keepThin.help':
-    'Was mindestens eine halbe Bahn breit ist, wird auf eine Bahn verbreitert. Sonst bleibt es leer; die Ansicht Qualität markiert es.',
+    'Was mindestens eine halbe Bahn breit ist, wird auf eine Bahn verbreitert. Sonst bleibt es leer; die Ansicht Prüfung markiert es.',
 
   'rebrush.title': '{name} neu bürsten',
   'rebrush.back': 'Zurück zur Platte',

@@ -11,5 +11,5 @@ export const drawingEn = {
   'drawing.paint.help': 'By its outlines: whatever they are painted with, also what is not filled at all.',
   'drawing.keepThin': 'Keep thin places',
   'drawing.keepThin.help':
-    'What is at least half a bead wide is widened to one bead. Otherwise it stays empty; the quality view marks it.',
+    'What is at least half a bead wide is widened to one bead. Otherwise it stays empty; the Check view marks it.',
 } as const satisfies Record<`drawing.${string}`, Text>;

@@ -863,7 +863,7 @@ export const fr: Translation = {
   'drawing.paint.help': 'Par ses contours : quel que soit leur remplissage, même s’ils n’en ont aucun.',
   'drawing.keepThin': 'Garder les parties fines',
   'drawing.keepThin.help':
-    'Ce qui fait au moins un demi-cordon de large est élargi à un cordon. Sinon cela reste vide ; la vue Qualité le signale.',
+    'Ce qui fait au moins un demi-cordon de large est élargi à un cordon. Sinon cela reste vide ; la vue Contrôle le signale.',
 
   'rebrush.title': 'Rebrosser {name}',
   'rebrush.back': 'Retour à la plaque',
