@@ -440,7 +440,7 @@ export const fr: Translation = {
     'Filament déposé hors de la plaque avant la première couche, en plus de ce que la dernière impression a rétracté.',
   'help.printer.baseSpeed': 'Au-dessus de la première ; 0 est la vitesse ci-dessus.',
   'help.printer.showSpeed':
-    '0 est la vitesse ci-dessus, mais 20 mm/s au plus si rien ne règle la compensation de pression : lent et constant, c’est régulier.',
+    '0 est la vitesse ci-dessus, mais 20 mm/s au plus si rien ne règle l’avance de pression : lent et constant, c’est régulier.',
   'help.printer.firstLayerAcceleration': 'Des départs plus doux collent mieux ; 0 : comme les autres couches.',
   'help.printer.firstLayerFan': 'L’air empêche la première couche de coller.',
   'help.printer.baseFan': '−1 choisit selon la matière : 100 % pour le PLA, 50 % pour les autres.',
@@ -561,7 +561,7 @@ export const fr: Translation = {
 
   'printer.generic': 'Générique',
   'printer.generic-centre': 'Générique, origine au centre',
-  'printer.import': 'Depuis un fichier de votre trancheur…',
+  'printer.import': 'Depuis un fichier de votre slicer…',
   'printer.imported': { one: '{name} : {n} réglage repris.', other: '{name} : {n} réglages repris.' },
   'printer.notRead': 'Non repris : {list}',
   'printer.own': 'Imprimante personnelle',
@@ -734,7 +734,7 @@ export const fr: Translation = {
 
   // --- Sorties --------------------------------------------------------------------------------------------------------
   'export.gcode': 'G-code',
-  'export.body': 'Base pour votre trancheur (3MF)',
+  'export.body': 'Base pour votre slicer (3MF)',
   'export.svg': 'Dessin (SVG)',
   'export.png': 'Image (PNG)',
   'export.view': 'Reflets pour pages web',
@@ -810,7 +810,7 @@ export const fr: Translation = {
   'hint.OneTone': 'On n’en verrait rien sur la plaque. Prenez une image avec des clairs et des sombres.',
   'problem.PrinterFileHere': '{name} est un fichier d’imprimante.',
   'hint.PrinterFileHere':
-    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ». Une impression tranchée, à rebrosser, vient seule.',
+    'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre slicer… ». Une impression tranchée, à rebrosser, vient seule.',
   'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
   'hint.LeftOut':
     'Convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier. Ouvrez les images séparément.',
@@ -821,7 +821,7 @@ export const fr: Translation = {
   'hint.TooManyFiles': 'Ouvrez un projet à la fois.',
   'problem.PrinterFile': '{name} ne contient aucun réglage d’imprimante.',
   'hint.PrinterFile':
-    'Prenez un G-code que votre trancheur a fait pour cette imprimante, des réglages de PrusaSlicer (.ini) ou un préréglage d’Orca (.json).',
+    'Prenez un G-code que votre slicer a fait pour cette imprimante, des réglages de PrusaSlicer (.ini) ou un préréglage d’Orca (.json).',
   'problem.LinkBroken': 'Le lien est incomplet.',
   'hint.LinkBroken': 'Copiez-le en entier ; les messageries coupent souvent les longs liens.',
   'problem.LinkTooLong': 'Le lien est trop long pour être l’un des nôtres.',
@@ -831,7 +831,7 @@ export const fr: Translation = {
   'problem.LinkValue': 'Le lien donne à {where} la valeur {value}, qui n’est pas permise.',
   'hint.LinkValue': 'Il a peut-être été modifié à la main. Redemandez-le.',
   'problem.GuestValue': 'La page qui affiche celle-ci donne à {where} la valeur {value}, qui n’est pas permise.',
-  'hint.GuestValue': 'Prévenez son responsable : docs/guide/embedding.md dit lesquelles le sont.',
+  'hint.GuestValue': 'Prévenez son responsable : le guide d’intégration dit lesquelles le sont.',
   'problem.GuestFile': 'Un fichier nommé dans l’adresse de cette page n’a pas pu être ouvert.',
   'hint.GuestFile': 'L’adresse est peut-être fausse, ou le site du fichier n’en permet pas la lecture d’ici.',
   'problem.TextTooLong': 'Le texte est trop long : {length} caractères, au plus {most}.',
@@ -941,7 +941,7 @@ export const fr: Translation = {
 
   'rebrush.unreadable': '{name} ne peut pas être rebrossé.',
   'rebrush.unreadableHelp':
-    'Il faut un G-code, .gcode.3mf ou .bgcode, tel que PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio ou Cura l’ont écrit. Pour en prendre plutôt les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre trancheur… ».',
+    'Il faut un G-code, .gcode.3mf ou .bgcode, tel que PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio ou Cura l’ont écrit. Pour en prendre plutôt les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre slicer… ».',
   'rebrush.noFaces': '{name} n’a aucune face du dessus qui puisse être rebrossée.',
   'rebrush.noTops': '{name} n’a aucune face du dessus.',
   'rebrush.failed': 'Les nouveaux cordons n’ont pas pu être posés.',
@@ -951,8 +951,8 @@ export const fr: Translation = {
   'rebrush.left.Narrow': 'Plus étroite que trois cordons',
   'rebrush.left.Small': 'Plus petite que dix carrés de cordon',
   'rebrush.left.Covered': 'La couche suivante en couvre une partie',
-  'rebrush.left.Ironed': 'Lissée ensuite ; désactivez le lissage dans le trancheur',
-  'rebrush.left.Interleaved': 'Le trancheur va et vient entre elle et une autre face',
+  'rebrush.left.Ironed': 'Lissée ensuite ; désactivez le lissage dans le slicer',
+  'rebrush.left.Interleaved': 'Le slicer va et vient entre elle et une autre face',
   'rebrush.left.Command': 'Une commande à l’intérieur serait perdue',
   'rebrush.left.Object': 'Un autre objet commence à l’intérieur',
   'rebrush.left.Height': 'Ses mouvements montent ou descendent',
@@ -1011,7 +1011,7 @@ export const fr: Translation = {
   'rare.keys.save': 'Enregistrer le projet',
   'rare.keys.file': 'Télécharger le G-code',
   'rare.keys.undo': 'Défaire',
-  'rare.keys.redo': 'Refaire',
+  'rare.keys.redo': 'Rétablir',
   'rare.keys.views': 'Flux, cordons, apparence, contrôle',
   'rare.keys.move': 'Déplacer la vue',
   'rare.keys.zoom': 'Agrandir, réduire',
@@ -1098,7 +1098,7 @@ export const fr: Translation = {
   'rare.warning.AccelerationHeld':
     'L’accélération est de {asked} mm/s² ; elle est ramenée à celle de la machine, {held}.',
   'rare.warning.NoPressureAdvance':
-    'Rien ne règle la compensation de pression sur cette imprimante : les couches orientées avancent donc à {speed} mm/s partout, {minutes} min de plus qu’à {asked}. Réglez-la, ou la vitesse des couches orientées.',
+    'Rien ne règle l’avance de pression sur cette imprimante : les couches orientées avancent donc à {speed} mm/s partout, {minutes} min de plus qu’à {asked}. Réglez-la, ou la vitesse des couches orientées.',
   'rare.warning.NotPrimed':
     'La plaque ne laisse pas de place pour une ligne de purge : la buse n’est pas amorcée avant le premier cordon.',
   'rare.warning.PrintOnBed':
@@ -1248,8 +1248,7 @@ export const fr: Translation = {
   'calibrate.photo.list': 'Photos',
   'calibrate.photo.remove': 'Retirer {name}',
   'calibrate.photo.example': 'Une photo comme elle doit être (image calculée)',
-  'calibrate.photo.how1':
-    'Posez-la sur du papier uni, nettement plus clair ou plus sombre, toute entière dans l’image.',
+  'calibrate.photo.how1': 'Posez-la sur du papier uni, nettement plus clair ou plus sombre, tout entière dans l’image.',
   'calibrate.photo.how2':
     'Une seule petite lampe dans une pièce sombre, à un demi-mètre et à 35 à 60° de hauteur. Ni flash, ni fenêtre.',
   'calibrate.photo.how3': 'Inclinez l’appareil de 10 à 30°, remplissez la moitié de l’image, et sous-exposez plutôt.',
@@ -1297,7 +1296,7 @@ export const fr: Translation = {
   'calibrate.first.what': 'Pour qui a une imprimante et un filament brillant\u00a0: trois choix, puis imprimez.',
   'calibrate.first.machine': 'Quelle imprimante\u202f?',
   'calibrate.first.machineHelp':
-    'La vôtre n’y est pas\u202f? Choisissez un fichier que votre trancheur a fait pour elle\u00a0: son début est éprouvé.',
+    'La vôtre n’y est pas\u202f? Choisissez un fichier que votre slicer a fait pour elle\u00a0: son début est éprouvé.',
   'calibrate.first.print': 'Quoi d’abord\u202f?',
   'calibrate.first.coupon': 'Éprouvette',
   'calibrate.first.couponHelp': 'Montre ce que valent imprimante et filament',
