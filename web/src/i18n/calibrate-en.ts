@@ -10,7 +10,7 @@ export const calibrateEn = {
 
   // Prints.
   'calibrate.what':
-    'Small prints that teach your printer and your filament. Begin with the coupon, or go from the top: each print relies on those before it.',
+    'Small prints that get to know your printer and filament. Begin with the coupon, or go from the top: each print relies on those before it.',
   'calibrate.kinds': 'Prints',
   'calibrate.cost': '{time} · {grams}',
   'calibrate.grams': '{g} g',
@@ -88,8 +88,8 @@ export const calibrateEn = {
   'calibrate.photo.example': 'A photograph as it should be (rendered)',
   'calibrate.photo.how1': 'Lay it on plain paper that is clearly lighter or darker, all of it in the picture.',
   'calibrate.photo.how2': 'One small lamp in a dark room, half a metre away and 35 to 60° high. No flash, no window.',
-  'calibrate.photo.how3': 'Tilt the camera by 10 to 30°, fill half of the picture, and rather underexpose.',
-  'calibrate.photo.how4': 'Take three or more, with the lamp on another side in each: together they tell more surely.',
+  'calibrate.photo.how3': 'Tilt the camera by 10 to 30°, fill half of the picture, and underexpose slightly.',
+  'calibrate.photo.how4': 'Take three or more, with the lamp on another side in each: together they are more reliable.',
   'calibrate.photo.elevation': 'Height of the lamp, if measured',
   'calibrate.photo.same': 'The coupon must be of the nozzle and the flow that are set now.',
   'calibrate.photo.reading': 'Reading',
@@ -108,7 +108,7 @@ export const calibrateEn = {
   'calibrate.photo.width': 'Bead width, of {asked} mm asked for',
   'calibrate.photo.lamp': 'lamp at {azimuth}°, {elevation} ± {error}° high',
   'calibrate.photo.bars': '± is one standard deviation.',
-  'calibrate.photo.more': 'Add others, with the lamp on other sides: together they tell more surely.',
+  'calibrate.photo.more': 'Add others, with the lamp on other sides: together they are more reliable.',
   'calibrate.photo.name': 'Name of the spool',
   'calibrate.photo.keep': 'Keep as a spool',
   'calibrate.photo.kept': '{name} is kept, and this plate uses it.',
@@ -125,18 +125,18 @@ export const calibrateEn = {
   'calibrate.spools.import': 'Open a file…',
   'calibrate.spools.export': 'Save as a file',
   'calibrate.spools.imported': { one: '{n} spool is kept.', other: '{n} spools are kept.' },
-  'calibrate.spools.unreadable': '{name} is no file of spools: {why}.',
+  'calibrate.spools.unreadable': '{name} is not a spool file: {why}.',
   'calibrate.spools.give': 'To pass yours on to everybody, open an issue with this file and how you measured it.',
   'calibrate.spools.builtIn': 'Measured by the authors of the method',
   'calibrate.spools.yours': 'Your spools…',
 
   // First print.
   'calibrate.first.title': 'First print',
-  'calibrate.first.what': 'For somebody with a printer and glossy filament: three choices, then print.',
+  'calibrate.first.what': 'For anyone with a printer and glossy filament: three choices, then print.',
   'calibrate.first.machine': 'Which printer?',
   'calibrate.first.machineHelp':
-    'Yours is not there? Choose a file that your slicer made for it: its beginning is proven.',
-  'calibrate.first.print': 'What first?',
+    'Yours is not there? Choose a file that your slicer made for it: its start code is known to work.',
+  'calibrate.first.print': 'What to print first?',
   'calibrate.first.coupon': 'Coupon',
   'calibrate.first.couponHelp': 'Shows how well printer and filament do',
   'calibrate.first.coaster': 'Coaster',

@@ -9,11 +9,11 @@ export const rebrushEn = {
   'rebrush.another': 'Another file…',
   'rebrush.reading': 'Reading {name}',
 
-  'rebrush.tilt': 'See it from aside',
+  'rebrush.tilt': 'See it from the side',
   'rebrush.flat': 'See it from above',
   'rebrush.below': 'See it from below',
   'rebrush.tilted':
-    'The print from aside. Drag or use the arrow keys to turn it, with Shift or two fingers to move it; click a face to choose it or leave it',
+    'The print from the side. Drag or use the arrow keys to turn it, with Shift or two fingers to move it; click a face to choose it or leave it',
 
   'rebrush.faces': 'Faces',
   'rebrush.side': 'Which faces',
@@ -23,7 +23,7 @@ export const rebrushEn = {
   'rebrush.side.bottom.help':
     'The first layer, seen through the print: turned over, it is mirrored. Pictures read correctly then.',
   'rebrush.side.both.help':
-    'The view from above shows the tops. From aside, press “See it from below” for the first layer.',
+    'The view from above shows the tops. From the side, press “See it from below” for the first layer.',
   'rebrush.bottomFace': 'Bottom, {z} mm high',
   'rebrush.chosen': '{n} of {all} chosen, {area} mm²',
   'rebrush.all': 'All',

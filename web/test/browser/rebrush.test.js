@@ -216,7 +216,7 @@ test('the print is seen from aside: turned by pointer and keys, faces chosen on 
   const { page } = visit;
   await visit.drop([fileOf('part.gcode', sliced())]);
   await until(() => saves(visit).isEnabled(), 'beads are laid');
-  await view(visit).getByRole('button', { name: 'See it from aside' }).click();
+  await view(visit).getByRole('button', { name: 'See it from the side' }).click();
   const print = view(visit).locator('sillon-rebrush-tilted');
   const canvas = print.locator('canvas');
   await canvas.waitFor();
@@ -265,7 +265,7 @@ test('bottoms are seen from below: they glow, a click chooses, and their beads t
   await until(() => saves(visit).isEnabled(), 'beads are laid');
   await view(visit).getByRole('radio', { name: 'Bottom' }).check();
   await until(() => saves(visit).isEnabled(), 'beads are laid on the bottoms');
-  await view(visit).getByRole('button', { name: 'See it from aside' }).click();
+  await view(visit).getByRole('button', { name: 'See it from the side' }).click();
   const print = view(visit).locator('sillon-rebrush-tilted');
   const canvas = print.locator('canvas');
   await canvas.waitFor();
@@ -332,7 +332,7 @@ test('faces are combed from aside; with Shift the print moves and nothing is dra
   await visit.drop([fileOf('part.gcode', sliced({ sides: [24] }))]);
   await until(() => saves(visit).isEnabled(), 'beads are laid');
   await view(visit).getByRole('radio', { name: 'By hand' }).check();
-  await view(visit).getByRole('button', { name: 'See it from aside' }).click();
+  await view(visit).getByRole('button', { name: 'See it from the side' }).click();
   const print = view(visit).locator('sillon-rebrush-tilted');
   const canvas = print.locator('canvas');
   await canvas.waitFor();
