@@ -25,7 +25,7 @@ constexpr int kMaxRounds = 5;                    ///< of splitting; two do for n
 constexpr int kMaxGridRounds = 50;               ///< of splitting on a grid; five do for nearly all drawings
 constexpr double kPerGrid = 1000;                ///< points of the grid that files hold [1/mm]
 constexpr std::size_t kMaxPieces = 4'000'000;    ///< beyond any drawing that a spacing of 0.05 mm could show
-constexpr std::uint64_t kMaxWork = 800'000'000;  ///< pair tests; a few seconds, reached by hostile drawings only
+constexpr std::uint64_t kMaxWork = 800'000'000;  ///< pair tests; some ten seconds: strokes of a world map
 
 Vec2 rounded(Vec2 p) { return {std::round(p.x) + 0.0, std::round(p.y) + 0.0}; }
 
