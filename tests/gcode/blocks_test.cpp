@@ -57,7 +57,8 @@ TEST_CASE("an end block that comes down on the plate is refused, one that homes 
   const char* homes = "line 3 of endGcode: homes Z, for which most printers come down on the plate";
   for (const char* block : {"G28", "G28 Z", "g28 z0", "G28 W"}) CHECK(contains(end(block).value().warnings, homes));
   for (const char* block : {"G28 X", "G28 X0 Y0", "G28 XY"}) CHECK(!contains(end(block).value().warnings, homes));
-  job.printer.roundBed = true;  // deltas home at their top
+  CHECK(end("G28\nG1 X110 Y110 F3000"));  // how high it stands is not told
+  job.printer.roundBed = true;            // deltas home at their top
   job.printer.bedMin = {-100, -100};
   job.printer.bedMax = {100, 100};
   CHECK(!contains(end("G28").value().warnings, homes));

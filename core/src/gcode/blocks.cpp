@@ -92,12 +92,13 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
   MachineState machine(printer.flavor);
   machine.at = from;
   machine.z = z;
+  machine.zKnown = true;
   std::optional<Error> refused;
   forEachLine(block, [&](const GcodeLine& line) {
     const GcodeParts parts = partsOf(line.text);
     if (refused || parts.code.empty()) return;
     const GcodeCommand command = commandOf(parts.code);
-    machine.homedAxes = 0;
+    machine.homedAxes = 0;  // so that they are those of this line
     const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
     // Deltas home at their top.
     if (command.is('G', 28) && machine.homed(kAxisZ) && !printer.roundBed) {
@@ -105,7 +106,7 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
                                       {"what", std::string("homes Z, for which most printers come down on the plate")},
                                       {"rule", std::string("height")}});
     }
-    if (!move || !(move->z < plate.height)) return;
+    if (!move || !machine.zKnown || !(move->z < plate.height)) return;
     constexpr int kPieces = 32;
     for (int k = 0; k <= kPieces; ++k) {
       const double share = static_cast<double>(k) / kPieces;
