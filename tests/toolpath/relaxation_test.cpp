@@ -46,6 +46,15 @@ BorderIndex farBorder() {
   return buildBorderIndex(outline, makeGrid(outline.bounds, 0.4), RunContext(1)).value();
 }
 
+// Beads are asked to run along the rows, all over the page.
+LineField levelLines() {
+  LineField lines;
+  lines.grid = makeGrid({{0, 0}, {60, 40}}, 0.4);
+  lines.direction.assign(lines.grid.size(), {0, 1});
+  lines.fixed.assign(lines.grid.size(), 1);
+  return lines;
+}
+
 // Mean height of the points of row k in its middle.
 double middleHeight(const ClosedCurves& curves, double guess) {
   double sum = 0;
@@ -143,10 +152,7 @@ TEST_CASE("lines that are asked for take waves out of beads, but not in the last
   wavy.points.erase(wavy.points.begin(), wavy.points.begin() + 2);
   wavy.points.insert(wavy.points.begin(), bead.begin(), bead.end());
   wavy.begin.back() = static_cast<int>(wavy.points.size());
-  LineField level;
-  level.grid = makeGrid({{0, 0}, {60, 40}}, 0.4);
-  level.direction.assign(level.grid.size(), {0, 1});
-  level.fixed.assign(level.grid.size(), 1);
+  const LineField level = levelLines();
   const auto waveLeft = [&](int rounds, const LineField* asked) {
     ToolpathParams params;
     params.relaxationRounds = rounds;
@@ -169,9 +175,7 @@ TEST_CASE("lines that are asked for take waves out of beads, but not in the last
 }
 
 TEST_CASE("where lines are asked for, a quarter of the difference is moved at least") {
-  LineField level{makeGrid({{0, 0}, {60, 40}}, 0.4), {}, {}};
-  level.direction.assign(level.grid.size(), {0, 1});
-  level.fixed.assign(level.grid.size(), 1);
+  const LineField level = levelLines();
   for (const auto& [strength, share] : {std::pair{0.0, 0.25}, {0.1, 0.25}, {0.5, 0.5}}) {
     ToolpathParams params;
     params.relaxationRounds = 1;
@@ -186,9 +190,7 @@ TEST_CASE("where lines are asked for, a quarter of the difference is moved at le
 }
 
 TEST_CASE("where lines are asked for, paths are smoothed by 0.3 at most") {
-  LineField level{makeGrid({{0, 0}, {60, 40}}, 0.4), {}, {}};
-  level.direction.assign(level.grid.size(), {0, 1});
-  level.fixed.assign(level.grid.size(), 1);
+  const LineField level = levelLines();
   ClosedCurves circle;
   for (const Vec2 p : scenes::circle({20, 20}, 3, 360))
     circle.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
