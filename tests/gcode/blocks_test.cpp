@@ -88,6 +88,11 @@ TEST_CASE("start blocks must home all axes, and give back what G10 has drawn bac
   };
   const std::string heat = "M190 S60\nM109 S215\n";
   CHECK(refusal("G28 X Y\n" + heat) == "startGcode does not home; it must have G28 or a start macro");
+  job.params.startHeight = 5;  // Z may be known from the print below
+  CHECK(refusal("G28 X Y\n" + heat) == "");
+  CHECK(checkGcode(job.write().text, job.printer).errors() == 0);
+  CHECK(refusal("G28 X\n" + heat) == "startGcode does not home; it must have G28 or a start macro");
+  job.params.startHeight = 0;
   CHECK(refusal("G28 X Y\nG1 Z5 F600\nG1 X50 Y50 F3000\nG28 Z\n" + heat) == "");
   CHECK(refusal("G28\nM84\n" + heat) == "startGcode does not home; it must have G28 or a start macro");
   CHECK(refusal("G28\nM84 E\n" + heat) == "");

@@ -60,7 +60,9 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   // Makers of Bambu machines wipe far off the bed, in code that is theirs.
   const bool trusted = printer.flavor == GcodeFlavor::Bambu;
   const GcodeCheck check = checkGcode(block, printer);
-  if (!check.homes) return invalid("startGcode does not home; it must have G28 or a start macro");
+  // Above another print Z may be known from that one: to home it could drive into it.
+  const bool homes = params.startHeight > 0 ? check.homesPlane : check.homes;
+  if (!homes) return invalid("startGcode does not home; it must have G28 or a start macro");
   job.startRetracted = check.retracted;
   if (check.firmwareRetracted) return invalid("startGcode draws filament back by G10; it must give it back by G11");
   // Many blocks level the bed with a nozzle that is too cold to drip; firmwares refuse to move its filament.

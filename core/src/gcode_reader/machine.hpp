@@ -10,7 +10,8 @@
 namespace sillon {
 
 inline constexpr unsigned kAxisX = 1, kAxisY = 2, kAxisZ = 4;
-inline constexpr unsigned kAllAxes = kAxisX | kAxisY | kAxisZ;
+inline constexpr unsigned kPlane = kAxisX | kAxisY;
+inline constexpr unsigned kAllAxes = kPlane | kAxisZ;
 
 /// A move as it was understood. Lengths mm, speeds mm/s.
 struct MachineMove {

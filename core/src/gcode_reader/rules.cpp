@@ -208,7 +208,10 @@ void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
   }
   // Bambu's printers home with moves of their own: their makers' blocks name X and Z alone.
   if (command.is('G', 28) && settings_.flavor == GcodeFlavor::Bambu) machine_.homedAxes = kAllAxes;
-  if (!moved_) check_.homes = machine_.homed();
+  if (!moved_) {
+    check_.homes = machine_.homed();
+    check_.homesPlane = machine_.homed(kPlane);
+  }
   if (command.letter == 'G' && command.code <= 3) return;  // most lines
   heaters_.run(command, words, machine_.tool);
   noteHeat();
@@ -312,10 +315,9 @@ void Rules::move(const MachineMove& move) {
   }
   lastZKnown_ = machine_.zKnown;
   // Many blocks lift a little before they home, or between the axes: in the plane, and then in the middle of the bed.
-  const unsigned needed = move.length > 0 ? kAxisX | kAxisY : 0;
-  const bool lift = move.length == 0 && move.z > move.zFrom && (!machine_.absolute || machine_.homed(kAxisX | kAxisY));
+  const bool lift = move.length == 0 && move.z > move.zFrom && (!machine_.absolute || machine_.homed(kPlane));
   const bool lowers = move.z != move.zFrom && !lift;
-  if (!machine_.homed(needed | (lowers ? kAxisZ : 0))) found("unhomed", true);
+  if (!machine_.homed((move.length > 0 ? kPlane : 0) | (lowers ? heightAxis() : 0))) found("unhomed", true);
   if (move.length > 0) {
     if (machine_.speed <= 0) {
       found("no-speed", !block());  // firmware has a speed to begin with
@@ -337,7 +339,7 @@ void Rules::bead(const MachineMove& move, double e) {
     if (!check_.heatsBed) found("cold-bed", false);
   }
   checkHot();
-  if (!machine_.homed()) found("unhomed", true);
+  if (!machine_.homed(kPlane | heightAxis())) found("unhomed", true);
   if (!inPath_) {
     if (machine_.retracted > 1e-4 && !block()) found("bead-retracted", true, {{"mm", decimal(machine_.retracted, 3)}});
     if (machine_.firmwareRetracted && !block()) found("bead-g10", true);

@@ -61,6 +61,8 @@ class Rules {
   void endLayer();
 
   [[nodiscard]] bool block() const { return layers_ == 0 || custom_; }
+  // Above another print Z may be known from that one: to home it could drive into it.
+  [[nodiscard]] unsigned heightAxis() const { return startHeight_ > 0 ? 0 : kAxisZ; }
   [[nodiscard]] bool klipper() const { return settings_.flavor == GcodeFlavor::Klipper; }
 
   static constexpr std::size_t kWindow = 8;  // [moves], half of a small firmware's buffer

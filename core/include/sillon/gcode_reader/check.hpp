@@ -37,9 +37,10 @@ struct GcodeCheck {
   /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no base. The outline is in
   /// no file; what the base layers fill is taken for it.
   std::vector<double> coverage;
-  std::string printer;    ///< printer_model
-  bool homes = false;     ///< before the first bead, or at all where there is none
-  bool heatsBed = false;  ///< and waits
+  std::string printer;      ///< printer_model
+  bool homes = false;       ///< all axes before the first bead, or at all where there is none
+  bool homesPlane = false;  ///< X and Y, with Z or without
+  bool heatsBed = false;    ///< and waits
   bool heatsNozzle = false;
   double nozzleTarget = 0;  ///< of the current tool, at the end [degrees Celsius]
   double nozzleReady = 0;   ///< that was waited for, or less where less was asked for since
