@@ -71,12 +71,13 @@ struct Rebrushed {
 
 /// Replaces the beads of every chosen surface by one closed cycle along the wanted directions. The cycle begins and
 /// ends at the point nearest to where the slicer enters, or to where it leaves if it travels on without retraction;
-/// it takes the slicer's line spacing, speed and volume. Every byte outside the replaced lines, and the wipes
-/// behind them, stays; place after the next travel, E, retraction, modes, speed and what the block set are as
-/// before. Times and progress that the file tells of itself (see rebrush/totals.hpp) change by the estimated
-/// difference; filament stays as it is. A surface that cannot be replaced so is left, with the reason. \param file
-/// readSlicedFile's of this text. \return InvalidArgument if no surface is left to replace, one is chosen that the file
-/// does not have, or a parameter is out of its range; Cancelled.
+/// it takes the slicer's line spacing, speed and volume, and lays beads more slowly that would be beyond the file's
+/// flow (SlicedBlocks::mostFlow). Every byte outside the replaced lines, and the wipes behind them, stays; place after
+/// the next travel, E, retraction, modes, speed and what the block set are as before. Times and progress that the file
+/// tells of itself (see rebrush/totals.hpp) change by the estimated difference; filament stays as it is. A surface that
+/// cannot be replaced so is left, with the reason. \param file readSlicedFile's of this text. \return InvalidArgument
+/// if no surface is left to replace, one is chosen that the file does not have, or a parameter is out of its range;
+/// Cancelled.
 Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
                           const RunContext& run);
 
