@@ -443,6 +443,12 @@ TEST_CASE("the heat of the tool that prints is followed, in the words of each fi
       heating("SET_HEATER_TEMPERATURE HEATER=heater_bed TARGET=60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\n"
               "TEMPERATURE_WAIT SENSOR=heater_bed MINIMUM=58\ntemperature_wait sensor=extruder minimum=205\n")
           .empty());
+  // Another tool that stands by takes nothing from the one that prints.
+  CHECK(heating("M190 S60\nM109 S215\nM104 T1 S150\n").empty());
+  CHECK(heating("START_PRINT BED=60 EXTRUDER=215\nM104 T1 S150\n").empty());
+  CHECK(heating("M190 S60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\nTEMPERATURE_WAIT SENSOR=extruder "
+                "MINIMUM=205\nSET_HEATER_TEMPERATURE HEATER=extruder1 TARGET=150\n")
+            .empty());
   CHECK(heating("M190 S60\nM104 S215\n") == "cold-start");
   CHECK(heating("M190 S60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\n") == "cold-start");
   CHECK(heating("M190 S60\nM109 T0 S215\nM104 T1 S150\nT1\n") == "cold-bead");

@@ -11,6 +11,8 @@ void ask(Heater& heater, double degrees) { heater = {degrees, std::min(heater.re
 
 void await(Heater& heater) { heater.ready = heater.target; }
 
+std::size_t toIndex(double tool) { return static_cast<std::size_t>(std::clamp(tool, 0.0, 99.0)); }
+
 // What Klipper's commands name a heater or a sensor.
 bool isBed(std::string_view name) { return name.starts_with("HEATER_BED"); }
 bool isNozzle(std::string_view name) { return name.starts_with("EXTRUDER"); }
@@ -19,13 +21,13 @@ bool isNozzle(std::string_view name) { return name.starts_with("EXTRUDER"); }
 
 std::size_t Heaters::indexOf(int tool) const {
   const auto index = static_cast<std::size_t>(std::max(tool, 0));
-  return index < kTools && named_[index] ? index : told_;
+  return index < kTools && known_[index] ? index : told_;
 }
 
-std::size_t Heaters::nameTool(double tool) {
-  const auto index = static_cast<std::size_t>(std::clamp(tool, 0.0, static_cast<double>(kTools - 1)));
-  named_[index] = true;
-  return index;
+Heater& Heaters::tell(std::size_t index) {
+  told_ = std::min(index, kTools - 1);
+  known_[told_] = true;
+  return nozzles_[told_];
 }
 
 void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool) {
@@ -40,11 +42,8 @@ void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool
   if ((!nozzle && !bed && !(ofTool && words.has('P'))) || !words.readable()) return;
   const double degrees = words.at('S', ofTool ? -1 : words.at('R', -1));
   if (degrees < 0) return;
-  if (!bed) {
-    const char letter = ofTool ? 'P' : 'T';
-    told_ = words.has(letter) ? nameTool(words.at(letter)) : indexOf(tool);
-  }
-  Heater& heater = bed ? bed_ : nozzles_[told_];
+  const char letter = ofTool ? 'P' : 'T';
+  Heater& heater = bed ? bed_ : tell(words.has(letter) ? toIndex(words.at(letter)) : indexOf(tool));
   ask(heater, degrees);
   if (command.code == 109 || command.code == 190) await(heater);
 }
@@ -68,9 +67,8 @@ void Heaters::runNamed(const GcodeCommand& command) {
   const std::string_view name = valueOf(waits ? " SENSOR=" : " HEATER=");
   if (!isBed(name) && !isNozzle(name)) return;
   double tool = 0;  // EXTRUDER, EXTRUDER1, ...
-  const bool numbered = isNozzle(name) && readNumber(name.substr(8), tool) > 0;
-  if (isNozzle(name)) told_ = numbered ? nameTool(tool) : 0;
-  Heater& heater = isBed(name) ? bed_ : nozzles_[told_];
+  if (isNozzle(name)) readNumber(name.substr(8), tool);
+  Heater& heater = isBed(name) ? bed_ : tell(toIndex(tool));
   double degrees = 0;
   const bool told = readNumber(valueOf(waits ? " MINIMUM=" : " TARGET="), degrees) > 0;
   if (!waits) return ask(heater, degrees);

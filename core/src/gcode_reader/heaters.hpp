@@ -16,7 +16,7 @@ struct Heater {
   bool operator==(const Heater&) const = default;
 };
 
-/// The bed and the nozzles of all tools. Tools that no command names share the heater that was told last, as the
+/// The bed and the nozzles of all tools. Tools that were never told share the heater that was told last, as the
 /// filaments of a changer share a nozzle.
 class Heaters {
  public:
@@ -25,7 +25,7 @@ class Heaters {
   void run(const GcodeCommand& command, const GcodeWords& words, int tool);
 
   /// For what heats in ways of its own, as start macros do.
-  void setNozzle(double degrees) { nozzles_[told_] = {degrees, degrees}; }
+  void setNozzle(double degrees) { tell(told_) = {degrees, degrees}; }
   void setBed(double degrees) { bed_ = {degrees, degrees}; }
 
   [[nodiscard]] const Heater& nozzle(int tool) const { return nozzles_[indexOf(tool)]; }
@@ -37,12 +37,12 @@ class Heaters {
   static constexpr std::size_t kTools = 16;
 
   [[nodiscard]] std::size_t indexOf(int tool) const;
-  std::size_t nameTool(double tool);
+  Heater& tell(std::size_t index);
   void runNamed(const GcodeCommand& command);
 
   std::array<Heater, kTools> nozzles_{};
-  std::array<bool, kTools> named_{};
-  std::size_t told_ = 0;  // whose nozzle was told last
+  std::array<bool, kTools> known_{};  // that were told
+  std::size_t told_ = 0;              // whose nozzle was told last
   Heater bed_;
 };
 
