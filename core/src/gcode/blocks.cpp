@@ -82,7 +82,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   return std::nullopt;
 }
 
-// Above what is printed: `box`, so high [mm].
+// What has been printed when the end block begins [mm].
 struct Standing {
   Bounds box;
   double height;
