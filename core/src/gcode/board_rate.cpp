@@ -105,7 +105,7 @@ Motion joined(const Motion& motion, const Tolerance& tolerance) {
     out.widths.push_back(motion.widths[from]);
     const PointUm d = motion.points[to] - motion.points[from];
     const bool alone = to == from + 1;
-    out.lengths.push_back(alone ? along : length(wide(d)) / 1000);
+    out.lengths.push_back(alone ? along : lengthMm(d));
     out.areas.push_back(area);
     if (to == motion.beads) out.beads = out.lengths.size();
     from = to;

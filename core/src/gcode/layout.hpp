@@ -18,7 +18,6 @@ namespace sillon {
 /// To the grid of the file.
 inline PointUm rounded(Vec2 p) { return {toWhole(p.x * 1000), toWhole(p.y * 1000)}; }
 inline Vec2 mm(PointUm p) { return {static_cast<double>(p.x) / 1000, static_cast<double>(p.y) / 1000}; }
-inline double lengthMm(PointUm d) { return length(wide(d)) / 1000; }
 
 /// Where the first page's origin lies on the bed, on the grid of the file, so that the path keeps its own rounding.
 /// \param box  around the turned shape.

@@ -21,8 +21,6 @@ constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed 
 constexpr double kKlipperExtruderCorner = 1;  // [mm/s of filament], instantaneous_corner_velocity
 constexpr double kMarlinExtruderJerk = 5;     // [mm/s of filament], DEFAULT_EJERK
 
-double lengthMm(PointUm d) { return length(wide(d)) / 1000; }
-
 Vec2 direction(const Motion& motion, std::size_t i) {  // of a segment; the lengths are measured
   const PointUm d = motion.points[i + 1] - motion.points[i];
   const double scale = 0.001 / motion.lengths[i];

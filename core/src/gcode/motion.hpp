@@ -13,6 +13,8 @@ namespace sillon {
 
 using PointUm = Vec2T<std::int64_t>;  ///< on the bed [µm], exactly as it is written
 
+inline double lengthMm(PointUm d) { return length(wide(d)) / 1000; }
+
 /// One path before its motion is planned. No two neighbouring points are equal.
 struct BeadPath {
   std::vector<PointUm> points;

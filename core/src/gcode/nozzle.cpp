@@ -107,7 +107,7 @@ void Nozzle::wipe(const std::vector<PointUm>& points, double speed, double retra
   std::vector<double> along{0};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const PointUm d = points[i] - points[i - 1];
-    along.push_back(along.back() + length(wide(d)) / 1000);
+    along.push_back(along.back() + lengthMm(d));
   }
   const double total = along.back();
   const bool draws = retraction >= 1e-4 && total > 0;

@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kSteps = 8;  // of the flow along a scarf, at least
 
-double lengthMm(PointUm d) { return length(wide(d)) / 1000; }
-
 // Appends segment i of `motion` from the share `begin` to the share `end` of its length.
 void append(const Motion& motion, std::size_t i, double begin, double end, Motion& out) {
   const PointUm from = motion.points[i];
