@@ -22,7 +22,7 @@ constexpr double kTenSquares = 10;             // smaller surfaces are left [spa
 constexpr double kNotch = 0.3;                 // [spacings], between the ends of beads: narrower than walls
 constexpr double kLooseFilament = 0.02;        // [mm] that retractions inside a block may gain or lose
 constexpr double kShortWipe = 1;               // [mm] without plastic behind the last bead
-constexpr double kTold = 1;                    // [mm], shorter beads tell no flow: E is rounded
+constexpr double kLongBead = 1;                // [mm], shorter beads tell no flow: E is rounded
 constexpr double kThickDiameter = 2.85;        // [mm], of the other filament in use
 constexpr double kThinShare = 0.55;            // of a bead's section: less was reckoned with too thin a filament
 constexpr double kExpanded = 2;                // [mm] by which skins reach under the next layer's walls (Cura)
@@ -211,7 +211,7 @@ void Reader::line(const GcodeLine& line) {
   }
   if (move && move->e > 0 && move->length > 0) {
     layerZ_ = move->z;
-    if (out_.file.layers > 0 && move->length > kTold) {
+    if (out_.file.layers > 0 && move->length > kLongBead) {
       mostFeed_ = std::max(mostFeed_, move->e / move->length * machine_.speed);
     }
     if (!waiting_.empty()) coverSkins(*move);

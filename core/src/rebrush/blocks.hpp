@@ -28,7 +28,7 @@ struct SurfaceBlock {
   MachineState after;          ///< its last bead
   double acceleration = 1000;  ///< at its first bead [mm/s²], as the file says
   /// Lines to repeat behind the new beads: what was set within the block and holds on, the last of each kind, in their
-  /// order.
+  /// order. Empty ones stand where a later one has taken over.
   std::vector<std::string> kept;
   std::vector<WipeMove> wipes;
   std::optional<Vec2> next;  ///< where the first travel after the block goes
@@ -40,7 +40,7 @@ struct SlicedBlocks {
   SlicedFile file;  ///< without its surfaces
   std::vector<SurfaceBlock> blocks;
   double filamentArea = 0;  ///< section of the filament that E counts [mm²]
-  double mostFlow = 0;      ///< of the filament as the file tells it, else of the slicer's own beads [mm³/s]
+  double mostFlow = 0;      ///< that the file allows, or that the slicer's own beads have if that is more [mm³/s]
   FileSettings settings;
 };
 
