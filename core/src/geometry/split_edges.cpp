@@ -1,0 +1,283 @@
+#include "geometry/split_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace sillon {
+namespace {
+
+/// An edge that passes a point within this goes through it [mm]: what should lie on one line comes on a grid of 1 nm.
+constexpr double kNear = 2e-6;
+constexpr int kMaxRounds = 5;                     ///< two do for nearly all drawings
+constexpr int kMaxGridRounds = 50;                ///< on a grid; five do for nearly all drawings
+constexpr std::uint64_t kMaxPairs = 800'000'000;  ///< tests of two edges; some ten seconds: strokes of a world map
+
+struct Split {
+  int edge;
+  double t;  ///< position along the edge, in (0, 1)
+  Vec2 at;
+};
+
+// Where an end of another edge lies on this one. On the grid: where this one passes through the end's pixel, so that
+// what crosses stays crossed and splitting comes to an end (iterated snap rounding; Halperin and Packer 2002).
+void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::vector<Split>& splits) {
+  const Vec2 along = edge.b - edge.a;
+  const double size = length(along);
+  const double t = dot(end - edge.a, along) / (size * size);
+  if (t * size <= kTouch || (1 - t) * size <= kTouch) return;
+  const double off = std::abs(cross(along, end - edge.a));
+  if (points == Points::OnGrid ? off < 0.5 * (std::abs(along.x) + std::abs(along.y)) : off <= kNear * size)
+    splits.push_back({index, t, end});
+}
+
+void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
+  const PathEdge& e = edges[static_cast<std::size_t>(i)];
+  const PathEdge& f = edges[static_cast<std::size_t>(j)];
+  const std::size_t before = splits.size();
+  splitAtEnd(e, i, f.a, points, splits);
+  splitAtEnd(e, i, f.b, points, splits);
+  splitAtEnd(f, j, e.a, points, splits);
+  splitAtEnd(f, j, e.b, points, splits);
+  if (splits.size() != before) return;
+  const Vec2 u = e.b - e.a;
+  const Vec2 v = f.b - f.a;
+  const double fa = cross(u, f.a - e.a);
+  const double fb = cross(u, f.b - e.a);
+  const double ea = cross(v, e.a - f.a);
+  const double eb = cross(v, e.b - f.a);
+  if ((fa > 0) == (fb > 0) || (ea > 0) == (eb > 0)) return;
+  const double t = ea / (ea - eb);
+  if (t <= 0 || t >= 1) return;
+  const double s = fa / (fa - fb);
+  const Vec2 at = e.a + u * t;
+  // Pieces of one line: their last digits seem to cross, anywhere and each somewhere else.
+  if (length(f.a + v * s - at) > kNear) return;
+  splits.push_back({i, t, at});
+  splits.push_back({j, s, at});
+}
+
+Bounds boxOf(const PathEdge& edge) {
+  Bounds box;
+  box.add(edge.a);
+  box.add(edge.b);
+  return box;
+}
+
+// Edges of one round of splitting.
+struct Edges {
+  std::vector<PathEdge> all;
+  std::vector<char> fresh;  ///< 0: as in the round before, where it was split at no other such edge
+};
+
+// A square raster over the edges, for neighbours.
+struct Cells {
+  Vec2 low;
+  double size;
+  double reach;  ///< [same unit] edges this near to a cell count as in it
+
+  /// Calls visit(key) for each cell that an edge passes.
+  template <class Visit>
+  void forCells(const PathEdge& edge, const Visit& visit) const {
+    const std::int64_t firstRow = at(std::min(edge.a.y, edge.b.y) - reach, low.y);
+    const std::int64_t lastRow = at(std::max(edge.a.y, edge.b.y) + reach, low.y);
+    for (std::int64_t row = firstRow; row <= lastRow; ++row) {
+      double left = std::min(edge.a.x, edge.b.x);
+      double right = std::max(edge.a.x, edge.b.x);
+      // Only the columns that the edge passes within this row; a level one passes all of its own.
+      if (firstRow != lastRow && edge.a.y != edge.b.y) {
+        const double y0 = low.y + static_cast<double>(row) * size - reach;
+        const double y1 = y0 + size + 2 * reach;
+        const double slope = (edge.b.x - edge.a.x) / (edge.b.y - edge.a.y);
+        const double x0 = edge.a.x + (y0 - edge.a.y) * slope;
+        const double x1 = edge.a.x + (y1 - edge.a.y) * slope;
+        left = std::max(left, std::min(x0, x1));
+        right = std::min(right, std::max(x0, x1));
+      }
+      const std::int64_t last = at(right + reach, low.x);
+      for (std::int64_t column = at(left - reach, low.x); column <= last; ++column)
+        visit((static_cast<std::uint64_t>(row + 1) << 32) | static_cast<std::uint32_t>(column + 1));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::int64_t at(double value, double from) const {
+    return static_cast<std::int64_t>(std::floor((value - from) / size));
+  }
+};
+
+// All places where edges meet away from their own ends. False: too much work, with what was done before.
+bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vector<Split>& splits, std::uint64_t& work) {
+  const double reach = points == Points::OnGrid ? 1 : kNear;
+  double total = 0;
+  for (const PathEdge& edge : edges.all) total += length(edge.b - edge.a);
+  const Vec2 size = box.size();
+  const Cells cells{box.min, std::max(total / static_cast<double>(edges.all.size()), std::max(size.x, size.y) / 1e6),
+                    reach};
+  struct Entry {
+    std::uint64_t key;
+    int edge;
+  };
+  std::vector<Entry> entries;
+  // Cells in which nothing is fresh are left out: after the first rounds, nearly all of them.
+  std::vector<char> busy(std::size_t{1} << 20);  // by digests of keys
+  const auto digestOf = [&](std::uint64_t key) { return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> 44); };
+  for (const bool fresh : {true, false}) {
+    for (std::size_t k = 0; k < edges.all.size(); ++k) {
+      if ((edges.fresh[k] != 0) != fresh) continue;
+      cells.forCells(edges.all[k], [&](std::uint64_t key) {
+        if (fresh) busy[digestOf(key)] = 1;
+        if (busy[digestOf(key)] != 0) entries.push_back({key, static_cast<int>(k)});
+      });
+      if (entries.size() > 4 * kMaxPieces) return false;
+    }
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.edge < b.edge; });
+  std::vector<Bounds> boxes;  // of the edges in a cell: few of them come near each other
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    while (end < entries.size() && entries[end].key == entries[begin].key) ++end;
+    const std::uint64_t count = end - begin;
+    work += count * count / 2;
+    if (work > kMaxPairs) return false;
+    boxes.clear();
+    for (std::size_t k = begin; k < end; ++k)
+      boxes.push_back(boxOf(edges.all[static_cast<std::size_t>(entries[k].edge)]));
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool fresh = edges.fresh[static_cast<std::size_t>(entries[i].edge)] != 0;
+      const Vec2 low = boxes[i - begin].min - Vec2{reach, reach};
+      const Vec2 high = boxes[i - begin].max + Vec2{reach, reach};
+      for (std::size_t j = i + 1; j < end; ++j) {
+        const Bounds& other = boxes[j - begin];
+        if (!fresh && edges.fresh[static_cast<std::size_t>(entries[j].edge)] == 0) continue;
+        if (other.min.x > high.x || other.max.x < low.x || other.min.y > high.y || other.max.y < low.y) continue;
+        splitPair(edges.all, entries[i].edge, entries[j].edge, points, splits);
+      }
+    }
+    if (splits.size() > 2 * kMaxPieces) return false;
+  }
+  std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
+    return a.edge != b.edge ? a.edge < b.edge : (a.t != b.t ? a.t < b.t : a.at.x < b.at.x);
+  });
+  return true;
+}
+
+// Gives crossings that coincide the same digits, and those of points where they lie on one: pieces that cover each
+// other must have the same ends.
+//
+// Points are further apart than cells, so that each has one of its own. In a std::unordered_map a map's strokes took an
+// eighth longer to read.
+class KnownPoints {
+ public:
+  explicit KnownPoints(const std::vector<PathEdge>& edges) {
+    for (const PathEdge& edge : edges) add(edge.a);
+  }
+
+  void unify(std::vector<Split>& splits) {
+    for (Split& split : splits) {
+      const Cell cell = cellOf(split.at);
+      const Vec2* best = nullptr;
+      for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x) {
+        for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+          const int found = slots_[slotOf({x, y})];
+          if (found < 0) continue;
+          const Vec2& point = points_[static_cast<std::size_t>(found)];
+          const double apart = length(point - split.at);
+          if (apart <= kTouch && (best == nullptr || apart < length(*best - split.at))) best = &point;
+        }
+      }
+      if (best != nullptr) {
+        split.at = *best;
+      } else {
+        add(split.at);
+      }
+    }
+  }
+
+ private:
+  struct Cell {
+    std::int64_t x, y;
+  };
+
+  static Cell cellOf(Vec2 p) {
+    constexpr double kCell = 2 * kTouch;
+    return {static_cast<std::int64_t>(std::floor(p.x / kCell)), static_cast<std::int64_t>(std::floor(p.y / kCell))};
+  }
+
+  /// Where the point of a cell is told, or would be.
+  [[nodiscard]] std::size_t slotOf(Cell cell) const {
+    const auto mixed = (static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(cell.y)) *
+                       0xC2B2AE3D27D4EB4FU;
+    for (auto at = static_cast<std::size_t>(mixed >> 32);; ++at) {
+      at &= slots_.size() - 1;
+      if (slots_[at] < 0) return at;
+      const Cell other = cellOf(points_[static_cast<std::size_t>(slots_[at])]);
+      if (other.x == cell.x && other.y == cell.y) return at;
+    }
+  }
+
+  void add(Vec2 p) {
+    if (2 * points_.size() >= slots_.size()) {
+      slots_.assign(2 * slots_.size(), -1);
+      for (std::size_t k = 0; k < points_.size(); ++k) slots_[slotOf(cellOf(points_[k]))] = static_cast<int>(k);
+    }
+    int& slot = slots_[slotOf(cellOf(p))];
+    if (slot >= 0) return;
+    slot = static_cast<int>(points_.size());
+    points_.push_back(p);
+  }
+
+  std::vector<Vec2> points_;
+  std::vector<int> slots_ = std::vector<int>(64, -1);  ///< indices of points, at most half of them taken; -1: none
+};
+
+/// The edges in pieces that meet at their ends only. Every ring stays closed.
+Edges piecesOf(const std::vector<PathEdge>& edges, const std::vector<Split>& splits) {
+  Edges pieces;
+  pieces.all.reserve(edges.size() + splits.size());
+  pieces.fresh.reserve(edges.size() + splits.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    Vec2 from = edges[k].a;
+    const auto addTo = [&](Vec2 to) {
+      if (from == to) return;
+      pieces.all.push_back({from, to, edges[k].path});
+      pieces.fresh.push_back(from == edges[k].a && to == edges[k].b ? 0 : 1);
+      from = to;
+    };
+    for (; next < splits.size() && splits[next].edge == static_cast<int>(k); ++next) addTo(splits[next].at);
+    addTo(edges[k].b);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::optional<std::vector<PathEdge>> splitEdges(const std::vector<PathEdge>& edges, const Bounds& box, Points points) {
+  if (edges.size() > kMaxPieces) return std::nullopt;
+  const bool grid = points == Points::OnGrid;
+  Edges pieces{edges, std::vector<char>(edges.size(), 1)};
+  std::optional<KnownPoints> known;
+  if (!grid) known.emplace(edges);
+  // What goes through a point within kNear, or through the grid's nearest to a crossing, is bent by that much and may
+  // cross what it did not before.
+  std::uint64_t work = 0;
+  for (int round = 0; round < (grid ? kMaxGridRounds : kMaxRounds); ++round) {
+    std::vector<Split> splits;
+    if (!findSplits(pieces, box, points, splits, work)) return std::nullopt;
+    if (known) {
+      known->unify(splits);
+    } else {
+      for (Split& split : splits) split.at = onGrid(split.at);
+    }
+    const std::size_t before = pieces.all.size();
+    pieces = piecesOf(pieces.all, splits);
+    if (pieces.all.size() > kMaxPieces) return std::nullopt;
+    if (pieces.all.size() == before) return std::move(pieces.all);
+  }
+  if (grid) return std::nullopt;
+  return std::move(pieces.all);
+}
+
+}  // namespace sillon
