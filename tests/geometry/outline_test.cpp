@@ -245,17 +245,16 @@ TEST_CASE("shapes without area say so") {
   }
 }
 
-TEST_CASE("a point that is no place on a plate is refused, wherever the shape has it") {
+TEST_CASE("a point that is no place on a plate is refused") {
   const double nan = std::nan("");
   const double infinite = std::numeric_limits<double>::infinity();
   const Shape square = shapeOf({rectangle({0, 0}, {10, 10})}, {10, 10});
   for (const double odd : {nan, infinite, -infinite, 1e200, -1e15, 1.000001e6}) {
     for (const Vec2 p : {Vec2{odd, 5}, Vec2{5, odd}}) {
-      Shape ring = square, middle = square;
+      Shape ring = square;
       ring.paths[0].rings[0][2] = p;
-      middle.middles.push_back(p);
       CAPTURE(odd);
-      for (const auto& outline : {resolveOutline(ring), outlineOnGrid(ring), resolveOutline(middle)}) {
+      for (const auto& outline : {resolveOutline(ring), outlineOnGrid(ring)}) {
         REQUIRE(!outline.ok());
         CHECK(outline.error().code == ErrorCode::InvalidArgument);
       }

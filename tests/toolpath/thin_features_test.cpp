@@ -3,7 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
+
+#include "sillon/quality/metrics.hpp"
 
 #include "support/scenes.hpp"
 
@@ -16,17 +20,23 @@ constexpr double kCell = kSpacing / 4;
 
 struct Lattice {
   Grid nodes;
+  BorderIndex border;
   std::vector<float> distance;
   std::vector<float> values;
 };
 
 // An upright bar as wide as `width`, from y = 1 to y = 1 + length, whose waves are positive above y = `from`.
 Lattice bar(double width, double length, double from) {
-  Lattice lattice{Grid{{0, 0}, kCell, 40, 80}, {}, {}};
+  const Grid nodes{{0, 0}, kCell, 40, 80};
+  const double middle = nodes.centre(20, 0).x;
+  const Shape shape =
+      scenes::shapeOf({scenes::rectangle({middle - width / 2, 1}, {middle + width / 2, 1 + length})}, {4, 8});
+  const Outline outline = resolveOutline(shape).value();
+  Lattice lattice{nodes, buildBorderIndex(outline, makeGrid(outline.bounds, kSpacing), RunContext(1)).value(), {}, {}};
   for (int y = 0; y < lattice.nodes.ny; ++y) {
     for (int x = 0; x < lattice.nodes.nx; ++x) {
       const Vec2 p = lattice.nodes.centre(x, y);
-      const double across = std::abs(p.x - lattice.nodes.centre(20, 0).x) - width / 2;
+      const double across = std::abs(p.x - middle) - width / 2;
       const double along = std::max(1 - p.y, p.y - 1 - length);
       const double distance = std::max(across, along);
       lattice.distance.push_back(static_cast<float>(distance));
@@ -39,9 +49,9 @@ Lattice bar(double width, double length, double from) {
 }  // namespace
 
 TEST_CASE("a narrow bar that no contour enters gets one, and beside contours nothing changes") {
-  Lattice lattice = bar(1.3 * kSpacing, 5, 2);
+  Lattice lattice = bar(1.4 * kSpacing, 5, 2);
   const std::vector<float> before = lattice.values;
-  fillThinFeatures(lattice.nodes, lattice.distance, kSpacing, lattice.values);
+  fillThinFeatures(lattice.nodes, lattice.distance, lattice.border, kSpacing, lattice.values);
   int filled = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double y = lattice.nodes.centre(0, static_cast<int>(i) / lattice.nodes.nx).y;
@@ -54,18 +64,18 @@ TEST_CASE("a narrow bar that no contour enters gets one, and beside contours not
   }
   CHECK(filled > 20);
   const std::vector<float> once = lattice.values;
-  fillThinFeatures(lattice.nodes, lattice.distance, kSpacing, lattice.values);
+  fillThinFeatures(lattice.nodes, lattice.distance, lattice.border, kSpacing, lattice.values);
   CHECK(lattice.values == once);
 }
 
 TEST_CASE("a place of three nodes is not worth a contour") {
-  Lattice lattice = bar(1.3 * kSpacing, 5, 0);
+  Lattice lattice = bar(1.4 * kSpacing, 5, 0);
   for (std::size_t i = 0; i < lattice.values.size(); ++i) {
     const double y = lattice.nodes.centre(0, static_cast<int>(i) / lattice.nodes.nx).y;
     if (y > 3 + 0.5 * kCell || y < 3 - 2.5 * kCell) lattice.distance[i] = 0.1f;
   }
   const std::vector<float> before = lattice.values;
-  fillThinFeatures(lattice.nodes, lattice.distance, kSpacing, lattice.values);
+  fillThinFeatures(lattice.nodes, lattice.distance, lattice.border, kSpacing, lattice.values);
   CHECK(lattice.values == before);
 }
 
@@ -94,5 +104,55 @@ TEST_CASE("arms hardly wider than a bead are all filled, wherever waves and latt
       }
       CHECK(highest > 10.3f);
     }
+  }
+}
+
+TEST_CASE("lines from one bead on are printed over their whole length, wherever they lie") {
+  for (const double width : {1.0, 1.03, 1.1, 1.2, 1.33, 1.37, 1.5}) {
+    std::vector<Ring> rings{scenes::rectangle({0, 0}, {3, 3})};
+    for (int k = 0; k < 12; ++k) {  // each turned and shifted a little more
+      const double angle = 0.131 * k;
+      const Vec2 along{std::cos(angle), std::sin(angle)},
+          half{-0.5 * width * kSpacing * along.y, 0.5 * width * kSpacing * along.x};
+      const Vec2 a = Vec2{5 + 0.013 * k, 2 + 9.0 * k + 0.037 * k}, b = a + along * 8;
+      rings.push_back({a - half, b - half, b + half, a + half});
+    }
+    const DirectionMap map = scenes::mapOf(8, [&](double, double) { return 1.0; });
+    const PlateInput input = scenes::plate(scenes::shapeOf(std::move(rings), {20, 120}, FillRule::NonZero), map);
+    ToolpathParams params;
+    params.spacing = kSpacing;
+    const auto made = generateToolpath(input, params, RunContext(2));
+    REQUIRE(made.ok());
+    CAPTURE(width);
+    CHECK(made.value().toolpath.cycles.size() == 13);
+    const auto measures =
+        measureToolpath(made.value().toolpath, input.shape, input.directions, input.modes, params, RunContext(2));
+    REQUIRE(measures.ok());
+    CHECK(measures.value().coverage > 88);
+    CHECK(measures.value().spill < 0.1);
+    CHECK(measures.value().lostAreaMm2 == 0);
+  }
+}
+
+TEST_CASE("dots from one bead on are printed, wherever they lie") {
+  for (const double width : {1.02, 1.1, 1.3, 1.6}) {
+    std::vector<Ring> rings{scenes::rectangle({0, 0}, {3, 3})};
+    for (int k = 0; k < 50; ++k) {
+      const Vec2 centre{2 + 1.537 * (k % 10), 5 + 1.683 * (k / 10)};
+      Ring dot;
+      for (int j = 0; j < 64; ++j) {
+        const double t = 2 * std::numbers::pi * j / 64;
+        dot.push_back(centre + Vec2{std::cos(t), std::sin(t)} * (0.5 * width * kSpacing));
+      }
+      rings.push_back(dot);
+    }
+    const DirectionMap map = scenes::mapOf(8, [&](double, double) { return 1.0; });
+    const PlateInput input = scenes::plate(scenes::shapeOf(std::move(rings), {20, 20}, FillRule::NonZero), map);
+    ToolpathParams params;
+    params.spacing = kSpacing;
+    const auto made = generateToolpath(input, params, RunContext(2));
+    REQUIRE(made.ok());
+    CAPTURE(width);
+    CHECK(made.value().toolpath.cycles.size() == 51);
   }
 }

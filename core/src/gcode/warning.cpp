@@ -113,7 +113,8 @@ std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, doub
     printed += place.areaMm2;
     width = place.width;
   }
-  const double size = std::ceil(page.x * spacing / std::max(width, 0.01 * spacing));
+  // Never the present one: places a hundredth too thin are rounded away.
+  const double size = std::max(std::ceil(page.x * spacing / std::max(width, 0.01 * spacing)), std::floor(page.x) + 1);
   return {{WarningCode::DetailLost,
            {{"area", measures.lostAreaMm2},
             {"n", static_cast<double>(measures.lostPlaces.size())},

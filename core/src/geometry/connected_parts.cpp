@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/bead_room.hpp"
+
 namespace sillon {
 namespace {
 
@@ -42,8 +44,7 @@ float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::si
 
 }  // namespace
 
-Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge,
-                 const std::vector<Vec2>& middles) {
+Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge) {
   const Grid& grid = sdf.grid;
   const float limit = static_cast<float>(0.5 * bridge);
   const float safe = limit - static_cast<float>(grid.cell);  // a neighbour of such a cell is reached in any case
@@ -87,9 +88,14 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (parts.label[i] >= 0 && sdf.distance[i] <= depth) deep[static_cast<std::size_t>(sets.find(parts.label[i]))] = 1;
   }
-  for (const Vec2 p : middles) {
-    const std::int32_t label = parts.label[grid.cellAt(p)];
-    if (label >= 0) deep[static_cast<std::size_t>(sets.find(label))] = 1;
+  const float missed = depth + missedDepth(grid.cell);
+  for (int y = 0; y < grid.ny; ++y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = grid.index(x, y);
+      if (parts.label[i] < 0 || sdf.distance[i] > missed) continue;
+      char& found = deep[static_cast<std::size_t>(sets.find(parts.label[i]))];
+      if (found == 0 && hasBeadRoom(border, grid.centre(x, y), spacing)) found = 1;
+    }
   }
   std::vector<std::int32_t> number(runs.size(), -1);
   std::int32_t next = 0;

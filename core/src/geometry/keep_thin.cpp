@@ -115,7 +115,6 @@ Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run)
       const std::optional<Middle> middle = middleAt(border.value(), cells.at(sample), spacing);
       if (!middle) continue;
       discs.add(middle->at);
-      shape.middles.push_back(middle->at);
       if (2 * middle->radius > widest.width) widest = {middle->at, 0, 2 * middle->radius};
     }
     if (widest.width == 0) continue;

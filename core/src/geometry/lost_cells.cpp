@@ -5,6 +5,7 @@
 
 #include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
+#include "geometry/bead_room.hpp"
 
 namespace sillon {
 namespace {
@@ -13,6 +14,29 @@ namespace {
 std::size_t nextMarked(const std::vector<char>& marks, std::size_t from, std::size_t end) {
   const void* found = from < end ? std::memchr(&marks[from], 1, end - from) : nullptr;
   return found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - marks.data()) : end;
+}
+
+// Samples miss the middles of places hardly wider than a bead: those beside one count as deep as it.
+void deepenMiddles(const BorderIndex& border, const Grid& grid, double spacing, const RunContext& run,
+                   std::vector<float>& distance) {
+  const float deep = static_cast<float>(-0.5 * spacing);
+  const float missed = deep + missedDepth(grid.cell);
+  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(grid.ny));
+  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
+    for (int y = std::max(begin, 1); y < std::min(end, grid.ny - 1); ++y) {
+      for (int x = 1; x < grid.nx - 1; ++x) {
+        const std::size_t i = grid.index(x, y);
+        if (distance[i] > missed || distance[i] <= deep) continue;
+        // Along most of a border the next sample inwards is deep.
+        const std::size_t nx = static_cast<std::size_t>(grid.nx);
+        if (std::min({distance[i - 1], distance[i + 1], distance[i - nx], distance[i + nx]}) <= deep) continue;
+        if (hasBeadRoom(border, grid.centre(x, y), spacing)) found[static_cast<std::size_t>(y)].push_back(i);
+      }
+    }
+  });
+  for (const std::vector<std::size_t>& row : found) {
+    for (const std::size_t i : row) distance[i] = deep;
+  }
 }
 
 }  // namespace
@@ -31,6 +55,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
   Result<std::vector<float>> distance = bandDistance(shape, border, grid, -deep, run);  // exact down to `deep`
   if (!distance) return distance.error();
   out.distance = std::move(distance).value();
+  deepenMiddles(border, grid, spacing, run, out.distance);
   const std::vector<float>& sd = out.distance;
   std::vector<char> lost(grid.size(), 0);
   constexpr int kReach = kSamples / 2 + 1;

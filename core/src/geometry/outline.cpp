@@ -66,19 +66,15 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
 namespace {
 
 /// A point beyond kMaxCoordinate, or that is no number.
-const Vec2* farPoint(const std::vector<Vec2>& points) {
-  for (const Vec2& p : points) {
-    if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
+const Vec2* farPoint(const Shape& shape) {
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (const Vec2& p : ring) {
+        if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
+      }
+    }
   }
   return nullptr;
-}
-
-const Vec2* farPoint(const Shape& shape) {
-  const Vec2* far = farPoint(shape.middles);
-  for (const FilledPath& path : shape.paths) {
-    for (const Ring& ring : path.rings) far = far != nullptr ? far : farPoint(ring);
-  }
-  return far;
 }
 
 Result<Outline> outlineOf(const Shape& shape, Points points) {

@@ -41,8 +41,7 @@ Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, 
   if (!border) return border.error();
   Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
-  Parts parts =
-      labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing), shape.middles);
+  Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
   if (parts.count == 0) {
     return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) +
                                             " mm, which is too wide for this shape of " + decimal(size.x, 3) + " x " +
@@ -98,9 +97,8 @@ Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFi
     Result<std::vector<float>> values = evaluateSineField(waves.waves, distance.value(), params, run);
     if (!values) return values.error();
     release(fields, waves.waves);
-    keepThinParts(shape.parts, shape.sdf, params.spacing, values.value());
-    fillThinFeatures(nodes, distance.value(), params.spacing, values.value());
-    fillMiddles(nodes, input.shape.middles, values.value());
+    fillThinFeatures(nodes, distance.value(), shape.border, params.spacing, values.value());
+    keepThinParts(shape.parts, shape.sdf, shape.border, params.spacing, values.value());
     release(fields, shape.sdf);
     Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
     if (!contour) return contour.error();

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geometry/bead_room.hpp"
+
 namespace sillon {
 namespace {
 
-constexpr int kReach = 3;  ///< nodes: a contour that is nearer fills the place
+constexpr float kLine = -2;       ///< value along thin lines: at -0.5 there and back came to lie on top of each other
+constexpr float kFilled = -0.5f;  ///< value of other places that are filled
+constexpr std::size_t kShortestLine = 8;  ///< nodes: shorter ones are necks, and kinked paths that cross them
+constexpr std::size_t kDotCells = 6;      ///< at most, of a dot in which no place was filled
+constexpr int kReach = 3;                 ///< nodes: a contour that is nearer fills the place
 constexpr std::size_t kSmallest =
     4;  ///< nodes of a place worth a contour: a smaller one adds two hairpins and covers nothing
 
@@ -19,54 +25,79 @@ bool contourNear(const Grid& nodes, const std::vector<float>& values, int x, int
   return false;
 }
 
-}  // namespace
-
-void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, double spacing,
-                      std::vector<float>& values) {
-  const float deep = static_cast<float>(-0.5 * spacing);
-  const float band = static_cast<float>(-spacing);
-  std::vector<std::size_t> empty;  // in order, so that places are found again by a search
-  for (int y = 0; y < nodes.ny; ++y) {
-    for (int x = 0; x < nodes.nx; ++x) {
-      const std::size_t i = nodes.index(x, y);
-      if (distance[i] <= deep && distance[i] > band && values[i] >= 0 && !contourNear(nodes, values, x, y))
-        empty.push_back(i);
-    }
-  }
-  std::vector<char> seen(empty.size(), 0);
-  std::vector<std::size_t> place;  // indices into `empty`
-  const std::size_t nx = static_cast<std::size_t>(nodes.nx);
-  for (std::size_t first = 0; first < empty.size(); ++first) {
+// The connected places that nodes form; the nodes in order.
+std::vector<std::vector<std::size_t>> placesOf(const std::vector<std::size_t>& found, const Grid& nodes) {
+  std::vector<std::vector<std::size_t>> places;
+  std::vector<char> seen(found.size(), 0);
+  std::vector<std::size_t> place;  // indices into `found`
+  const auto nx = static_cast<std::size_t>(nodes.nx);
+  for (std::size_t first = 0; first < found.size(); ++first) {
     if (seen[first] != 0) continue;
     seen[first] = 1;
     place.assign(1, first);
     for (std::size_t k = 0; k < place.size(); ++k) {
-      const std::size_t i = empty[place[k]];  // never on the lattice's frame, which lies outside the shape
+      const std::size_t i = found[place[k]];  // never on the lattice's frame, which lies outside the shape
       for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {
-        const auto found = std::lower_bound(empty.begin(), empty.end(), j);
-        if (found == empty.end() || *found != j) continue;
-        const std::size_t at = static_cast<std::size_t>(found - empty.begin());
+        const auto next = std::lower_bound(found.begin(), found.end(), j);
+        if (next == found.end() || *next != j) continue;
+        const auto at = static_cast<std::size_t>(next - found.begin());
         if (seen[at] != 0) continue;
         seen[at] = 1;
         place.push_back(at);
       }
     }
-    if (place.size() < kSmallest) continue;
-    for (const std::size_t k : place) values[empty[k]] = -0.5f;
+    for (std::size_t& k : place) k = found[k];
+    places.push_back(place);
   }
+  return places;
 }
 
-void fillMiddles(const Grid& nodes, const std::vector<Vec2>& middles, std::vector<float>& values) {
-  std::vector<std::size_t> empty;
-  for (const Vec2 p : middles) {
-    const int x = std::clamp(static_cast<int>((p.x - nodes.origin.x) / nodes.cell), 0, nodes.nx - 1);
-    const int y = std::clamp(static_cast<int>((p.y - nodes.origin.y) / nodes.cell), 0, nodes.ny - 1);
-    if (values[nodes.index(x, y)] >= 0 && !contourNear(nodes, values, x, y)) empty.push_back(nodes.index(x, y));
+}  // namespace
+
+void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, const BorderIndex& border, double spacing,
+                      std::vector<float>& values) {
+  const auto deep = static_cast<float>(-0.5 * spacing);
+  const float missed = deep + missedDepth(nodes.cell);
+  const auto band = static_cast<float>(-spacing);
+  const auto widest = static_cast<float>(-kWidestThin * spacing);
+  const auto nx = static_cast<std::size_t>(nodes.nx);
+  const auto fill = [&](const std::vector<std::size_t>& found, std::size_t smallest, float value) {
+    for (const std::vector<std::size_t>& place : placesOf(found, nodes)) {
+      if (place.size() < smallest) continue;
+      for (const std::size_t i : place) values[i] = value;
+    }
+  };
+
+  const auto deepestNear = [&](std::size_t i) {
+    return std::min({distance[i], distance[i - 1], distance[i + 1], distance[i - nx], distance[i + nx]});
+  };
+
+  // Lines hardly wider than a bead, all along: waves end in them anywhere, and leave gaps where they begin anew.
+  std::vector<std::size_t> found;
+  for (int y = 1; y < nodes.ny - 1; ++y) {
+    for (int x = 1; x < nodes.nx - 1; ++x) {
+      const std::size_t i = nodes.index(x, y);
+      if (distance[i] <= missed && deepestNear(i) > widest &&
+          isNextToThinMiddle(border, nodes.centre(x, y), -static_cast<double>(distance[i]), spacing, nodes.cell))
+        found.push_back(i);
+    }
   }
-  for (const std::size_t i : empty) values[i] = -0.5f;
+  fill(found, kShortestLine, kLine);
+
+  found.clear();
+  for (int y = 1; y < nodes.ny - 1; ++y) {
+    for (int x = 1; x < nodes.nx - 1; ++x) {
+      const std::size_t i = nodes.index(x, y);
+      if (distance[i] > missed || distance[i] <= band || values[i] < 0 || contourNear(nodes, values, x, y)) continue;
+      if (distance[i] <= deep || (deepestNear(i) > deep && hasBeadRoom(border, nodes.centre(x, y), spacing)))
+        found.push_back(i);
+    }
+  }
+  fill(found, kSmallest, kFilled);
 }
 
-void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double spacing, std::vector<float>& values) {
+void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const BorderIndex& border, double spacing,
+                   std::vector<float>& values) {
   const Grid& grid = parts.grid;
   const Grid nodes = nodeLattice(grid);
   std::vector<char> kept(static_cast<std::size_t>(parts.count), 0);
@@ -77,15 +108,30 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double sp
       if (label >= 0 && label < parts.count) kept[static_cast<std::size_t>(label)] = 1;
     }
   }
-  const float depth = static_cast<float>(-0.5 * spacing);
+  // What is left are dots, and places close beside other parts. A dot is one circle: several contours in it would be
+  // joined with kinks.
+  const auto deep = static_cast<float>(-0.5 * spacing);
+  const float missed = deep + missedDepth(grid.cell);
+  std::vector<std::vector<std::size_t>> roomy(static_cast<std::size_t>(parts.count));
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
       const std::int32_t label = parts.label[i];
-      if (label < 0 || label >= parts.count || kept[static_cast<std::size_t>(label)] || sdf.distance[i] > depth)
+      if (label < 0 || label >= parts.count || kept[static_cast<std::size_t>(label)] || sdf.distance[i] > missed)
         continue;
-      values[nodes.index(2 * x + 1, 2 * y + 1)] = -0.5f;
+      if (sdf.distance[i] > deep && !hasBeadRoom(border, grid.centre(x, y), spacing)) continue;
+      roomy[static_cast<std::size_t>(label)].push_back(i);
     }
+  }
+  const auto nx = static_cast<std::size_t>(grid.nx);
+  for (std::vector<std::size_t>& cells : roomy) {
+    if (cells.size() <= kDotCells) {
+      const auto deepest = std::min_element(
+          cells.begin(), cells.end(), [&](std::size_t i, std::size_t j) { return sdf.distance[i] < sdf.distance[j]; });
+      if (deepest != cells.end()) cells = {*deepest};
+    }
+    for (const std::size_t i : cells)
+      values[nodes.index(2 * static_cast<int>(i % nx) + 1, 2 * static_cast<int>(i / nx) + 1)] = kFilled;
   }
 }
 

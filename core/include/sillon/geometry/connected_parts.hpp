@@ -15,13 +15,11 @@ namespace sillon {
 struct Parts {
   Grid grid;
   std::vector<std::int32_t> label;
-  int count = 0;  ///< parts that hold a cell deeper than tau/2, where a bead can lie; they come first
+  int count = 0;  ///< parts in which a bead has room; they come first
 };
 
 /// \param bridge  [mm], >= 0. Gaps are measured to tau/64; necks narrower than a cell are seen only
 ///                when bridge >= tau/2.
-/// \param middles  Shape::middles: what holds one of these can hold a bead.
-Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge,
-                 const std::vector<Vec2>& middles = {});
+Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge);
 
 }  // namespace sillon

@@ -45,7 +45,7 @@ struct DrawingFacts {
 struct ThinPlace {
   Vec2 at;             ///< its thickest point [mm]
   double areaMm2 = 0;  ///< above tau²/4
-  double width = 0;    ///< of its thickest point [mm]
+  double width = 0;    ///< of its thickest point, unless told otherwise [mm]
 
   friend bool operator==(const ThinPlace&, const ThinPlace&) = default;
 };
@@ -56,7 +56,6 @@ struct Shape {
   Vec2 page;
   DrawingFacts drawing = {};
   std::vector<ThinPlace> kept = {};  ///< widened to one bead by keepThinPlaces, the largest first
-  std::vector<Vec2> middles = {};    ///< of the kept places: points along them, tau/8 apart
 
   friend bool operator==(const Shape&, const Shape&) = default;
 };

@@ -38,9 +38,10 @@ struct Measures {
   double fillRatio = 0;             ///< bead area / shape area, a ratio
   double shapeAreaMm2 = 0;
   double lostAreaMm2 = 0;  ///< of all lost places
-  std::vector<ThinPlace>
-      lostPlaces;          ///< which no bead of one spacing can reach, widths within tau/8; the largest first
-  double keptAreaMm2 = 0;  ///< of all kept places
+  /// Which no bead of one spacing can reach, the largest first. As wide as a strip of the same mean depth, at most as
+  /// the thickest point within tau/8.
+  std::vector<ThinPlace> lostPlaces;
+  double keptAreaMm2 = 0;             ///< of all kept places
   std::vector<ThinPlace> keptPlaces;  ///< which were widened to one bead (keepThinPlaces)
   std::int64_t uTurns = 0;
   std::int64_t kinks = 0;

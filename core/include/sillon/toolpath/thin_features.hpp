@@ -10,22 +10,19 @@
 namespace sillon {
 
 /// Gives places near the border that no contour comes to a contour of their own: where a wave is positive all over an
-/// arm hardly wider than a bead, its contours end at the arm's mouth. Such nodes of the lattice become negative.
+/// arm hardly wider than a bead, its contours end at the arm's mouth. Such nodes of the lattice become negative, and so
+/// do those along the middle of lines up to 1.35 beads wide, which the lattice may have no node in that is deep enough.
 /// \param nodes     lattice of the contour, cells of tau/4.
 /// \param distance  at the nodes, exact within `spacing` of the border [mm].
 /// \param spacing   tau [mm].
 /// \param values    sine field at the nodes; negative inside of a contour.
-void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, double spacing,
+void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, const BorderIndex& border, double spacing,
                       std::vector<float>& values);
 
-/// Gives the places that were widened to one bead a contour along their middles, where none comes near: the lattice has
-/// no node deep enough in most of them.
-/// \param middles  Shape::middles [mm].
-void fillMiddles(const Grid& nodes, const std::vector<Vec2>& middles, std::vector<float>& values);
-
-/// Gives every part that can hold a bead a contour: where the lattice of the contour missed a place hardly wider than
-/// one bead, the values at its deep cells become negative.
+/// Gives every part that can hold a bead a contour: where none of the others found it, the values at the cells in which
+/// a bead has room become negative.
 /// \param values  on the node lattice of the parts' grid.
-void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, double spacing, std::vector<float>& values);
+void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const BorderIndex& border, double spacing,
+                   std::vector<float>& values);
 
 }  // namespace sillon
