@@ -115,6 +115,7 @@ export class Queue {
     let kept = false;
     try {
       const call = (await this.platform.portable?.(job.call)) ?? job.call;
+      if (this.#disposed) return; // else a session would start that nobody ends any more
       session = await this.#openSession(threads);
       if (job.settled) return; // while the session started
       job.started = true;

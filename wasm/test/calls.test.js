@@ -173,6 +173,17 @@ for (const threads of [1, 2]) {
       workers.stop();
       assert.ok(workers.count.started > 0);
     });
+
+    test('dispose in the turn of a call leaves no worker', async () => {
+      const own = await createEngine({ threads });
+      const workers = countWorkers();
+      const code = own.profiles().catch((error) => error.code);
+      own.dispose();
+      assert.equal(await code, 'Disposed');
+      await wait(200); // for one that starts afterwards
+      workers.stop();
+      assert.equal(workers.count.ended, workers.count.started);
+    });
   });
 }
 
