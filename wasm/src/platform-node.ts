@@ -77,6 +77,7 @@ export const node: Platform = {
   async portable(call) {
     const sent = { ...call };
     if ('file' in sent) sent.file = await withoutBlob(sent.file, 'file');
+    if ('print' in sent) sent.print = { ...sent.print, file: await withoutBlob(sent.print.file, 'file') };
     if (!('files' in sent)) return sent;
     const files: Files = {};
     for (const [name, file] of Object.entries(sent.files)) files[name] = await withoutBlob(file, name);

@@ -1,7 +1,7 @@
 // Other people's prints: surfaces are listed and replaced as the native program does it, in every kind of file.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { mkdtempSync, openAsBlob, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -42,6 +42,14 @@ test('the surfaces of a sliced file are those that the native program lists', as
     assert.ok(read.surfaces[0].region.paths.length > 0);
     // Another kind of file, as a Blob.
     assert.deepEqual(await engine.listSurfaces(new Blob([gzipSync(file)])), read);
+    // A Blob that stands for a file on disk, whose text is kept for the next call.
+    const onDisk = await openAsBlob(join(samples, name));
+    assert.deepEqual(await engine.listSurfaces(onDisk), read);
+    assert.deepEqual(await engine.printRelief(onDisk, 64), await engine.printRelief(file, 64));
+    const [one, other] = await Promise.all(
+      [onDisk, file].map((it) => engine.rebrush(it, { directions: { angle: 3 } })),
+    );
+    assert.ok(Buffer.from(await one.blob.arrayBuffer()).equals(Buffer.from(await other.blob.arrayBuffer())));
     // A Blob goes in by pieces of 4 MiB: the same as whole, and not what was there before.
     const long = Buffer.concat([Buffer.from(file), Buffer.from('; a comment\n'.repeat(800_000))]);
     const whole = await engine.listSurfaces(long);
