@@ -484,6 +484,8 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return new Blob([body], { type: `model/${call.format}` });
     }
     case 'packGcode':
+      if ((call.file instanceof Blob ? call.file.size : call.file.length) === 0)
+        throw new Failed('InvalidFile', 'file is empty; it must be G-code');
       await bringIn(call.file, module);
       return new Blob([valueOf(module.packGcode())], { type: 'model/3mf' });
     case 'printRelief':
