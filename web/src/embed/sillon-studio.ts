@@ -153,12 +153,12 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
       return; // all of them are looked at when the studio is loaded
     else if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
     else if (name in ofFiles) this.#loadAttributes();
-    else if (this.#port !== undefined) {
+    else if (this.#fault === undefined) {
       // Taken away, an attribute has its default again.
       const plain = { accent: '', radius: '', font: '' };
       const defaults: Record<string, string> = { mode: 'edit', controls: '', theme: 'auto', units: 'mm', ...plain };
       const value = now ?? defaults[name];
-      if (value !== undefined) void this.#ask('configure', { [name]: value }).catch(this.#tellError);
+      if (value !== undefined) void this.#ask('configure', { [name]: value }).catch(this.#tellOwn);
     }
   }
 
@@ -422,6 +422,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.dispatchEvent(new CustomEvent('error', { detail: { code, message, hint } }));
   };
 
+  /** That there is no frame is told once, or known to whoever took the element out of the page. */
+  readonly #tellOwn = (error: unknown): void => {
+    if (error !== this.#fault && this.isConnected) this.#tellError(error);
+  };
+
   async #ask(
     method: Method,
     params: Fields = {},
@@ -468,10 +473,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
         const files = await fetchFiles(asked, document.baseURI);
         if (mine === this.#loads) await this.#send(files, {}, true); // else another plate was asked for meanwhile
       })
-      .catch((error: unknown) => {
-        // That there is no frame is told once, or known to whoever took the element out of the page.
-        if (error !== this.#fault && this.isConnected) this.#tellError(error);
-      });
+      .catch(this.#tellOwn);
   }
 
   async #load(source: StudioSource): Promise<void> {

@@ -336,6 +336,26 @@ test('language, theme and units are the host’s choice, and are not kept', { sk
   assert.equal(kept, 0);
 });
 
+test('attributes that are set while the studio loads are taken once it is there', { skip }, async () => {
+  const { page } = await hosts.open();
+  await page.evaluate(
+    async ({ studio }) => {
+      await import(`${studio}embed/sillon-studio.js`);
+      const element = document.createElement('sillon-studio');
+      element.theme = 'light';
+      document.body.append(element);
+      const ready = element.info(); // loads it
+      element.theme = 'dark';
+      element.mode = 'view';
+      await ready;
+      await element.report(); // requests are answered in order
+    },
+    { studio: hosts.studio },
+  );
+  const frame = page.frames().find((one) => one.url().includes('embed.html'));
+  assert.deepEqual(await state(frame, ({ theme, mode }) => [theme, mode]), ['dark', 'view']);
+});
+
 test('it wears the colour, corners and font of its page, and gives them back', { skip }, async () => {
   const { page, frame } = await element({ accent: '#7a1fa2', radius: '12', font: 'Georgia, serif', theme: 'light' });
   const look = () =>
