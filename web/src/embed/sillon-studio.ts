@@ -125,6 +125,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   connectedCallback(): void {
+    this.#fault = undefined; // put into a page again, it opens again
     addEventListener('message', this.#onMessage);
     this.#showPoster();
     this.#near = new IntersectionObserver(
@@ -340,7 +341,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   /** Nobody is answered any more until the next opening. */
   #close(fault: StudioFrameError): void {
-    this.#fault = this.isConnected ? fault : undefined; // put into a page again, it opens again
+    this.#fault = fault;
     for (const { reject } of this.#callers) reject(fault);
     this.#callers.clear();
     this.#drop(fault);

@@ -137,6 +137,37 @@ test(
   },
 );
 
+test('every promise settles, of an element taken away while files are on their way', { skip }, async () => {
+  const { page } = await element();
+  const outcomes = await page.evaluate(async () => {
+    const { element } = globalThis;
+    const outcome = (promise) =>
+      promise.then(
+        () => 'done',
+        ({ code }) => code,
+      );
+    const arrivals = [];
+    globalThis.fetch = () => new Promise((resolve) => arrivals.push(resolve));
+    element.shape = 'a.svg';
+    const waiting = [outcome(element.generate())]; // for the file of the attribute
+    while (arrivals.length < 1) await new Promise((resolve) => setTimeout(resolve));
+    waiting.push(outcome(element.load('b.svg')));
+    while (arrivals.length < 2) await new Promise((resolve) => setTimeout(resolve));
+    element.remove();
+    for (const arrive of arrivals) arrive(new Response('<svg xmlns="http://www.w3.org/2000/svg"/>'));
+    waiting.push(outcome(element.report()));
+    const late = new Promise((resolve) => setTimeout(resolve, 5000, 'never'));
+    return Promise.all(waiting.map((one) => Promise.race([one, late])));
+  });
+  assert.deepEqual(outcomes, ['Closed', 'Closed', 'Closed']);
+  await page.evaluate(async () => {
+    const { element } = globalThis;
+    element.removeAttribute('shape');
+    document.body.append(element);
+    await element.info(); // put into a page again, it opens again
+  });
+});
+
 test(
   'far below, the studio is not loaded until somebody comes near; a poster stands there meanwhile',
   { skip },
