@@ -441,7 +441,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     return new Promise((resolve, reject) => {
       this.#waiters.set(id, { resolve, reject });
       signal?.addEventListener('abort', () => {
-        if (this.#waiters.has(id)) void this.#ask('cancel', { id });
+        if (this.#waiters.has(id)) this.#ask('cancel', { id }).catch(() => undefined); // there is nothing left to stop
       });
       port.postMessage({ v: version, id, method, params }, transfer);
     });

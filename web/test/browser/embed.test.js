@@ -168,6 +168,25 @@ test('every promise settles, of an element taken away while files are on their w
   });
 });
 
+test('after an abort and a removal no rejection is left that nobody handles', { skip }, async () => {
+  const { page, problems } = await element();
+  const outcome = await page.evaluate(async (project) => {
+    const { element } = globalThis;
+    await element.load({ ...project, shape: { builtin: 'disc', size: [300, 300] } });
+    const control = new AbortController();
+    const work = element.generate({ signal: control.signal });
+    await new Promise((resolve) => element.addEventListener('progress', resolve, { once: true }));
+    control.abort();
+    for (let k = 0; k < 4; ++k) await undefined; // the frame is asked to stop, and has not answered
+    element.remove();
+    const code = await work.catch(({ code }) => code);
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    return code;
+  }, project);
+  assert.equal(outcome, 'Closed');
+  assert.deepEqual(problems, []);
+});
+
 test(
   'far below, the studio is not loaded until somebody comes near; a poster stands there meanwhile',
   { skip },
