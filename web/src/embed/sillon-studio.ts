@@ -177,9 +177,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   async info(): Promise<StudioInfo> {
     await this.#connection();
     if (this.#info !== undefined) return this.#info;
-    return new Promise((resolve, reject) => {
-      this.#curious.add({ resolve: resolve as (info: unknown) => void, reject });
-    });
+    const { promise, ...waiter } = wait<StudioInfo>();
+    this.#curious.add(waiter);
+    return promise;
   }
 
   /** The plate as a project of the command line (docs/reference/project.md); its pictures are in `exportProject`. */
@@ -319,18 +319,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   #connection(signal?: AbortSignal): Promise<MessagePort> {
     if (this.#port !== undefined) return Promise.resolve(this.#port);
     if (this.#fault !== undefined) return Promise.reject(this.#fault);
-    return new Promise((resolve, reject) => {
-      const caller: Waiter = {
-        resolve: (port) => {
-          resolve(port as MessagePort);
-        },
-        reject,
-      };
-      this.#callers.add(caller);
-      signal?.addEventListener('abort', () => {
-        if (this.#callers.delete(caller)) reject(signal.reason as Error);
-      });
-      this.#wake();
+    const { promise, ...caller } = wait<MessagePort>();
+    this.#callers.add(caller);
+    this.#wake();
+    return heeding(signal, promise, () => {
+      if (this.#callers.delete(caller)) caller.reject(signal?.reason);
     });
   }
 
@@ -438,12 +431,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     const port = await this.#connection(signal);
     signal?.throwIfAborted();
     const id = this.#nextId++;
-    return new Promise((resolve, reject) => {
-      this.#waiters.set(id, { resolve, reject });
-      signal?.addEventListener('abort', () => {
-        if (this.#waiters.has(id)) this.#ask('cancel', { id }).catch(() => undefined); // there is nothing left to stop
-      });
-      port.postMessage({ v: version, id, method, params }, transfer);
+    const { promise, ...waiter } = wait<unknown>();
+    this.#waiters.set(id, waiter);
+    port.postMessage({ v: version, id, method, params }, transfer);
+    return heeding(signal, promise, () => {
+      if (this.#waiters.has(id)) this.#ask('cancel', { id }).catch(() => undefined); // there is nothing left to stop
     });
   }
 
@@ -451,7 +443,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   async #askOfPlate(method: Method, params: Fields = {}, signal?: AbortSignal): Promise<unknown> {
     signal?.throwIfAborted();
     this.#wake();
-    await (signal === undefined ? this.#loading : Promise.race([this.#loading, abortOf(signal)]));
+    const { promise, resolve, reject } = wait<undefined>();
+    void this.#loading.then(resolve);
+    await heeding(signal, promise, () => {
+      reject(signal?.reason);
+    });
     return this.#ask(method, params, signal);
   }
 
@@ -501,12 +497,24 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 }
 
-const abortOf = (signal: AbortSignal): Promise<never> =>
-  new Promise((_, reject) => {
-    signal.addEventListener('abort', () => {
-      reject(signal.reason as Error);
-    });
+/** A promise, and what settles it. */
+function wait<T>(): Waiter & { promise: Promise<T> } {
+  let waiter!: Waiter;
+  const promise = new Promise<T>((resolve, reject) => {
+    waiter = { resolve: resolve as Waiter['resolve'], reject };
   });
+  return { promise, ...waiter };
+}
+
+/** The promise. Once it is settled nothing is left at the signal, which may outlive many calls. */
+async function heeding<T>(signal: AbortSignal | undefined, promise: Promise<T>, onAbort: () => void): Promise<T> {
+  signal?.addEventListener('abort', onAbort);
+  try {
+    return await promise;
+  } finally {
+    signal?.removeEventListener('abort', onAbort);
+  }
+}
 
 const errorText = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 

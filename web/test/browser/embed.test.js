@@ -187,6 +187,24 @@ test('after an abort and a removal no rejection is left that nobody handles', { 
   assert.deepEqual(problems, []);
 });
 
+test('a signal that outlives its calls keeps nothing of them', { skip }, async () => {
+  const { page } = await element();
+  await load(page);
+  const kept = await page.evaluate(async () => {
+    const { signal } = new AbortController();
+    let kept = 0;
+    const { addEventListener, removeEventListener } = signal;
+    signal.addEventListener = (...given) => (++kept, addEventListener.apply(signal, given));
+    signal.removeEventListener = (...given) => (--kept, removeEventListener.apply(signal, given));
+    for (let k = 0; k < 3; ++k) await globalThis.element.generate({ signal });
+    const early = document.createElement('sillon-studio'); // waits for its frame
+    document.body.append(early);
+    await early.exportProject({ signal });
+    return kept;
+  });
+  assert.equal(kept, 0);
+});
+
 test(
   'far below, the studio is not loaded until somebody comes near; a poster stands there meanwhile',
   { skip },
