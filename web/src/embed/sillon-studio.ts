@@ -170,7 +170,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#wake(); // whose attributes name another plate, which this one comes after
     ++this.#loads;
     this.#loading = Promise.resolve();
-    await this.#load(source);
+    await this.#load(source).catch((error: unknown) => {
+      throw faultOf(error);
+    });
   }
 
   /** What the event `ready` tells, for those who come later, too. */
@@ -411,8 +413,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   readonly #tellError = (error: unknown): void => {
-    const { code, message, hint } =
-      error instanceof StudioFrameError ? error : new StudioFrameError('LoadFailed', errorText(error), '');
+    const { code, message, hint } = faultOf(error);
     this.dispatchEvent(new CustomEvent('error', { detail: { code, message, hint } }));
   };
 
@@ -433,7 +434,12 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     const id = this.#nextId++;
     const { promise, ...waiter } = wait<unknown>();
     this.#waiters.set(id, waiter);
-    port.postMessage({ v: version, id, method, params }, transfer);
+    try {
+      port.postMessage({ v: version, id, method, params }, transfer);
+    } catch (error) {
+      this.#waiters.delete(id);
+      throw new StudioFrameError('BadRequest', errorText(error), ''); // a function, say, which cannot be sent
+    }
     return heeding(signal, promise, () => {
       if (this.#waiters.has(id)) this.#ask('cancel', { id }).catch(() => undefined); // there is nothing left to stop
     });
@@ -515,6 +521,10 @@ async function heeding<T>(signal: AbortSignal | undefined, promise: Promise<T>, 
     signal?.removeEventListener('abort', onAbort);
   }
 }
+
+/** What is none of the studio's own is a file that was not to be had. */
+const faultOf = (error: unknown): StudioFrameError =>
+  error instanceof StudioFrameError ? error : new StudioFrameError('LoadFailed', errorText(error), '');
 
 const errorText = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 

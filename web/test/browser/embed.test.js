@@ -205,6 +205,35 @@ test('a signal that outlives its calls keeps nothing of them', { skip }, async (
   assert.equal(kept, 0);
 });
 
+test('what cannot be loaded or asked for is refused with a code', { skip }, async () => {
+  const { page } = await element();
+  const codes = await page.evaluate(() => {
+    const { element } = globalThis;
+    const refused = [
+      element.load('missing.json'),
+      element.load('ftp://shop.example/plate.svg'),
+      element.load({ sillon: 1, shape: () => 1 }),
+      element.load(5),
+      element.capture({ width: () => 1 }),
+      element.capture({ width: 0 }),
+    ];
+    return Promise.all(
+      refused.map((one) =>
+        one.then(
+          () => 'done',
+          ({ name, code }) => `${name} ${code}`,
+        ),
+      ),
+    );
+  });
+  assert.deepEqual(
+    codes,
+    ['LoadFailed', 'LoadFailed', 'BadRequest', 'BadRequest', 'BadRequest', 'BadRequest'].map(
+      (code) => `StudioFrameError ${code}`,
+    ),
+  );
+});
+
 test(
   'far below, the studio is not loaded until somebody comes near; a poster stands there meanwhile',
   { skip },
