@@ -43,6 +43,10 @@ const near = '800px'; // around the window: the studio is loaded when the elemen
 /** Of every language's file these few words alone, which the bundler finds and puts into this one. */
 const words = import.meta.glob<typeof frame>('../i18n/??.ts', { eager: true, import: 'frame' });
 
+const wordsIn = (language: string): typeof frame | undefined => words[`../i18n/${language}.ts`];
+/** "fr" of "fr-CA" */
+const primary = (tag: string): string => tag.toLowerCase().split('-')[0] ?? '';
+
 /** Of files that the visitor downloads. */
 const extensions = /\.(gcode|bgcode|3mf|stl|svg|png|zip|mp4|webm)$/;
 
@@ -157,7 +161,15 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     else if (this.#fault === undefined) {
       // Taken away, an attribute has its default again.
       const plain = { accent: '', radius: '', font: '' };
-      const defaults: Record<string, string> = { mode: 'edit', controls: '', theme: 'auto', units: 'mm', ...plain };
+      const lang = navigator.languages.map(primary).find((tag) => wordsIn(tag) !== undefined) ?? 'en';
+      const defaults: Record<string, string> = {
+        mode: 'edit',
+        controls: '',
+        lang,
+        theme: 'auto',
+        units: 'mm',
+        ...plain,
+      };
       const value = now ?? defaults[name];
       if (value !== undefined) void this.#ask('configure', { [name]: value }).catch(this.#tellOwn);
     }
@@ -295,8 +307,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   #blocked(): void {
-    const [language = ''] = (this.lang || document.documentElement.lang).toLowerCase().split('-');
-    const say = words[`../i18n/${language}.ts`] ?? frame;
+    const say = wordsIn(primary(this.lang || document.documentElement.lang)) ?? frame;
     const link = document.createElement('a');
     link.href = this.#base().href;
     link.target = '_blank';

@@ -135,6 +135,7 @@ export class SillonViewElement extends HTMLElement {
   #pointer: Light | undefined;
   #last = 0;
   #azimuth = 60;
+  #named = false;
 
   constructor() {
     super();
@@ -276,6 +277,8 @@ export class SillonViewElement extends HTMLElement {
   #name(): void {
     const alt = this.getAttribute('alt');
     if (alt !== null) this.setAttribute('aria-label', alt);
+    else if (this.#named) this.removeAttribute('aria-label'); // else it is the page's
+    this.#named = alt !== null;
   }
 
   #showPoster(): void {

@@ -453,6 +453,13 @@ test('attributes that are set while the studio loads are taken once it is there'
   assert.deepEqual(await state(frame, ({ theme, mode }) => [theme, mode]), ['dark', 'view']);
 });
 
+test('without the attribute the language is the visitor’s again', { skip }, async () => {
+  const { page, frame } = await element({ lang: 'de' }, { locale: 'fr-CA' });
+  await stateIs(frame, (state) => state.language === 'de');
+  await page.evaluate(() => globalThis.element.removeAttribute('lang'));
+  await stateIs(frame, (state) => state.language === 'fr');
+});
+
 test('it wears the colour, corners and font of its page, and gives them back', { skip }, async () => {
   const { page, frame } = await element({ accent: '#7a1fa2', radius: '12', font: 'Georgia, serif', theme: 'light' });
   const look = () =>

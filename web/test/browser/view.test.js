@@ -174,6 +174,8 @@ test('a poster stands in for what is not there yet, or cannot be', { skip }, asy
     await globalThis.drawn(good);
     found.after = state(good);
     found.name = [good.view.getAttribute('role'), good.view.getAttribute('aria-label')];
+    good.view.removeAttribute('alt');
+    found.name.push(good.view.getAttribute('aria-label'));
     const wrong = globalThis.view({ src: 'flat.png', poster: 'javascript:globalThis.ran=2' });
     found.wrong = wrong.view.shadowRoot.querySelector('img').getAttribute('src');
     found.ran = globalThis.ran ?? null;
@@ -188,7 +190,7 @@ test('a poster stands in for what is not there yet, or cannot be', { skip }, asy
     {
       early: 'shown,hidden',
       late: 'hidden,shown',
-      name: ['img', 'A plate'],
+      name: ['img', 'A plate', null],
       wrong: null,
       ran: null,
     },
