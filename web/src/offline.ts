@@ -25,6 +25,10 @@ function reloadOnce(): void {
 function watchForUpdates(registration: ServiceWorkerRegistration, { onUpdate }: OfflineEvents): void {
   const tell = (waiting: ServiceWorker): void => {
     onUpdate(() => {
+      if (waiting.state === 'activated') {
+        location.reload(); // another tab was faster: there will be no other change
+        return;
+      }
       navigator.serviceWorker.addEventListener(
         'controllerchange',
         () => {

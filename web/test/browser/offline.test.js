@@ -178,6 +178,25 @@ test('a new version waits for open pages, then takes over and leaves nothing of 
   assert.ok(left.includes('of somebody else') && left.some((cache) => cache.endsWith(' next')), left.join());
 });
 
+test('each of two open pages is loaded anew when its visitor says so', { skip }, async () => {
+  const address = await plainHost();
+  const { page: first } = await open(address);
+  await isolatedPage(first);
+  const { page: second } = await open(address);
+  await isolatedPage(second);
+  await workerIs(second, 'active');
+  await second.locator('sillon-app').waitFor();
+  for (const page of [first, second]) await page.evaluate(() => (globalThis.before = true));
+  const reload = (page) => page.getByRole('button', { name: 'Reload' }).click({ timeout: 60_000 });
+  deploy();
+  await first.evaluate(async () => void (await (await navigator.serviceWorker.ready).update()));
+  for (const page of [first, second]) {
+    await reload(page);
+    await page.waitForFunction(() => globalThis.before === undefined, undefined, { timeout: 30_000 });
+    await page.waitForLoadState();
+  }
+});
+
 test('a version that came incompletely is not taken', { skip }, async () => {
   const { page } = await open(await plainHost());
   await isolatedPage(page);
