@@ -87,15 +87,14 @@ export class Header extends StudioElement {
         padding: 8px 10px;
         gap: 6px;
       }
-      .narrow {
-        display: none;
+      @media (width > 980px) {
+        .narrow {
+          display: none;
+        }
       }
       @media (max-width: 980px) {
         .wide {
           display: none !important;
-        }
-        .narrow {
-          display: inline-flex;
         }
         .always {
           width: var(--control);
