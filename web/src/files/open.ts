@@ -200,6 +200,8 @@ export function withFile(
     case 'shape':
     case 'mask': {
       const next: ShapeSource = { kind: 'file', file, unitless: shape.kind === 'file' ? shape.unitless : 'px' };
+      // Put to use once more it keeps the size that a hand has given it.
+      if (shape.kind === 'file' && shape.file === file) return { ...plate, shape: next };
       return { ...plate, shape: next, ...(role === 'shape' ? drawn(plate, size) : proportioned(plate, size)) };
     }
     case 'modes':

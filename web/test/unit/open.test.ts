@@ -307,6 +307,15 @@ test('another role keeps every edit since the files were opened', async () => {
   const larger = { ...made, width: 100, height: 25 };
   const { shape, width, height, directions } = withoutFiles(larger, opened);
   assert.deepEqual([shape, width, height, directions], [made.shape, 100, 25, before.directions]);
+  // Of the drawn shape it stays, whatever else the drawing is used for.
+  const drawing = (await identify([text('logo.svg', svg)], before, engine)).opened;
+  const plain = await withFiles(before, drawing, engine);
+  const sized = { ...plain, width: 77, height: 57.75 };
+  for (const role of ['colours', 'shape'] as const) {
+    const other = drawing.map((one) => ({ ...one, role }));
+    const kept = await withFiles(withoutFiles(sized, { before, made: plain, files: drawing }), other, engine);
+    assert.deepEqual([kept.width, kept.height], [77, 57.75], role);
+  }
   // A picture whose lamp was moved is there once, whatever it is used as.
   const moved = { ...made, directions: { ...made.directions, lampSize: 0.01 } } as Plate;
   const again = files.map((one) => ({ ...one, role: 'more' as const }));
