@@ -252,6 +252,7 @@ const firstPlate = (): Promise<void> =>
 
 /** The plate of the page's address, or the one that was left here, which is offered beside the other. */
 async function restore(): Promise<void> {
+  for (const { where, value } of asked.wrong) studio.fail({ code: 'GuestValue', values: { where, value }, detail: '' });
   if (framed) {
     if (!(await openLink())) await openAddress();
     return;
@@ -334,7 +335,6 @@ function showKept(steps: Steps): void {
 
 /** Of the files that the address names, on this page's own site. */
 async function openAddress(kept?: Promise<Kept | undefined>): Promise<boolean> {
-  for (const { where, value } of asked.wrong) studio.fail({ code: 'GuestValue', values: { where, value }, detail: '' });
   if (asked.files.length === 0) return false;
   return studio.attempt(async () => {
     const { fetchFiles } = await import('./embed/fetching.js');

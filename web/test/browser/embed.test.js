@@ -531,7 +531,7 @@ test('a video of what nobody sees is refused; one that is given up ends', { skip
 });
 
 test('wrong attributes are told, with what is wrong', { skip }, async () => {
-  const { page } = await element({ mode: 'everything' }, { small: false }); // a link would be all of its address
+  const { page } = await element({ mode: 'everything' }); // with a link behind it
   const errors = () =>
     page.evaluate(() => globalThis.heard.filter(({ name }) => name === 'error').map(({ detail }) => detail));
   await page.waitForFunction(() => globalThis.heard.some(({ name }) => name === 'error'));
