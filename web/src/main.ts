@@ -402,6 +402,7 @@ function keepUp(): void {
       autosave?.save(store.steps);
       if (state.welcome) studio.endWelcome();
     }
+    if (state.opened !== undefined && store.steps.future.includes(state.opened.made)) studio.setOpened(undefined);
     if (state.shimmer !== undefined && (state.result !== undefined || !state.welcome))
       store.set({ shimmer: undefined });
   });

@@ -37,6 +37,21 @@ test('what was said of files goes with them', { skip }, async () => {
   assert.equal(await visit.state(({ opened }) => opened === undefined), true);
 });
 
+test('what was said of a file goes when undo takes the file away', { skip }, async () => {
+  const visit = await dropped();
+  await visit.page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    studio.change((plate) => ({ ...plate, name: 'Mine' }));
+    studio.change((plate) => ({ ...plate, name: 'Yours' }));
+    studio.store.undo();
+  });
+  await visit.until(({ plate }) => plate.name === 'Mine');
+  assert.equal(await visit.button('Change').count(), 1);
+  for (let k = 0; k < 2; ++k) await visit.page.getByRole('button', { name: 'Undo' }).click();
+  await visit.until(({ opened, notices }) => opened === undefined && !notices.some(({ ofFiles }) => ofFiles));
+  assert.equal(await visit.state(({ plate }) => plate.directions.kind === 'lamp'), false);
+});
+
 test('a second picture is lit at once, names the plate, and can take the place of the first', { skip }, async () => {
   const visit = await dropped();
   await visit.drop([photo('second.png')]);
