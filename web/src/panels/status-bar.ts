@@ -31,7 +31,8 @@ export class StatusBar extends StudioElement {
       .figures {
         display: flex;
         flex: 1;
-        gap: 16px;
+        flex-wrap: wrap;
+        gap: 0 16px;
         min-width: 0;
         overflow: hidden;
         color: var(--soft);
@@ -84,7 +85,7 @@ export class StatusBar extends StudioElement {
           display: none;
         }
         .figures {
-          gap: 10px;
+          gap: 0 10px;
         }
       }
     `,

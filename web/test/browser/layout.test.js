@@ -92,6 +92,19 @@ test('on the narrowest phones the light keeps inside of the page in every langua
 
 const smallPhone = { viewport: { width: 320, height: 640 }, hasTouch: true, isMobile: true };
 
+test('on the narrowest phones figures are whole in every language', { skip }, async () => {
+  const visit = await bench.open({ small: true, ...smallPhone });
+  await visit.idle();
+  for (const language of ['en', 'fr', 'de']) {
+    await visit.page.evaluate((name) => document.querySelector('sillon-app').studio.setLanguage(name), language);
+    await settled(visit.page);
+    const figures = visit.page.locator('sillon-status .figures');
+    const whole = ({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>
+      scrollWidth <= clientWidth && scrollHeight <= clientHeight;
+    assert.ok(await figures.evaluate(whole), `${language}: ${await figures.innerText()}`);
+  }
+});
+
 test('on a phone all rows of the menu begin alike', { skip }, async () => {
   const visit = await bench.open({ small: true, ...smallPhone });
   await visit.page.locator('[popovertarget=menu]').click();
