@@ -99,12 +99,22 @@ function readNumber(field: NumberField, input: HTMLInputElement): number | undef
   return right ? value : undefined;
 }
 
+let pause: ReturnType<typeof setTimeout> | undefined;
+
+/** Nothing tells that typing is done before the focus goes, and it may stay: figures and hosts wait for a pause alone. */
+function settleSoon({ onSettle }: { onSettle: () => void }): void {
+  clearTimeout(pause);
+  pause = setTimeout(onSettle, 1000);
+}
+
 /** The number alone, with its unit. */
 export function numberInput(field: NumberField, name = true): TemplateResult {
   const { id, label, unit = '', min, max, step } = field;
   const onInput = (event: Event): void => {
     const value = readNumber(field, event.currentTarget as HTMLInputElement);
-    if (value !== undefined) field.onInput(value);
+    if (value === undefined) return;
+    field.onInput(value);
+    settleSoon(field);
   };
   const onChange = (event: Event): void => {
     const input = event.currentTarget as HTMLInputElement;
@@ -112,6 +122,7 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
     // What cannot be used does not stay; the sentence about it does, until the next change.
     input.value = inputText(value ?? shortNumber(field.value, step));
     input.setAttribute('aria-invalid', 'false');
+    clearTimeout(pause); // which could end a drag that follows
     field.onSettle();
   };
   /** As the spin buttons of number fields, which write no comma where the page's language has one. */
@@ -322,6 +333,7 @@ export function textField(field: TextField): TemplateResult {
   const { id, label, value, maxLength, help = '' } = field;
   const onInput = (event: Event): void => {
     field.onInput((event.currentTarget as HTMLInputElement | HTMLTextAreaElement).value);
+    settleSoon(field);
   };
   return html`<div class="field">
     <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
