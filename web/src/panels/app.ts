@@ -329,9 +329,7 @@ export class App extends StudioElement {
   readonly #loaded = new Set<string>();
 
   #skip = (): void => {
-    const stage = this.renderRoot.querySelector<StudioElement>('sillon-stage');
-    const canvas = stage?.renderRoot.querySelector<StudioElement>('sillon-canvas');
-    canvas?.renderRoot.querySelector<HTMLElement>('.overlay')?.focus();
+    this.studio.stage?.focus();
   };
 
   // --- Files and keys ---------------------------------------------------------------------------------------------------

@@ -96,6 +96,10 @@ export class PlateCanvas extends StudioElement implements Stage {
     divider.place(left + this.state.wipe * width, top, height);
   }
 
+  override focus(): void {
+    this.overlay.focus();
+  }
+
   override firstUpdated(): void {
     this.studio.stage = this;
     this.#motion = new MovingLight(this.studio);

@@ -123,7 +123,15 @@ export class Notices extends StudioElement {
   }
 
   #close(close: () => void): TemplateResult {
-    return html`<button type="button" class="plain close" aria-label=${t('verb.dismiss')} @click=${close}>
+    return html`<button
+      type="button"
+      class="plain close"
+      aria-label=${t('verb.dismiss')}
+      @click=${() => {
+        this.studio.stage?.focus();
+        close();
+      }}
+    >
       ${icon('close', 14)}
     </button>`;
   }
@@ -139,6 +147,7 @@ export class Notices extends StudioElement {
               type="button"
               class="link"
               @click=${() => {
+                this.studio.stage?.focus(); // to which it comes back from what this opens
                 this.studio.dismiss(id);
                 run();
               }}

@@ -214,6 +214,7 @@ export class Plates extends DialogElement {
       <button
         type="button"
         @click=${() => {
+          this.renderRoot.querySelector<HTMLElement>('.body')?.focus(); // as this button goes
           this.deleted = undefined;
           void this.#then(deleted.undo);
         }}
@@ -321,5 +322,7 @@ export class Plates extends DialogElement {
       const undo = await this.studio.services.plates().remove(plate.id);
       this.deleted = { name: this.#nameOf(plate), undo };
     });
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>('.told button')?.focus(); // its own button has gone, or will
   }
 }

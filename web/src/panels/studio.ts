@@ -78,6 +78,8 @@ export interface Services {
 
 /** What the canvas lends to others. */
 export interface Stage {
+  /** For keys: also where a button has gone that had the focus. */
+  focus(): void;
   fit(): void;
   zoom(factor: number): void;
   /** Millimetres of the page. */

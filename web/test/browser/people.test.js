@@ -20,6 +20,27 @@ async function violations(page) {
   return found;
 }
 
+test('where a word’s button goes that had the focus, the plate gets it', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.idle();
+  const notify = () =>
+    page.evaluate(() => {
+      const { studio } = document.querySelector('sillon-app');
+      studio.notify('A word.', { label: 'Tell more', run: () => studio.show('help') });
+    });
+  const atPlate = () => page.locator('sillon-canvas .overlay').evaluate((one) => one.matches(':focus'));
+  await notify();
+  await page.locator('sillon-notices').getByRole('button', { name: 'Dismiss' }).last().press('Enter');
+  assert.equal(await atPlate(), true);
+  await notify();
+  await page.getByRole('button', { name: 'Tell more' }).press('Enter');
+  await page.getByRole('dialog').waitFor();
+  await page.keyboard.press('Escape');
+  await page.getByRole('dialog').waitFor({ state: 'detached' });
+  assert.equal(await atPlate(), true);
+});
+
 for (const colorScheme of ['light', 'dark']) {
   test(`axe finds nothing in any section, view and dialog, ${colorScheme}`, { skip }, async () => {
     const visit = await bench.open({ colorScheme, small: true });

@@ -49,7 +49,9 @@ test('plates lie side by side: opened, renamed, duplicated, deleted, brought bac
   await dialog.getByRole('button', { name: 'Open Third' }).waitFor();
   await dialog.getByRole('button', { name: 'Delete Third' }).click();
   await until(async () => !(await names(visit)).includes('Third'), 'the deletion');
-  await dialog.getByRole('button', { name: 'Undo' }).click();
+  const undo = dialog.getByRole('button', { name: 'Undo' });
+  await until(() => undo.evaluate((one) => one.matches(':focus')), 'the focus, as the button that had it has gone');
+  await undo.click();
   await dialog.getByRole('button', { name: 'Open Third' }).waitFor();
   await dialog.getByRole('button', { name: 'Open First', exact: true }).click();
   await visit.until((state) => state.plate.name === 'First' && state.dialog === undefined);
