@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Rebrushed, SlicedFile } from 'sillon';
 import { r } from '../i18n/rebrush.js';
 import { problemWords } from '../i18n/say.js';
-import { formatDuration, t } from '../i18n/text.js';
+import { formatDuration, language, t } from '../i18n/text.js';
 import type { Problem } from '../model/problem.js';
 import { lackOf, type Face, type Wish } from '../model/rebrush.js';
 import { icon } from './icons.js';
@@ -39,6 +39,16 @@ export function progressBar(
   </div>`;
 }
 
+/** The engine's own, which are English: in another language they are for those who ask. */
+function engineWords({ detail }: Problem): TemplateResult | typeof nothing {
+  if (detail === '') return nothing;
+  if (language() === 'en') return html`<p>${detail}</p>`;
+  return html`<details>
+    <summary>${icon('fold', 14)} ${t('problem.details')}</summary>
+    <p lang="en">${detail}</p>
+  </details>`;
+}
+
 /** Where nothing can be done with a file. @param print  undefined: it cannot be read */
 export function noWork(
   name: string,
@@ -52,7 +62,7 @@ export function noWork(
     ${icon('warn')}
     <div>
       <p><b>${message}</b></p>
-      ${problem === undefined ? nothing : html`<p>${problem.detail}</p>`}
+      ${problem === undefined ? nothing : engineWords(problem)}
       ${print === undefined ? html`<p class="note">${r('unreadableHelp')}</p>` : leftReasons(faces)}
     </div>
   </div>`;
@@ -109,8 +119,7 @@ function failed(problem: Problem): TemplateResult {
     ${icon('warn')}
     <div>
       <p><b>${engine ? r('failed') : message}</b></p>
-      ${problem.detail === '' ? nothing : html`<p>${problem.detail}</p>`}
-      ${engine || hint === '' ? nothing : html`<p class="note">${hint}</p>`}
+      ${engineWords(problem)} ${engine || hint === '' ? nothing : html`<p class="note">${hint}</p>`}
     </div>
   </div>`;
 }

@@ -372,6 +372,17 @@ test('faces are combed from aside; with Shift the print moves and nothing is dra
   assert.deepEqual(visit.problems, []);
 });
 
+test('on a page in German the engine’s English words are for those who ask', { skip }, async () => {
+  const visit = await bench.open({ small: true, locale: 'de-DE' });
+  await visit.idle();
+  await visit.drop([fileOf('own.gcode', 'G28\nG1 X10 E1\n')]);
+  const alert = view(visit).getByRole('alert');
+  await alert.waitFor();
+  assert.doesNotMatch(await alert.innerText(), /does not mark/);
+  await alert.locator('summary').click();
+  assert.match(await alert.innerText(), /does not mark its surfaces/);
+});
+
 test('what cannot be re-brushed is told in a sentence, and another file can be taken', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
