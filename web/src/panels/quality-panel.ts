@@ -45,6 +45,7 @@ export class QualityPanel extends StudioElement {
       }
       .verdicts b {
         font-weight: 600;
+        overflow-wrap: anywhere;
       }
       .verdicts p {
         grid-column: 2 / -1;
@@ -119,7 +120,7 @@ export class QualityPanel extends StudioElement {
                   (verdict) =>
                     html`<li class=${verdict.level}>
                       ${icon(icons[verdict.level], 18)}
-                      <b>${t(`measure.${verdict.measure}`)}</b
+                      <b>${this.#name(verdict, verdicts)}</b
                       ><span class="note level">${t(`level.${verdict.level}`)}</span>
                       <p>${verdictText(verdict)} ${this.#look(verdict)}</p>
                     </li>`,
@@ -138,6 +139,16 @@ export class QualityPanel extends StudioElement {
             </section>`
       }
     `;
+  }
+
+  /** Of several pictures with the file's. */
+  #name(verdict: Verdict, verdicts: readonly Verdict[]): string {
+    const label = t(`measure.${verdict.measure}`);
+    const same = verdicts.filter(({ measure }) => measure === verdict.measure);
+    const directions = this.state.result?.plate.directions;
+    if (same.length === 1 || directions?.kind !== 'lamp') return label;
+    const name = directions.pictures[same.indexOf(verdict)]?.file.name ?? '';
+    return t('setting.value', { label, value: name });
   }
 
   /** The first place that the verdict speaks of. */

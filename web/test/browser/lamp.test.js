@@ -112,6 +112,12 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
   await visit.page.keyboard.press('End');
   await visit.page.waitForFunction(() => document.querySelector('sillon-app').studio.store.state.wipe === 1);
   await until(async () => (await covered()) === 255, 'the picture over the plate');
+
+  // What is measured of each says which one it is.
+  await visit.section('Quality');
+  const measures = visit.page.locator('sillon-quality-panel .verdicts b');
+  await measures.filter({ hasText: 'Picture: photo.png' }).waitFor();
+  await measures.filter({ hasText: 'Picture: moon.jpg' }).waitFor();
   assert.deepEqual(visit.problems, []);
 });
 
