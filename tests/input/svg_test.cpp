@@ -1100,6 +1100,25 @@ TEST_CASE("clip paths leave what is inside of them") {
                {"clip-path", "itself"});
 }
 
+TEST_CASE("many shapes under one rounded clip path are read at any size") {
+  // All but one lie within; the last beside it.
+  std::string squares;
+  for (int i = 0; i < 2000; ++i) {
+    squares += "<rect x='" + std::to_string(30 + i % 50) + "' y='" + std::to_string(30 + i / 50) +
+               "' width='.5' height='.5'/>";
+  }
+  const std::string circle = "<clipPath id='c'><rect x='10' y='10' width='80' height='80' rx='40'/></clipPath>";
+  const Shape inside = read(page(circle + "<g clip-path='url(#c)'>" + squares + kSquare + "</g>"), {.width = 400});
+  CHECK(ringArea(inside) == doctest::Approx(16 * 500));
+  const std::string ring =
+      "<clipPath id='c'><path clip-rule='evenodd' d='M0 0H100V100H0zM30 0H60V100H30z'/></clipPath>";
+  checkShown(ring + "<g clip-path='url(#c)'>" + squares + "</g>", 0.25 * 20 * 40);
+  // What crosses straight borders keeps its fill rule.
+  const std::string frame = "d='M10 10H50V50H10zM20 20H40V40H20z' fill-rule='evenodd'/>";
+  checkShown("<svg x='15' width='15' height='90'><path transform='translate(-15)' " + frame + "</svg>",
+             15 * 40 - 10 * 20);
+}
+
 TEST_CASE("masks show where they are painted, and not where the last paint is black") {
   const auto mask = [](const std::string& content, const std::string& attributes = "") {
     return "<mask id='m' " + attributes + ">" + content + "</mask><rect width='90' height='90' mask='url(#m)'/>";

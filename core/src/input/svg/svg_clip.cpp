@@ -2,12 +2,36 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <utility>
+
+#include "input/svg/svg_path.hpp"
 
 namespace sillon::svg {
 namespace {
 
-constexpr double kOverlap = 1e-3;  // less than this over a straight edge is not worth a cut [mm]
+constexpr double kOverlap = 1e-3;             // less than this over a straight edge is not worth a cut [mm]
+constexpr std::int64_t kWorkPerCut = 400;     // bytes a point counts as that is combined with others
+constexpr std::int64_t kWorkPerStraight = 2;  // bytes a point counts as that is cut off along straight lines
+constexpr int kMaxCrossings = 256;            // of cut lines by a path: more of them may overlap too often
+
+// What of a ring lies beyond a line across an axis, back along the line: there winding is as before.
+Ring beyond(const Ring& ring, double Vec2::*axis, double line, double side, int& crossings) {
+  Ring kept;
+  Vec2 a = ring.empty() ? Vec2{} : ring.back();
+  for (const Vec2 b : ring) {
+    const double from = side * (a.*axis - line), to = side * (b.*axis - line);
+    if ((from > 0) != (to > 0)) {
+      kept.push_back(onGrid(a + from / (from - to) * (b - a)));
+      kept.back().*axis = line;
+      ++crossings;
+    }
+    if (to > 0) kept.push_back(b);
+    a = b;
+  }
+  return kept;
+}
 
 }  // namespace
 
@@ -25,25 +49,50 @@ bool covers(const Limit& limit, const Bounds& box) {
 }
 
 FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule, Work& work) {
-  work.spendOnCuts(paths);
+  for (const FilledPath& path : paths) work.spendOnCuts(path, kWorkPerCut);
   Result<FilledPath> area = combined(paths, rule);
   if (!area) throw Refused{area.error().code, area.error().message};
   return std::move(area).value();
 }
 
-FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work) {
-  const Bounds box = boxOf(path.rings);
-  std::vector<FilledPath> paths{std::move(path)};
-  for (const Limit* limit : limits) {
-    if (covers(*limit, box)) continue;
-    const Bounds& other = limit->box;
-    if (other.empty() || other.min.x >= box.max.x || other.max.x <= box.min.x || other.min.y >= box.max.y ||
-        other.max.y <= box.min.y) {
-      return {};
-    }
-    paths.push_back(limit->area);
+std::optional<FilledPath> cutTo(const Bounds& box, const FilledPath& path, std::vector<Ring>* rest) {
+  FilledPath kept{{}, path.fillRule};
+  int crossings = 0;
+  for (Ring ring : path.rings) {
+    const auto cut = [&](double Vec2::*axis, double line, double side) {
+      Ring off = rest ? beyond(ring, axis, line, -side, crossings) : Ring();
+      if (!off.empty()) rest->push_back(std::move(off));
+      ring = beyond(ring, axis, line, side, crossings);
+    };
+    cut(&Vec2::x, box.min.x, 1);
+    cut(&Vec2::x, box.max.x, -1);
+    cut(&Vec2::y, box.min.y, 1);
+    cut(&Vec2::y, box.max.y, -1);
+    if (crossings > kMaxCrossings) return std::nullopt;
+    if (!ring.empty()) kept.rings.push_back(std::move(ring));
   }
-  if (paths.size() == 1) return std::move(paths[0]);
+  return kept;
+}
+
+FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work) {
+  std::vector<FilledPath> paths(1);
+  for (const Limit* limit : limits) {
+    const Bounds box = boxOf(path.rings);
+    if (covers(*limit, box)) continue;
+    work.spendOnCuts(limit->isBox ? path : limit->area, kWorkPerStraight);
+    // Of a limit only what is near counts: most paths touch none of its border.
+    const Vec2 rim{kOverlap, kOverlap};
+    std::optional<FilledPath> cut =
+        limit->isBox ? cutTo(limit->box, path) : cutTo({box.min - rim, box.max + rim}, limit->area);
+    if (cut && cut->rings.empty()) return {};
+    if (cut && limit->isBox) {
+      path = *std::move(cut);
+    } else if (!cut || !covers(*limitOf(*cut), box)) {
+      paths.push_back(cut ? *std::move(cut) : limit->area);
+    }
+  }
+  if (paths.size() == 1) return path;
+  paths[0] = std::move(path);
   return combine(
       paths, [](const std::vector<char>& filled) { return std::find(filled.begin(), filled.end(), 0) == filled.end(); },
       work);

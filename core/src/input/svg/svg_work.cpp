@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::int64_t kMaxWork = std::int64_t{256} << 20;
 constexpr std::int64_t kWorkPerElement = 64;  // bytes an element without attributes counts as
-constexpr std::int64_t kWorkPerCut = 400;     // bytes a point that is cut off or kept by clipping counts as
 
 }  // namespace
 
@@ -21,11 +20,9 @@ void Work::spend(const Node& node) {
   check("<use> repeats so many elements");
 }
 
-void Work::spendOnCuts(const std::vector<FilledPath>& paths) {
-  for (const FilledPath& path : paths) {
-    for (const Ring& ring : path.rings) spent_ += kWorkPerCut * static_cast<std::int64_t>(ring.size());
-  }
-  check("clipping repeats so many outlines");
+void Work::spendOnCuts(const FilledPath& path, std::int64_t bytesPerPoint) {
+  for (const Ring& ring : path.rings) spent_ += bytesPerPoint * static_cast<std::int64_t>(ring.size());
+  check("clipping repeats so many outlines", "; combine the paths under each clip path or mask into one");
 }
 
 void Work::spendOnRules(std::size_t bytes) {
@@ -33,8 +30,8 @@ void Work::spendOnRules(std::size_t bytes) {
   check("<style> has so many rules");
 }
 
-void Work::check(const char* problem) const {
-  if (spent_ > kMaxWork) refuseTooLarge(std::string(problem) + " that the drawing becomes too large");
+void Work::check(const char* problem, const char* wayOut) const {
+  if (spent_ > kMaxWork) refuseTooLarge(std::string(problem) + " that the drawing becomes too large" + wayOut);
 }
 
 }  // namespace sillon::svg
