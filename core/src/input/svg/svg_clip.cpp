@@ -33,6 +33,21 @@ Ring beyond(const Ring& ring, double Vec2::*axis, double line, double side, int&
   return kept;
 }
 
+// What of a path lies in a box, or nothing if it leaves and enters it too often.
+std::optional<FilledPath> cutTo(const Bounds& box, const FilledPath& path) {
+  FilledPath kept{{}, path.fillRule};
+  int crossings = 0;
+  for (Ring ring : path.rings) {
+    ring = beyond(ring, &Vec2::x, box.min.x, 1, crossings);
+    ring = beyond(ring, &Vec2::x, box.max.x, -1, crossings);
+    ring = beyond(ring, &Vec2::y, box.min.y, 1, crossings);
+    ring = beyond(ring, &Vec2::y, box.max.y, -1, crossings);
+    if (crossings > kMaxCrossings) return std::nullopt;
+    if (!ring.empty()) kept.rings.push_back(std::move(ring));
+  }
+  return kept;
+}
+
 }  // namespace
 
 Bounds boxOf(const std::vector<Ring>& rings) {
@@ -53,25 +68,6 @@ FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule,
   Result<FilledPath> area = combined(paths, rule);
   if (!area) throw Refused{area.error().code, area.error().message};
   return std::move(area).value();
-}
-
-std::optional<FilledPath> cutTo(const Bounds& box, const FilledPath& path, std::vector<Ring>* rest) {
-  FilledPath kept{{}, path.fillRule};
-  int crossings = 0;
-  for (Ring ring : path.rings) {
-    const auto cut = [&](double Vec2::*axis, double line, double side) {
-      Ring off = rest ? beyond(ring, axis, line, -side, crossings) : Ring();
-      if (!off.empty()) rest->push_back(std::move(off));
-      ring = beyond(ring, axis, line, side, crossings);
-    };
-    cut(&Vec2::x, box.min.x, 1);
-    cut(&Vec2::x, box.max.x, -1);
-    cut(&Vec2::y, box.min.y, 1);
-    cut(&Vec2::y, box.max.y, -1);
-    if (crossings > kMaxCrossings) return std::nullopt;
-    if (!ring.empty()) kept.rings.push_back(std::move(ring));
-  }
-  return kept;
 }
 
 FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work) {

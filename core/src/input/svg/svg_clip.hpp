@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "input/svg/svg_work.hpp"
@@ -32,9 +31,6 @@ Bounds boxOf(const std::vector<Ring>& rings);
 
 /// What of the paths `rule` says. Throws Refused.
 FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule, Work& work);
-/// What of a path lies in a box, or nothing if it leaves and enters it too often.
-/// \param rest  where not null, what lies beside it is added.
-std::optional<FilledPath> cutTo(const Bounds& box, const FilledPath& path, std::vector<Ring>* rest = nullptr);
 /// What of a path lies within all limits. Throws Refused.
 FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work);
 /// Layers from below upwards as one area. Throws Refused.
