@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 
+#include "sillon/gcode/warning.hpp"
 #include "sillon/pipeline/session.hpp"
 #include "sillon/quality/report.hpp"
 #include "support/about.hpp"
@@ -186,6 +188,37 @@ TEST_CASE("what no bead can reach is lost: a thin bar, not the corners of a squa
   const Shape withBar = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10}), scenes::rectangle({10, 4}, {15, 4.3})},
                                         {15, 10}, FillRule::NonZero);
   CHECK(measured(toolpathOf({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, 0.4f), withBar).lostAreaMm2 == about(1.5, 0.1));
+}
+
+TEST_CASE("lost lines are told as wide as they are, also where they cross") {
+  // A net of lines of 0.9 or 0.99 beads: a disc in a crossing is half as wide again as they are.
+  for (const double width : {0.36, 0.396}) {
+    std::vector<Ring> rings{scenes::rectangle({0, 0}, {1, 1})};
+    for (int k = 0; k < 5; ++k) {
+      rings.push_back(scenes::rectangle({2, 2 + 3.0 * k}, {16, 2 + 3.0 * k + width}));
+      rings.push_back(scenes::rectangle({2 + 3.0 * k, 2}, {2 + 3.0 * k + width, 16}));
+    }
+    const Measures m = measured(toolpathOf({{0.4f, 0.4f}, {0.6f, 0.4f}, {0.6f, 0.6f}, {0.4f, 0.6f}}, 0.4f),
+                                scenes::shapeOf(std::move(rings), {18, 18}, FillRule::NonZero));
+    CAPTURE(width);
+    REQUIRE(!m.lostPlaces.empty());
+    CHECK(m.lostPlaces.front().width == about(width, 0.1));
+    CHECK(m.lostPlaces.front().width <= 0.4);
+  }
+}
+
+TEST_CASE("the page that would print what is lost is a larger one") {
+  for (const auto& [width, size] : {std::pair{0.25, 40.0}, {0.4, 25.0}, {0.49, 21.0}, {0.5, 21.0}}) {
+    Measures m;
+    m.shapeAreaMm2 = 10;
+    m.lostAreaMm2 = 5;
+    m.lostPlaces = {{{1, 1}, 5, width}};
+    const auto warnings = plateWarnings({}, {}, {}, m, {20, 20}, 0.5);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].code == WarningCode::DetailLost);
+    REQUIRE(warnings[0].value("size") != nullptr);
+    CHECK(warnings[0].value("size")->number == size);
+  }
 }
 
 TEST_CASE("lost pieces of less than a quarter of a squared spacing do not count") {

@@ -113,7 +113,7 @@ std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, doub
     printed += place.areaMm2;
     width = place.width;
   }
-  // Never the present one: places a hundredth too thin are rounded away.
+  // Never the present width: for a place a hundredth too thin, rounding could give it.
   const double size = std::max(std::ceil(page.x * spacing / std::max(width, 0.01 * spacing)), std::floor(page.x) + 1);
   return {{WarningCode::DetailLost,
            {{"area", measures.lostAreaMm2},
