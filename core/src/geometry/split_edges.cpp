@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double kNear = 2e-6;
 constexpr int kMaxRounds = 5;                     ///< two do for nearly all drawings
 constexpr int kMaxGridRounds = 50;                ///< on a grid; five do for nearly all drawings
+constexpr std::size_t kMaxPieces = 4'000'000;     ///< beyond any drawing that a spacing of 0.05 mm could show
 constexpr std::uint64_t kMaxPairs = 800'000'000;  ///< tests of two edges; some ten seconds: strokes of a world map
 
 struct Split {
