@@ -46,6 +46,23 @@ Lattice bar(double width, double length, double from) {
   return lattice;
 }
 
+struct Plate {
+  PlateInput input;
+  ToolpathParams params;
+  Toolpath toolpath;
+};
+
+// The solids on one page, under lines of one direction.
+Plate plateOf(std::vector<Ring> rings, Vec2 page) {
+  const DirectionMap map = scenes::mapOf(8, [](double, double) { return 1.0; });
+  Plate plate{scenes::plate(scenes::shapeOf(std::move(rings), page, FillRule::NonZero), map), {}, {}};
+  plate.params.spacing = kSpacing;
+  auto made = generateToolpath(plate.input, plate.params, RunContext(2));
+  REQUIRE(made.ok());
+  plate.toolpath = std::move(made).value().toolpath;
+  return plate;
+}
+
 }  // namespace
 
 TEST_CASE("a narrow bar that no contour enters gets one, and beside contours nothing changes") {
@@ -112,21 +129,16 @@ TEST_CASE("lines from one bead on are printed over their whole length, wherever 
     std::vector<Ring> rings{scenes::rectangle({0, 0}, {3, 3})};
     for (int k = 0; k < 12; ++k) {  // each turned and shifted a little more
       const double angle = 0.131 * k;
-      const Vec2 along{std::cos(angle), std::sin(angle)},
-          half{-0.5 * width * kSpacing * along.y, 0.5 * width * kSpacing * along.x};
+      const Vec2 along{std::cos(angle), std::sin(angle)};
+      const Vec2 half = Vec2{-along.y, along.x} * (0.5 * width * kSpacing);
       const Vec2 a = Vec2{5 + 0.013 * k, 2 + 9.0 * k + 0.037 * k}, b = a + along * 8;
       rings.push_back({a - half, b - half, b + half, a + half});
     }
-    const DirectionMap map = scenes::mapOf(8, [&](double, double) { return 1.0; });
-    const PlateInput input = scenes::plate(scenes::shapeOf(std::move(rings), {20, 120}, FillRule::NonZero), map);
-    ToolpathParams params;
-    params.spacing = kSpacing;
-    const auto made = generateToolpath(input, params, RunContext(2));
-    REQUIRE(made.ok());
     CAPTURE(width);
-    CHECK(made.value().toolpath.cycles.size() == 13);
-    const auto measures =
-        measureToolpath(made.value().toolpath, input.shape, input.directions, input.modes, params, RunContext(2));
+    const Plate plate = plateOf(std::move(rings), {20, 120});
+    CHECK(plate.toolpath.cycles.size() == 13);
+    const auto measures = measureToolpath(plate.toolpath, plate.input.shape, plate.input.directions, plate.input.modes,
+                                          plate.params, RunContext(2));
     REQUIRE(measures.ok());
     CHECK(measures.value().coverage > 88);
     CHECK(measures.value().spill < 0.1);
@@ -139,20 +151,9 @@ TEST_CASE("dots from one bead on are printed, wherever they lie") {
     std::vector<Ring> rings{scenes::rectangle({0, 0}, {3, 3})};
     for (int k = 0; k < 50; ++k) {
       const Vec2 centre{2 + 1.537 * (k % 10), 5 + 1.683 * (k / 10)};
-      Ring dot;
-      for (int j = 0; j < 64; ++j) {
-        const double t = 2 * std::numbers::pi * j / 64;
-        dot.push_back(centre + Vec2{std::cos(t), std::sin(t)} * (0.5 * width * kSpacing));
-      }
-      rings.push_back(dot);
+      rings.push_back(scenes::circle(centre, 0.5 * width * kSpacing, 64));
     }
-    const DirectionMap map = scenes::mapOf(8, [&](double, double) { return 1.0; });
-    const PlateInput input = scenes::plate(scenes::shapeOf(std::move(rings), {20, 20}, FillRule::NonZero), map);
-    ToolpathParams params;
-    params.spacing = kSpacing;
-    const auto made = generateToolpath(input, params, RunContext(2));
-    REQUIRE(made.ok());
     CAPTURE(width);
-    CHECK(made.value().toolpath.cycles.size() == 51);
+    CHECK(plateOf(std::move(rings), {20, 20}).toolpath.cycles.size() == 51);
   }
 }
