@@ -3,28 +3,27 @@
 namespace sillon {
 namespace {
 
-constexpr double kSlack = 1e-4;  ///< by which discs may stand out [tau]
-constexpr int kPushes = 6;
+constexpr double kSlack = 1e-4;     ///< by which discs may stand out [tau]
+constexpr int kPushes = 6;          ///< two do for smooth borders
 constexpr double kAstray = 0.1;     ///< further than straight there: another place [tau]
 constexpr double kOpposite = -0.9;  ///< cosine between the normals of two walls
 
-// Discs that touch the border where it is nearest to a point.
-struct Touching {
-  const BorderIndex& border;
-  Vec2 foot;
-  Vec2 inward;
-  double slack;
-
-  Touching(const BorderIndex& index, Vec2 p, double spacing) : border(index), slack(kSlack * spacing) {
-    const NearestBorder nearest = index.nearest(p);
-    inward = wide(nearest.normal) * -1.0;
-    foot = p + inward * static_cast<double>(nearest.distance);
-  }
-  [[nodiscard]] NearestBorder at(double radius) const { return border.nearest(foot + inward * radius); }
-  [[nodiscard]] bool fits(double radius) const { return static_cast<double>(at(radius).distance) <= slack - radius; }
-};
-
 }  // namespace
+
+TouchingDiscs::TouchingDiscs(const BorderIndex& border, Vec2 p, double spacing)
+    : border_(border), slack_(kSlack * spacing) {
+  const NearestBorder nearest = border.nearest(p);
+  inward_ = wide(nearest.normal) * -1.0;
+  foot_ = p + inward_ * static_cast<double>(nearest.distance);
+}
+
+double TouchingDiscs::largest(double fitting, double tooLarge, int halvings) const {
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (fitting + tooLarge);
+    (fits(middle) ? fitting : tooLarge) = middle;
+  }
+  return fitting;
+}
 
 bool hasBeadRoom(const BorderIndex& border, Vec2 p, double spacing) {
   const double radius = 0.5 * spacing;
@@ -43,16 +42,12 @@ bool hasBeadRoom(const BorderIndex& border, Vec2 p, double spacing) {
 }
 
 bool isNextToThinMiddle(const BorderIndex& border, Vec2 p, double depth, double spacing, double cell) {
-  const Touching disc(border, p, spacing);
-  double low = 0.5 * spacing;
-  double high = kWidestThin * spacing;
-  if (!disc.fits(low) || disc.fits(high)) return false;
-  for (int k = 0; k < 8; ++k) {
-    const double middle = 0.5 * (low + high);
-    (disc.fits(middle) ? low : high) = middle;
-  }
-  if (depth < low - static_cast<double>(missedDepth(cell))) return false;
-  return dot(wide(disc.at(high + 0.01 * spacing).normal), disc.inward) > -kOpposite;
+  const TouchingDiscs discs(border, p, spacing);
+  const double bead = 0.5 * spacing;
+  const double widest = kWidestThin * spacing;
+  if (!discs.fits(bead) || discs.fits(widest)) return false;
+  const double radius = discs.largest(bead, widest, 8);
+  return depth >= radius - static_cast<double>(missedDepth(cell)) && discs.facing(radius + 0.01 * spacing) < kOpposite;
 }
 
 }  // namespace sillon

@@ -5,6 +5,29 @@
 
 namespace sillon {
 
+/// Discs that touch the border where it is nearest to a point inside. They may stand out by tau/10000.
+class TouchingDiscs {
+ public:
+  /// \param p        a point inside
+  /// \param spacing  tau [mm]
+  TouchingDiscs(const BorderIndex& border, Vec2 p, double spacing);
+
+  [[nodiscard]] bool fits(double radius) const { return static_cast<double>(at(radius).distance) <= slack_ - radius; }
+  /// The largest radius that fits, of one that does and one that does not, halved so many times [mm].
+  [[nodiscard]] double largest(double fitting, double tooLarge, int halvings) const;
+  [[nodiscard]] Vec2 centre(double radius) const { return foot_ + inward_ * radius; }
+  /// Cosine between the normal of the border here and the one nearest to a disc's centre: -1 of parallel walls.
+  [[nodiscard]] double facing(double radius) const { return -dot(wide(at(radius).normal), inward_); }
+
+ private:
+  [[nodiscard]] NearestBorder at(double radius) const { return border_.nearest(centre(radius)); }
+
+  const BorderIndex& border_;
+  double slack_;
+  Vec2 foot_;
+  Vec2 inward_;
+};
+
 /// Whether a disc as wide as a bead lies inside whose centre is next to p, off the nearest border: points of a lattice
 /// miss the middles of places hardly wider than a bead. Discs may stand out by tau/10000.
 /// \param p        a point inside, less deep than spacing / 2

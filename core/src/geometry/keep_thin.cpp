@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
+#include "geometry/bead_room.hpp"
 #include "geometry/lost_cells.hpp"
 #include "sillon/geometry/outline.hpp"
 
@@ -27,26 +28,14 @@ struct Middle {
 
 /// The middle of the walls at the border point nearest to a sample: the largest disc that touches the border there
 /// (its atom of the medial axis). Nothing where that is too thin, wide enough for a bead, or a corner.
-std::optional<Middle> middleAt(const BorderIndex& border, Vec2 sample, double spacing) {
-  const NearestBorder first = border.nearest(sample);
-  const double depth = std::abs(static_cast<double>(first.distance));
-  const Vec2 inward{-static_cast<double>(first.normal.x), -static_cast<double>(first.normal.y)};
-  const Vec2 foot = sample - inward * depth;
-  const double slack = 1e-4 * spacing;
-  const auto touchesOnlyHere = [&](double radius) {
-    return std::abs(static_cast<double>(border.nearest(foot + inward * radius).distance)) >= radius - slack;
-  };
-  double low = depth;
-  double high = 0.5 * spacing;
-  if (low >= high || touchesOnlyHere(high)) return std::nullopt;
-  for (int k = 0; k < 20; ++k) {
-    const double middle = 0.5 * (low + high);
-    (touchesOnlyHere(middle) ? low : high) = middle;
-  }
-  if (low < 0.5 * kThinnest * spacing - slack) return std::nullopt;
-  const Vec2f other = border.nearest(foot + inward * (low + 10 * slack)).normal;
-  if (static_cast<double>(dot(first.normal, other)) > kOpposite) return std::nullopt;
-  return Middle{foot + inward * low, low};
+std::optional<Middle> middleAt(const BorderIndex& border, Vec2 sample, double depth, double spacing) {
+  const TouchingDiscs discs(border, sample, spacing);
+  const double bead = 0.5 * spacing;
+  if (depth >= bead || discs.fits(bead)) return std::nullopt;
+  const double radius = discs.largest(depth, bead, 20);
+  if (radius < 0.5 * kThinnest * spacing - 1e-4 * spacing) return std::nullopt;
+  if (discs.facing(radius + 1e-3 * spacing) > kOpposite) return std::nullopt;
+  return Middle{discs.centre(radius), radius};
 }
 
 /// A mask whose outline encloses the discs: grey falls from inside to outside over four samples with the distance from
@@ -112,7 +101,7 @@ Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run)
       // Any middle has a sample nearer than the diagonal of half a cell.
       const double depth = -static_cast<double>(cells.distance[sample]);
       if (depth < 0.5 * kThinnest * spacing - 0.75 * cells.grid.cell) continue;
-      const std::optional<Middle> middle = middleAt(border.value(), cells.at(sample), spacing);
+      const std::optional<Middle> middle = middleAt(border.value(), cells.at(sample), depth, spacing);
       if (!middle) continue;
       discs.add(middle->at);
       if (2 * middle->radius > widest.width) widest = {middle->at, 0, 2 * middle->radius};

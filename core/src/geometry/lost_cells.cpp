@@ -16,19 +16,30 @@ std::size_t nextMarked(const std::vector<char>& marks, std::size_t from, std::si
   return found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - marks.data()) : end;
 }
 
+// How many samples after one of this distance do not lie between `deep` and `shallow` either; -1 if it does itself.
+// Most lie deeper or outside, and tell how far the next that does not is at least.
+int samplesBeyond(float distance, float deep, float shallow, float perMm) {
+  const float beyond = distance > shallow ? distance - shallow : deep - distance;
+  return beyond < 0 ? -1 : std::max(0, static_cast<int>(beyond * perMm - 1.01f));
+}
+
 // Samples miss the middles of places hardly wider than a bead: those beside one count as deep as it.
 void deepenMiddles(const BorderIndex& border, const Grid& grid, double spacing, const RunContext& run,
                    std::vector<float>& distance) {
-  const float deep = static_cast<float>(-0.5 * spacing);
+  const auto deep = static_cast<float>(-0.5 * spacing);
   const float missed = deep + missedDepth(grid.cell);
+  const auto perMm = static_cast<float>(1 / grid.cell);
+  const auto nx = static_cast<std::size_t>(grid.nx);
   std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(grid.ny));
-  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
-    for (int y = std::max(begin, 1); y < std::min(end, grid.ny - 1); ++y) {
+  parallelFor(run, grid.ny - 2, 16, [&](int begin, int end) {
+    for (int y = begin + 1; y < end + 1; ++y) {
       for (int x = 1; x < grid.nx - 1; ++x) {
         const std::size_t i = grid.index(x, y);
-        if (distance[i] > missed || distance[i] <= deep) continue;
+        if (const int beyond = samplesBeyond(distance[i], deep, missed, perMm); beyond >= 0) {
+          x += beyond;
+          continue;
+        }
         // Along most of a border the next sample inwards is deep.
-        const std::size_t nx = static_cast<std::size_t>(grid.nx);
         if (std::min({distance[i - 1], distance[i + 1], distance[i - nx], distance[i + nx]}) <= deep) continue;
         if (hasBeadRoom(border, grid.centre(x, y), spacing)) found[static_cast<std::size_t>(y)].push_back(i);
       }
@@ -68,10 +79,8 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
       int deepY = 0;
       for (int x = 0; x < grid.nx; ++x) {
         const std::size_t i = row + static_cast<std::size_t>(x);
-        // Most samples lie deep or outside, and tell how far the next that does not is at least.
-        const float beyond = sd[i] > 0 ? sd[i] : deep - sd[i];
-        if (beyond >= 0) {
-          x += std::max(0, static_cast<int>(beyond * perMm - 1.01f));
+        if (const int beyond = samplesBeyond(sd[i], deep, 0, perMm); beyond >= 0) {
+          x += beyond;
           continue;
         }
         const auto isDeep = [&](int dx, int dy) {
