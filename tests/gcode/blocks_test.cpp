@@ -52,13 +52,20 @@ TEST_CASE("an end block that comes down on the plate is refused, one that homes 
   CHECK(end("G1 Z0.2 F600").error().message == "line 3 of endGcode goes down to Z 0.2 " + top);
   CHECK(end("G91\nG1 Z-20 F600").error().message.find("line 4 of endGcode goes down to Z -") == 0);
   CHECK(end("G1 X112 Y110 Z0.5 F600").error().message.find(top) != std::string::npos);
-  CHECK(end("G1 X1 Y1 F3000\nG1 Z0.2 F600"));  // beside it
-  CHECK(end("G1 Z0.6 F600\nG1 X1 F3000"));     // as high
+  CHECK(end("G1 X1 Y1 F3000\nG1 Z0.2 F600"));             // beside it
+  CHECK_FALSE(end("G1 X94.5 Y110 F3000\nG1 Z0.2 F600"));  // its plate begins at 95, and a nozzle is wide
+  CHECK(end("G1 Z0.6 F600\nG1 X1 F3000"));                // as high
   const char* homes = "line 3 of endGcode: homes Z, for which most printers come down on the plate";
   for (const char* block : {"G28", "G28 Z", "g28 z0", "G28 W"}) CHECK(contains(end(block).value().warnings, homes));
   for (const char* block : {"G28 X", "G28 X0 Y0", "G28 XY"}) CHECK(!contains(end(block).value().warnings, homes));
   CHECK(end("G28\nG1 X110 Y110 F3000"));  // how high it stands is not told
-  job.printer.roundBed = true;            // deltas home at their top
+  const char* probes = "line 3 of endGcode: probes the bed, for which printers come down on the plate";
+  for (const char* block : {"G29", "G30", "G34", "quad_gantry_level", "BED_MESH_CALIBRATE PROFILE=a"}) {
+    CAPTURE(block);
+    CHECK(contains(end(block).value().warnings, probes));
+  }
+  CHECK(!contains(end("M84").value().warnings, probes));
+  job.printer.roundBed = true;  // deltas home at their top
   job.printer.bedMin = {-100, -100};
   job.printer.bedMax = {100, 100};
   CHECK(!contains(end("G28").value().warnings, homes));
@@ -100,6 +107,82 @@ TEST_CASE("start blocks must home all axes, and give back what G10 has drawn bac
   CHECK(refusal("G28\n" + heat + "G10\nG11\n") == "");
 }
 
+TEST_CASE("a start block that leaves the origin elsewhere is refused: beads would lie in the bed, or in the air") {
+  Job job = plate(30, 20, 1.3);
+  const auto refusal = [&](const std::string& shift) {
+    job.printer.startGcode = "G28\nM190 S60\nM109 S215\n" + shift;
+    const Written written = job.write();
+    return written.result ? "" : written.result.error().message;
+  };
+  const auto leaves = [](int line, const char* mm) {
+    return "line " + std::to_string(line) + " of startGcode: G92 leaves an axis " + mm +
+           " mm off its place; what follows would be laid there";
+  };
+  CHECK(refusal("G92 Z5\n") == leaves(4, "-5"));
+  CHECK(refusal("G1 Z5 F600\nG92 Z0\n") == leaves(5, "5"));
+  CHECK(refusal("G1 X50 F3000\nG92 X0\n") == leaves(5, "50"));
+  CHECK(refusal("G1 Z0.3 F600\nG92 Z0\nG92 E0\n") == "");         // as a first layer is put right
+  CHECK(refusal("G92 X-110 Y-110\n") == "");                      // tells where the switches are
+  CHECK(refusal("G1 X50 Y9 F3000\nG92 X0 Y0\nG28 X Y\n") == "");  // and homes anew
+  CHECK(refusal("G1 Z5 F600\nG92 Z0\nG1 Z-2\nG92 Z3\n") == "");   // and puts it back
+  job.printer.roundBed = true;  // deltas home at their top, whose height they are told
+  job.printer.bedMin = {-100, -100};
+  job.printer.bedMax = {100, 100};
+  CHECK(refusal("G92 Z250\n") == "");
+}
+
+TEST_CASE("what the start block heats beside the printing nozzle is switched off at the end") {
+  Job job = plate(30, 20, 1.3);
+  job.printer.startGcode = "G28\nM190 S60\nM141 S45\nM104 T2 S150\nM109 S215\n";
+  const Written own = job.write();
+  REQUIRE(own.result);
+  CHECK(own.text.find("\nM104 S0\nM104 T2 S0\nM140 S0\nM141 S0\n") != std::string::npos);
+  for (const GcodeFinding& finding : checkGcode(own.text, job.printer).findings) CHECK(finding.rule != "end");
+  const auto warns = [&](const std::string& end) {
+    job.printer.endGcode = end;
+    return contains(job.write().result.value().warnings, "hot");
+  };
+  CHECK(warns("M104 S0\nM140 S0\nM141 S0\n"));
+  CHECK(warns("M104 S0\nM104 T2 S0\nM140 S0\n"));
+  CHECK_FALSE(warns("M104 S0\nM104 T2 S0\nM140 S0\nM141 S0\n"));
+}
+
+TEST_CASE("a start block begins in the modes of a printer that was just switched on") {
+  Job job = plate(30, 20, 1.3);
+  job.printer.startGcode = "G28\nM190 S60\nM109 S215\n";
+  const std::string text = job.write().text;
+  CHECK(text.find("; FEATURE: Custom\nG21\nG90\nM82\nG28\n") != std::string::npos);
+}
+
+TEST_CASE("what a block's lines are indented by stays, as RepRapFirmware reads it") {
+  const auto expand = [](std::string_view text) { return expandTemplate(text, {}, "startGcode").value(); };
+  CHECK(expand("if true\n  G28 X\n\tM84 ; x\n   \nG28\n") == "if true\n  G28 X\n M84 ; x\n\nG28\n");
+}
+
+TEST_CASE("macros and firmwares home and heat in words of their own") {
+  Job job = plate(30, 20, 1.3);
+  const auto refusal = [&](const std::string& start, GcodeFlavor flavor = GcodeFlavor::Klipper) {
+    job.printer.flavor = flavor;
+    job.printer.startGcode = start;
+    const Written written = job.write();
+    return written.result ? "" : written.result.error().message;
+  };
+  const std::string heat = "M190 S60\nM109 S215\n";
+  const std::string homeless = "startGcode does not home; it must have G28 or a start macro";
+  for (const char* homes : {"CG28\n", "HOME_ALL\n", "_HOME_IF_NEEDED\n", "BEGIN_PRINT BED=60\n", "G32\n",
+                            "G9111 bedTemp=60 extruderTemp=215\n", "HOME_X\nHOME_YZ\n"}) {
+    CAPTURE(homes);
+    CHECK(refusal(homes + heat) == "");
+  }
+  for (const char* other : {"MMU_HOME\n", "HOME_X\n", "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=215\n"}) {
+    CAPTURE(other);
+    CHECK(refusal(other + heat) == homeless);
+  }
+  CHECK(refusal("G32\n" + heat, GcodeFlavor::RepRap) == "");
+  CHECK(refusal("M98 P\"homeall.g\"\n" + heat, GcodeFlavor::RepRap) == "");
+  CHECK(refusal("G32\n" + heat, GcodeFlavor::Marlin) == homeless);
+}
+
 TEST_CASE("placeholders of four programs stand for their values") {
   const std::vector<TemplateValue> values{{{"temp", "TEMP"}, {"215"}}, {{"min"}, {"1.5", "2.5"}}};
   const auto expand = [&](std::string_view text) {
@@ -109,7 +192,7 @@ TEST_CASE("placeholders of four programs stand for their values") {
   CHECK(expand("M109 S{temp}") == "M109 S215\n");
   CHECK(expand("M109 S{temp[0]}\nM104 S[temp] ; [x] {y} <z>") == "M109 S215\nM104 S215 ; [x] {y} <z>\n");
   CHECK(expand("M109 S<TEMP>") == "M109 S215\n");
-  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM84 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\nM84 ??\n");
+  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM84 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\n M84 ??\n");
   CHECK(expand("PRINT_START BED=60 NAME='x'") == "PRINT_START BED=60 NAME='x'\n");
   CHECK(expand("") == "");
   CHECK(expand("\n\n") == "");
@@ -128,7 +211,7 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
       "G28\nM190 S{first_layer_bed_temperature}\nM109 S[nozzle_temperature_initial_layer]\nG20\nM82";
   job.printer.endGcode = "M104 S0\nM140 S0 ; bye\nG1 X0 Y200";
   const std::string text = job.write().text;
-  CHECK(text.find("\n; FEATURE: Custom\nG28\nM190 S60\nM109 S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") !=
+  CHECK(text.find("\n; FEATURE: Custom\nG21\nG90\nM82\nG28\nM190 S60\nM109 S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") !=
         std::string::npos);
   CHECK(text.find("\nM104 S0\nM140 S0 ; bye\nG1 X0 Y200\nM73 P100 R0\n") != std::string::npos);
   CHECK(text.find("M84") == std::string::npos);
@@ -162,7 +245,7 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
   own.printer.endGcode = "G91\nG1 E-2 X5 Y-5 F3000\nG1 Z5\nG90\nG1 X0\nM500";
   const std::vector<GcodeWarning> warnings = own.write().result.value().warnings;
   CHECK(contains(warnings, "line 6 of endGcode: M500 outlives the print"));
-  CHECK(contains(warnings, "endGcode leaves the nozzle or the bed hot"));
+  CHECK(contains(warnings, "endGcode leaves a nozzle, the bed or the chamber hot"));
   CHECK(warnings.size() == 2);
   own.printer.endGcode = "PRINT_END";
   CHECK(own.write().result.value().warnings.empty());

@@ -42,7 +42,7 @@ Clock clockOf(std::string_view text) {
     layerBegan = -1;
   };
   for (const std::string_view line : split(text, '\n')) {
-    if (line == "M82") absoluteE = true;
+    if (line == "M82" || line == "M83") absoluteE = line == "M82";
     if (line == "G92 E0") e = 0;
     if (line == ";LAYER_CHANGE") {
       endLayer();

@@ -75,6 +75,9 @@ std::string filled(std::string_view pattern, double flow, bool absolute = false)
 TEST_CASE("a small file says what it must, line by line") {
   CHECK(linesOf(square()) == filled(R"(;TYPE:Custom
 ; FEATURE: Custom
+G21
+G90
+M82
 M140 S60
 M104 S150
 G28
@@ -172,6 +175,9 @@ TEST_CASE("two plates on a Klipper printer whose limits are known, line by line"
   job.printer.bedTemperature = 0;
   CHECK(linesOf(job) == filled(R"(;TYPE:Custom
 ; FEATURE: Custom
+G21
+G90
+M82
 M140 S0
 M104 S150
 G28

@@ -178,7 +178,7 @@ TEST_CASE("the file has the skeleton hosts look for") {
           "\n; max_z_height: 0.65\n",
           "\n; total layer number: 3\n",
           "\nM73 P0 R",
-          "\n;TYPE:Custom\n; FEATURE: Custom\nM140 S60\nM104 S150\nG28\n",
+          "\n;TYPE:Custom\n; FEATURE: Custom\nG21\nG90\nM82\nM140 S60\nM104 S150\nG28\n",
           "\nG21\nG90\nM83\nG92 E0\nM220 S100\nM221 S100\nG1 Z10.000 F600\nG1 X",
           "\nM190 S60\nM109 S220\n",
           "\n;BEFORE_LAYER_CHANGE\n;0.25\n;LAYER_CHANGE\n;Z:0.25\n;HEIGHT:0.25\n",

@@ -443,6 +443,10 @@ TEST_CASE("the heat of the tool that prints is followed, in the words of each fi
       heating("SET_HEATER_TEMPERATURE HEATER=heater_bed TARGET=60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\n"
               "TEMPERATURE_WAIT SENSOR=heater_bed MINIMUM=58\ntemperature_wait sensor=extruder minimum=205\n")
           .empty());
+  CHECK(heating("M190 S60\nSET_HEATER_TEMPERATURE HEATER=\"extruder\" TARGET=210\nTEMPERATURE_WAIT SENSOR='extruder' "
+                "MINIMUM=205\n")
+            .empty());
+  CHECK(heating("START_PRINT TOTAL_LAYER=250 X1=260.2 SIZE=300 BED_TEMP=60\n") == "cold-start");
   // Another tool that stands by takes nothing from the one that prints.
   CHECK(heating("M190 S60\nM109 S215\nM104 T1 S150\n").empty());
   CHECK(heating("START_PRINT BED=60 EXTRUDER=215\nM104 T1 S150\n").empty());
@@ -451,12 +455,117 @@ TEST_CASE("the heat of the tool that prints is followed, in the words of each fi
             .empty());
   CHECK(heating("M190 S60\nM104 S215\n") == "cold-start");
   CHECK(heating("M190 S60\nSET_HEATER_TEMPERATURE HEATER=extruder TARGET=210\n") == "cold-start");
+  CHECK(heating("M190 S60\nM104 T1 S150\nM109 S215\n").empty());
+  CHECK(heating("M190 S60\nM104 T1 S150\nM109 S215\nT1\n") == "cold-bead");
   CHECK(heating("M190 S60\nM109 T0 S215\nM104 T1 S150\nT1\n") == "cold-bead");
   CHECK(heating("M190 S60\nM109 S215\nM109 R140\nM104 S215\n") == "cold-bead");
   CHECK(heating("M190 S60\nM109 S215\nTURN_OFF_HEATERS\n") == "cold-bead");
   // And it is off at the end.
   CHECK(finding(checkGcode(kStart + kSquare + ";TYPE:Custom\nTURN_OFF_HEATERS\n"), "end").code.empty());
   CHECK(finding(checkGcode(kStart + kSquare), "end").code == "hot-nozzle");
+}
+
+TEST_CASE("a start macro is given its nozzle's temperature by a name that says so") {
+  const auto targets = [](const std::string& parameters) {
+    const GcodeCheck check = checkGcode("START_PRINT " + parameters + "\n");
+    return std::pair{check.nozzleTarget, check.bedTarget};
+  };
+  using Pair = std::pair<double, double>;
+  CHECK(targets("EXTRUDER_TEMP=215 EXTRUDER_OTHER_LAYER_TEMP=225 BED_TEMP=60 TOTAL_LAYER_COUNT=250 X0=99 Y0=99 X1=180 "
+                "Y1=260.2") == Pair{215, 60});
+  CHECK(targets("hotend=215 bed='60'") == Pair{215, 60});
+  CHECK(targets("TEMPERATURE=210 FIRST_LAYER_TEMPERATURE=215 BED=55 FIRST_LAYER_BED_TEMPERATURE=60") == Pair{215, 60});
+  CHECK(targets("T=215 B=60") == Pair{215, 60});
+  CHECK(targets("NOZZLE_DIAMETER=0.4 EXTRUDER=0 CHAMBER=175 SIZE=300 BED_TYPE=200") == Pair{0, 0});
+}
+
+TEST_CASE("every nozzle and the chamber must be off at the end") {
+  const auto end = [](const std::string& before, const std::string& after) {
+    std::string codes;
+    for (const GcodeFinding& found : checkGcode(kStart + before + kSquare + kEnd + after).findings) {
+      if (found.rule == "end") codes += found.code + " ";
+    }
+    return codes;
+  };
+  CHECK(end("", "") == "");
+  CHECK(end("M104 T1 S200\n", "") == "hot-nozzle ");
+  CHECK(end("M104 T1 S200\n", "M104 T1 S0\n") == "");
+  CHECK(end("M141 S45\n", "") == "hot-chamber ");
+  CHECK(end("M141 S45\n", "M141 S0\n") == "");
+  // RepRapFirmware switches heaters off in ways of its own.
+  CHECK(end("M568 P1 S200 R150\n", "M568 P1 A1\n") == "hot-nozzle ");
+  CHECK(end("M568 P1 S200 R150\n", "M568 P1 A0\n") == "");
+  CHECK(end("G10 P1 S200\n", "G10 P1 S-273.15\n") == "");
+  CHECK(end("", "M104 S200\nG10 S-273.15\nM140 S-273.15\n") == "");
+}
+
+TEST_CASE("modes that are kept and given back hold again") {
+  const auto height = [](const std::string& body, GcodeFlavor flavor) {
+    Printer printer;
+    printer.flavor = flavor;
+    const std::string rest = "G1 X50 Y50 F6000\nG1 X60 E0.33260 F1800\n";
+    return checkGcode(kStart + ";LAYER_CHANGE\n" + body + rest, printer).top;
+  };
+  const std::string hop = "G91\nG1 Z0.5\n";
+  using enum GcodeFlavor;
+  CHECK(height("SAVE_GCODE_STATE NAME=a\n" + hop + "RESTORE_GCODE_STATE NAME=a\nG1 Z0.3\n", Klipper) ==
+        about(0.3, 1e-9));
+  CHECK(height("save_gcode_state\n" + hop + "restore_gcode_state MOVE=1\n", Klipper) == about(0.2, 1e-9));
+  CHECK(height("SAVE_GCODE_STATE NAME=a\n" + hop + "RESTORE_GCODE_STATE NAME=b\nG90\n", Klipper) == about(0.7, 1e-9));
+  CHECK(height("M120\n" + hop + "M121\nG1 Z0.3\n", RepRap) == about(0.3, 1e-9));
+  CHECK(height("M120\nM120\n" + hop + "M121\nM121\nG1 Z0.3\n", RepRap) == about(0.3, 1e-9));
+  CHECK(height("M120\nG91\nM120\nG90\nM121\nG1 Z0.5\nM121\n", RepRap) == about(0.7, 1e-9));
+  CHECK(height("M120\nG90\nG1 Z0.3\nM121\n", Marlin) == about(0.3, 1e-9));  // end stops there
+  // E goes on from where it was kept, and the origin with it.
+  const std::string absolute = "M82\nG92 E5\nSAVE_GCODE_STATE NAME=a\nM83\nG92 Z9 E0\n";
+  const std::string after = absolute + "G1 E1 F300\nRESTORE_GCODE_STATE NAME=a\nG1 Z0.3\nG1 X50 Y50 F6000\n";
+  const GcodeCheck check = checkGcode(kStart + ";LAYER_CHANGE\n" + after + "G1 X60 E5.3326 F1800\n");
+  CHECK(check.filamentMm == about(0.3326, 1e-9));
+  CHECK(check.top == about(0.3, 1e-9));
+  // Neither is there an end of them for a file that means harm.
+  std::string many = kStart;
+  for (int k = 0; k < 20000; ++k)
+    many += "SAVE_GCODE_STATE NAME=" + std::to_string(k) + "\nT" + std::to_string(k) + "\n";
+  CHECK(checkGcode(many).lines > 40000);
+}
+
+TEST_CASE("each tool holds back its own filament, and unloads it beside the print") {
+  const std::string bead = "G1 X50 Y50 F6000\nG1 X60 E0.33260 F1800\n";
+  const auto fault = [&](const std::string& body) {
+    return finding(checkGcode(kStart + ";LAYER_CHANGE\n" + bead + body + kEnd), "retraction").code;
+  };
+  CHECK(fault("G1 E-10 F2100\nT1\n" + bead + "G1 E-1 F2100\nT0\nG1 E10 F2100\n" + bead).empty());
+  CHECK(fault("G1 E-10 F2100\nT1\n" + bead + "G1 E-1 F2100\nT0\n" + bead) == "bead-retracted");
+  const std::string unload = "G1 E-15 F2100\nG1 E-15\nG1 E-15\n";
+  CHECK(fault(unload) == "far-retracted");
+  CHECK(fault(";TYPE:Wipe tower\n" + unload + "T1\n;TYPE:Perimeter\n" + bead).empty());
+  const std::string load = unload + "T1\nG1 X50 Y50 F6000\n";
+  CHECK(fault("; CP TOOLCHANGE START\n" + load + "; CP TOOLCHANGE END\n" + bead).empty());
+  CHECK(fault("M620 S1A\n" + load + "M621 S1A\n" + bead).empty());
+  CHECK(fault("M620.1 E F100\n" + unload) == "far-retracted");
+}
+
+TEST_CASE("a change of filament may go over the bed's edge, what is printed after it may not") {
+  const std::string off = "G1 X60 Y-5 F6000\nG1 X61 E0.02 F1800\n";
+  const auto places = [&](const std::string& body) {
+    return checkGcode(kStart + kSquare + body + kEnd, Printer{}).errors();
+  };
+  CHECK(places("M620 S1A\nT1\n" + off + "G1 X50 Y50 F6000\nM621 S1A\n") == 0);
+  CHECK(places("M620 S1A\nT1\nM621 S1A\n" + off) > 0);
+  CHECK(places("M620 S1A\nT1\n;LAYER_CHANGE\n" + off) > 0);
+  const std::string ours = "; generated by Sillon 0\n";
+  CHECK(checkGcode(ours + kStart + kSquare + "M620 S1A\n" + off + kEnd, Printer{}).errors() > 0);
+}
+
+TEST_CASE("volumetric extrusion is refused in each of its forms") {
+  for (const char* on : {"M200 D1.75\n", "M200 S1\n", "M200 D1.75 S1\n"}) {
+    CAPTURE(on);
+    CHECK(finding(checkGcode(kStart + on + kSquare), "modes").code == "volumetric");
+  }
+  for (const char* off : {"M200 D0\n", "M200 S0\n", "M200 D1.75 S0\n", "M200\n"}) {
+    CAPTURE(off);
+    CHECK(finding(checkGcode(kStart + off + kSquare), "modes").code.empty());
+  }
 }
 
 TEST_CASE("each axis has to be homed before it is relied on, and anew when its motor was off") {

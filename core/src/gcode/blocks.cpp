@@ -10,6 +10,7 @@
 #include "gcode/layout.hpp"
 #include "gcode/template.hpp"
 #include "gcode_reader/machine.hpp"
+#include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -18,6 +19,7 @@ namespace sillon {
 namespace {
 
 constexpr double kHotEnough = 20;  // [degrees Celsius] below what the first layer has
+constexpr double kNozzleBody = 2;  // [mm] around its middle, and more than any bead's half width
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
@@ -35,7 +37,7 @@ bool isWorthALook(const GcodeFinding& finding) {
 // Harms the machine, or reaches beyond the print: refused whatever dialect the block's writer claims.
 bool isDangerous(const GcodeFinding& finding) {
   return finding.error && (finding.rule == "commands" || finding.code == "too-hot" || finding.code == "below-bed" ||
-                           finding.code == "volumetric");
+                           finding.code == "volumetric" || finding.code == "origin-shift");
 }
 
 GcodeWarning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& finding) {
@@ -64,6 +66,8 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   const bool homes = params.startHeight > 0 ? check.homesPlane : check.homes;
   if (!homes) return invalid("startGcode does not home; it must have G28 or a start macro");
   job.startRetracted = check.retracted;
+  job.otherHotTools = check.otherHotTools;
+  job.hotChamber = check.chamberTarget > 0;
   if (check.firmwareRetracted) return invalid("startGcode draws filament back by G10; it must give it back by G11");
   // Many blocks level the bed with a nozzle that is too cold to drip; firmwares refuse to move its filament.
   job.hotStart = check.nozzleReady >= std::max(kColdest, printer.firstLayerNozzleTemperature - kHotEnough);
@@ -82,6 +86,16 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   return std::nullopt;
 }
 
+// Levels or measures the bed, and touches it here and there.
+bool probes(const GcodeCommand& command) {
+  for (const int code : {29, 30, 32, 34}) {
+    if (command.is('G', code)) return true;
+  }
+  const std::string name = command.letter == 0 ? upperCase(command.name) : std::string();
+  return name == "QUAD_GANTRY_LEVEL" || name == "Z_TILT_ADJUST" || name == "BED_MESH_CALIBRATE" || name == "PROBE" ||
+         name == "SCREWS_TILT_CALCULATE";
+}
+
 // What has been printed when the end block begins [mm].
 struct Standing {
   Bounds box;
@@ -94,7 +108,9 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
   MachineState machine(printer.flavor);
   machine.at = from;
   machine.z = z;
-  machine.zKnown = true;
+  machine.toldAxes = kAllAxes;
+  const Vec2 body{kNozzleBody, kNozzleBody};
+  const Bounds near{plate.box.min - body, plate.box.max + body};
   std::optional<Error> refused;
   forEachLine(block, [&](const GcodeLine& line) {
     const GcodeParts parts = partsOf(line.text);
@@ -102,18 +118,22 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
     const GcodeCommand command = commandOf(parts.code);
     machine.homedAxes = 0;  // so that they are those of this line
     const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+    const auto warn = [&](const char* what) {
+      job.warn(
+          WarningCode::EndLine,
+          {{"line", static_cast<double>(line.number)}, {"what", std::string(what)}, {"rule", std::string("height")}});
+    };
     // Deltas home at their top.
     if (command.is('G', 28) && machine.homed(kAxisZ) && !printer.roundBed) {
-      job.warn(WarningCode::EndLine, {{"line", static_cast<double>(line.number)},
-                                      {"what", std::string("homes Z, for which most printers come down on the plate")},
-                                      {"rule", std::string("height")}});
+      warn("homes Z, for which most printers come down on the plate");
     }
-    if (!move || !machine.zKnown || !(move->z < plate.height)) return;
+    if (probes(command)) warn("probes the bed, for which printers come down on the plate");
+    if (!move || !machine.told(kAxisZ) || !(move->z < plate.height)) return;
     constexpr int kPieces = 32;
     for (int k = 0; k <= kPieces; ++k) {
       const double share = static_cast<double>(k) / kPieces;
       const double height = move->zFrom + share * (move->z - move->zFrom);
-      if (height >= plate.height - 1e-9 || !plate.box.holds(move->from + share * (move->to - move->from))) continue;
+      if (height >= plate.height - 1e-9 || !near.holds(move->from + share * (move->to - move->from))) continue;
       refused = invalid("line " + std::to_string(line.number) + " of endGcode goes down to Z " + decimal(move->z, 3) +
                         " over the plate, which is " + decimal(plate.height, 3) + " mm high; it must rise or go aside");
       return;
@@ -125,8 +145,10 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
 // The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
 std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height, const Printer& printer,
                               GcodeJob& job) {
+  std::string stillHot = job.hotChamber ? "M141 S60\n" : "";
+  for (const int tool : job.otherHotTools) stillHot += "M104 T" + std::to_string(tool) + " S200\n";
   const std::string before = "G28\nM190 S60\nM109 S200\nG1 X" + fixed(from.x, 3) + " Y" + fixed(from.y, 3) + " Z" +
-                             fixed(height, 3) + " F300\nG91\nG1 X0.1 E0.0002\nG90\nG92 E0\n" +
+                             fixed(height, 3) + " F300\nG91\nG1 X0.1 E0.0002\nG90\nG92 E0\n" + stillHot +
                              (printer.absoluteE ? "M82\n" : "M83\n");
   const auto lines = std::count(before.begin(), before.end(), '\n');
   bool hot = false;
@@ -150,7 +172,7 @@ std::string ownStart(const Printer& printer) {
          fixed(printer.bedTemperature, 0) + "\nM104 S150\nG28\n";
 }
 
-std::string_view withoutComment(std::string_view line) { return line.substr(0, line.find(';')); }
+std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
 
 // Percentages that the block leaves on all flow (M221) or speed (M220), which are put back to 100 after it.
 void warnScaled(GcodeJob& job, std::string_view block) {
@@ -158,7 +180,7 @@ void warnScaled(GcodeJob& job, std::string_view block) {
        {std::pair<std::string_view, const char*>{"M221 ", "flow"}, {"M220 ", "speed"}}) {
     double percent = 100;
     for (std::string_view rest = block; !rest.empty();) {
-      const std::string_view line = withoutComment(nextLine(rest));
+      const std::string_view line = codeOf(nextLine(rest));
       const std::size_t at = line.find(" S");
       if (!line.starts_with(command) || at == std::string_view::npos) continue;
       double value = 0;
@@ -178,7 +200,7 @@ void warnScaled(GcodeJob& job, std::string_view block) {
 bool setsPressureAdvance(std::string_view block) {
   bool sets = false;
   while (!block.empty()) {
-    const std::string_view line = withoutComment(nextLine(block));
+    const std::string_view line = codeOf(nextLine(block));
     for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
                                        {"M572", " S"},
                                        {"SET_PRESSURE_ADVANCE", " ADVANCE="}}) {

@@ -57,6 +57,8 @@ struct GcodeJob {
   bool ownStart = false;                       ///< the start block is ours, and leaves the nozzle where it homes
   bool hotStart = false;                       ///< the start block leaves the nozzle hot: what is in it drips
   double startRetracted = 0;                   ///< filament that the start block draws back and leaves so [mm]
+  std::vector<int> otherHotTools;              ///< that the start block heats, beside the one that prints
+  bool hotChamber = false;                     ///< the start block heats it
   std::string startBlock;                      ///< values put in
   std::string endBlock;
   std::vector<GcodeWarning> warnings;

@@ -66,7 +66,8 @@ void restoreMachine(ChunkedOutput& out, const GcodeJob& job, const Printer& prin
 
 void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   writeRole(nozzle.out(), kCustomRole);
-  nozzle.out() << job.startBlock;
+  // A block is written for a printer that was just switched on, not for the modes that the last file left.
+  nozzle.out() << "G21\nG90\nM82\n" << job.startBlock;
   takeOver(nozzle, job, printer, params);
   if (printer.flavor == GcodeFlavor::Klipper) {
     nozzle.out() << "SET_PRINT_STATS_INFO TOTAL_LAYER=" << std::to_string(fileLayers(job, params)) << "\n";
@@ -96,7 +97,9 @@ void writeEnd(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const
     park = 1000.0 * (bed.centre() + Vec2{0, 0.95 * bed.radius()});
   }
   nozzle.travel({std::llround(park.x), std::llround(park.y)}, printer.travelSpeed);
-  nozzle.out() << "M104 S0\nM140 S0\nM107\nM84\nM73 P100 R0\n";
+  nozzle.out() << "M104 S0\n";
+  for (const int tool : job.otherHotTools) nozzle.out() << "M104 T" << std::to_string(tool) << " S0\n";
+  nozzle.out() << "M140 S0\n" << (job.hotChamber ? "M141 S0\n" : "") << "M107\nM84\nM73 P100 R0\n";
 }
 
 }  // namespace sillon

@@ -83,21 +83,25 @@ Result<std::string> expandTemplate(std::string_view text, const std::vector<Temp
   std::string out;
   int number = 0;
   while (!text.empty()) {
-    std::string_view line = trimmed(nextLine(text));
+    const std::string_view whole = nextLine(text);
+    const std::string_view line = trimmed(whole);
+    // RepRapFirmware tells by the indentation what belongs to an "if".
+    const std::string_view indentation = whole.substr(0, std::min(whole.find_first_not_of(" \t"), whole.size()));
     ++number;
     const std::size_t comment = std::min(line.find(';'), line.size());
     std::string_view code = line.substr(0, comment);
-    std::string written;
+    std::string written(line.empty() ? std::string_view{} : indentation);
     for (;;) {
       const std::size_t open = code.find_first_of("{[<");
       written += code.substr(0, open);
       if (open == std::string_view::npos) break;
       const std::size_t end = endOf(code, open);
-      const std::string_view whole = code.substr(open, end == std::string_view::npos ? end : end - open);
-      const std::string* value =
-          end == std::string_view::npos ? nullptr : find(trimmed(whole.substr(1, whole.size() - 2)), values);
+      const std::string_view placeholder = code.substr(open, end == std::string_view::npos ? end : end - open);
+      const std::string* value = end == std::string_view::npos
+                                     ? nullptr
+                                     : find(trimmed(placeholder.substr(1, placeholder.size() - 2)), values);
       if (value == nullptr) {
-        return Error{ErrorCode::InvalidArgument, std::string(block) + " has \"" + printable(whole.substr(0, 60)) +
+        return Error{ErrorCode::InvalidArgument, std::string(block) + " has \"" + printable(placeholder.substr(0, 60)) +
                                                      "\" in line " + std::to_string(number) +
                                                      ", which stands for no value here; put the value itself there"};
       }

@@ -39,7 +39,8 @@ constexpr Row kRows[] = {
     {WarningCode::DrawingUnread, "DrawingUnread",
      "not read of the drawing: {what}; compare the plate with what viewers show, or convert the drawing to paths in "
      "the program that made it"},
-    {WarningCode::EndHot, "EndHot", "endGcode leaves the nozzle or the bed hot; M104 S0 and M140 S0 turn them off"},
+    {WarningCode::EndHot, "EndHot",
+     "endGcode leaves a nozzle, the bed or the chamber hot; M104 S0, M140 S0 and M141 S0 turn them off"},
     {WarningCode::EndLine, "EndLine", "line {line} of endGcode: {what}"},
     {WarningCode::FillRatio, "FillRatio", "the beads cover {percent} % of the shape's area; 97 to 105 print well"},
     {WarningCode::FlatBeads, "FlatBeads", "{n} points have beads no wider than the layer is high ({height} mm)"},

@@ -8,6 +8,7 @@
 
 #include "base/decimal_text.hpp"
 #include "gcode_reader/findings.hpp"
+#include "gcode_reader/macros.hpp"
 
 namespace sillon {
 namespace {
@@ -116,12 +117,6 @@ constexpr Row kRows[] = {
      "SHAPER_CALIBRATE SHUTDOWN REBOOT CANCEL_PRINT ACCEPT ABORT SET_HEATER_PID"},
 };
 
-std::string upperCase(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return out;
-}
-
 unsigned sourceOf(GcodeFlavor flavor) {
   switch (flavor) {
     case GcodeFlavor::Klipper:
@@ -228,17 +223,13 @@ bool takesText(const GcodeCommand& command) {
   }
 }
 
-// The value of NAME=value, where the name holds one of the parts.
+// The parameters that are numbers.
 template <class Take>
-void forEachParameter(std::string_view text, Take&& take) {
-  for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
-    const std::size_t begin = text.find_last_of(" \t", equal);
-    const std::size_t from = begin == std::string_view::npos ? 0 : begin + 1;
+void forEachNumber(std::string_view rest, Take&& take) {
+  forEachParameter(rest, [&](const std::string& key, std::string_view text) {
     double value = 0;
-    std::string_view right = text.substr(equal + 1);
-    while (!right.empty() && (right[0] == '"' || right[0] == '\'' || right[0] == ' ')) right.remove_prefix(1);
-    if (readNumber(right, value) > 0) take(upperCase(text.substr(from, equal - from)), value);
-  }
+    if (readNumber(text, value) > 0) take(key, value);
+  });
 }
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
@@ -420,12 +411,11 @@ class Judge {
   void byName(const GcodeCommand& head, const std::string& shown) {
     const std::string name = upperCase(head.name);
     if (name == "SET_VELOCITY_LIMIT") {
-      forEachParameter(head.rest,
-                       [&](const std::string& key, double value) { range(shown + " " + key, value, 200000); });
+      forEachNumber(head.rest, [&](const std::string& key, double value) { range(shown + " " + key, value, 200000); });
       return;
     }
     if (name == "SET_GCODE_OFFSET") {
-      forEachParameter(head.rest, [&](const std::string& key, double value) {
+      forEachNumber(head.rest, [&](const std::string& key, double value) {
         if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? kLowest : 10);
       });
       return;
@@ -433,7 +423,7 @@ class Judge {
     if (name == "BED_MESH_PROFILE" && holds(upperCase(head.rest), "SAVE")) add("outlives", false, {{"command", shown}});
     if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
     // What a macro or a heater is given as a temperature.
-    forEachParameter(head.rest, [&](const std::string& key, double value) {
+    forEachNumber(head.rest, [&](const std::string& key, double value) {
       if (holds(key, "BED")) return heat(value, hottestBed_);
       if (holds(key, "CHAMBER")) return heat(value, 100);
       if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||

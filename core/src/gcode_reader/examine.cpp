@@ -50,7 +50,7 @@ std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavo
     const GcodeCommand command = commandOf(parts.code);
     const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
     const std::optional<MachineMove> move = runCommand(machine, command, words);
-    if (command.is('M', 200) && words.at('D') > 0) add(makeFinding("volumetric", true));
+    if (volumetricBy(command, words).value_or(false)) add(makeFinding("volumetric", true));
     if (!move || move->z >= move->zFrom) return;
     if (tooDeep(*move, {})) add(makeFinding("below-bed", true, {{"mm", decimal(move->z, 3)}}));
   });

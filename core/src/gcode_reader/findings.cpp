@@ -48,6 +48,7 @@ constexpr Sentence kSentences[] = {
 
     {"inches", "modes", "inches (G20); millimetres are what everything else here is in"},
     {"origin", "modes", "G92 moves the origin of an axis; places on the bed can no longer be told"},
+    {"origin-shift", "modes", "G92 leaves an axis {mm} mm off its place; what follows would be laid there"},
     {"volumetric", "modes", "volumetric extrusion (M200) changes what every E means"},
 
     {"excluded", "bounds", "a bead in the excluded part of the bed"},
@@ -94,6 +95,7 @@ constexpr Sentence kSentences[] = {
 
     {"hot-nozzle", "end", "the nozzle stays hot at the end"},
     {"hot-bed", "end", "the bed stays hot at the end"},
+    {"hot-chamber", "end", "the chamber stays hot at the end"},
 };
 
 }  // namespace

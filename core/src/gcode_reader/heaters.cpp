@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "gcode_reader/machine.hpp"
+#include "gcode_reader/macros.hpp"
+
 namespace sillon {
 namespace {
 
@@ -12,10 +15,6 @@ void ask(Heater& heater, double degrees) { heater = {degrees, std::min(heater.re
 void await(Heater& heater) { heater.ready = heater.target; }
 
 std::size_t toIndex(double tool) { return static_cast<std::size_t>(std::clamp(tool, 0.0, 99.0)); }
-
-// What Klipper's commands name a heater or a sensor.
-bool isBed(std::string_view name) { return name.starts_with("HEATER_BED"); }
-bool isNozzle(std::string_view name) { return name.starts_with("EXTRUDER"); }
 
 }  // namespace
 
@@ -30,47 +29,64 @@ Heater& Heaters::tell(std::size_t index) {
   return nozzles_[told_];
 }
 
+std::vector<int> Heaters::otherHotTools(int tool) const {
+  std::vector<int> hot;
+  for (std::size_t index = 0; index < kTools; ++index) {
+    if (index != indexOf(tool) && nozzles_[index].target > 0) hot.push_back(static_cast<int>(index));
+  }
+  return hot;
+}
+
 void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool) {
   if (command.letter == 0) return runNamed(command);
   if (command.is('M', 116)) {  // waits for all
     std::for_each(nozzles_.begin(), nozzles_.end(), await);
+    await(chamber_);
     return await(bed_);
   }
-  const bool ofTool = command.is('G', 10) || command.is('M', 568);
+  const bool ofTool = setsTool(command, words) || command.is('M', 568);
   const bool nozzle = command.is('M', 104) || command.is('M', 109);
   const bool bed = command.is('M', 140) || command.is('M', 190);
-  if ((!nozzle && !bed && !(ofTool && words.has('P'))) || !words.readable()) return;
-  const double degrees = words.at('S', ofTool ? -1 : words.at('R', -1));
-  if (degrees < 0) return;
+  const bool chamber = command.is('M', 141) || command.is('M', 191);
+  if ((!nozzle && !bed && !chamber && !ofTool) || !words.readable()) return;
   const char letter = ofTool ? 'P' : 'T';
-  Heater& heater = bed ? bed_ : tell(words.has(letter) ? toIndex(words.at(letter)) : indexOf(tool));
-  ask(heater, degrees);
-  if (command.code == 109 || command.code == 190) await(heater);
+  const auto heater = [&]() -> Heater& {
+    if (bed) return bed_;
+    if (chamber) return chamber_;
+    const std::size_t own = toIndex(tool);
+    if (!words.has(letter)) return tell(separate_ ? own : indexOf(tool));
+    separate_ = separate_ || toIndex(words.at(letter)) != own;
+    return tell(toIndex(words.at(letter)));
+  };
+  if (command.is('M', 568) && words.has('A') && words.at('A') < 1) return ask(heater(), 0);
+  const char degrees = words.has('S') || ofTool ? 'S' : 'R';
+  if (!words.has(degrees)) return;
+  Heater& told = heater();
+  ask(told, std::max(0.0, words.at(degrees)));
+  if (command.code == 109 || command.code == 190 || command.code == 191) await(told);
 }
 
 void Heaters::runNamed(const GcodeCommand& command) {
-  std::string line(command.name);
-  line.append(" ").append(command.rest);
-  std::transform(line.begin(), line.end(), line.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  const auto valueOf = [&](std::string_view key) {
-    const std::size_t at = line.find(key);
-    return at == std::string::npos ? std::string_view{} : std::string_view(line).substr(at + key.size());
-  };
-  if (line.starts_with("TURN_OFF_HEATERS")) {
+  const std::string name = upperCase(command.name);
+  if (name == "TURN_OFF_HEATERS") {
     nozzles_.fill({});
-    bed_ = {};
+    bed_ = chamber_ = {};
     return;
   }
-  const bool waits = line.starts_with("TEMPERATURE_WAIT ");
-  if (!waits && !line.starts_with("SET_HEATER_TEMPERATURE ")) return;
-  const std::string_view name = valueOf(waits ? " SENSOR=" : " HEATER=");
-  if (!isBed(name) && !isNozzle(name)) return;
-  double tool = 0;  // EXTRUDER, EXTRUDER1, ...
-  if (isNozzle(name)) readNumber(name.substr(8), tool);
-  Heater& heater = isBed(name) ? bed_ : tell(toIndex(tool));
+  const bool waits = name == "TEMPERATURE_WAIT";
+  if (!waits && name != "SET_HEATER_TEMPERATURE") return;
+  std::string whose;
   double degrees = 0;
-  const bool told = readNumber(valueOf(waits ? " MINIMUM=" : " TARGET="), degrees) > 0;
+  bool told = false;
+  forEachParameter(command.rest, [&](const std::string& key, std::string_view value) {
+    if (key == (waits ? "SENSOR" : "HEATER")) whose = upperCase(value);
+    if (key == (waits ? "MINIMUM" : "TARGET")) told = readNumber(value, degrees) > 0;
+  });
+  const bool bed = whose == "HEATER_BED";
+  if (!bed && !whose.starts_with("EXTRUDER")) return;
+  double tool = 0;  // EXTRUDER, EXTRUDER1, ...
+  if (!bed) readNumber(std::string_view(whose).substr(8), tool);
+  Heater& heater = bed ? bed_ : tell(toIndex(tool));
   if (!waits) return ask(heater, degrees);
   if (told) heater.ready = std::min(heater.target, degrees);
 }

@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {
+
+inline constexpr double kColdest = 170;  ///< [degrees Celsius] of a nozzle that extrudes
 
 /// [degrees Celsius]
 struct Heater {
@@ -16,12 +19,13 @@ struct Heater {
   bool operator==(const Heater&) const = default;
 };
 
-/// The bed and the nozzles of all tools. Tools that were never told share the heater that was told last, as the
-/// filaments of a changer share a nozzle.
+/// The bed, the chamber and the nozzles of all tools. Tools that were never told share the heater that was told last,
+/// as the filaments of a changer share a nozzle.
 class Heaters {
  public:
-  /// Runs M104, M109, M140, M190, RepRapFirmware's G10 P, M568 and M116, and Klipper's TURN_OFF_HEATERS,
-  /// SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. \param tool  the current one.
+  /// Runs M104, M109, M140, M190, M141, M191, RepRapFirmware's G10, M568 and M116, and Klipper's TURN_OFF_HEATERS,
+  /// SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. Less than 0 degrees switch off.
+  /// \param tool  the current one.
   void run(const GcodeCommand& command, const GcodeWords& words, int tool);
 
   /// For what heats in ways of its own, as start macros do.
@@ -30,6 +34,9 @@ class Heaters {
 
   [[nodiscard]] const Heater& nozzle(int tool) const { return nozzles_[indexOf(tool)]; }
   [[nodiscard]] const Heater& bed() const { return bed_; }
+  [[nodiscard]] const Heater& chamber() const { return chamber_; }
+  /// Tools beside this one whose nozzle has a target.
+  [[nodiscard]] std::vector<int> otherHotTools(int tool) const;
 
   bool operator==(const Heaters&) const = default;
 
@@ -43,7 +50,9 @@ class Heaters {
   std::array<Heater, kTools> nozzles_{};
   std::array<bool, kTools> known_{};  // that were told
   std::size_t told_ = 0;              // whose nozzle was told last
+  bool separate_ = false;             // a tool was told that was not the current one: each has a nozzle of its own
   Heater bed_;
+  Heater chamber_;
 };
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// The comments by which slicers mark where a layer begins.
+// The comments by which slicers mark where a layer begins, and what lies outside the print.
 #pragma once
 
 #include <string_view>
@@ -14,6 +14,14 @@ inline LayerMark layerMark(std::string_view comment) {
   if (comment == "CHANGE_LAYER") return LayerMark::Bambu;
   const bool simplify = comment.starts_with("layer ") && comment.find(", Z = ") != std::string_view::npos;
   return simplify ? LayerMark::Simplify : LayerMark::None;
+}
+
+/// Whether what a role names is no part of the print: blocks of the machine, and what is purged beside it.
+inline bool isPurge(std::string_view role) {
+  for (const std::string_view name : {"Custom", "Wipe tower", "Prime tower", "PRIME-TOWER", "Flush"}) {
+    if (role == name) return true;
+  }
+  return false;
 }
 
 }  // namespace sillon

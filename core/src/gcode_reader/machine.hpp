@@ -1,7 +1,11 @@
 // What a printer knows while it runs a file: modes, place, filament, heat. One step per command.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gcode_reader/parser.hpp"
 #include "sillon/base/types.hpp"
@@ -31,6 +35,31 @@ struct MachineMove {
   bool readable = true;  ///< an arc without a centre, or with a radius that cannot be, is not followed
 };
 
+/// What SAVE_GCODE_STATE of Klipper or M120 of RepRapFirmware keeps.
+struct SavedState {
+  bool absolute = true;
+  bool absoluteE = true;
+  bool inches = false;
+  double speed = 0;
+  Vec2 at;
+  double z = 0;
+  Vec2 origin;
+  double originZ = 0;
+  double e = 0;
+};
+
+/// Filament that a tool holds back.
+struct HeldFilament {
+  double retracted = 0;
+  bool firmwareRetracted = false;
+};
+
+/// What is put aside until it is asked for.
+struct MachineMemory {
+  std::vector<std::pair<std::string, SavedState>> states;  ///< by name; those of M120 have none
+  std::vector<std::pair<int, HeldFilament>> tools;         ///< that are not the current one
+};
+
 /// All lengths mm, whatever the file's unit; z and at are where the nozzle is: G92 does not move it.
 struct MachineState {
   // Modes.
@@ -39,32 +68,43 @@ struct MachineState {
   bool inches = false;
   bool ruledByG90 = true;   ///< G90 and G91 set E's mode too: Marlin's family
   bool volumetric = false;  ///< E is mm³: M200 D, and Cura's UltiGCode
+  bool duet = false;        ///< RepRapFirmware: M120 and M121 keep the modes, G10 S0 heats
   // Place.
   Vec2 at;
   double z = 0;
   Vec2 origin;  ///< written coordinate + origin = place
   double originZ = 0;
   unsigned homedAxes = 0;  ///< of kAxisX, kAxisY, kAxisZ
-  bool zKnown = false;     ///< told since the last homing
+  unsigned toldAxes = 0;   ///< whose place was told since they homed
   double speed = 0;
   // Filament.
   double e = 0;  ///< as written, in absolute mode
   double retracted = 0;
   bool firmwareRetracted = false;  ///< G10
   int tool = 0;
+  std::shared_ptr<const MachineMemory> memory;  ///< shared by copies, of which a reader makes two for each line
 
+  [[nodiscard]] bool told(unsigned axes) const { return (toldAxes & axes) == axes; }
   [[nodiscard]] bool homed(unsigned axes = kAllAxes) const { return (homedAxes & axes) == axes; }
 
-  /// \param flavor  decides what G90 means for E.
+  /// \param flavor  decides what G90 means for E, and what M120 does.
   explicit MachineState(std::optional<GcodeFlavor> flavor = {})
-      : ruledByG90(flavor != GcodeFlavor::Klipper && flavor != GcodeFlavor::RepRap) {}
+      : ruledByG90(flavor != GcodeFlavor::Klipper && flavor != GcodeFlavor::RepRap),
+        duet(flavor == GcodeFlavor::RepRap) {}
 };
 
-/// Runs a command of the modes and moves G0-G3, G10, G11, G20, G21, G28, G90-G92, M18, M82-M84, M200, T; others change
-/// nothing. Reads words only where `words.readable()`. \return the move, if it is one.
+/// Runs a command of the modes and moves G0-G3, G10, G11, G20, G21, G28, G90-G92, M18, M82-M84, M120, M121, M200, T,
+/// SAVE_GCODE_STATE and RESTORE_GCODE_STATE; others change nothing. Reads words only where `words.readable()`. \return
+/// the move, if it is one.
 std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& command, const GcodeWords& words);
 
 /// Does this command have words that the machine or the rules read?
 bool readsWords(const GcodeCommand& command);
+
+/// Whether a G10 sets up a tool, as RepRapFirmware's does, instead of drawing filament back.
+bool setsTool(const GcodeCommand& command, const GcodeWords& words, bool duet = false);
+
+/// What M200 makes of volumetric extrusion; nothing: it is another command, or leaves it as it is.
+std::optional<bool> volumetricBy(const GcodeCommand& command, const GcodeWords& words);
 
 }  // namespace sillon

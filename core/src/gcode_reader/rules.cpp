@@ -9,6 +9,8 @@
 #include "base/decimal_text.hpp"
 #include "gcode_reader/commands.hpp"
 #include "gcode_reader/grammar.hpp"
+#include "gcode_reader/macros.hpp"
+#include "gcode_reader/tool_change.hpp"
 #include "printer/bed.hpp"
 
 namespace sillon {
@@ -30,18 +32,9 @@ constexpr double kTotalSlack = 0.006;          // [mm], two decimals
 constexpr double kForeignTotalSlack = 0.02;    // of other programs, who count their start block or do not
 constexpr double kBelowBed = 0.5;              // [mm], makers' blocks wipe so deep
 constexpr double kBelowBesideBed = 2;          // [mm], beside the sheet
+constexpr double kMostShift = 0.5;             // [mm] of X and Y
+constexpr double kMostRaised = 2;              // [mm] of Z
 constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
-
-bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
-
-// Klipper's and others' macros home and heat by themselves: PRINT_START, START_PRINT and their kin.
-bool isMacro(const GcodeCommand& command, std::string_view what) {
-  if (command.letter != 0) return false;
-  std::string name(command.name);
-  for (char& c : name) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return contains(name, what) && contains(name, "PRINT") &&
-         name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
-}
 
 // How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
 std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {
@@ -114,6 +107,7 @@ void Rules::line(const GcodeLine& line) {
     }
   }
   const GcodeParts parts = partsOf(line.text);
+  if (!ours_) changesTool_ = toolChangeMark(parts).value_or(changesTool_);
   if (parts.numbered) found("line-numbers", false);
   if (parts.code.empty()) {
     if (line.text.find(';') != std::string_view::npos) comment(parts.comment);
@@ -129,12 +123,15 @@ void Rules::comment(std::string_view text) {
   if (mark != LayerMark::None && mark == layerMark_) {
     endPath();
     endLayer();
+    if (layers_ == 0) judgeOrigin();
+    changesTool_ = false;
     ++layers_;
   }
   if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
     endPath();
     const std::string_view role = trimmed(text.substr(text.find(':') + 1));
     custom_ = role == "Custom";
+    purges_ = isPurge(role);
     oriented_ = role == "Top solid infill" || role == "Top surface";
     base_ = role == "Solid infill" || role == "Internal solid infill";
   }
@@ -150,19 +147,12 @@ void Rules::comment(std::string_view text) {
   }
 }
 
-// The hottest value is the nozzle's, the next one the bed's.
-void Rules::startMacro(std::string_view text) {
+void Rules::startMacro(std::string_view parameters) {
   machine_.homedAxes = kAllAxes;
-  check_.homes = true;
-  for (std::size_t equal = text.find('='); equal != std::string_view::npos; equal = text.find('=', equal + 1)) {
-    double value = 0;
-    if (readNumber(text.substr(equal + 1), value) == 0) continue;
-    if (value >= kColdest) {
-      heaters_.setNozzle(value);
-    } else if (value > 0) {
-      heaters_.setBed(value);
-    }
-  }
+  check_.homes = check_.homesPlane = true;
+  const MacroTargets targets = macroTargets(parameters);
+  if (targets.nozzle > 0) heaters_.setNozzle(targets.nozzle);
+  if (targets.bed > 0) heaters_.setBed(targets.bed);
   noteHeat();
 }
 
@@ -178,18 +168,15 @@ void Rules::command(std::string_view text) {
       found(std::move(finding));
     }
   }
-  if (isMacro(command, "START")) return startMacro(text);
-  if (isMacro(command, "END")) {
+  if (isStartMacro(command)) return startMacro(command.rest);
+  if (isEndMacro(command)) {
     endMacro_ = true;
     return;
   }
+  machine_.homedAxes |= homedByMacro(command);
   const char first = text[0];
   if (!((first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z') || first == '_')) {
     return found("no-command", false, {{"text", shownText(text)}});
-  }
-  if (command.letter == 0) {
-    heaters_.run(command, {}, machine_.tool);
-    return noteHeat();
   }
   run(command, readsWords(command) ? this->words(command) : GcodeWords{});
 }
@@ -208,6 +195,8 @@ void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
   }
   // Bambu's printers home with moves of their own: their makers' blocks name X and Z alone.
   if (command.is('G', 28) && settings_.flavor == GcodeFlavor::Bambu) machine_.homedAxes = kAllAxes;
+  // RepRapFirmware's bed.g and Klipper's macro of this name home before they level.
+  if (command.is('G', 32) && (machine_.duet || klipper())) machine_.homedAxes = kAllAxes;
   if (!moved_) {
     check_.homes = machine_.homed();
     check_.homesPlane = machine_.homed(kPlane);
@@ -221,6 +210,8 @@ void Rules::noteHeat() {
   const Heater& nozzle = heaters_.nozzle(machine_.tool);
   check_.nozzleTarget = nozzle.target;
   check_.nozzleReady = nozzle.ready;
+  check_.otherHotTools = heaters_.otherHotTools(machine_.tool);
+  check_.chamberTarget = heaters_.chamber().target;
   check_.bedTarget = heaters_.bed().target;
   check_.heatsNozzle = check_.heatsNozzle || nozzle.ready >= kColdest;
   check_.heatsBed = check_.heatsBed || heaters_.bed().ready > 0;
@@ -256,8 +247,34 @@ GcodeWords Rules::words(const GcodeCommand& command) {
 
 void Rules::modes(const GcodeCommand& command, const GcodeWords& words) {
   if (command.is('G', 20) && !block()) found("inches", true);
-  if (command.is('G', 92) && (words.has('X') || words.has('Y') || words.has('Z'))) found("origin", !block());
-  if (command.is('M', 200) && words.at('D') > 0 && !settings_.volumetric) found("volumetric", true);
+  if (command.is('G', 92) && (words.has('X') || words.has('Y') || words.has('Z'))) {
+    found("origin", !block());
+    for (const auto& [letter, axis] : {std::pair{'X', kAxisX}, {'Y', kAxisY}, {'Z', kAxisZ}}) {
+      if (words.has(letter) && machine_.told(axis)) shifted_ |= axis;
+    }
+    // Most printers home Z at the bed: what is told there is no place but a shift. Deltas home at their top.
+    const bool homesLow = settings_.printer && !settings_.printer->roundBed;
+    if (words.has('Z') && homesLow && machine_.homed(kAxisZ)) shifted_ |= kAxisZ;
+    shiftLine_ = check_.lines;
+  }
+  if (volumetricBy(command, words).value_or(false) && !settings_.volumetric) found("volumetric", true);
+}
+
+// Where layers begin: a start block may move origins while it looks for the bed, and must put them back.
+void Rules::judgeOrigin() {
+  double most = 0;
+  const auto judge = [&](unsigned axis, double origin, double low, double high) {
+    if ((shifted_ & axis) == 0 || (origin >= -low && origin <= high)) return;
+    if (std::abs(origin) > std::abs(most)) most = origin;
+  };
+  judge(kAxisX, machine_.origin.x, kMostShift, kMostShift);
+  judge(kAxisY, machine_.origin.y, kMostShift, kMostShift);
+  judge(kAxisZ, machine_.originZ, kBelowBed, kMostRaised);
+  if (most == 0) return;
+  GcodeFinding finding = makeFinding("origin-shift", true, {{"mm", decimal(most, 3)}});
+  finding.line = shiftLine_;
+  finding.count = 1;
+  check_.findings.push_back(std::move(finding));
 }
 
 void Rules::checkPlace(Vec2 p, const char* what) {
@@ -291,7 +308,7 @@ void Rules::move(const MachineMove& move) {
       found("too-high", true, {{"mm", decimal(move.z, 3)}});
     if (move.z < move.zFrom) {
       // Deltas home at the top, so that nothing is known before the first Z.
-      const bool top = !machine_.zKnown && settings_.printer && settings_.printer->roundBed;
+      const bool top = !machine_.told(kAxisZ) && settings_.printer && settings_.printer->roundBed;
       const bool deep = block() ? tooDeep(move, settings_) : move.z < -kRounding;
       if (!top && deep) found("below-bed", true, {{"mm", decimal(move.z, 3)}});
     }
@@ -308,12 +325,13 @@ void Rules::move(const MachineMove& move) {
     }
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
-  if (machine_.zKnown && move.xy && !wipes) {  // from where is not told in a block by itself
-    const double low = lastZKnown_ ? std::min(move.zFrom, move.z) : move.z;
+  const bool zTold = machine_.told(kAxisZ);
+  if (zTold && move.xy && !wipes) {  // from where is not told in a block by itself
+    const double low = lastZTold_ ? std::min(move.zFrom, move.z) : move.z;
     check_.lowest = std::min(check_.lowest, low);
     if (low < startHeight_) found("below-print", !block(), {{"mm", decimal(low, 3)}});
   }
-  lastZKnown_ = machine_.zKnown;
+  lastZTold_ = zTold;
   // Many blocks lift a little before they home, or between the axes: in the plane, and then in the middle of the bed.
   const bool lift = move.length == 0 && move.z > move.zFrom && (!machine_.absolute || machine_.homed(kPlane));
   const bool lowers = move.z != move.zFrom && !lift;
@@ -383,7 +401,7 @@ void Rules::bead(const MachineMove& move, double e) {
     check_.mostFlow = std::max(check_.mostFlow, sure * speed);
   }
   // How high homing and levelling leave the nozzle is the printer's own affair: a block may purge there.
-  const bool untold = block() && !machine_.zKnown && move.z == 0;
+  const bool untold = block() && !machine_.told(kAxisZ) && move.z == 0;
   if (move.z <= 0 && !untold) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
   // Makers' blocks purge thick lines; Klipper stops there too.
   if (settings_.nozzle > 0 && sure > 4 * settings_.nozzle * settings_.nozzle && (klipper() || !block())) {
@@ -483,7 +501,7 @@ void Rules::filament(double e, double retractedBefore) {
     endPath();
     ++check_.retractions;
     retractsBetween_ = retractsBetween_ || !block();
-    const bool unloads = custom_ && layers_ > 0;  // the end block of a printer with several filaments
+    const bool unloads = layers_ > 0 && (block() || purges_);  // a printer with several filaments
     if (machine_.retracted > 25 && !unloads) found("far-retracted", true);
     return;
   }
@@ -528,8 +546,10 @@ void Rules::judgeTotals() {
   check_.retracted = machine_.retracted;
   check_.firmwareRetracted = machine_.firmwareRetracted;
   const bool left = !endMacro_ && !settings_.ultimaker;
-  if (moved_ && check_.nozzleTarget > 0 && left) whole("hot-nozzle", ours_);
+  const bool hotNozzle = check_.nozzleTarget > 0 || !check_.otherHotTools.empty();
+  if (moved_ && hotNozzle && left) whole("hot-nozzle", ours_);
   if (moved_ && check_.bedTarget > 0 && left) whole("hot-bed", false);
+  if (moved_ && check_.chamberTarget > 0 && left) whole("hot-chamber", false);
   const double slack = ours_ ? kTotalSlack : kForeignTotalSlack * check_.filamentMm + kTotalSlack;
   if (fileTotal_ >= 0 && std::abs(fileTotal_ - counted_) > slack && std::abs(fileTotal_ - check_.filamentMm) > slack) {
     whole("filament-total", ours_, {{"told", decimal(fileTotal_, 2)}, {"counted", decimal(counted_, 2)}});
@@ -542,6 +562,7 @@ void Rules::judgeTotals() {
 GcodeCheck Rules::finish() {
   endPath();
   endLayer();
+  if (layers_ == 0) judgeOrigin();
   check_.layers = layers_;
   judgeLayers();
   judgeTotals();

@@ -19,7 +19,6 @@ namespace sillon {
 
 inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
 inline constexpr double kHottestBed = 120;
-inline constexpr double kColdest = 170;   ///< [degrees Celsius] of a nozzle that extrudes
 inline constexpr double kBeyondBed = 10;  ///< [mm], how far makers' blocks go over the bed's edge to wipe and purge
 
 /// Whether a move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'
@@ -57,10 +56,11 @@ class Rules {
   void followOverlap(Vec2 to);
   void lay(Vec2 from, Vec2 to, double section);
   void judgeLayers();
+  void judgeOrigin();
   void judgeTotals();
   void endLayer();
 
-  [[nodiscard]] bool block() const { return layers_ == 0 || custom_; }
+  [[nodiscard]] bool block() const { return layers_ == 0 || custom_ || changesTool_; }
   // Above another print Z may be known from that one: to home it could drive into it.
   [[nodiscard]] unsigned heightAxis() const { return startHeight_ > 0 ? 0 : kAxisZ; }
   [[nodiscard]] bool klipper() const { return settings_.flavor == GcodeFlavor::Klipper; }
@@ -77,11 +77,15 @@ class Rules {
   bool endMacro_ = false;
   bool retractsBetween_ = false;  // somewhere in the layers
   bool moved_ = false;            // a bead was laid
-  bool lastZKnown_ = false;       // before the last move
+  bool lastZTold_ = false;        // before the last move
+  unsigned shifted_ = 0;          // axes that G92 moved from a place that was known
+  std::int64_t shiftLine_ = 0;    // of the last G92 that moved any
 
   int layers_ = 0;
   LayerMark layerMark_ = LayerMark::None;
   bool custom_ = false;
+  bool purges_ = false;       // a tower
+  bool changesTool_ = false;  // in a file of another program
   bool oriented_ = false;
   bool base_ = false;
 

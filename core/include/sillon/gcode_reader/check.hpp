@@ -42,9 +42,11 @@ struct GcodeCheck {
   bool homesPlane = false;  ///< X and Y, with Z or without
   bool heatsBed = false;    ///< and waits
   bool heatsNozzle = false;
-  double nozzleTarget = 0;  ///< of the current tool, at the end [degrees Celsius]
-  double nozzleReady = 0;   ///< that was waited for, or less where less was asked for since
+  double nozzleTarget = 0;         ///< of the current tool, at the end [degrees Celsius]
+  double nozzleReady = 0;          ///< that was waited for, or less where less was asked for since
+  std::vector<int> otherHotTools;  ///< whose nozzles have a target at the end, beside the current one's
   double bedTarget = 0;
+  double chamberTarget = 0;
   double retracted = 0;            ///< filament drawn back at the end and not returned [mm]
   bool firmwareRetracted = false;  ///< the same by G10
 
