@@ -370,6 +370,38 @@ TEST_CASE("temperatures of the donor's filament become the next job's, others st
   CHECK(macro.printer.maxSegmentsPerSecond == 1000);  // the host plans, not a small board
 }
 
+TEST_CASE("a macro's counts and corners are no temperatures, and the corners become the plate's") {
+  const auto start = [](const std::string& macro) {
+    const ImportedPrinter read =
+        imported("; gcode_flavor = klipper\n" + macro + "\n;LAYER_CHANGE\nG1 X5 Y5 E1\nEND_PRINT\n");
+    CHECK_FALSE(notes(read, "purposes of its own"));
+    return read.printer;
+  };
+  const Printer ratos = start(
+      "start_print EXTRUDER_TEMP=215 EXTRUDER_OTHER_LAYER_TEMP=210 BED_TEMP=60 TOTAL_LAYER=250 X0=99.5 Y0=180 X1=200 "
+      "Y1=260.2");
+  CHECK(ratos.firstLayerNozzleTemperature == 215);
+  CHECK(ratos.bedTemperature == 60);
+  CHECK(ratos.startGcode ==
+        "start_print EXTRUDER_TEMP={first_layer_temperature} EXTRUDER_OTHER_LAYER_TEMP={temperature} "
+        "BED_TEMP={first_layer_bed_temperature} TOTAL_LAYER=250 X0={first_layer_print_min[0]} "
+        "Y0={first_layer_print_min[1]} X1={first_layer_print_max[0]} Y1={first_layer_print_max[1]}\n");
+  CHECK(start("START_PRINT HOTEND=\"230\" BED=70 SIZE=10_20_210.5_220").startGcode ==
+        "START_PRINT HOTEND=\"{first_layer_temperature}\" BED={first_layer_bed_temperature} "
+        "SIZE={first_layer_print_min[0]}_{first_layer_print_min[1]}_{first_layer_print_max[0]}_"
+        "{first_layer_print_max[1]}\n");
+  CHECK(notes(imported("G28\nBED_MESH_CALIBRATE mesh_min=10,20 mesh_max=30,40\nM109 S215\n;LAYER_CHANGE\nG1 X5 Y5 "
+                       "E1\n"),
+              "fixed area (BED_MESH_CALIBRATE"));
+}
+
+TEST_CASE("a firmware's retraction before the first bead is left out, an indented line stays indented") {
+  const ImportedPrinter read =
+      imported(";FLAVOR:RepRap\nG28\nif true\n  M190 S60\n  M109 S215\nG92 E0\nG10\n;LAYER:0\nG1 X5 Y5 E1\nM104 S0\n");
+  CHECK(read.printer.startGcode ==
+        "G28\nif true\n  M190 S{first_layer_bed_temperature}\n  M109 S{first_layer_temperature}\nG92 E0\n");
+}
+
 TEST_CASE("a place to present the print that lies off the bed is left out of the end block") {
   const ImportedPrinter read = imported(
       "; bed_shape = 0x0,220x0,220x220,0x220\nG28\n;LAYER_CHANGE\nG1 X5 Y5 E1\n;TYPE:Custom\nG90\nG1 X0 Y235 F3000\n"

@@ -5,6 +5,7 @@
 
 #include "gcode/blocks.hpp"
 #include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/macros.hpp"
 #include "gcode_reader/rules.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
@@ -49,7 +50,8 @@ void dropRetraction(std::string& block) {
     const std::size_t line = block.rfind('\n', block.size() - 2) + 1;  // npos + 1 is 0
     const std::string_view last = std::string_view(block).substr(line, block.size() - line - 1);
     const bool still = !hasWord(last, 'X') && !hasWord(last, 'Y') && !hasWord(last, 'Z');
-    if (!isMove(last) || !still || last.find(" E-") == std::string_view::npos) return;
+    const bool pulls = isMove(last) && still && last.find(" E-") != std::string_view::npos;
+    if (!pulls && last != "G10") return;
     block.resize(line);
   }
 }
@@ -72,15 +74,69 @@ std::string withValues(std::string line, std::initializer_list<std::pair<char, s
   return line;
 }
 
-/// "PRINT_MIN=10,20" and its kin: what follows the name up to the next blank becomes `value`.
-void replaceArgument(std::string& line, std::string_view name, std::string_view value) {
-  const std::size_t found = line.find(std::string(name) + "=");
-  if (found == std::string::npos) return;
-  const std::size_t begin = found + name.size() + 1;
-  line.replace(begin, std::min(line.find(' ', begin), line.size()) - begin, value);
+/// Other values for a macro's parameters. \param valueOf  of a key in upper case and its value: the new one.
+template <class ValueOf>
+void replaceParameters(std::string& line, ValueOf&& valueOf) {
+  std::string out;
+  std::size_t done = 0;
+  forEachParameter(line, [&](const std::string& key, std::string_view old) {
+    const auto at = static_cast<std::size_t>(old.data() - line.data());
+    if (at < done) return;
+    out.append(line, done, at - done).append(valueOf(key, old));
+    done = at + old.size();
+  });
+  line = out.append(line, done);
+}
+
+/// The plate's corners, as macros with adaptive meshes are given them: PRINT_MIN and PRINT_MAX; X0, Y0, X1 and Y1; SIZE
+/// with all four. \return whether the line has such parameters.
+bool replaceArea(std::string& line) {
+  std::string keys = " ";
+  forEachParameter(line, [&](const std::string& key, std::string_view value) {
+    if (key != "SIZE" || std::count(value.begin(), value.end(), '_') == 3) keys += key + ' ';
+  });
+  const auto has = [&](std::string_view key) { return keys.find(' ' + std::string(key) + ' ') != std::string::npos; };
+  const bool corners = has("X0") && has("Y0") && has("X1") && has("Y1");
+  if (!corners && !has("PRINT_MIN") && !has("SIZE")) return false;
+  constexpr const char* kMin[] = {"{first_layer_print_min[0]}", "{first_layer_print_min[1]}"};
+  constexpr const char* kMax[] = {"{first_layer_print_max[0]}", "{first_layer_print_max[1]}"};
+  const auto joined = [](const char* const(&pair)[2], const char* by) { return std::string(pair[0]) + by + pair[1]; };
+  replaceParameters(line, [&](std::string_view key, std::string_view value) {
+    if (key == "PRINT_MIN") return joined(kMin, ",");
+    if (key == "PRINT_MAX") return joined(kMax, ",");
+    if (key == "SIZE" && has(key)) return joined(kMin, "_") + "_" + joined(kMax, "_");
+    if (corners && key.size() == 2 && (key[0] == 'X' || key[0] == 'Y') && (key[1] == '0' || key[1] == '1')) {
+      return std::string((key[1] == '0' ? kMin : kMax)[key[0] == 'X' ? 0 : 1]);
+    }
+    return std::string(value);
+  });
+  return true;
 }
 
 std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
+
+// RepRapFirmware tells by it what belongs to an "if".
+std::string_view indentationOf(std::string_view line) {
+  return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
+}
+
+// A start macro's temperatures become the next job's.
+void insertMacroTargets(std::string& line, double nozzle, double bed) {
+  replaceParameters(line, [&](std::string_view key, std::string_view value) -> std::string_view {
+    const double degrees = firstNumber(value).value_or(0);
+    switch (macroHeat(key)) {
+      case MacroHeat::Bed:
+        return degrees > 0 && degrees == bed ? "{first_layer_bed_temperature}" : value;
+      case MacroHeat::Nozzle:
+        return degrees >= kColdest && degrees == nozzle ? "{first_layer_temperature}" : value;
+      case MacroHeat::NozzleLater:
+        return degrees >= kColdest ? "{temperature}" : value;
+      case MacroHeat::None:
+        break;
+    }
+    return value;
+  });
+}
 
 class Donor {
  public:
@@ -94,7 +150,7 @@ class Donor {
 
  private:
   void comment(std::string_view line);
-  void startLine(std::string_view code);
+  void startLine(std::string_view whole);
   void templateFilament(const GcodeCheck& check);
   void endLine(std::string_view code);
   void note(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {}) {
@@ -124,8 +180,10 @@ void Donor::comment(std::string_view line) {
 }
 
 // Areas of the old plate become those of the new one; all other words of such a line are the printer's and stay.
-void Donor::startLine(std::string_view code) {
-  if (isOfOldPrint(code)) return;
+void Donor::startLine(std::string_view whole) {
+  const std::string_view code = codeOf(whole);
+  const std::string_view indentation = indentationOf(whole);
+  if (code.empty() || isOfOldPrint(code)) return;
   std::string line(code);
   if (isCommand(code, "M555")) {
     line = withValues(std::move(line), {{'X', "{first_layer_print_min[0]}"},
@@ -137,12 +195,12 @@ void Donor::startLine(std::string_view code) {
                                         {'Y', "{first_layer_print_min[1]}"},
                                         {'I', "{first_layer_print_size[0]}"},
                                         {'J', "{first_layer_print_size[1]}"}});
-  } else if (code.find("PRINT_MIN=") != std::string_view::npos) {  // macros with adaptive meshes
-    replaceArgument(line, "PRINT_MIN", "{first_layer_print_min[0]},{first_layer_print_min[1]}");
-    replaceArgument(line, "PRINT_MAX", "{first_layer_print_max[0]},{first_layer_print_max[1]}");
-  } else if ((isCommand(code, "G29") && hasWord(code, 'X') && !hasWord(code, 'C') && !code.starts_with("G29 P9")) ||
-             code.find("MESH_MIN") != std::string_view::npos || code.find("mesh_min") != std::string_view::npos) {
-    note("FixedArea", {{"line", std::string(code.substr(0, 60))}});
+  } else if (const bool macro = commandOf(code).letter == 0; !macro || !replaceArea(line)) {
+    const bool area =
+        isCommand(code, "G29") && hasWord(code, 'X') && !hasWord(code, 'C') && !code.starts_with("G29 P9");
+    if (area || (macro && upperCase(code).find("MESH_MIN") != std::string::npos)) {
+      note("FixedArea", {{"line", std::string(code.substr(0, 60))}});
+    }
   }
   for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
                                      {"M572", " S"},
@@ -157,7 +215,7 @@ void Donor::startLine(std::string_view code) {
     if (!isCommand(code, factor) || value == std::string_view::npos || firstWord(code.substr(value)) == "100") continue;
     note("Factor", {{"line", std::string(code.substr(0, 60))}});
   }
-  out_.printer.startGcode += line + "\n";
+  out_.printer.startGcode.append(indentation).append(line).append("\n");
 }
 
 // The slicer put the filament's own temperatures and type into the block. Those become the next job's; others, as for
@@ -168,37 +226,36 @@ void Donor::templateFilament(const GcodeCheck& check) {
   double bed = check.bedTarget > 0 && check.bedTarget <= 120 ? check.bedTarget : 0;
   std::string kept;
   std::string block;
+  const auto keep = [&kept](const std::string& line) {
+    if (kept.find(line) == std::string::npos) kept += (kept.empty() ? "" : ", ") + line;
+  };
   const auto insertTarget = [&](std::string& line, std::size_t begin, bool ofBed) {
     const std::string word(firstWord(std::string_view(line).substr(begin)));
     const auto value = firstNumber(word);
     if (!value || !(*value > 0)) return;
     if (*value == (ofBed ? bed : nozzle)) {
       line.replace(begin, word.size(), ofBed ? "{first_layer_bed_temperature}" : "{first_layer_temperature}");
-    } else if (!ofBed && *value > kColdest && kept.find(line) == std::string::npos) {
-      kept += (kept.empty() ? "" : ", ") + line;
+    } else if (!ofBed && *value > kColdest) {
+      keep(line);
     }
   };
   std::string_view rest = p.startGcode;
   while (!rest.empty()) {
-    std::string line(nextLine(rest));
-    if (line.ends_with('\r')) line.pop_back();
+    const std::string_view whole = nextLine(rest);
+    std::string line(trimmed(whole));
     const bool ofBed = isCommand(line, "M140") || isCommand(line, "M190");
     if (ofBed || isCommand(line, "M104") || isCommand(line, "M109")) {
       const std::size_t begin = std::min(valueOf(line, 'S'), valueOf(line, 'R'));
       if (begin != std::string::npos) insertTarget(line, begin, ofBed);
-    } else if (line.find("PRINT") < line.find(' ')) {  // PRINT_START BED=60 EXTRUDER=215
-      for (std::size_t equal = line.find('='); equal != std::string::npos; equal = line.find('=', equal + 1)) {
-        const std::size_t begin = line.rfind(' ', equal) + 1;
-        const std::string_view name = std::string_view(line).substr(begin, equal - begin);
-        const auto value = firstNumber(firstWord(std::string_view(line).substr(equal + 1)));
-        const bool bedName = name.find("BED") != std::string_view::npos;
-        if (bedName && value && *value > 0 && *value <= 120) bed = *value;
-        if (value && (bedName || *value >= kColdest)) insertTarget(line, equal + 1, bedName);
-      }
+    } else if (isStartMacro(commandOf(codeOf(line)))) {  // PRINT_START BED=60 EXTRUDER=215
+      const MacroTargets targets = macroTargets(line);
+      if (targets.bed > 0) bed = targets.bed;
+      if (targets.nozzle > 0 && targets.nozzle != nozzle) keep(line);
+      insertMacroTargets(line, nozzle, bed);
     }
     constexpr std::string_view kType = "M1002 set_filament_type:";
     if (line == std::string(kType) + p.filamentType) line = std::string(kType) + "{filament_type}";
-    block += line + "\n";
+    block.append(indentationOf(whole)).append(line).append("\n");
   }
   p.startGcode = std::move(block);
   if (nozzle > 0) p.firstLayerNozzleTemperature = nozzle;
@@ -295,8 +352,7 @@ std::optional<Error> Donor::read(std::string_view text) {
 
   rest = text.substr(0, firstLayer);
   while (!rest.empty()) {
-    const std::string_view code = codeOf(nextLine(rest));
-    if (!code.empty()) startLine(code);
+    startLine(nextLine(rest));
     if (out_.printer.startGcode.size() > kMaxBlockBytes)
       return invalidFile("the start block is longer than 65536 bytes");
   }
