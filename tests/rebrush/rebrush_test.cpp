@@ -447,6 +447,7 @@ TEST_CASE("what is set inside a surface holds on behind it: each setting, for ea
   };
   CHECK(behind("M104 T0 S150\nM104 T1 S205\n") == "M104 T0 S150\nM104 T1 S205\n");
   CHECK(behind("M104 S205\nM104 S210\n") == "M104 S210\n");
+  CHECK(behind("M106 P1 S5\nM106 P10 S7\nM106 P1 S9\n") == "M106 P10 S7\nM106 P1 S9\n");
   CHECK(behind("M205 X7\nM205 Y8\nM205 X9\n") == "M205 Y8\nM205 X9\n");
   CHECK(behind("M205 X7\nM205 X8 Y8\nM205 X9\n") == "M205 X8 Y8\nM205 X9\n");
   CHECK(behind("SET_VELOCITY_LIMIT ACCEL=500\nSET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=9\n") ==
@@ -490,6 +491,48 @@ TEST_CASE("beads wider than the slicer's are slowed to the flow that the file te
   CHECK(mostFlow(slow) < 1.2 * 1.02);
   CHECK(mostFlow(slow + "; filament_max_volumetric_speed = 1.3\n") < 1.3 * 1.02);
   CHECK(mostFlow(slow + "; filament_max_volumetric_speed = 9\n") == free);
+}
+
+TEST_CASE("the flow that a tool may have is its own filament's and the print's") {
+  const auto flow = [](const std::string& settings, int tool) {
+    return mostFlowOf(readFileSettings(settings, {}), tool);
+  };
+  const std::string two = "; filament_max_volumetric_speed = 15,3.5\n";
+  CHECK(flow(two, 0) == 15);
+  CHECK(flow(two, 1) == 3.5);
+  CHECK(flow(two, 2) == 0);
+  CHECK(flow("; filament_max_volumetric_speed = 15\n", 2) == 15);
+  CHECK(flow(two + "; max_volumetric_speed = 8\n", 0) == 8);
+  CHECK(flow(two + "; max_volumetric_speed = 8\n", 1) == 3.5);
+  CHECK(flow(two + "; max_volumetric_speed = 0\n", 0) == 15);
+  CHECK(flow("; filament_max_volumetric_speed = 0,x,5\n", 0) == 0);
+  CHECK(flow("; filament_max_volumetric_speed = 0,x,5\n", 1) == 0);
+  CHECK(flow("; filament_max_volumetric_speed = 0,x,5\n", 2) == 5);
+}
+
+TEST_CASE("what is purged beside the print, or by another tool, tells no flow") {
+  const std::string plain = Slices(kDialects[0], {}).text();
+  const auto mostFlow = [](const std::string& text) {
+    const auto read = readBlocks(text);
+    REQUIRE(read);
+    REQUIRE(!read.value().blocks.empty());
+    return read.value().blocks.back().mostFlow;
+  };
+  const double own = mostFlow(plain);
+  const std::size_t mark = plain.find(";TYPE:");
+  REQUIRE(mark != std::string::npos);
+  const std::string fast = "G1 X0 Y0 F6000\nG1 X50 E9 F3000\n";
+  const auto with = [&](const std::string& lines) {
+    std::string text = plain;
+    const std::size_t at = text.rfind(";LAYER_CHANGE");
+    REQUIRE(at != std::string::npos);
+    return mostFlow(text.insert(at, lines));
+  };
+  CHECK(with(";TYPE:Perimeter\n" + fast) > own);
+  CHECK(with(";TYPE:Wipe tower\n" + fast) == own);
+  CHECK(with(";TYPE:Custom\n" + fast) == own);
+  CHECK(with("M620 S1A\n;TYPE:Perimeter\n" + fast + "M621 S1A\n") == own);
+  CHECK(with("T1\n;TYPE:Perimeter\n" + fast + "T0\n") == own);
 }
 
 TEST_CASE("where no speed is told none is written") {

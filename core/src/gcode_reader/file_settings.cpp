@@ -1,5 +1,7 @@
 #include "gcode_reader/file_settings.hpp"
 
+#include <algorithm>
+
 #include "base/lines.hpp"
 #include "gcode_reader/parser.hpp"
 #include "sillon/settings/presets.hpp"
@@ -24,6 +26,21 @@ Bounds readBed(std::string_view text) {
   return box;
 }
 
+// "15,8": what no tool could have counts as unknown.
+std::vector<double> readFlows(std::string_view text) {
+  constexpr std::size_t kMostTools = 64;
+  std::vector<double> flows;
+  for (bool more = true; more && flows.size() < kMostTools;) {
+    const std::size_t comma = text.find(',');
+    double flow = 0;
+    if (readNumber(trimmed(text.substr(0, comma)), flow) == 0 || flow < 0.1 || flow > 1000) flow = 0;
+    flows.push_back(flow);
+    more = comma != std::string_view::npos;
+    text.remove_prefix(more ? comma + 1 : text.size());
+  }
+  return flows;
+}
+
 void readSetting(FileSettings& settings, std::string_view comment) {
   const auto number = [&](std::string_view key, double low, double high, double& out) {
     const auto value = numberAfter(comment, key);
@@ -36,9 +53,9 @@ void readSetting(FileSettings& settings, std::string_view comment) {
     settings.filamentDiameter = diameter;
     settings.diameterTold = true;
   }
-  for (const char* key : {"filament_max_volumetric_speed =", "max_volumetric_speed ="}) {
-    number(key, 0.1, 1000, settings.maxFlow);
-  }
+  constexpr std::string_view kFlows = "filament_max_volumetric_speed =";
+  if (comment.starts_with(kFlows)) settings.filamentFlows = readFlows(comment.substr(kFlows.size()));
+  number("max_volumetric_speed =", 0.1, 1000, settings.printFlow);
   number("max_print_height =", 1, 5000, settings.maxZ);
   number("printable_height =", 1, 5000, settings.maxZ);
   for (const std::string_view key : {"bed_shape = ", "printable_area = "}) {
@@ -50,6 +67,13 @@ void readSetting(FileSettings& settings, std::string_view comment) {
 }
 
 }  // namespace
+
+double mostFlowOf(const FileSettings& settings, int tool) {
+  const auto index = static_cast<std::size_t>(std::max(tool, 0));
+  const std::vector<double>& flows = settings.filamentFlows;
+  const double own = index < flows.size() ? flows[index] : flows.size() == 1 ? flows[0] : 0;
+  return own > 0 && settings.printFlow > 0 ? std::min(own, settings.printFlow) : std::max(own, settings.printFlow);
+}
 
 std::optional<double> numberAfter(std::string_view text, std::string_view key) {
   if (!text.starts_with(key)) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "sillon/base/types.hpp"
 #include "sillon/settings/printer.hpp"
@@ -10,13 +11,14 @@
 namespace sillon {
 
 struct FileSettings {
-  std::optional<Printer> printer;  ///< bed and limits, if given by the caller
-  Bounds bed;                      ///< else: the box of bed_shape
-  double maxZ = 0;                 ///< [mm], 0: unknown
-  double nozzle = 0;               ///< [mm], 0: unknown
-  double filamentDiameter = 1.75;  ///< [mm]
-  bool diameterTold = false;       ///< else it is only what most have
-  double maxFlow = 0;              ///< [mm³/s] that the filament may have, 0: unknown
+  std::optional<Printer> printer;     ///< bed and limits, if given by the caller
+  Bounds bed;                         ///< else: the box of bed_shape
+  double maxZ = 0;                    ///< [mm], 0: unknown
+  double nozzle = 0;                  ///< [mm], 0: unknown
+  double filamentDiameter = 1.75;     ///< [mm]
+  bool diameterTold = false;          ///< else it is only what most have
+  std::vector<double> filamentFlows;  ///< [mm³/s] that each tool's filament may have, 0: unknown
+  double printFlow = 0;               ///< the same of all of them
   GcodeFlavor flavor = GcodeFlavor::Marlin;
   bool ultimaker = false;   ///< the printer homes and heats before the file begins: UltiGCode, Griffin
   bool volumetric = false;  ///< UltiGCode's E is mm³
@@ -24,6 +26,9 @@ struct FileSettings {
 
 /// \param printer  if given, nothing is read but the flavour of Cura's files.
 FileSettings readFileSettings(std::string_view text, const std::optional<Printer>& printer);
+
+/// The flow that the file allows a tool [mm³/s], 0: unknown.
+double mostFlowOf(const FileSettings& settings, int tool);
 
 /// A number behind a key that the text begins with.
 std::optional<double> numberAfter(std::string_view text, std::string_view key);

@@ -8,7 +8,9 @@
 #include <numbers>
 #include <utility>
 
+#include "base/decimal_text.hpp"
 #include "gcode_reader/parser.hpp"
+#include "gcode_reader/tool_change.hpp"
 #include "rebrush/marks.hpp"
 #include "rebrush/region.hpp"
 #include "rebrush/totals.hpp"
@@ -88,6 +90,10 @@ double neighbourDistance(const std::vector<Item>& items) {
   return distances.size() < kEnough ? 0 : median(std::move(distances));
 }
 
+bool isSurface(RoleKind role) {
+  return role != RoleKind::Other && role != RoleKind::Ironing && role != RoleKind::Purge;
+}
+
 bool joined(Vec2 a, Vec2 b) { return length(a - b) < kJoined; }
 
 // Whether most beads are followed by a way without plastic.
@@ -163,7 +169,8 @@ class Reader {
   double area_ = 0;
   bool volumetric_ = false;
   bool diameterKnown_ = false;
-  double mostFeed_ = 0;  // of beads [mm of filament / s]
+  std::map<int, double> mostFeed_;  // of each tool's beads [mm of filament / s]
+  bool changesTool_ = false;
   bool numbered_ = false;
   SlicedBlocks out_;
   std::optional<Program> program_;
@@ -185,6 +192,7 @@ void Reader::line(const GcodeLine& line) {
   out_.file.lines = line.number;
   const GcodeParts parts = partsOf(line.text);
   numbered_ = numbered_ || parts.numbered;
+  changesTool_ = toolChangeMark(parts).value_or(changesTool_);
   if (parts.code.empty()) {
     if (parts.comment.empty()) return;
     if (!program_) program_ = programOf(parts.comment);
@@ -193,7 +201,7 @@ void Reader::line(const GcodeLine& line) {
   } else if (const auto object = objectOf(parts.code)) {
     object_ = *object;
   }
-  const bool collecting = role_ != RoleKind::Other && role_ != RoleKind::Ironing;
+  const bool collecting = isSurface(role_);
   Item item;
   if (collecting) {
     item.begin = line.offset;
@@ -211,8 +219,9 @@ void Reader::line(const GcodeLine& line) {
   }
   if (move && move->e > 0 && move->length > 0) {
     layerZ_ = move->z;
-    if (out_.file.layers > 0 && move->length > kLongBead) {
-      mostFeed_ = std::max(mostFeed_, move->e / move->length * machine_.speed);
+    if (out_.file.layers > 0 && role_ != RoleKind::Purge && !changesTool_ && move->length > kLongBead) {
+      double& most = mostFeed_[machine_.tool];
+      most = std::max(most, move->e / move->length * machine_.speed);
     }
     if (!waiting_.empty()) coverSkins(*move);
   }
@@ -494,10 +503,8 @@ void Reader::keep(SurfaceBlock& block, const Item& item, std::map<std::string, s
       case 83:
         return;
       case 106:
-      case 107: {
-        const std::size_t fan = command.rest.find('P');
-        return put("fan" + std::string(fan == std::string_view::npos ? "" : command.rest.substr(fan, 2)));
-      }
+      case 107:
+        return put("fan " + decimal(wordsOf(command.rest).at('P'), 3));
       case 104:  // does not wait
       case 140:
       case 73:
@@ -610,7 +617,7 @@ void Reader::judgeSkins() {
 }
 
 Result<SlicedBlocks> Reader::finish() {
-  const bool inside = role_ != RoleKind::Other && !items_.empty() && items_.back().bead();
+  const bool inside = isSurface(role_) && !items_.empty() && items_.back().bead();
   endStretch();
   if (inside && !out_.blocks.empty()) leave(out_.blocks.back(), LeftBecause::Cut);
   judgeSkins();
@@ -624,7 +631,10 @@ Result<SlicedBlocks> Reader::finish() {
   }
   out_.file.slicer = program_->slicer;
   out_.filamentArea = area_;
-  out_.mostFlow = std::max(out_.settings.maxFlow, mostFeed_ * area_);
+  for (SurfaceBlock& block : out_.blocks) {
+    const int tool = block.surface.tool;
+    block.mostFlow = std::max(mostFlowOf(out_.settings, tool), mostFeed_[tool] * area_);
+  }
   out_.file.program = program_->name;
   std::stable_sort(out_.blocks.begin(), out_.blocks.end(),
                    [](const SurfaceBlock& a, const SurfaceBlock& b) { return a.surface.begin < b.surface.begin; });

@@ -27,6 +27,8 @@ struct SurfaceBlock {
   MachineState before;         ///< its first bead
   MachineState after;          ///< its last bead
   double acceleration = 1000;  ///< at its first bead [mm/s²], as the file says
+  double mostFlow =
+      0;  ///< that the file allows its tool, or that tool's beads have if that is more [mm³/s]; 0: unknown
   /// Lines to repeat behind the new beads: what was set within the block and holds on, the last of each kind, in their
   /// order. Empty ones stand where a later one has taken over.
   std::vector<std::string> kept;
@@ -40,7 +42,6 @@ struct SlicedBlocks {
   SlicedFile file;  ///< without its surfaces
   std::vector<SurfaceBlock> blocks;
   double filamentArea = 0;  ///< section of the filament that E counts [mm²]
-  double mostFlow = 0;      ///< that the file allows, or that the slicer's own beads have if that is more [mm³/s]
   FileSettings settings;
 };
 

@@ -22,6 +22,7 @@ RoleKind roleOf(std::string_view name) {
   if (name == "Bottom surface") return RoleKind::Bottom;
   if (name == "Solid infill" || name == "Internal solid infill") return RoleKind::FirstSolid;
   if (name == "SKIN") return RoleKind::Skin;
+  if (isPurge(name)) return RoleKind::Purge;
   return name == "Ironing" ? RoleKind::Ironing : RoleKind::Other;
 }
 

@@ -12,7 +12,7 @@ namespace sillon {
 enum class MarkKind { None, Layer, Role, Width, Height, Object, Z };
 
 /// What the following moves are.
-enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing };
+enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
 
 /// What a comment says.
 struct Mark {

@@ -79,7 +79,7 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
     laid.left = "it falls into " + std::to_string(cycles.size()) + " cycles; one is needed";
     return laid;
   }
-  laid.replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, file.filamentArea, file.mostFlow);
+  laid.replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, file.filamentArea, block.mostFlow);
   if (laid.replacement.left != LeftBecause::None) {
     laid.left = surfaceReason(laid.replacement.left);
     return laid;
