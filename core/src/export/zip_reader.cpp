@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/crc32.hpp"
+#include "base/sort_key.hpp"
 #include "export/bytes.hpp"
 #include "input/inflate.hpp"
 
@@ -92,9 +93,7 @@ void withContents(std::string_view zip, const ZipDirectory& directory,
   // In the order of the file, which need not be that of the directory.
   std::vector<std::size_t> order(directory.entries.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return directory.entries[a].begin < directory.entries[b].begin;
-  });
+  sortBy(order, [&](std::size_t entry) { return directory.entries[entry].begin; });
   struct Stored {
     std::uint64_t begin = 0;
     std::uint64_t size = 0;

@@ -7,6 +7,7 @@
 
 #include "base/decimal_text.hpp"
 #include "base/json_text.hpp"
+#include "base/sort_key.hpp"
 
 namespace sillon {
 namespace {
@@ -105,8 +106,7 @@ std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, doub
   if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
   // The thinnest tenth may be hairlines that no size would save.
   std::vector<ThinPlace> byWidth = measures.lostPlaces;
-  std::stable_sort(byWidth.begin(), byWidth.end(),
-                   [](const ThinPlace& a, const ThinPlace& b) { return a.width > b.width; });
+  sortBy(byWidth, [](const ThinPlace& place) { return -place.width; });
   double printed = 0;
   double width = byWidth.front().width;
   for (const ThinPlace& place : byWidth) {

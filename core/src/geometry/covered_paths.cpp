@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/sort_key.hpp"
+
 namespace sillon {
 namespace {
 
@@ -80,7 +82,7 @@ std::vector<char> coveredPaths(const std::vector<FilledPath>& paths) {
     if (const int turn = turnOf(paths[k]); turn != 0)
       covers.push_back({boxes[k].size().x * boxes[k].size().y, k, turn});
   }
-  std::stable_sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.size > b.size; });
+  sortBy(covers, [](const Cover& cover) { return -cover.size; });
   covers.resize(std::min(covers.size(), kMostCovers));
   for (const Cover& cover : covers) {
     if (covered[cover.path] != 0) continue;

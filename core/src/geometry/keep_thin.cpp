@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
+#include "base/sort_key.hpp"
 #include "geometry/bead_room.hpp"
 #include "geometry/lost_cells.hpp"
 #include "sillon/geometry/outline.hpp"
@@ -120,8 +121,7 @@ Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run)
     }
     shape.paths.push_back(std::move(path));
   }
-  std::stable_sort(kept.begin(), kept.end(),
-                   [](const ThinPlace& a, const ThinPlace& b) { return a.areaMm2 > b.areaMm2; });
+  sortBy(kept, [](const ThinPlace& place) { return -place.areaMm2; });
   shape.kept = std::move(kept);
   return shape;
 }

@@ -5,6 +5,7 @@
 
 #include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
+#include "base/sort_key.hpp"
 #include "base/whole_number.hpp"
 #include "field/wave_fields.hpp"
 #include "geometry/closed_curves.hpp"
@@ -40,8 +41,7 @@ Result<std::vector<ThinPlace>> lostPlaces(const Shape& shape, const BorderIndex&
                                    4 * depth / static_cast<double>(samples.size()), spacing});
     places.push_back({cells.at(deepest), static_cast<double>(samples.size()) * cell * cell, width});
   }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const ThinPlace& a, const ThinPlace& b) { return a.areaMm2 > b.areaMm2; });
+  sortBy(places, [](const ThinPlace& place) { return -place.areaMm2; });
   return places;
 }
 

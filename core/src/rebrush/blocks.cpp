@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
+#include "base/sort_key.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/tool_change.hpp"
 #include "rebrush/marks.hpp"
@@ -636,8 +637,7 @@ Result<SlicedBlocks> Reader::finish() {
     block.mostFlow = std::max(mostFlowOf(out_.settings, tool), mostFeed_[tool] * area_);
   }
   out_.file.program = program_->name;
-  std::stable_sort(out_.blocks.begin(), out_.blocks.end(),
-                   [](const SurfaceBlock& a, const SurfaceBlock& b) { return a.surface.begin < b.surface.begin; });
+  sortBy(out_.blocks, [](const SurfaceBlock& block) { return block.surface.begin; });
   return std::move(out_);
 }
 

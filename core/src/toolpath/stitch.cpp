@@ -8,6 +8,7 @@
 
 #include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
+#include "base/sort_key.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 #include "toolpath/facing_points.hpp"
@@ -255,9 +256,7 @@ using Pairs = std::vector<std::pair<int, int>>;
 Pairs neighboursOf(Pairs pairs, const Scene& scene, const Joining& joining, const SetsToJoin& sets, float spacing) {
   constexpr std::size_t kNearest = 16;  ///< pairs: bounds the work
   constexpr int kAround = 4;            ///< points on either side: one spacing
-  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
-    return length(joining.at(a.first) - joining.at(a.second)) < length(joining.at(b.first) - joining.at(b.second));
-  });
+  sortBy(pairs, [&](const auto& pair) { return length(joining.at(pair.first) - joining.at(pair.second)); });
   pairs.resize(std::min(pairs.size(), kNearest));
   const auto neighbours = [&](int point) {
     const int curve = joining.curveOf(point);
