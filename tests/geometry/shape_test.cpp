@@ -133,14 +133,18 @@ TEST_CASE("sizes out of range are refused with their value") {
   checkRefused(scaledToWidth(tall, 5), ErrorCode::EmptyShape, "Nothing");
 }
 
-TEST_CASE("a white mask is its page but for half a pixel at the corners") {
+TEST_CASE("a white mask is its page, corners and all") {
   const Shape shape = get(shapeFromMask(picture({"####", "####", "####"}), 40));
   CHECK(shape.page == Vec2{40, 30});
   REQUIRE(shape.paths.at(0).rings.size() == 1);
-  CHECK(shape.paths[0].rings[0].size() == 8);  // straight runs keep their ends only
-  CHECK(std::abs(signedArea(shape)) == doctest::Approx(1200 - 4 * 12.5));
+  CHECK(shape.paths[0].rings[0].size() == 4);  // straight runs keep their ends only
+  CHECK(std::abs(signedArea(shape)) == doctest::Approx(1200));
   CHECK(bounds(shape).min == Vec2{0, 0});
   CHECK(bounds(shape).max == Vec2{40, 30});
+  const Shape single = get(shapeFromMask(picture({"#"}), 30));
+  CHECK(std::abs(signedArea(single)) == doctest::Approx(900));
+  // A corner that is cut off in the picture stays so.
+  CHECK(std::abs(signedArea(get(shapeFromMask(picture({" ##", "###"}), 3)))) == doctest::Approx(6 - 1 - 0.125));
 }
 
 TEST_CASE("row 0 of a mask is on top, pixel centres are the samples") {
@@ -179,7 +183,7 @@ TEST_CASE("a smooth mask gives its circle back") {
 TEST_CASE("holes turn the other way, parts are rings, saddles keep rings apart or join them by their mean") {
   const Shape ring = get(shapeFromMask(picture({"#####", "#   #", "# # #", "#   #", "#####"}), 5));
   REQUIRE(ring.paths.at(0).rings.size() == 3);
-  CHECK(std::abs(signedArea(ring)) == about(25 - 0.5 - (9 - 0.5) + 0.5, 0.001));
+  CHECK(std::abs(signedArea(ring)) == about(25 - (9 - 0.5) + 0.5, 0.001));
   // Diagonal neighbours of equal strength: the mean is exactly at the level, which counts as inside.
   CHECK(get(shapeFromMask(picture({"# ", " #"}), 2)).paths[0].rings.size() == 1);
   CHECK(get(shapeFromMask(picture({"6 ", " 6"}), 2)).paths[0].rings.size() == 2);
@@ -203,8 +207,8 @@ TEST_CASE("random masks: closed rings whose signed area matches the rings of the
     }
     const Shape shape = get(shapeFromMask(image, image.width));
     const Shape other = get(shapeFromMask(negative, image.width));
-    // Image and negative share all contours; the negative's frame is the page without corner triangles.
-    const double page = image.width * image.height - 0.5;
+    // Image and negative share all contours; the negative's frame is the page.
+    const double page = image.width * image.height;
     CHECK(std::abs(signedArea(shape)) + std::abs(signedArea(other)) == doctest::Approx(page).epsilon(1e-6));
     CHECK(other.paths[0].rings.size() == shape.paths[0].rings.size() + 1);
     for (const Ring& ring : shape.paths[0].rings) {

@@ -185,7 +185,13 @@ class MaskTracer {
       }
       add(ring, crossing(x, y, entry));
       if (static_cast<std::int64_t>(ring.size()) > limit) return ring;
-      switch (exitOf(field_, x, y, entry)) {
+      const Side exit = exitOf(field_, x, y, entry);
+      // The picture's corner: what is cut off there is no part of the drawing.
+      if ((x < 0 || x == width_ - 1) && (y < 0 || y == height_ - 1)) {
+        const bool across = entry == Side::Top || entry == Side::Bottom;
+        add(ring, {crossing(x, y, across ? entry : exit).x, crossing(x, y, across ? exit : entry).y});
+      }
+      switch (exit) {
         case Side::Top:
           --y;
           entry = Side::Bottom;
