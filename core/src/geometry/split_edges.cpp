@@ -1,6 +1,7 @@
 #include "geometry/split_edges.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -123,8 +124,12 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
   };
   std::vector<Entry> entries;
   // Cells in which nothing is fresh are left out: after the first rounds, nearly all of them.
-  std::vector<char> busy(std::size_t{1} << 20);  // by digests of keys
-  const auto digestOf = [&](std::uint64_t key) { return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> 44); };
+  // By digests of keys: some 64 for each edge, as most drawings are combined of thousands of small ones.
+  const int bits = std::min(static_cast<int>(std::bit_width(edges.all.size())) + 6, 20);
+  std::vector<char> busy(std::size_t{1} << bits);
+  const auto digestOf = [&](std::uint64_t key) {
+    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> (64 - bits));
+  };
   for (const bool fresh : {true, false}) {
     for (std::size_t k = 0; k < edges.all.size(); ++k) {
       if ((edges.fresh[k] != 0) != fresh) continue;
