@@ -227,7 +227,7 @@ class Drawing {
 
   void noteUnread(const Node& node, const Style& style, const State& state) {
     if (isAnimated(node, style)) note("animation");
-    if (!state.paint.visible) return;
+    if (!state.paint.visible || style.empty()) return;
     if (reading_ != Reading::Clip) noteEffects(style);
     const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
     if (!function.empty()) note("CSS " + quoted(function));

@@ -103,6 +103,7 @@ std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
 /// \param initial  the property's value where nothing declares it.
 void setPaint(std::string_view value, const PaintContext& context, const Paint& current, const Paint& initial,
               Paint& paint) {
+  if (value.empty()) return;
   if (lowered(value) == "initial") {
     paint = initial;
     return;
@@ -118,6 +119,7 @@ void setPaint(std::string_view value, const PaintContext& context, const Paint& 
 }
 
 void setShare(std::string_view value, double& field) {
+  if (value.empty()) return;
   if (const auto read = share(value)) field = *read;
 }
 
@@ -190,6 +192,8 @@ std::string_view urlOf(std::string_view value) {
 }
 
 void apply(const Style& style, const PaintContext& context, PaintState& state) {
+  state.strokeScales = true;
+  if (style.empty()) return;
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
   setPaint(style.value(Property::Fill), context, state.color, Paint{}, state.fill);
   setPaint(style.value(Property::Stroke), context, state.color, Paint{0}, state.stroke);

@@ -12,6 +12,7 @@ namespace {
 // They change what is shown, and are not read of CSS.
 constexpr std::array<std::string_view, 14> kUnread{"cx", "cy", "d",     "height",    "offset-path", "r", "rotate",
                                                    "rx", "ry", "scale", "translate", "width",       "x", "y"};
+const Declared kNothing;
 // Rules that never hold in a still picture.
 constexpr std::array<std::string_view, 5> kOfUse{":hover", ":focus", ":active", ":visited", ":target"};
 
@@ -60,8 +61,22 @@ void Declared::set(std::string_view newValue, std::int64_t newWeight) {
   weight = newWeight;
 }
 
+const Declared& Style::of(Property property) const {
+  for (const auto& [known, declared] : declared_) {
+    if (known == property) return declared;
+  }
+  return kNothing;
+}
+
+Declared& Style::made(Property property) {
+  for (auto& [known, declared] : declared_) {
+    if (known == property) return declared;
+  }
+  return declared_.emplace_back(property, Declared{}).second;
+}
+
 void Style::set(Property property, std::string_view value, std::int64_t weight) {
-  Declared& declared = declared_[static_cast<std::size_t>(property)];
+  Declared& declared = made(property);
   if (value.find("var(") == std::string_view::npos) return declared.set(value, weight);
   const std::string resolved = withFallbacks(std::string(value));
   fallsBack_ = fallsBack_ || resolved != value;
@@ -69,9 +84,9 @@ void Style::set(Property property, std::string_view value, std::int64_t weight) 
 }
 
 std::string_view Style::unreadFunction() const {
-  for (const Declared& d : declared_) {
+  for (const auto& [property, declared] : declared_) {
     for (const std::string_view function : {"var(", "calc("}) {
-      if (d.value.find(function) != std::string::npos) return function == "var(" ? "var()" : "calc()";
+      if (declared.value.find(function) != std::string::npos) return function == "var(" ? "var()" : "calc()";
     }
   }
   return {};
@@ -97,22 +112,13 @@ void Style::declare(std::string_view declarations, std::int64_t weight) {
 }
 
 void Style::add(const Style& other) {
-  for (std::size_t k = 0; k < declared_.size(); ++k) {
-    if (other.declared_[k].weight >= 0) declared_[k].set(other.declared_[k].value, other.declared_[k].weight);
-  }
+  for (const auto& [property, declared] : other.declared_) made(property).set(declared.value, declared.weight);
   if (!other.unread_.empty()) unread_ = other.unread_;
   fallsBack_ = fallsBack_ || other.fallsBack_;
 }
 
-bool Style::empty() const {
-  return unread_.empty() &&
-         std::all_of(declared_.begin(), declared_.end(), [](const Declared& d) { return d.weight < 0; });
-}
-
 void Style::raise(std::int64_t weight) {
-  for (Declared& d : declared_) {
-    if (d.weight >= 0) d.weight += weight;
-  }
+  for (auto& [property, declared] : declared_) declared.weight += weight;
 }
 
 bool definesProperty(std::string_view css) {

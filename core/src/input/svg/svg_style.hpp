@@ -119,14 +119,16 @@ class Style {
   /// \param declarations  as in an attribute `style`.
   void declare(std::string_view declarations, std::int64_t weight);
   void add(const Style& other);
-  [[nodiscard]] bool empty() const;
+  [[nodiscard]] bool empty() const { return declared_.empty() && unread_.empty(); }
   /// Adds to the weight of all that is declared.
   void raise(std::int64_t weight);
 
  private:
-  [[nodiscard]] const Declared& of(Property property) const { return declared_[static_cast<std::size_t>(property)]; }
+  [[nodiscard]] const Declared& of(Property property) const;
+  Declared& made(Property property);
 
-  std::array<Declared, kPropertyNames.size()> declared_;
+  // Few of each element: a place for every property took half the time of drawings of many elements.
+  std::vector<std::pair<Property, Declared>> declared_;
   std::string_view unread_;
   bool fallsBack_ = false;
 };
