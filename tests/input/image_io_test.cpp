@@ -331,12 +331,30 @@ TEST_CASE("an EXIF block without a valid orientation changes nothing") {
 
 TEST_CASE("what is no picture is named with its first bytes and the formats that can be read") {
   CHECK(says(decodeImage({}, "a.png"), "a.png is empty"));
-  const Bytes gif{'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0, 0, 0, 0};
-  const auto refused = decodeImage(gif, "a.gif");
-  CHECK(says(refused, "47 49 46 38"));
+  const auto refused = decodeImage(Bytes{'h', 'e', 'l', 'l', 'o'}, "a.txt");
+  CHECK(says(refused, "68 65 6c 6c"));
   CHECK(says(refused, "PNG, JPEG, BMP and TGA"));
   CHECK(refused.error().code == ErrorCode::InvalidFile);
   CHECK(says(decodeImage(Bytes{'B'}, "short"), "42"));
+}
+
+TEST_CASE("files of other programs are called by their names") {
+  const auto kind = [](std::string_view text) {
+    const std::string message = decodeImage(Bytes(text.begin(), text.end()), "a").error().message;
+    CHECK(message.ends_with("; pictures must be PNG, JPEG, BMP or TGA, and drawings plain SVG in UTF-8"));
+    return message.substr(0, message.find(';'));
+  };
+  CHECK(kind("GIF89a") == "a is a GIF picture");
+  CHECK(kind(std::string_view("RIFF\x10\0\0\0WEBPVP8 ", 16)) == "a is a WebP picture");
+  CHECK(kind(std::string_view("\0\0\0\x18"
+                              "ftypheic",
+                              12)) == "a is a HEIC or AVIF picture, or a film");
+  CHECK(kind("%PDF-1.4") == "a is a PDF");
+  CHECK(kind("0\nSECTION\n2\nHEADER\n") == "a is a DXF drawing");
+  CHECK(kind("  0\r\nSECTION\r\n") == "a is a DXF drawing");
+  CHECK(kind("solid cube\n") == "a is an STL body");
+  CHECK(kind(std::string_view("\xff\xfe<\0s\0", 6)) == "a is text in UTF-16");
+  CHECK(kind("\x1f\x8b\x08") == "a is compressed");
 }
 
 TEST_CASE("random bytes are never taken for a picture") {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sillon/geometry/keep_thin.hpp"
+#include "sillon/input/image_io.hpp"
 
 using namespace sillon;
 
@@ -50,6 +51,11 @@ TEST_CASE("a shape file is an SVG by how it begins, and by its name") {
   files.byName["picture.png"] = std::string("<svg viewBox='0 0 1 1'><circle cx='.5' cy='.5' r='.5'/></svg>");
   project.pageWidth = 100;
   CHECK(readPlateInput(project, files.reader()).value().shape.paths.at(0).rings.at(0).size() > 100);
+
+  const std::vector<std::uint8_t> png = encodePng(1, 1, std::vector<std::uint8_t>{255, 255, 255});
+  files.byName["mask.svg"] = std::string(png.begin(), png.end());
+  project.shapeFile = "mask.svg";
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{100, 100});
 
   project.shapeFile = "broken.svg";
   const auto broken = readPlateInput(project, files.reader());

@@ -286,6 +286,36 @@ std::string firstBytes(Bytes bytes) {
   return text;
 }
 
+// What people take for a picture or a drawing, by where its files can be told.
+struct Foreign {
+  std::size_t at;
+  std::string_view mark;
+  const char* kind;
+};
+constexpr Foreign kForeign[] = {
+    {0, "GIF8", "a GIF picture"},
+    {8, "WEBP", "a WebP picture"},
+    {4, "ftyp", "a HEIC or AVIF picture, or a film"},
+    {0, std::string_view("II*\0", 4), "a TIFF picture"},
+    {0, std::string_view("MM\0*", 4), "a TIFF picture"},
+    {0, "8BPS", "a Photoshop file"},
+    {0, "%PDF", "a PDF"},
+    {0, "%!PS", "a PostScript file"},
+    {0, "\x1f\x8b", "compressed"},
+    {0, "PK\x03\x04", "a packed file"},
+    {0, "solid ", "an STL body"},
+    {0, "\xff\xfe", "text in UTF-16"},
+};
+
+// Empty where it is none of these.
+std::string foreignKind(Bytes bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const Foreign& foreign : kForeign) {
+    if (text.substr(std::min(foreign.at, text.size())).starts_with(foreign.mark)) return foreign.kind;
+  }
+  return text.substr(0, 80).find("SECTION") != std::string_view::npos ? "a DXF drawing" : "";
+}
+
 Error unreadable(const std::string& name, Format format, const std::string& reason) {
   return {ErrorCode::InvalidFile,
           name + " cannot be read as " + kFormatNames[static_cast<int>(format)] + ": " + reason};
@@ -421,6 +451,11 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
       defect = tgaDefect(bytes);
       break;
     case Format::Unknown:
+      if (const std::string kind = foreignKind(bytes); !kind.empty()) {
+        return Error{
+            ErrorCode::InvalidFile,
+            name + " is " + kind + "; pictures must be PNG, JPEG, BMP or TGA, and drawings plain SVG in UTF-8"};
+      }
       return Error{ErrorCode::InvalidFile, name + " is no picture that can be read (it begins with bytes " +
                                                firstBytes(bytes) + "); PNG, JPEG, BMP and TGA can"};
   }

@@ -14,10 +14,13 @@
 namespace sillon {
 namespace {
 
+// By its content; what is no XML and no picture either may be meant for one by its name.
 bool looksLikeSvg(std::string_view bytes, std::string_view name) {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return (first != std::string_view::npos && bytes[first] == '<') || name.ends_with(".svg") || name.ends_with(".SVG");
+  if (first != std::string_view::npos && bytes[first] == '<') return true;
+  const bool text = bytes.find('\0') == std::string_view::npos;
+  return text && !bytes.starts_with('\x1f') && (name.ends_with(".svg") || name.ends_with(".SVG"));
 }
 
 Result<Image> picture(InputFile file, const std::string& name) {
