@@ -5,11 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
+
+#include "base/sort_key.hpp"
 
 namespace sillon {
 namespace {
 
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 constexpr std::uint64_t kMaxMet = 4'000'000'000;  ///< pieces that rays meet; some ten seconds
 
 /// Whether a piece runs upwards, or level to the right.
@@ -53,14 +57,21 @@ class SideRays {
       : pieces_(pieces), groups_(groups), diagonals_(diagonals), bottom_(box.min.y) {
     double climb = 0;
     for (const PathEdge& piece : pieces) climb += std::abs(piece.b.y - piece.a.y);
+    // As many rows as make sorting what crosses all of a row as much work as the rays that meet what ends in it; not so
+    // many that each piece lies in more than some 16.
     const double height = std::max(box.size().y, 1e-9);
-    row_ = std::max(height / 65536, climb / (4.0 * static_cast<double>(pieces.size())));
-    buckets_.resize(static_cast<std::size_t>(height / row_) + 1);
+    const double count = static_cast<double>(pieces.size());
+    const double stacked = std::max(climb / height, 1e-3);  // pieces that a row meets, on average
+    const double rows = std::clamp(count * std::min(std::sqrt(0.2 / stacked), 16 / stacked), 1.0, 65536.0);
+    row_ = height / rows;
+    buckets_.resize(static_cast<std::size_t>(rows) + 1);
+    ends_.resize(buckets_.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const std::size_t first = bucketOf(std::min(pieces[k].a.y, pieces[k].b.y));
       const std::size_t last = bucketOf(std::max(pieces[k].a.y, pieces[k].b.y));
-      for (std::size_t b = bucketOf(std::min(pieces[k].a.y, pieces[k].b.y)); b <= last; ++b) {
-        buckets_[b].push_back(static_cast<int>(k));
-      }
+      for (std::size_t b = first; b <= last; ++b) buckets_[b].push_back(static_cast<int>(k));
+      ++ends_[first];
+      ++ends_[last];
     }
   }
 
@@ -71,11 +82,12 @@ class SideRays {
     return groups_.first[piece] == piece && (lean > 0 || (diagonals_ && lean == 0));
   }
 
-  /// How many pieces all rays meet at most.
+  /// How many pieces all rays meet one by one, at most, and what it takes to sort the others.
   [[nodiscard]] std::uint64_t cost() const {
     std::uint64_t met = 0;
+    for (const std::vector<int>& bucket : buckets_) met += 8 * bucket.size();
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      if (isAsked(k)) met += buckets_[bucketOf(middleOf(k).y)].size();
+      if (isAsked(k)) met += ends_[bucketOf(middleOf(k).y)];
     }
     return met;
   }
@@ -83,25 +95,36 @@ class SideRays {
   /// \param sides  of all pieces; those of the asked ones are set, seen upwards
   void answer(const std::vector<FilledPath>& paths, const InsideRule* rule, std::vector<Sides>& sides) const {
     WindingState winding(paths, rule);
-    std::vector<Span> spans;
+    Row row;
+    std::vector<std::size_t> rank(pieces_.size(), kNowhere);  // of the pieces across the row
+    std::vector<std::pair<int, int>> extra;                   // pieces, and how often a ray crosses them
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
-      spansOf(buckets_[bucket], spans);
-      for (const int index : buckets_[bucket]) {
-        const auto piece = static_cast<std::size_t>(index);
-        const Vec2 p = middleOf(piece);
-        if (!isAsked(piece) || bucketOf(p.y) != bucket) continue;
-        winding.reset();
-        for (const Span& span : spans) {
-          if (p.y < span.low || p.y >= span.high || p.x <= span.left) continue;
-          const auto k = static_cast<std::size_t>(span.piece);
-          if (groups_.first[k] != piece && (span.right < p.x || crossingX(pieces_[k], p.y) < p.x)) cross(k, winding);
+      fill(row, bucket);
+      for (std::size_t k = 0; k < row.across.size(); ++k) rank[static_cast<std::size_t>(row.across[k].piece)] = k;
+      winding.reset();
+      std::size_t crossed = 0;
+      for (const Ray& ray : row.rays) {
+        while (crossed < ray.before) cross(row.across[crossed++].piece, 1, winding);
+        // Those on the same ends are no obstacle: they are crossed by count.
+        extra.clear();
+        const auto own = [&](std::size_t k) {
+          if (rank[k] != kNowhere && rank[k] < ray.before) extra.emplace_back(static_cast<int>(k), -1);
+        };
+        own(ray.piece);
+        for (const std::size_t k : groups_.others[ray.piece]) own(k);
+        for (const Span& span : row.ending) {
+          if (ray.p.y < span.low || ray.p.y >= span.high || !isLeft(span, ray.p)) continue;
+          if (groups_.first[static_cast<std::size_t>(span.piece)] != ray.piece) extra.emplace_back(span.piece, 1);
         }
-        Sides& found = sides[piece];
+        for (const auto& [piece, times] : extra) cross(piece, times, winding);
+        Sides& found = sides[ray.piece];
         found.left = winding.inside();
-        cross(piece, winding);
-        for (const std::size_t k : groups_.others[piece]) cross(k, winding);
+        crossGroup(ray.piece, 1, winding);
         found.right = winding.inside();
+        crossGroup(ray.piece, -1, winding);
+        for (const auto& [piece, times] : extra) cross(piece, -times, winding);
       }
+      for (const Span& span : row.across) rank[static_cast<std::size_t>(span.piece)] = kNowhere;
     }
   }
 
@@ -112,20 +135,66 @@ class SideRays {
     double low, high;    ///< of y; a ray at `high` passes over it, as in crossesRow
     double left, right;  ///< of x
     int piece;
+    double at = 0;  ///< x in the row's middle
   };
 
-  void spansOf(const std::vector<int>& bucket, std::vector<Span>& spans) const {
-    spans.clear();
-    for (const int k : bucket) {
-      const PathEdge& piece = pieces_[static_cast<std::size_t>(k)];
-      const auto [low, high] = std::minmax(piece.a.y, piece.b.y);
-      const auto [left, right] = std::minmax(piece.a.x, piece.b.x);
-      spans.push_back({low, high, left, right, k});
+  struct Ray {
+    std::size_t piece;
+    Vec2 p;                  ///< its middle
+    std::size_t before = 0;  ///< pieces across the row that lie left of it
+  };
+
+  // Pieces meet at their ends alone: those across all rays of a row have one order, and a ray need not meet each.
+  struct Row {
+    std::vector<Ray> rays;     ///< by what is before them
+    std::vector<Span> across;  ///< from left to right
+    std::vector<Span> ending;  ///< within the row
+  };
+
+  void fill(Row& row, std::size_t bucket) const {
+    row.rays.clear();
+    row.across.clear();
+    row.ending.clear();
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const int index : buckets_[bucket]) {
+      const auto piece = static_cast<std::size_t>(index);
+      const Vec2 p = middleOf(piece);
+      if (!isAsked(piece) || bucketOf(p.y) != bucket) continue;
+      row.rays.push_back({piece, p});
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
     }
+    if (row.rays.empty()) return;
+    for (const int k : buckets_[bucket]) {
+      const PathEdge& piece = pieces_[static_cast<std::size_t>(k)];
+      const auto [bottom, top] = std::minmax(piece.a.y, piece.b.y);
+      const auto [left, right] = std::minmax(piece.a.x, piece.b.x);
+      const bool across = bottom <= low && top > high;
+      (across ? row.across : row.ending)
+          .push_back({bottom, top, left, right, k, across ? crossingX(piece, (low + high) / 2) : 0});
+    }
+    sortBy(row.across, [](const Span& span) { return span.at; });
+    for (Ray& ray : row.rays) {
+      const auto end = std::partition_point(row.across.begin(), row.across.end(),
+                                            [&](const Span& span) { return isLeft(span, ray.p); });
+      ray.before = static_cast<std::size_t>(end - row.across.begin());
+    }
+    sortBy(row.rays, [](const Ray& ray) { return ray.before; });
   }
 
-  void cross(std::size_t piece, WindingState& winding) const {
-    winding.cross(pieces_[piece].path, runsUp(pieces_[piece]) ? 1 : -1);
+  [[nodiscard]] bool isLeft(const Span& span, Vec2 p) const {
+    if (p.x <= span.left) return false;
+    return span.right < p.x || crossingX(pieces_[static_cast<std::size_t>(span.piece)], p.y) < p.x;
+  }
+
+  void cross(int piece, int times, WindingState& winding) const {
+    const PathEdge& edge = pieces_[static_cast<std::size_t>(piece)];
+    winding.cross(edge.path, runsUp(edge) ? times : -times);
+  }
+
+  void crossGroup(std::size_t first, int times, WindingState& winding) const {
+    cross(static_cast<int>(first), times, winding);
+    for (const std::size_t k : groups_.others[first]) cross(static_cast<int>(k), times, winding);
   }
 
   [[nodiscard]] Vec2 middleOf(std::size_t piece) const { return (pieces_[piece].a + pieces_[piece].b) * 0.5; }
@@ -141,6 +210,7 @@ class SideRays {
   double bottom_;
   double row_ = 1;
   std::vector<std::vector<int>> buckets_;
+  std::vector<std::uint32_t> ends_;  // of pieces, by bucket
 };
 
 Vec2 mirrored(Vec2 p) { return {p.y, p.x}; }
