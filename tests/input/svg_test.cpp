@@ -1174,6 +1174,15 @@ TEST_CASE("outlines that nearly or exactly cover each other have one border") {
   }
 }
 
+TEST_CASE("what lies off the page is told of paths that cross its edge as often as they like") {
+  std::string once = "M-10 10H10V20H-10z", comb = "M-5 0";
+  for (int i = 0; i < 200; ++i) comb += "v.1h10v.1h-10";
+  CHECK(read(page("<path d='" + once + "'/>")).drawing.offPage == doctest::Approx(100));
+  CHECK(read(page("<path d='" + once + once + "'/>")).drawing.offPage == doctest::Approx(100));
+  CHECK(read(page("<path d='" + comb + "z'/>")).drawing.offPage == doctest::Approx(100));  // half of 5 x 40 mm2
+  CHECK(read(page("<path d='M-10 -10H110V110H-10z'/>")).drawing.offPage == doctest::Approx(120 * 120 - 100 * 100));
+}
+
 TEST_CASE("hostile paint ends in a shape or an error, quickly") {
   const auto many = [](const std::string& piece, int count) {
     std::string text;

@@ -94,6 +94,27 @@ FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work
       work);
 }
 
+std::vector<FilledPath> beyondBox(const FilledPath& path, const Limit& limit, Work& work) {
+  const auto [low, high] = limit.box;
+  const Vec2 rim{1, 1};
+  const Bounds all = boxOf(path.rings);
+  const Vec2 least = all.min - rim, most = all.max + rim;
+  std::vector<FilledPath> pieces;
+  work.spendOnCuts(path, kWorkPerStraight);
+  // To its left and right, below and above it.
+  for (const Bounds& side : {Bounds{least, {low.x, most.y}}, Bounds{{high.x, least.y}, most},
+                             Bounds{{low.x, least.y}, {high.x, low.y}}, Bounds{{low.x, high.y}, {high.x, most.y}}}) {
+    if (side.max.x <= side.min.x || side.max.y <= side.min.y) continue;
+    std::optional<FilledPath> cut = cutTo(side, path);
+    if (!cut) {
+      return {combine(
+          {path, limit.area}, [](const std::vector<char>& filled) { return filled[0] != 0 && filled[1] == 0; }, work)};
+    }
+    if (!cut->rings.empty()) pieces.push_back(*std::move(cut));
+  }
+  return pieces;
+}
+
 std::shared_ptr<const Limit> limitOf(FilledPath area) {
   auto limit = std::make_shared<Limit>();
   limit->box = boxOf(area.rings);

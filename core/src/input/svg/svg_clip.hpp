@@ -33,6 +33,8 @@ Bounds boxOf(const std::vector<Ring>& rings);
 FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule, Work& work);
 /// What of a path lies within all limits. Throws Refused.
 FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work);
+/// What of a path lies outside of a limit that is a box, in pieces. Throws Refused.
+std::vector<FilledPath> beyondBox(const FilledPath& path, const Limit& limit, Work& work);
 /// Layers from below upwards as one area. Throws Refused.
 FilledPath flattened(const std::vector<Layer>& layers, Work& work);
 

@@ -436,10 +436,7 @@ class Drawing {
   FilledPath onPage(FilledPath path) {
     const Bounds box = boxOf(path.rings);
     if (covers(page_, box)) return path;
-    const std::vector<FilledPath> both{path, page_.area};
-    FilledPath off = combine(
-        both, [](const std::vector<char>& filled) { return filled[0] != 0 && filled[1] == 0; }, work_);
-    if (!off.rings.empty()) offPage_.paths.push_back(std::move(off));
+    for (FilledPath& off : beyondBox(path, page_, work_)) offPage_.paths.push_back(std::move(off));
     return within(std::move(path), {&page_}, work_);
   }
 
