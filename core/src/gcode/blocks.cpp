@@ -174,6 +174,16 @@ std::string ownStart(const Printer& printer) {
 
 std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
 
+// What an {if} has left out leaves lines without anything.
+std::string withoutBlankLines(std::string_view block) {
+  std::string out;
+  while (!block.empty()) {
+    const std::string_view line = nextLine(block);
+    if (!line.empty()) out.append(line).append("\n");
+  }
+  return out;
+}
+
 // Percentages that the block leaves on all flow (M221) or speed (M220), which are put back to 100 after it.
 void warnScaled(GcodeJob& job, std::string_view block) {
   for (const auto& [command, setting] :
@@ -248,8 +258,8 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
   }
   warnScaled(job, start.value());
   job.ownStart = printer.startGcode.empty();
-  job.startBlock = job.ownStart ? ownStart(printer) : std::move(start).value();
-  job.endBlock = std::move(end).value();
+  job.startBlock = job.ownStart ? ownStart(printer) : withoutBlankLines(start.value());
+  job.endBlock = withoutBlankLines(end.value());
   return std::nullopt;
 }
 

@@ -11,7 +11,8 @@
 namespace sillon {
 namespace {
 
-// {first_layer_temperature} and [bed_temperature] become a number that is right for a nozzle and for a bed.
+// {first_layer_temperature} and [bed_temperature] become a number that is right for a nozzle and for a bed; of {if} and
+// its kin both ways count.
 std::string filledIn(std::string_view line) {
   std::string out;
   while (!line.empty()) {
@@ -23,7 +24,10 @@ std::string filledIn(std::string_view line) {
       out += line.substr(open);
       break;
     }
-    out += "60";
+    const std::string_view inside = trimmed(line.substr(open + 1, close - open - 1));
+    const bool branches = inside.starts_with("if ") || inside.starts_with("if(") || inside.starts_with("elsif") ||
+                          inside == "else" || inside == "endif";
+    out += branches ? " " : "60";
     line.remove_prefix(close + 1);
   }
   return out;

@@ -34,6 +34,7 @@ constexpr double kBelowBed = 0.5;              // [mm], makers' blocks wipe so d
 constexpr double kBelowBesideBed = 2;          // [mm], beside the sheet
 constexpr double kMostShift = 0.5;             // [mm] of X and Y
 constexpr double kMostRaised = 2;              // [mm] of Z
+constexpr double kFirstLift = 10;              // [mm]
 constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
 
 // How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
@@ -335,7 +336,9 @@ void Rules::move(const MachineMove& move) {
   // Many blocks lift a little before they home, or between the axes: in the plane, and then in the middle of the bed.
   const bool lift = move.length == 0 && move.z > move.zFrom && (!machine_.absolute || machine_.homed(kPlane));
   const bool lowers = move.z != move.zFrom && !lift;
-  if (!machine_.homed((move.length > 0 ? kPlane : 0) | (lowers ? heightAxis() : 0))) found("unhomed", true);
+  // From where it was switched on: makers' blocks lift so before they home.
+  const bool first = block() && move.length == 0 && move.zFrom == 0 && move.z > 0 && move.z <= kFirstLift;
+  if (!machine_.homed((move.length > 0 ? kPlane : 0) | (lowers ? heightAxis() : 0))) found("unhomed", !first);
   if (move.length > 0) {
     if (machine_.speed <= 0) {
       found("no-speed", !block());  // firmware has a speed to begin with

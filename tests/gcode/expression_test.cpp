@@ -1,0 +1,211 @@
+// What slicers' expressions come to; where PrusaSlicer is installed, it evaluates the same ones.
+#include "gcode/expression.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gcode/template.hpp"
+#include "support/damaged.hpp"
+
+using namespace sillon;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<TemplateValue> kValues{{{"first_layer_temperature"}, {"215"}},
+                                         {{"first_layer_bed_temperature"}, {"60"}},
+                                         {{"layer_height"}, {"0.2"}, false},
+                                         {{"nozzle_diameter"}, {"0.4"}, false},
+                                         {{"max_print_height"}, {"200"}, false},
+                                         {{"travel_speed"}, {"130"}, false},
+                                         {{"filament_type"}, {"PETG"}},
+                                         {{"is_extruder_used"}, {"true", "false"}},
+                                         {{"initial_tool"}, {"0"}},
+                                         {{"printer_notes"}, {"PRINTER_VENDOR_X PRINTER_MODEL_MK4"}}};
+
+struct Case {
+  const char* expression;
+  const char* value;
+};
+const Case kCases[] = {
+    {"first_layer_temperature[0] - 60", "155"},
+    {"first_layer_temperature[initial_tool]", "215"},
+    {"first_layer_bed_temperature[0] / 7", "8"},
+    {"first_layer_bed_temperature[0] % 7", "4"},
+    {"-first_layer_bed_temperature[0] + 100", "40"},
+    {"2 + 3 * 4", "14"},
+    {"(2 + 3) * 4", "20"},
+    {"7 / 2", "3"},
+    {"7.0 / 2", "3.5"},
+    {"max_print_height / 8 * 2", "50"},
+    {"travel_speed * 60", "7800"},
+    {"min(max_print_height, 150.5)", "150.5"},
+    {"max(first_layer_temperature[0], 220)", "220"},
+    {"round(layer_height * 12)", "2"},
+    {"int(layer_height * 12)", "2"},
+    {"layer_height < 0.25 and nozzle_diameter[0] > 0.3", "true"},
+    {"layer_height < 0.1 or nozzle_diameter[0] == 0.4", "true"},
+    {"not (layer_height < 0.1)", "true"},
+    {"filament_type[0] == \"PETG\" ? 1 : 2", "1"},
+    {"filament_type[0] != \"PETG\" ? 1 : filament_type[0] == \"PLA\" ? 2 : 3", "3"},
+    {"\"\" + (filament_type[0] == \"FLEX\" ? 1 : 0)", "0"},
+    {"\"a\" + \"b\"", "ab"},
+    {"printer_notes =~ /.*PRINTER_MODEL_MK4.*/", "true"},
+    {"printer_notes =~ /.*PRINTER_MODEL_MK4/", "true"},
+    {"printer_notes =~ /PRINTER_MODEL_MK4.*/", "false"},
+    {"printer_notes !~ /.*MODEL_(MK3|MINI).*/", "true"},
+    {"printer_notes =~ /.*MODEL_(MK3|MK.).*/", "true"},
+};
+
+}  // namespace
+
+TEST_CASE("expressions of slicers have their values") {
+  for (const Case& c : kCases) {
+    CAPTURE(c.expression);
+    CHECK(evaluated(c.expression, kValues) == std::string(c.value));
+  }
+  CHECK(evaluated("is_extruder_used[1]", kValues) == "false");
+}
+
+TEST_CASE("what has no value, or is no expression, has none, unless it does not count") {
+  for (const char* bad : {"",
+                          "other",
+                          "first_layer_temperature[1]",
+                          "first_layer_temperature[-1]",
+                          "1 +",
+                          "(1",
+                          "1)",
+                          "1 2",
+                          "\"a",
+                          "a b",
+                          "1 / 0",
+                          "1 % 0",
+                          "filament_type[0] + ",
+                          "filament_type[0] - 1",
+                          "filament_type[0] < 1",
+                          "filament_type[0] == 1",
+                          "printer_notes =~ /a*/",
+                          "printer_notes =~ /[a]/",
+                          "printer_notes =~ /.*(a/",
+                          "printer_notes =~ /.*M+.*/",
+                          "printer_notes =~ a",
+                          "sqrt(4)",
+                          "min(1)",
+                          "1 ? 2",
+                          "1e999",
+                          "99999999 * 99999999",
+                          "other ? 1 : 2",
+                          "first_layer_temperature[0]]",
+                          "!",
+                          "not",
+                          "min(1, 2",
+                          "1..2"}) {
+    CAPTURE(bad);
+    CHECK(evaluated(bad, kValues) == std::nullopt);
+  }
+  CHECK(evaluated("true or other", kValues) == "true");
+  CHECK(evaluated("false and other", kValues) == "false");
+  CHECK(evaluated("true ? 1 : other", kValues) == "1");
+  CHECK(evaluated("false ? 1 / 0 : 2", kValues) == "2");
+  CHECK(evaluated(std::string(100000, '(') + "1", kValues) == std::nullopt);
+  CHECK(evaluated(std::string(100000, '-') + "1", kValues) == std::nullopt);
+  CHECK(evaluated(std::string(100000, '!') + "1", kValues) == std::nullopt);
+  CHECK(evaluated("printer_notes =~ /" + std::string(100000, 'a') + "/", kValues) == std::nullopt);
+  std::string slow;
+  for (int k = 0; k < 20; ++k) slow += ".*(P|.)";
+  CHECK(evaluated("printer_notes =~ /" + slow + "x/", kValues) == std::nullopt);  // would take for ever
+  scenes::Random random(5);
+  for (int round = 0; round < 5000; ++round) {
+    const std::string whole = kCases[static_cast<std::size_t>(round) % std::size(kCases)].expression;
+    const std::string text = scenes::damaged(whole + std::string(20, ' '), random, 3, 6);
+    CHECK(evaluated(text, kValues).value_or("").size() < 1000);
+  }
+}
+
+TEST_CASE("blocks keep what is chosen, line by line") {
+  const auto expand = [](std::string_view text) {
+    const Result<std::string> out = expandTemplate(text, kValues, "startGcode");
+    return out ? out.value() : "error: " + out.error().message;
+  };
+  CHECK(expand("{if layer_height < 0.25}M1{else}M2{endif} S{first_layer_temperature[0] - 5}") == "M1 S210\n");
+  CHECK(expand("{if layer_height > 0.25}M1{elsif nozzle_diameter[0] == 0.4}M2{elsif other}M3{else}M4{endif}") ==
+        "M2\n");
+  CHECK(expand("G28\n{if layer_height > 1}\nM1\n{if other}M2{endif}\n{else}\nM3\n{endif}\nM4") ==
+        "G28\n\n\n\n\nM3\n\nM4\n");  // lines keep their numbers
+  CHECK(expand("{if is_extruder_used[1]}M104 T1 S{first_layer_temperature[1]}{endif}\nG28") == "\nG28\n");
+  // What ends behind a comment, as in Prusa's blocks.
+  CHECK(expand("{if layer_height < 1}G1 Z{layer_height + 1} ; up {to|it}{endif}\nM84 ; {what} [it]") ==
+        "G1 Z1.2 ; up {to|it}\nM84 ; {what} [it]\n");
+  CHECK(expand("{if layer_height < 0.1\n or nozzle_diameter[0] > 1}M1{endif}G28") == "\nG28\n");
+  CHECK(expand("M1 [first_layer_temperature[initial_tool]]") == "M1 215\n");
+  CHECK(expand("G28\n{if other}M1{endif}") ==
+        "error: startGcode has \"{if other}\" in line 2, which asks what is not known here; put in its place what it "
+        "would "
+        "choose");
+  CHECK(expand("{if true}M1") == "error: startGcode has \"{if true}\" in line 1, which lacks its {endif}");
+  CHECK(expand("M1\n{endif}") == "error: startGcode has \"{endif}\" in line 2, which belongs to no {if}");
+  CHECK(expand("{if true}{if false}M1{else}M2{endif}{else}M3{endif}") == "M2\n");
+  scenes::Random random(6);
+  const std::string whole =
+      "{if layer_height < 0.25}M1{elsif false}[layer_height]{else}M2{endif} ; {x}\nG1 X{1+2} <TEMP>\n{if "
+      "true}\nM3\n{endif}";
+  for (int round = 0; round < 5000; ++round) {
+    const auto out = expandTemplate(scenes::damaged(whole, random, 4, 8), kValues, "startGcode");
+    CHECK((out.ok() || !out.error().message.empty()));
+  }
+}
+
+TEST_CASE("PrusaSlicer evaluates the same expressions to the same values") {
+  if (std::system("command -v prusa-slicer >/dev/null 2>&1") != 0) {
+    std::printf("skipped: expressions as PrusaSlicer has them; prusa-slicer is not installed\n");
+    return;
+  }
+  const fs::path folder = fs::temp_directory_path() / "sillon_expressions";
+  fs::create_directories(folder);
+  std::ofstream(folder / "body.stl") << "solid a\n"
+                                        "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 9 0\nvertex 9 0 0\n"
+                                        "endloop\nendfacet\n"
+                                        "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 0 9\n"
+                                        "endloop\nendfacet\n"
+                                        "facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 9\nvertex 0 9 0\n"
+                                        "endloop\nendfacet\n"
+                                        "facet normal 1 1 1\nouter loop\nvertex 9 0 0\nvertex 0 9 0\nvertex 0 0 9\n"
+                                        "endloop\nendfacet\nendsolid a\n";
+  std::string block = "G28";
+  for (std::size_t k = 0; k < std::size(kCases); ++k) {
+    std::string expression;  // as in a line of an .ini file
+    for (const char c : std::string_view(kCases[k].expression)) expression += c == '\\' ? "\\\\" : std::string(1, c);
+    const bool truth = std::string_view(kCases[k].value) == "true" || std::string_view(kCases[k].value) == "false";
+    block += "\\nM117 case" + std::to_string(k);
+    block += truth ? " {if " + expression + "}true{else}false{endif}" : " {(" + expression + ")}";
+  }
+  std::ofstream(folder / "settings.ini")
+      << "start_gcode = " << block << "\nfirst_layer_temperature = 215\nfirst_layer_bed_temperature = 60\n"
+      << "layer_height = 0.2\nnozzle_diameter = 0.4\nmax_print_height = 200\ntravel_speed = 130\nfilament_type = PETG\n"
+      << "printer_notes = PRINTER_VENDOR_X PRINTER_MODEL_MK4\nskirts = 0\n";
+  const fs::path out = folder / "out.gcode";
+  const std::string command = "prusa-slicer --export-gcode --load '" + (folder / "settings.ini").string() + "' -o '" +
+                              out.string() + "' '" + (folder / "body.stl").string() + "' >'" +
+                              (folder / "log").string() + "' 2>&1";
+  REQUIRE(std::system(command.c_str()) == 0);
+  std::ifstream in(out);
+  std::size_t found = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("M117 case")) continue;
+    const std::size_t space = line.find(' ', 9);
+    const auto k = static_cast<std::size_t>(std::atoi(line.c_str() + 9));
+    REQUIRE(k < std::size(kCases));
+    CAPTURE(kCases[k].expression);
+    CHECK(line.substr(space + 1) == kCases[k].value);
+    ++found;
+  }
+  CHECK(found == std::size(kCases));
+  fs::remove_all(folder);
+}
