@@ -402,6 +402,43 @@ TEST_CASE("a firmware's retraction before the first bead is left out, an indente
         "G28\nif true\n  M190 S{first_layer_bed_temperature}\n  M109 S{first_layer_temperature}\nG92 E0\n");
 }
 
+TEST_CASE("what blocks ask of the slicer's settings is put into them, what they ask of the job stays") {
+  const auto start = [](const std::string& block, const std::string& settings) {
+    return imported("nozzle_diameter = 0.4\nstart_gcode = G28\\nM190 S60\\nM109 S215\\n" + block + "\n" + settings)
+        .printer.startGcode.substr(23);
+  };
+  const std::string limits = "machine_max_acceleration_extruding = 1250,960\nmachine_max_feedrate_z = 12,12\n";
+  CHECK(start("M204 P[machine_max_acceleration_extruding]", limits) == "M204 P1250");
+  CHECK(start("M204 P[machine_max_acceleration_extruding[1]]", limits) == "M204 P960");
+  CHECK(start("G1 Z3 F{machine_max_feedrate_z[0]*60}", limits) == "G1 Z3 F{12.0*60}");
+  CHECK(start("G1 Z3 F{machine_max_feedrate_z[initial_tool]*60}", limits) == "G1 Z3 F{12.0*60}");
+  CHECK(start("M104 S{first_layer_temperature[0]-60}", "first_layer_temperature = 230\n") ==
+        "M104 S{first_layer_temperature[0]-60}");
+  const std::string notes = "printer_notes = \"PRINTER_MODEL_MK4\\nA\"\n";
+  CHECK(start("{if printer_notes=~/.*MK4.*/}M1{endif}", notes) == "{if \"PRINTER_MODEL_MK4 A\"=~/.*MK4.*/}M1{endif}");
+  CHECK(start("{if printer_notes=~/.*printer_notes.*/}M1{endif}", "printer_notes = MK4\n") ==
+        "{if \"MK4\"=~/.*printer_notes.*/}M1{endif}");
+  CHECK(start("M862.3 P \"[printer_model]\"", "printer_model = MK3S\n") == "M862.3 P \"MK3S\"");
+  CHECK(start("[start_filament_gcode]",
+              "start_filament_gcode = \"M900 K{nozzle_x} ; [filament_y]\"\nnozzle_x = 0.05\n"
+              "filament_y = Z\n") == "M900 K0.05 ; Z");
+  CHECK(
+      start("[start_filament_gcode]", "start_filament_gcode = [start_filament_gcode][start_filament_gcode]\n").size() <
+      1000);  // it calls itself
+  std::string many;
+  for (int k = 0; k < 3000; ++k) many += "[a_gcode]";
+  CHECK(imported("nozzle_diameter = 0.4\nstart_gcode = " + many + "\na_gcode = " + many + "\n").read.size() > 0);
+  CHECK(start("M1 {other} [other] {other[", limits) == "M1 {other} [other] {other[");
+  // The whole way: a block of a maker, printed.
+  const ImportedPrinter read = imported(
+      "nozzle_diameter = 0.4\nbed_shape = 0x0,220x0,220x220,0x220\nmax_print_height = 250\n"
+      "start_gcode = G28\\nM190 S[first_layer_bed_temperature]\\nM109 S{first_layer_temperature[0]+0}\n"
+      "end_gcode = {if layer_z < max_print_height}G1 Z{z_offset+min(layer_z+30, max_print_height)}{endif} ; up\\nM104 "
+      "S0\\n"
+      "M140 S0\n");
+  CHECK(read.notRead.empty());
+}
+
 TEST_CASE("a place to present the print that lies off the bed is left out of the end block") {
   const ImportedPrinter read = imported(
       "; bed_shape = 0x0,220x0,220x220,0x220\nG28\n;LAYER_CHANGE\nG1 X5 Y5 E1\n;TYPE:Custom\nG90\nG1 X0 Y235 F3000\n"

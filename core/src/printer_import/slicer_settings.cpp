@@ -11,6 +11,7 @@
 #include "base/lines.hpp"
 #include "gcode/template.hpp"
 #include "gcode_reader/parser.hpp"
+#include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_text.hpp"
@@ -247,7 +248,11 @@ void SettingsReader::block(Keys keys, std::string& out) {
   const std::string* text = find(keys);
   if (text == nullptr) return;
   if (text->size() > kMaxBlockBytes) return failed("BlockTooLong", *text);
-  out = *text;
+  out = withSettings(*text, settings_, templateValues(p_, {}, {}));
+  if (out.size() > kMaxBlockBytes) {
+    out.clear();
+    return failed("BlockTooLong", *text);
+  }
   took();
 }
 

@@ -1,0 +1,149 @@
+#include "printer_import/fold_settings.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "gcode_reader/parser.hpp"
+#include "printer_import/slicer_text.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kMostNested = 4;  // blocks within blocks
+constexpr std::size_t kMostBytes = std::size_t{1} << 18;
+constexpr int kMostBlocks = 200;
+constexpr std::size_t npos = std::string_view::npos;
+
+bool isName(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }
+
+// The k-th of "1250,960" or "PLA;PETG", or the first where there are fewer.
+std::string itemOf(std::string_view list, std::size_t index) {
+  const char separator = list.find_first_of(";\"") != npos ? ';' : ',';
+  const auto at = [&](std::size_t wanted) -> std::optional<std::string_view> {
+    std::string_view rest = list;
+    for (; wanted > 0; --wanted) {
+      const std::size_t cut = rest.find(separator);
+      if (cut == npos) return std::nullopt;
+      rest.remove_prefix(cut + 1);
+    }
+    return trimmed(rest.substr(0, rest.find(separator)));
+  };
+  return unescaped(at(index).value_or(*at(0)));
+}
+
+// As it stands in an expression; empty: it cannot.
+std::string literalOf(std::string_view name, const std::string& value) {
+  double number = 0;
+  if (!value.empty() && readNumber(value, number) == value.size()) {
+    const bool whole =
+        value.find('.') != std::string::npos || name.find("temperature") != npos || value == "0" || value == "1";
+    return whole ? value : value + ".0";
+  }
+  if (value.find_first_of("\"\\") != std::string::npos || value.ends_with('%')) return {};
+  std::string text = value;
+  std::replace(text.begin(), text.end(), '\n', ' ');  // notes, in which words are looked for
+  return "\"" + text + "\"";
+}
+
+class Folding {
+ public:
+  Folding(const SlicerSettings& settings, const std::vector<TemplateValue>& job) : settings_(settings), job_(job) {}
+
+  std::string folded(std::string_view block, int depth) {
+    std::string out;
+    while (!block.empty() && out.size() < kMostBytes) {
+      const std::size_t open = block.find_first_of("{[");
+      out += block.substr(0, open);
+      if (open == npos) break;
+      block.remove_prefix(open);
+      const bool braces = block[0] == '{';
+      std::size_t close = block.find_first_of(braces ? "}" : "]\n");
+      if (!braces && close != npos && block.substr(1, close - 1).find('[') != npos) {
+        close = block.find_first_of("]\n", close + 1);
+      }
+      if (close == npos || block[close] == '\n') {
+        out += block[0];
+        block.remove_prefix(1);
+        continue;
+      }
+      const std::string_view inside = block.substr(1, close - 1);
+      const std::string_view whole = block.substr(0, close + 1);
+      block.remove_prefix(close + 1);
+      std::string_view rest = trimmed(inside);
+      const std::optional<std::string> alone = valueAt(rest);
+      if (alone && rest.empty()) {
+        out += depth < kMostNested && ++blocks_ < kMostBlocks ? folded(*alone, depth + 1) : *alone;
+      } else if (braces) {
+        out += "{" + expression(inside) + "}";
+      } else {
+        out += whole;
+      }
+    }
+    return out;
+  }
+
+ private:
+  // The value of the setting that the text begins with, its index included, which is taken off.
+  [[nodiscard]] std::optional<std::string> valueAt(std::string_view& text) const {
+    std::size_t size = 0;
+    while (size < text.size() && isName(text[size])) ++size;
+    const std::string_view name = text.substr(0, size);
+    if (name.empty() || templateValue(name, 0, job_)) return std::nullopt;
+    const auto found = settings_.find(name);
+    if (found == settings_.end() || found->second == "nil") return std::nullopt;
+    std::string_view rest = text.substr(size);
+    std::size_t index = 0;
+    if (rest.starts_with('[')) {
+      const std::size_t close = rest.find(']');
+      const std::string_view inside = trimmed(rest.substr(1, close == npos ? npos : close - 1));
+      const auto first = templateValue(inside, 0, job_);  // initial_tool
+      double number = 0;
+      if (close == npos || (readNumber(inside, number) != inside.size() && !(first && first->text == "0"))) {
+        return std::nullopt;
+      }
+      index = static_cast<std::size_t>(std::clamp(number, 0.0, 100.0));
+      rest.remove_prefix(close + 1);
+    }
+    text = rest;
+    const bool block = name.ends_with("gcode");
+    return block ? unescaped(found->second) : itemOf(found->second, index);
+  }
+
+  [[nodiscard]] std::string expression(std::string_view inside) const {
+    std::string out;
+    while (!inside.empty()) {
+      const char c = inside[0];
+      std::size_t size = 1;
+      if (c == '"' || (c == '/' && out.find_last_not_of(' ') != npos && out[out.find_last_not_of(' ')] == '~')) {
+        size = std::min(inside.find(c, 1), inside.size() - 1) + 1;  // a text, a pattern
+      } else if (isName(c)) {
+        while (size < inside.size() && isName(inside[size])) ++size;
+        const std::string_view name = inside.substr(0, size);
+        std::string_view rest = inside;
+        const std::optional<std::string> value = valueAt(rest);
+        const std::string literal = value ? literalOf(name, *value) : std::string();
+        if (!literal.empty()) {
+          out += literal;
+          inside = rest;
+          continue;
+        }
+      }
+      out += inside.substr(0, size);
+      inside.remove_prefix(size);
+    }
+    return out;
+  }
+
+  const SlicerSettings& settings_;
+  const std::vector<TemplateValue>& job_;
+  int blocks_ = 0;  // that were put in
+};
+
+}  // namespace
+
+std::string withSettings(std::string_view block, const SlicerSettings& settings,
+                         const std::vector<TemplateValue>& job) {
+  return Folding(settings, job).folded(block, 0);
+}
+
+}  // namespace sillon
