@@ -543,6 +543,17 @@ TEST_CASE("each tool holds back its own filament, and unloads it beside the prin
   CHECK(fault("; CP TOOLCHANGE START\n" + load + "; CP TOOLCHANGE END\n" + bead).empty());
   CHECK(fault("M620 S1A\n" + load + "M621 S1A\n" + bead).empty());
   CHECK(fault("M620.1 E F100\n" + unload) == "far-retracted");
+  const auto first = [&](const std::string& body) {
+    return finding(checkGcode(kStart + body + kSquare + kEnd), "retraction").code;
+  };
+  CHECK(first(";TYPE:Custom\n" + unload) == "far-retracted");
+  CHECK(first(";TYPE:Wipe tower\n; CP PRIMING START\n" + unload + "T1\n; CP PRIMING END\n").empty());
+}
+
+TEST_CASE("of several filaments no total is judged") {
+  const std::string told = "; filament used [mm] = ";
+  CHECK(finding(checkGcode(kStart + kSquare + kEnd + told + "5.00\n"), "totals").code == "filament-total");
+  CHECK(finding(checkGcode(kStart + kSquare + kEnd + told + "5.00, 4.00\n"), "totals").code.empty());
 }
 
 TEST_CASE("a change of filament may go over the bed's edge, what is printed after it may not") {

@@ -132,7 +132,7 @@ void Rules::comment(std::string_view text) {
     endPath();
     const std::string_view role = trimmed(text.substr(text.find(':') + 1));
     custom_ = role == "Custom";
-    purges_ = isPurge(role);
+    tower_ = isPurge(role) && !custom_;
     oriented_ = role == "Top solid infill" || role == "Top surface";
     base_ = role == "Solid infill" || role == "Internal solid infill";
   }
@@ -142,7 +142,9 @@ void Rules::comment(std::string_view text) {
   if (const std::size_t at = text.find(", flow = "); ours_ && layers_ == 0 && at != std::string_view::npos) {
     flow_ = std::clamp(numberAfter(text.substr(at + 2), "flow =").value_or(1), 0.01, 2.0);
   }
-  if (const auto value = numberAfter(text, "filament used [mm] =")) fileTotal_ = *value;
+  // Of several filaments it tells several, and what changes cost is told in as many ways as there are slicers.
+  const bool single = text.find(',') == std::string_view::npos;
+  if (const auto value = numberAfter(text, "filament used [mm] ="); value && single) fileTotal_ = *value;
   if (const auto value = numberAfter(text, "total layers count =")) {
     fileLayers_ = static_cast<int>(std::clamp(*value, 0.0, 1e6));
   }
@@ -504,7 +506,7 @@ void Rules::filament(double e, double retractedBefore) {
     endPath();
     ++check_.retractions;
     retractsBetween_ = retractsBetween_ || !block();
-    const bool unloads = layers_ > 0 && (block() || purges_);  // a printer with several filaments
+    const bool unloads = tower_ || changesTool_ || (custom_ && layers_ > 0);  // a printer with several filaments
     if (machine_.retracted > 25 && !unloads) found("far-retracted", true);
     return;
   }

@@ -84,7 +84,7 @@ class Rules {
   int layers_ = 0;
   LayerMark layerMark_ = LayerMark::None;
   bool custom_ = false;
-  bool purges_ = false;       // a tower
+  bool tower_ = false;        // of what is purged between filaments
   bool changesTool_ = false;  // in a file of another program
   bool oriented_ = false;
   bool base_ = false;

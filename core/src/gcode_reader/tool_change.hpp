@@ -11,8 +11,9 @@ namespace sillon {
 /// M621 S of Bambu's printers.
 inline std::optional<bool> toolChangeMark(const GcodeParts& parts) {
   if (parts.code.empty()) {
-    if (parts.comment == "CP TOOLCHANGE START") return true;
-    return parts.comment == "CP TOOLCHANGE END" ? std::optional(false) : std::nullopt;
+    if (parts.comment == "CP TOOLCHANGE START" || parts.comment == "CP PRIMING START") return true;
+    const bool ends = parts.comment == "CP TOOLCHANGE END" || parts.comment == "CP PRIMING END";
+    return ends ? std::optional(false) : std::nullopt;
   }
   if (!parts.code.starts_with("M62")) return std::nullopt;
   const GcodeCommand command = commandOf(parts.code);
