@@ -57,6 +57,10 @@ const Case kCases[] = {
     {"filament_type[0] != \"PETG\" ? 1 : filament_type[0] == \"PLA\" ? 2 : 3", "3"},
     {"\"\" + (filament_type[0] == \"FLEX\" ? 1 : 0)", "0"},
     {"\"a\" + \"b\"", "ab"},
+    {"\"x\" + digits(7, 3)", "x  7"},
+    {"\"x\" + digits(layer_height * 17, 6, 2)", "x  3.40"},
+    {"zdigits(7, 3)", "007"},
+    {"zdigits(layer_height - 1, 6, 1)", "-000.8"},
     {"printer_notes =~ /.*PRINTER_MODEL_MK4.*/", "true"},
     {"printer_notes =~ /.*PRINTER_MODEL_MK4/", "true"},
     {"printer_notes =~ /PRINTER_MODEL_MK4.*/", "false"},
@@ -72,6 +76,7 @@ TEST_CASE("expressions of slicers have their values") {
     CHECK(evaluated(c.expression, kValues) == std::string(c.value));
   }
   CHECK(evaluated("is_extruder_used[1]", kValues) == "false");
+  CHECK(evaluated("random(2, 8)", kValues) == "2");  // in its range, and the same each time
 }
 
 TEST_CASE("what has no value, or is no expression, has none, unless it does not count") {
@@ -97,6 +102,9 @@ TEST_CASE("what has no value, or is no expression, has none, unless it does not 
                           "printer_notes =~ /.*M+.*/",
                           "printer_notes =~ a",
                           "sqrt(4)",
+                          "digits(1, 30)",
+                          "digits(1, 2, 9)",
+                          "digits(1)",
                           "min(1)",
                           "1 ? 2",
                           "1e999",

@@ -272,8 +272,24 @@ class Evaluation {
               whole,
               {}};
     }
+    if (name == "random" && arguments.size() == 2) return first;  // any between the two will do; always the same
+    if ((name == "digits" || name == "zdigits") && (arguments.size() == 2 || arguments.size() == 3)) {
+      return padded(arguments, name == "zdigits" ? '0' : ' ');
+    }
     if (arguments.size() != 1 || (name != "int" && name != "round")) return fail();
     return {Term::Number, name == "int" ? std::trunc(first.number) : std::round(first.number), true, {}};
+  }
+
+  // digits(value, signs at least, digits behind the point)
+  Term padded(const std::vector<Term>& arguments, char filler) {
+    const double width = arguments[1].number;
+    const double decimals = arguments.size() == 3 ? arguments[2].number : 0;
+    if (!(width >= 0 && width <= 20 && decimals >= 0 && decimals <= 6)) return fail();
+    std::string text = fixed(arguments[0].number, static_cast<int>(decimals));
+    const std::size_t at = filler == '0' && text.starts_with('-') ? 1 : 0;
+    const auto least = static_cast<std::size_t>(width);
+    if (text.size() < least) text.insert(at, least - text.size(), filler);
+    return {Term::Text, 0, false, text};
   }
 
   std::string_view rest_;
