@@ -62,6 +62,8 @@ const std::string kHostile[] = {
     "M191 S150",
     "G10 P0 S480",
     "G10 P1 R480",
+    "G10 S480",
+    "G10 R170 S480",
     "M568 P0 S480",
     "M568 P0 R480 A2",
     "M145 S0 H480",

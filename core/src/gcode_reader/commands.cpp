@@ -8,6 +8,7 @@
 
 #include "base/decimal_text.hpp"
 #include "gcode_reader/findings.hpp"
+#include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 
 namespace sillon {
@@ -342,7 +343,7 @@ class Judge {
         const double minutes = std::max(words.at('S') / 60, words.at('P') / 60000);
         if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
       }
-      if (head.code == 10 && words.has('P')) hottest(hottestNozzle_);
+      if (setsTool(head, words)) hottest(hottestNozzle_);
       if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", 2);
       if (head.code == 29 && head.sub == 1) all("Z", 1);
       return;
