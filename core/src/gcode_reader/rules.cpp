@@ -213,8 +213,6 @@ void Rules::noteHeat() {
   const Heater& nozzle = heaters_.nozzle(machine_.tool);
   check_.nozzleTarget = nozzle.target;
   check_.nozzleReady = nozzle.ready;
-  check_.otherHotTools = heaters_.otherHotTools(machine_.tool);
-  check_.chamberTarget = heaters_.chamber().target;
   check_.bedTarget = heaters_.bed().target;
   check_.heatsNozzle = check_.heatsNozzle || nozzle.ready >= kColdest;
   check_.heatsBed = check_.heatsBed || heaters_.bed().ready > 0;
@@ -549,6 +547,8 @@ void Rules::judgeTotals() {
   if (moved_ && layers_ == 0) whole("no-layers", false);
   if (check_.moves > 0 && !moved_) whole("no-bead", false);
   check_.retracted = machine_.retracted;
+  check_.otherHotTools = heaters_.otherHotTools(machine_.tool);
+  check_.chamberTarget = heaters_.chamber().target;
   check_.firmwareRetracted = machine_.firmwareRetracted;
   const bool left = !endMacro_ && !settings_.ultimaker;
   const bool hotNozzle = check_.nozzleTarget > 0 || !check_.otherHotTools.empty();
