@@ -125,6 +125,11 @@ TEST_CASE("a start block that leaves the origin elsewhere is refused: beads woul
   CHECK(refusal("G92 X-110 Y-110\n") == "");                      // tells where the switches are
   CHECK(refusal("G1 X50 Y9 F3000\nG92 X0 Y0\nG28 X Y\n") == "");  // and homes anew
   CHECK(refusal("G1 Z5 F600\nG92 Z0\nG1 Z-2\nG92 Z3\n") == "");   // and puts it back
+  // Behind the print nothing is laid any more.
+  job.printer.startGcode.clear();
+  job.printer.endGcode = "M104 S0\nM140 S0\nG92 Z0\nG1 Z5 F600\n";
+  CHECK(job.write().result);
+  job.printer.endGcode.clear();
   job.printer.roundBed = true;  // deltas home at their top, whose height they are told
   job.printer.bedMin = {-100, -100};
   job.printer.bedMax = {100, 100};

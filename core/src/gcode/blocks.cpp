@@ -37,7 +37,7 @@ bool isWorthALook(const GcodeFinding& finding) {
 // Harms the machine, or reaches beyond the print: refused whatever dialect the block's writer claims.
 bool isDangerous(const GcodeFinding& finding) {
   return finding.error && (finding.rule == "commands" || finding.code == "too-hot" || finding.code == "below-bed" ||
-                           finding.code == "volumetric" || finding.code == "origin-shift");
+                           finding.code == "volumetric");
 }
 
 GcodeWarning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& finding) {
@@ -80,7 +80,8 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   for (const GcodeFinding& finding : check.findings) {
     if (finding.line == 0) continue;  // of whole files
     const GcodeWarning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
-    if (isDangerous(finding) || (finding.error && !trusted)) return invalid(warningSentence(warning));
+    const bool elsewhere = finding.code == "origin-shift";  // whoever wrote the block: the plate would lie there
+    if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return invalid(warningSentence(warning));
     if (isWorthALook(finding)) job.warnings.push_back(warning);
   }
   return std::nullopt;
