@@ -14,6 +14,9 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
+/// A line of G-code without its comment, trimmed.
+inline std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
+
 /// Takes the first line off the text. \return it without its line feed; a CR before that stays.
 inline std::string_view nextLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());

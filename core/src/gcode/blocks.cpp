@@ -173,8 +173,6 @@ std::string ownStart(const Printer& printer) {
          fixed(printer.bedTemperature, 0) + "\nM104 S150\nG28\n";
 }
 
-std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
-
 // What an {if} has left out leaves lines without anything.
 std::string withoutBlankLines(std::string_view block) {
   std::string out;

@@ -113,8 +113,6 @@ bool replaceArea(std::string& line) {
   return true;
 }
 
-std::string_view codeOf(std::string_view line) { return trimmed(line.substr(0, line.find(';'))); }
-
 // RepRapFirmware tells by it what belongs to an "if".
 std::string_view indentationOf(std::string_view line) {
   return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
