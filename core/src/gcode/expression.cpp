@@ -24,7 +24,7 @@ struct Term {
   enum Kind { Number, Truth, Text } kind = Number;
   double number = 0;  ///< a truth is 0 or 1
   bool whole = true;
-  std::string text;
+  std::string text;  ///< of a number: as it is written, where nothing was reckoned with it
 };
 
 Term truth(bool value) { return {Term::Truth, value ? 1.0 : 0.0, true, {}}; }
@@ -34,7 +34,7 @@ Term termOf(const FoundValue& value) {
   if (text == "true" || text == "false") return truth(text == "true");
   double number = 0;
   if (!text.empty() && readNumber(text, number) == text.size()) {
-    return {Term::Number, number, value.whole && text.find('.') == std::string::npos, {}};
+    return {Term::Number, number, value.whole && text.find('.') == std::string::npos, text};
   }
   return {Term::Text, 0, false, text};
 }
@@ -52,7 +52,7 @@ constexpr Operator kOperators[] = {{"||", kOr},    {"or", kOr},    {"&&", kAnd},
                                    {"*", kTimes},  {"/", kTimes},  {"%", kTimes}};
 
 std::string shown(const Term& term) {
-  if (term.kind == Term::Text) return term.text;
+  if (term.kind == Term::Text || !term.text.empty()) return term.text;
   if (term.kind == Term::Truth) return term.number != 0 ? "true" : "false";
   return decimal(term.number, kDigits);
 }
@@ -204,7 +204,7 @@ class Evaluation {
     Term term;
     if (takes("-")) {
       term = unary();
-      term.number = -term.number;
+      term = {Term::Number, -term.number, term.whole, {}};
     } else if (takes("+")) {
       term = unary();
     } else if (takes("not") || takes("!")) {

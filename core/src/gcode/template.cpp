@@ -76,7 +76,7 @@ class Expansion {
     }
     end = std::min(end, text_.size());
     const bool closed = end < text_.size() && text_[end] == close;
-    const auto value = closed ? valueOf(trimmed(text_.substr(at_ + 1, end - at_ - 1))) : std::nullopt;
+    const auto value = closed ? evaluated(text_.substr(at_ + 1, end - at_ - 1), values_) : std::nullopt;
     if (!value) return leave(end + (closed ? 1 : 0));
     put(*value);
     at_ = end + 1;
@@ -97,7 +97,7 @@ class Expansion {
     if (head == "if" || head == "elsif" || head == "else" || head == "endif") {
       branch(head, inside.substr(word));
     } else {
-      const std::optional<std::string> value = shown() ? valueOf(inside) : std::string();
+      const std::optional<std::string> value = shown() ? evaluated(inside, values_) : std::string();
       if (!value) return leave(end + 1);
       put(*value);
     }
@@ -134,17 +134,6 @@ class Expansion {
       return refuse(at_, "asks what is not known here; put in its place what it would choose");
     }
     branches_.back().shown = branches_.back().done = yes;
-  }
-
-  // A name alone has its value as it is.
-  [[nodiscard]] std::optional<std::string> valueOf(std::string_view inside) const {
-    const std::size_t open = inside.find('[');
-    const bool index = open != npos && open + 3 == inside.size() && inside[open + 2] == ']' &&
-                       inside[open + 1] >= '0' && inside[open + 1] <= '9';
-    const std::size_t place = index ? static_cast<std::size_t>(inside[open + 1] - '0') : 0;
-    const auto value = templateValue(trimmed(inside.substr(0, open)), place, values_);
-    if (value && (open == npos || index)) return value->text;
-    return evaluated(inside, values_);
   }
 
   void refuse(std::size_t begin, const char* why) {
