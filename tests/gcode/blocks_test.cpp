@@ -115,8 +115,8 @@ TEST_CASE("a start block that leaves the origin elsewhere is refused: beads woul
     return written.result ? "" : written.result.error().message;
   };
   const auto leaves = [](int line, const char* mm) {
-    return "line " + std::to_string(line) + " of startGcode: G92 leaves an axis " + mm +
-           " mm off its place; what follows would be laid there";
+    return "line " + std::to_string(line) + " of startGcode: G92 leaves the origin of an axis " + mm +
+           " mm off; the print would be laid there";
   };
   CHECK(refusal("G92 Z5\n") == leaves(4, "-5"));
   CHECK(refusal("G1 Z5 F600\nG92 Z0\n") == leaves(5, "5"));

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 
 #include "gcode/template.hpp"
 #include "support/damaged.hpp"
+#include "support/installed.hpp"
 
 using namespace sillon;
 namespace fs = std::filesystem;
@@ -154,11 +154,10 @@ TEST_CASE("blocks keep what is chosen, line by line") {
   CHECK(expand("{if layer_height < 0.1\n or nozzle_diameter[0] > 1}M1{endif}G28") == "\nG28\n");
   CHECK(expand("M1 [first_layer_temperature[initial_tool]]") == "M1 215\n");
   CHECK(expand("G28\n{if other}M1{endif}") ==
-        "error: startGcode has \"{if other}\" in line 2, which asks what is not known here; put in its place what it "
-        "would "
-        "choose");
-  CHECK(expand("{if true}M1") == "error: startGcode has \"{if true}\" in line 1, which lacks its {endif}");
-  CHECK(expand("M1\n{endif}") == "error: startGcode has \"{endif}\" in line 2, which belongs to no {if}");
+        "error: startGcode has \"{if other}\" in line 2, which cannot be evaluated here; keep only the branch "
+        "that applies");
+  CHECK(expand("{if true}M1") == "error: startGcode has \"{if true}\" in line 1, which has no {endif}");
+  CHECK(expand("M1\n{endif}") == "error: startGcode has \"{endif}\" in line 2, which has no {if} before it");
   CHECK(expand("{if true}{if false}M1{else}M2{endif}{else}M3{endif}") == "M2\n");
   scenes::Random random(6);
   const std::string whole =
@@ -171,10 +170,7 @@ TEST_CASE("blocks keep what is chosen, line by line") {
 }
 
 TEST_CASE("PrusaSlicer evaluates the same expressions to the same values") {
-  if (std::system("command -v prusa-slicer >/dev/null 2>&1") != 0) {
-    std::printf("skipped: expressions as PrusaSlicer has them; prusa-slicer is not installed\n");
-    return;
-  }
+  if (!test::installed("prusa-slicer", "expressions as PrusaSlicer has them")) return;
   const fs::path folder = fs::temp_directory_path() / "sillon_expressions";
   fs::create_directories(folder);
   std::ofstream(folder / "body.stl") << "solid a\n"

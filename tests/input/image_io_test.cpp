@@ -348,7 +348,7 @@ TEST_CASE("files of other programs are called by their names") {
   CHECK(kind(std::string_view("RIFF\x10\0\0\0WEBPVP8 ", 16)) == "a is a WebP picture");
   CHECK(kind(std::string_view("\0\0\0\x18"
                               "ftypheic",
-                              12)) == "a is a HEIC or AVIF picture, or a film");
+                              12)) == "a is a HEIC or AVIF picture, or a video");
   CHECK(kind("%PDF-1.4") == "a is a PDF");
   CHECK(kind("0\nSECTION\n2\nHEADER\n") == "a is a DXF drawing");
   CHECK(kind("  0\r\nSECTION\r\n") == "a is a DXF drawing");

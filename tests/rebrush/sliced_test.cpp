@@ -18,10 +18,12 @@
 #include "rebrush/replace.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/rebrush/rebrush.hpp"
+#include "support/installed.hpp"
 #include "support/rebrushed.hpp"
 
 using namespace sillon;
 using namespace rebrushed;
+using sillon::test::installed;
 namespace fs = std::filesystem;
 
 namespace {
@@ -115,12 +117,6 @@ struct Folder {
   Folder& operator=(const Folder&) = delete;
   fs::path path;
 };
-
-bool installed(const char* program, const char* what) {
-  if (std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0) return true;
-  std::printf("skipped: %s; %s is not installed\n", what, program);
-  return false;
-}
 
 std::string readAll(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

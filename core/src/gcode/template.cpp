@@ -28,7 +28,7 @@ class Expansion {
 
   Result<std::string> all() {
     while (at_ < text_.size() && !error_) next();
-    if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "lacks its {endif}");
+    if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "has no {endif}");
     if (error_) return *error_;
     return std::move(out_);
   }
@@ -114,7 +114,7 @@ class Expansion {
       if (around) choose(condition);
       return;
     }
-    if (branches_.empty()) return refuse(at_, "belongs to no {if}");
+    if (branches_.empty()) return refuse(at_, "has no {if} before it");
     Branch& now = branches_.back();
     if (head == "endif") {
       branches_.pop_back();
@@ -131,7 +131,7 @@ class Expansion {
     const std::optional<std::string> value = evaluated(condition, values_);
     const bool yes = value == "true" || value == "1";
     if (!yes && value != "false" && value != "0") {
-      return refuse(at_, "asks what is not known here; put in its place what it would choose");
+      return refuse(at_, "cannot be evaluated here; keep only the branch that applies");
     }
     branches_.back().shown = branches_.back().done = yes;
   }

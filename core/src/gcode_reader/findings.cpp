@@ -48,7 +48,7 @@ constexpr Sentence kSentences[] = {
 
     {"inches", "modes", "inches (G20); millimetres are what everything else here is in"},
     {"origin", "modes", "G92 moves the origin of an axis; places on the bed can no longer be told"},
-    {"origin-shift", "modes", "G92 leaves an axis {mm} mm off its place; what follows would be laid there"},
+    {"origin-shift", "modes", "G92 leaves the origin of an axis {mm} mm off; the print would be laid there"},
     {"volumetric", "modes", "volumetric extrusion (M200) changes what every E means"},
 
     {"excluded", "bounds", "a bead in the excluded part of the bed"},

@@ -295,14 +295,14 @@ struct Foreign {
 constexpr Foreign kForeign[] = {
     {0, "GIF8", "a GIF picture"},
     {8, "WEBP", "a WebP picture"},
-    {4, "ftyp", "a HEIC or AVIF picture, or a film"},
+    {4, "ftyp", "a HEIC or AVIF picture, or a video"},
     {0, std::string_view("II*\0", 4), "a TIFF picture"},
     {0, std::string_view("MM\0*", 4), "a TIFF picture"},
     {0, "8BPS", "a Photoshop file"},
     {0, "%PDF", "a PDF"},
     {0, "%!PS", "a PostScript file"},
     {0, "\x1f\x8b", "compressed"},
-    {0, "PK\x03\x04", "a packed file"},
+    {0, "PK\x03\x04", "an archive, such as ZIP or 3MF"},
     {0, "solid ", "an STL body"},
     {0, "\xff\xfe", "text in UTF-16"},
 };
