@@ -531,6 +531,7 @@ async function frame(): Promise<void> {
 }
 
 async function start(): Promise<void> {
+  const broughtBy = 'serviceWorker' in navigator ? navigator.serviceWorker.controller : null;
   const { given } = asked;
   const theme = given.theme ?? (framed ? undefined : recall('theme', ['auto', 'light', 'dark'])) ?? 'auto';
   store.set({ theme });
@@ -560,15 +561,7 @@ async function start(): Promise<void> {
   // What the next visit needs would take the network from what this one waits for; without threads that visit is at once.
   if (crossOriginIsolated) await Promise.race([firstPlate(), elapsed(keepsAfter)]);
   const { workOffline } = await import('./offline.js');
-  void workOffline({
-    onReady: () => {
-      studio.notify(t('offline.ready'));
-    },
-    onUpdate: (apply) => {
-      studio.notify(t('offline.update'), { label: t('verb.reload'), run: apply });
-    },
-    mayReload: () => !store.canUndo,
-  });
+  void workOffline(studio, broughtBy);
 }
 
 void start();

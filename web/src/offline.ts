@@ -1,13 +1,6 @@
 // Starts the service worker, and tells when the page works without a network and when a new version is there.
-
-export interface OfflineEvents {
-  /** For the first time: from now on the page works without a network. */
-  onReady: () => void;
-  /** @param apply  reloads the page with the new version. */
-  onUpdate: (apply: () => void) => void;
-  /** Whether nothing would be lost by reloading now, which hosts without headers need once for threads. */
-  mayReload: () => boolean;
-}
+import { t } from './i18n/text.js';
+import type { Studio } from './panels/studio.js';
 
 const reloaded = 'sillon-reloaded-for-threads';
 
@@ -22,46 +15,57 @@ function reloadOnce(): void {
   location.reload();
 }
 
-function watchForUpdates(registration: ServiceWorkerRegistration, { onUpdate }: OfflineEvents): void {
+function watchForUpdates(
+  registration: ServiceWorkerRegistration,
+  broughtBy: ServiceWorker | null,
+  studio: Studio,
+): void {
+  const { serviceWorker } = navigator;
+  const offer = (run: () => void): void => {
+    studio.tell({ text: t('offline.update'), actions: [{ label: t('verb.reload'), run }], stays: true });
+  };
+  const reload = (): void => {
+    location.reload();
+  };
   const tell = (waiting: ServiceWorker): void => {
-    onUpdate(() => {
-      if (waiting.state === 'activated') {
-        location.reload(); // another tab was faster: there will be no other change
-        return;
-      }
-      navigator.serviceWorker.addEventListener(
-        'controllerchange',
-        () => {
-          location.reload();
-        },
-        { once: true },
-      );
+    offer(() => {
+      // Another tab may have been faster: there will be no other change.
+      if (waiting.state === 'activated') reload();
+      else serviceWorker.addEventListener('controllerchange', reload, { once: true });
       waiting.postMessage('activate');
     });
   };
-  if (registration.waiting !== null) tell(registration.waiting);
-  registration.addEventListener('updatefound', () => {
+  let watched: ServiceWorker | null = null;
+  const watchInstalling = (): void => {
     const { installing } = registration;
+    if (installing === watched) return;
+    watched = installing;
     installing?.addEventListener('statechange', () => {
       // Without a controller it is no update but the first.
-      if (installing.state === 'installed' && navigator.serviceWorker.controller !== null) tell(installing);
+      if (installing.state === 'installed' && serviceWorker.controller !== null) tell(installing);
     });
-  });
+  };
+  registration.addEventListener('updatefound', watchInstalling);
+  // Other tabs may have found a version, or taken it, before this one registered.
+  watchInstalling();
+  if (registration.waiting !== null) tell(registration.waiting);
+  else if (broughtBy !== null && serviceWorker.controller !== broughtBy) offer(reload);
 }
 
-/** Quietly does nothing where there are no service workers: old browsers, frames of other sites, plain http. */
-export async function workOffline(events: OfflineEvents): Promise<void> {
+/** Quietly does nothing where there are no service workers: old browsers, frames of other sites, plain http.
+ * @param broughtBy  the service worker that brought this page; null: none */
+export async function workOffline(studio: Studio, broughtBy: ServiceWorker | null): Promise<void> {
   if (!('serviceWorker' in navigator)) return;
   const { serviceWorker } = navigator;
-  const first = serviceWorker.controller === null;
   try {
     const registration = await serviceWorker.register(new URL('sw.js', document.baseURI), { updateViaCache: 'none' });
-    watchForUpdates(registration, events);
+    watchForUpdates(registration, broughtBy, studio);
     await serviceWorker.ready;
   } catch {
     return;
   }
-  if (!first) return;
-  events.onReady();
-  if (!crossOriginIsolated && window.top === window && events.mayReload()) reloadOnce();
+  if (broughtBy !== null) return;
+  studio.notify(t('offline.ready'));
+  // Hosts without headers need it once for threads; not where an edit would be lost.
+  if (!crossOriginIsolated && window.top === window && !studio.store.canUndo) reloadOnce();
 }

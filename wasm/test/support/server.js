@@ -65,8 +65,10 @@ function decodedPath(url) {
  *   single-page applications do
  */
 export async function serve(folders, headers = {}, missingStatus = 404) {
-  const server = createServer((request, response) => {
+  const held = new Map();
+  const server = createServer(async (request, response) => {
     const path = decodedPath(request.url);
+    await held.get(path);
     const file = fileFor(path, folders);
     const common = { 'Cache-Control': 'no-cache', ...headers };
     if (file === undefined) {
@@ -82,6 +84,12 @@ export async function serve(folders, headers = {}, missingStatus = 404) {
   const { port } = server.address();
   return {
     origin: `http://localhost:${port}`,
+    /** Answers nobody who asks for a path until the function that it returns is called. */
+    hold(path) {
+      let release;
+      held.set(path, new Promise((resolve) => (release = resolve)));
+      return release;
+    },
     close() {
       server.close();
       server.closeAllConnections();

@@ -47,7 +47,7 @@ export interface NoticeAction {
   run: () => void;
 }
 
-/** Something to tell, that goes away by itself unless it is a problem. */
+/** Something to tell, that goes away by itself unless it is a problem or stays. */
 export interface Notice {
   id: number;
   text: string;
@@ -55,6 +55,8 @@ export interface Notice {
   actions?: readonly NoticeAction[];
   /** Of the files that were opened last: goes with them. */
   ofFiles?: boolean;
+  /** Until it is answered or closed: what it offers is offered nowhere else. */
+  stays?: boolean;
 }
 
 export interface Shown extends State {

@@ -296,8 +296,10 @@ export class Studio {
     const others = this.store.state.notices.filter(
       (notice) => notice.problem === undefined || words.problem === undefined,
     );
-    this.store.set({ notices: [...others, { id, ...words }].slice(-3) });
-    if (words.problem !== undefined) return;
+    const all = [...others, { id, ...words }];
+    const latest = all.filter(({ stays }) => !stays).slice(-3);
+    this.store.set({ notices: all.filter((notice) => notice.stays || latest.includes(notice)) });
+    if (words.problem !== undefined || words.stays) return;
     const shownFor = words.actions?.length ? offerFor : noticeFor;
     setTimeout(() => {
       this.dismiss(id);

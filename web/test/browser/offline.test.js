@@ -43,8 +43,10 @@ async function plainHost() {
   return `${site.origin}/studio/`;
 }
 
-async function open(address) {
+/** @param atStart  runs in the page before its own scripts */
+async function open(address, atStart = () => {}) {
   const page = await context.newPage();
+  await page.addInitScript(atStart);
   const visits = [];
   const problems = [];
   page.on('framenavigated', (frame) => visits.push(frame.url()));
@@ -178,23 +180,68 @@ test('a new version waits for open pages, then takes over and leaves nothing of 
   assert.ok(left.includes('of somebody else') && left.some((cache) => cache.endsWith(' next')), left.join());
 });
 
-test('each of two open pages is loaded anew when its visitor says so', { skip }, async () => {
+const takesNew = async (page) => {
+  await page.evaluate(() => (globalThis.before = true));
+  await page.getByRole('button', { name: 'Reload' }).click({ timeout: 60_000 });
+  await page.waitForFunction(() => globalThis.before === undefined, undefined, { timeout: 60_000 });
+  await page.waitForLoadState();
+};
+const findsNew = (page) => page.evaluate(async () => void (await (await navigator.serviceWorker.ready).update()));
+
+/** Opens a page that learns of its registration only once the function that this returns is called. */
+async function openSlow(address) {
+  const { page } = await open(address, () => {
+    const { register } = ServiceWorkerContainer.prototype;
+    ServiceWorkerContainer.prototype.register = async function (...asked) {
+      const registration = await register.apply(this, asked);
+      globalThis.registered = true;
+      await new Promise((resolve) => (globalThis.learn = resolve));
+      return registration;
+    };
+  });
+  await page.waitForFunction(() => globalThis.registered, undefined, { timeout: 60_000 });
+  return { page, learn: () => page.evaluate(() => globalThis.learn()) };
+}
+
+test('each of two open pages is loaded anew when its visitor says so, however late', { skip }, async () => {
+  await context.clock.install();
   const address = await plainHost();
   const { page: first } = await open(address);
   await isolatedPage(first);
-  const { page: second } = await open(address);
-  await isolatedPage(second);
-  await workerIs(second, 'active');
-  await second.locator('sillon-app').waitFor();
-  for (const page of [first, second]) await page.evaluate(() => (globalThis.before = true));
-  const reload = (page) => page.getByRole('button', { name: 'Reload' }).click({ timeout: 60_000 });
+  const { page: second, learn } = await openSlow(address);
+  await learn();
   deploy();
-  await first.evaluate(async () => void (await (await navigator.serviceWorker.ready).update()));
-  for (const page of [first, second]) {
-    await reload(page);
-    await page.waitForFunction(() => globalThis.before === undefined, undefined, { timeout: 30_000 });
-    await page.waitForLoadState();
-  }
+  await findsNew(second);
+  for (const page of [first, second]) await page.getByRole('button', { name: 'Reload' }).waitFor({ timeout: 60_000 });
+  await context.clock.fastForward(600_000);
+  await takesNew(first);
+  await takesNew(second);
+});
+
+test('a page that registers while a new version comes offers it too', { skip }, async () => {
+  const address = await plainHost();
+  const { page: first } = await open(address);
+  await isolatedPage(first);
+  const { page: second, learn } = await openSlow(address);
+  deploy();
+  const release = site.hold('/studio/manifest.webmanifest');
+  await findsNew(first);
+  await workerIs(first, 'installing');
+  await learn();
+  release();
+  await takesNew(second);
+});
+
+test('a page that registers after another took a new version offers it too', { skip }, async () => {
+  const address = await plainHost();
+  const { page: first } = await open(address);
+  await isolatedPage(first);
+  const { page: second, learn } = await openSlow(address);
+  deploy();
+  await findsNew(first);
+  await takesNew(first);
+  await learn();
+  await takesNew(second);
 });
 
 test('a version that came incompletely is not taken', { skip }, async () => {
