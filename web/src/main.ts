@@ -18,7 +18,6 @@ import { guestSettings, type GuestSettings } from './model/guest.js';
 import { withPrinter, type PrinterKey } from './model/printers.js';
 import { fineResolution } from './model/raster.js';
 import type { PlateResult, Theme } from './model/state.js';
-import type { Untold } from './model/share.js';
 import { Store, type Steps } from './model/store.js';
 import { createOpener } from './opening.js';
 import './panels/app.js';
@@ -147,14 +146,7 @@ studio.services = {
     const [{ projectData }, raster] = await Promise.all([import('./files/project.js'), pipeline.directions()]);
     return projectData(plate, raster);
   },
-  link: async (plate) => {
-    const [{ writeLink }, { untoldText }] = await Promise.all([import('./model/share.js'), import('./i18n/rare.js')]);
-    const { hash, untold } = await writeLink(plate, async (file, most) =>
-      (await import('./files/shrink.js')).shrunk(file, most),
-    );
-    // Of the studio, also where this is its page for frames.
-    return { url: new URL(`./${hash}`, document.baseURI).href, told: untoldText(untold) };
-  },
+  link: async (plate) => (await import('./links.js')).linkOf(plate),
   setLanguage: async (language) => {
     await speak(language);
     if (!framed) remember('language', language);
@@ -163,17 +155,11 @@ studio.services = {
   setRole: (index, role) => opener.setRole(index, role),
   openExample: (example) => opener.openExample(example),
   importPrinter: async (file) => {
-    const running = await engine.engine();
-    const { printer, read, notRead } = await running.importPrinter(file).catch((error: unknown) => {
-      const { code, detail } = problemOf(error);
-      throw code === 'InvalidFile' ? new StudioError('PrinterFile', { name: file.name }, detail) : error;
-    });
+    const [{ readPrinter }, running] = await Promise.all([import('./printer-file.js'), engine.engine()]);
+    const { printer, told } = await readPrinter(file, running);
     store.settle();
     store.change((plate) => ({ ...plate, printer }));
-    studio.notify(t('printer.imported', { name: file.name, n: read.length }));
-    if (notRead.length === 0) return;
-    const { importNoteText } = await import('./i18n/say-rare.js');
-    studio.notify(t('printer.notRead', { list: notRead.map(importNoteText).join(' ') }));
+    for (const words of told) studio.notify(words);
   },
   newPlate: () => {
     show(newPlate(), true);
@@ -369,19 +355,10 @@ async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
       await studio.open(await sharedFiles());
       return;
     }
-    const { readLink } = await import('./model/share.js');
-    let missing: Untold[] = [];
-    const plate = await readLink(
-      hash,
-      async (name, bytes) => (await import('./files/source-file.js')).sourceFile(name, bytes),
-      (parts) => {
-        missing = parts;
-      },
-    );
-    if (plate === undefined) return;
-    show(onOwnPrinter(plate, await ownPrinter(kept)));
-    const { missingText } = await import('./i18n/rare.js');
-    studio.notify(`${t('link.opened')} ${missingText(missing)}`.trim());
+    const linked = await (await import('./links.js')).plateOfLink(hash);
+    if (linked === undefined) return;
+    show(onOwnPrinter(linked.plate, await ownPrinter(kept)));
+    studio.notify(`${t('link.opened')} ${linked.told}`.trim());
   });
 }
 
@@ -530,8 +507,17 @@ async function frame(): Promise<void> {
   });
 }
 
+/** The service worker that brought the page; null: none, or none may be asked for, as in sandboxes. */
+function pagesWorker(): ServiceWorker | null {
+  try {
+    return navigator.serviceWorker.controller;
+  } catch {
+    return null;
+  }
+}
+
 async function start(): Promise<void> {
-  const broughtBy = 'serviceWorker' in navigator ? navigator.serviceWorker.controller : null;
+  const broughtBy = pagesWorker();
   const { given } = asked;
   const theme = given.theme ?? (framed ? undefined : recall('theme', ['auto', 'light', 'dark'])) ?? 'auto';
   store.set({ theme });

@@ -52,12 +52,11 @@ function watchForUpdates(
   else if (broughtBy !== null && serviceWorker.controller !== broughtBy) offer(reload);
 }
 
-/** Quietly does nothing where there are no service workers: old browsers, frames of other sites, plain http.
+/** Quietly does nothing where there are no service workers: old browsers, sandboxes, frames of other sites, plain http.
  * @param broughtBy  the service worker that brought this page; null: none */
 export async function workOffline(studio: Studio, broughtBy: ServiceWorker | null): Promise<void> {
-  if (!('serviceWorker' in navigator)) return;
-  const { serviceWorker } = navigator;
   try {
+    const { serviceWorker } = navigator;
     const registration = await serviceWorker.register(new URL('sw.js', document.baseURI), { updateViaCache: 'none' });
     watchForUpdates(registration, broughtBy, studio);
     await serviceWorker.ready;

@@ -7,7 +7,7 @@ import { directionPalette } from './palette.js';
 import { compile, type Program } from './program.js';
 import type { Camera, Renderer, Scene } from './scene.js';
 import { beadFragment, beadVertex, fieldFragment, fieldVertex } from './shaders.js';
-import { zigzag } from './zigzag.js';
+import { pointsToDraw } from './thinned.js';
 
 /** Floats per point, which is a texel: x, y, width, share of the print. Segments read their neighbours' points too. */
 const stride = 4;
@@ -23,12 +23,19 @@ interface Run {
 }
 
 interface Beads {
+  tolerance: number;
   points: WebGLTexture;
   runs: Run[];
   spacing: number;
 }
 
 const segmentsPerRun = 4096;
+
+/** Two triangles per segment, of four corners: shared corners are computed once. */
+const cornersOfRun = Uint16Array.from(
+  { length: 6 * segmentsPerRun },
+  (_, k) => 4 * Math.floor(k / 6) + ([0, 1, 2, 1, 2, 3][k % 6] ?? 0),
+);
 
 const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3 };
 
@@ -48,41 +55,46 @@ function dataTexture(
   return texture;
 }
 
-function upload(gl: WebGL2RenderingContext, toolpath: Toolpath): Beads {
-  const counts = toolpath.cycles.map((cycle) => cycle.widths.length);
-  const total = counts.reduce((sum, count) => sum + count + 3, 0);
+/** How far the screen's beads may lie from the toolpath's, for fewer of them [pixels]. */
+const unseen = 0.05;
+
+function upload(gl: WebGL2RenderingContext, toolpath: Toolpath, tolerance: number): Beads {
+  const drawn = toolpath.cycles.map(({ points, widths }) => pointsToDraw(points, widths, tolerance));
+  const total = drawn.reduce((sum, { length }) => sum + length + 3, 0);
   const rows = Math.ceil(total / columns);
   const data = new Float32Array(rows * columns * stride);
-  const all = counts.reduce((sum, count) => sum + count, 0);
+  const all = toolpath.cycles.reduce((sum, { widths }) => sum + widths.length, 0);
   const runs: Run[] = [];
   let at = 0;
   let done = 0;
-  for (const cycle of toolpath.cycles) {
-    const { widths } = cycle;
-    const count = widths.length;
-    for (let from = 0; from < count; from += segmentsPerRun) {
-      const segments = Math.min(segmentsPerRun, count - from);
-      runs.push({ first: at + from, segments, box: boxOf(cycle.points, widths, from, segments) });
-    }
+  toolpath.cycles.forEach(({ points, widths }, cycle) => {
+    const kept = drawn[cycle] ?? new Uint32Array();
+    const count = kept.length;
+    const start = at;
     // One point before the first, and two after the last: every segment has neighbours.
     for (let k = -1; k < count + 2; ++k, ++at) {
-      const from = (k + count) % count;
-      data[at * stride] = cycle.points[2 * from] ?? 0;
-      data[at * stride + 1] = cycle.points[2 * from + 1] ?? 0;
+      const from = kept[(k + count) % count] ?? 0;
+      data[at * stride] = points[2 * from] ?? 0;
+      data[at * stride + 1] = points[2 * from + 1] ?? 0;
       data[at * stride + 2] = widths[from] ?? 0;
-      data[at * stride + 3] = (done + Math.max(0, k)) / all;
+      data[at * stride + 3] = (done + (k < count ? from : widths.length)) / all;
     }
-    done += count;
-  }
+    data[start * stride + 3] = done / all;
+    for (let first = start; first < start + count; first += segmentsPerRun) {
+      const segments = Math.min(segmentsPerRun, start + count - first);
+      runs.push({ first, segments, box: boxOf(data, first + 1, segments + 1) });
+    }
+    done += widths.length;
+  });
   const points = dataTexture(gl, [columns, rows], [gl.RGBA32F, gl.RGBA, gl.FLOAT], data);
-  return { points, runs, spacing: toolpath.spacing };
+  return { tolerance, points, runs, spacing: toolpath.spacing };
 }
 
-function boxOf(points: Float32Array, widths: Float32Array, first: number, segments: number): Run['box'] {
+/** @param data  of points as they are uploaded */
+function boxOf(data: Float32Array, first: number, count: number): Run['box'] {
   const box: Run['box'] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (let k = first; k <= first + segments; ++k) {
-    const at = k % widths.length;
-    const [x, y, radius] = [points[2 * at] ?? 0, points[2 * at + 1] ?? 0, (widths[at] ?? 0) / 2];
+  for (let at = first * stride; at < (first + count) * stride; at += stride) {
+    const [x, y, radius] = [data[at] ?? 0, data[at + 1] ?? 0, (data[at + 2] ?? 0) / 2];
     box[0] = Math.min(box[0], x - radius);
     box[1] = Math.min(box[1], y - radius);
     box[2] = Math.max(box[2], x + radius);
@@ -90,6 +102,8 @@ function boxOf(points: Float32Array, widths: Float32Array, first: number, segmen
   }
   return box;
 }
+
+const comparing = ({ compare, wipe }: Scene): boolean => compare || wipe !== undefined;
 
 /** @throws Error where there is no WebGL2. */
 export function createRenderer(canvas: HTMLCanvasElement): Renderer {
@@ -113,6 +127,8 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, cornersOfRun, gl.STATIC_DRAW);
     uploaded.clear();
     fieldTextures = undefined;
   }
@@ -123,27 +139,34 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   };
   const onRestored = (): void => {
     prepare();
-    if (last !== undefined) draw(last.scene, last.camera);
+    redraw();
   };
   canvas.addEventListener('webglcontextlost', onLost);
   canvas.addEventListener('webglcontextrestored', onRestored);
 
   /** Keeps what the scene shows, frees the rest. */
-  function beadsOf(wanted: Toolpath[]): Beads[] {
+  function beadsOf(wanted: Toolpath[], tolerance: number): Beads[] {
     for (const [toolpath, beads] of uploaded) {
-      if (wanted.includes(toolpath)) continue;
+      if (wanted.includes(toolpath) && beads.tolerance === tolerance) continue;
       gl.deleteTexture(beads.points);
       uploaded.delete(toolpath);
     }
     return wanted.map((toolpath) => {
-      const beads = uploaded.get(toolpath) ?? upload(gl, toolpath);
+      const beads = uploaded.get(toolpath) ?? upload(gl, toolpath, tolerance);
       uploaded.set(toolpath, beads);
       return beads;
     });
   }
 
-  function zigzagOf(toolpath: Toolpath): Toolpath {
-    const made = zigzags.get(toolpath) ?? zigzag(toolpath.shape, toolpath.spacing);
+  /** What makes zigzags, once somebody compares with one. */
+  let zigzag: (typeof import('./zigzag.js'))['zigzag'] | undefined;
+  async function loadZigzag(): Promise<void> {
+    ({ zigzag } = await import('./zigzag.js'));
+  }
+
+  function zigzagOf(toolpath: Toolpath): Toolpath | undefined {
+    const made = zigzags.get(toolpath) ?? zigzag?.(toolpath.shape, toolpath.spacing);
+    if (made === undefined) return undefined;
     zigzags.set(toolpath, made);
     return made;
   }
@@ -176,7 +199,7 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
       if (box[0] > x + acrossHalf || box[2] < x - acrossHalf) continue;
       if (box[1] > camera.y + tallHalf || box[3] < camera.y - tallHalf) continue;
       gl.uniform1i(at('first'), first);
-      gl.drawArrays(gl.TRIANGLES, 0, 6 * segments);
+      gl.drawElements(gl.TRIANGLES, 6 * segments, gl.UNSIGNED_SHORT, 0);
     }
   }
 
@@ -222,8 +245,11 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     }
     if (scene.toolpath === undefined) return;
     const { compare, wipe, page } = scene;
-    const both = compare || wipe !== undefined;
-    const beads = beadsOf(both ? [scene.toolpath, zigzagOf(scene.toolpath)] : [scene.toolpath]);
+    const other = comparing(scene) ? zigzagOf(scene.toolpath) : undefined;
+    if (comparing(scene) && other === undefined) void loadZigzag().then(redraw);
+    // By powers of two, not to begin anew with every step of a zoom; what is played grows point by point.
+    const tolerance = scene.progress < 1 ? 0 : 2 ** Math.floor(Math.log2(unseen / camera.scale));
+    const beads = beadsOf(other === undefined ? [scene.toolpath] : [scene.toolpath, other], tolerance);
     const { drawingBufferWidth: columns, drawingBufferHeight: rows } = gl;
     const edge = wipe === undefined ? 0 : Math.round(columns / 2 + (wipe * page[0] - camera.x) * camera.scale);
     beads.forEach((one, k) => {
@@ -236,14 +262,19 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.disable(gl.SCISSOR_TEST);
   }
 
+  function redraw(): void {
+    if (last !== undefined) draw(last.scene, last.camera);
+  }
+
   return {
     draw,
     resize(width, height) {
       canvas.width = width;
       canvas.height = height;
-      if (last !== undefined) draw(last.scene, last.camera);
+      redraw();
     },
     async capture(scene, width) {
+      if (comparing(scene)) await loadZigzag();
       const shown = scene.compare ? 2.08 : 1;
       const scale = width / (scene.page[0] * (shown + 0.1));
       const before = { width: canvas.width, height: canvas.height, last };
@@ -253,9 +284,8 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
       const blob = await new Promise<Blob | null>((resolve) => {
         canvas.toBlob(resolve, 'image/png');
       });
-      canvas.width = before.width;
-      canvas.height = before.height;
-      if (before.last !== undefined) draw(before.last.scene, before.last.camera);
+      ({ last } = before);
+      this.resize(before.width, before.height);
       if (blob === null) throw new Error('the picture could not be made');
       return blob;
     },

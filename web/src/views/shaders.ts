@@ -37,7 +37,7 @@ vec4 point(int k) {
 }
 
 void main() {
-  int segment = first + gl_VertexID / 6;
+  int segment = first + gl_VertexID / 4;
   vec4 before = point(segment), a = point(segment + 1), b = point(segment + 2), after = point(segment + 3);
   vec2 along = direction(b.xy - a.xy);
   ends = vec4(a.xy, b.xy);
@@ -48,9 +48,7 @@ void main() {
   vec3 atB = joint(along, direction(after.xy - b.xy), reach);
   tangents = vec4(atA.xy, atB.xy);
   if (b.w >= progress) atB.z = reach;  // the last that is shown
-  int at = gl_VertexID % 6;
-  at = at < 3 ? at : at - 2;
-  vec2 corner = vec2(at & 1, at >> 1) * 2.0 - 1.0;
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1) * 2.0 - 1.0;
   p = (corner.x < 0.0 ? a.xy - along * atA.z : b.xy + along * atB.z) + vec2(-along.y, along.x) * corner.y * reach;
   gl_Position = a.w >= progress && progress < 1.0 ? vec4(2.0, 2.0, 2.0, 1.0) : toScreen(p);
 }
