@@ -46,14 +46,16 @@ void appendChunk(Bytes& png, std::string_view type, const Bytes& data) {
   appendBe32(png, crcOf(&png[from], png.size() - from));
 }
 
-/// \param zlib  contents of IDAT.
-Bytes pngOf(std::uint32_t width, std::uint32_t height, int depth, int colourType, const Bytes& zlib) {
+/// \param zlib  contents of IDAT. \param tiff  contents of eXIf, if any.
+Bytes pngOf(std::uint32_t width, std::uint32_t height, int depth, int colourType, const Bytes& zlib,
+            const Bytes& tiff = {}) {
   Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   Bytes header;
   appendBe32(header, width);
   appendBe32(header, height);
   append(header, {static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(colourType), 0, 0, 0});
   appendChunk(png, "IHDR", header);
+  if (!tiff.empty()) appendChunk(png, "eXIf", tiff);
   appendChunk(png, "IDAT", zlib);
   appendChunk(png, "IEND", {});
   return png;
@@ -148,15 +150,18 @@ Bytes jpegOf(int blocksWide, const std::vector<int>& levels, const Bytes& app1 =
   return jpeg;
 }
 
+/// As PNGs have it.
+Bytes tiffOf(int orientation, bool little) {
+  const auto o = static_cast<std::uint8_t>(orientation);
+  if (little) return {'I', 'I', 42, 0, 8, 0, 0, 0, 1, 0, 0x12, 1, 3, 0, 1, 0, 0, 0, o, 0, 0, 0, 0, 0, 0, 0};
+  return {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, o, 0, 0, 0, 0, 0, 0};
+}
+
+/// As JPEGs have it.
 Bytes exifOf(int orientation, bool little) {
   Bytes exif;
   append(exif, std::string_view("Exif\0\0", 6));
-  const auto o = static_cast<std::uint8_t>(orientation);
-  if (little) {
-    append(exif, Bytes{'I', 'I', 42, 0, 8, 0, 0, 0, 1, 0, 0x12, 1, 3, 0, 1, 0, 0, 0, o, 0, 0, 0, 0, 0, 0, 0});
-  } else {
-    append(exif, Bytes{'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, o, 0, 0, 0, 0, 0, 0});
-  }
+  append(exif, tiffOf(orientation, little));
   return exif;
 }
 
@@ -289,7 +294,7 @@ TEST_CASE("BMP and TGA are read with their first row on top") {
   }
 }
 
-TEST_CASE("a JPEG is turned by each of the 8 EXIF orientations, in both byte orders") {
+TEST_CASE("JPEGs and PNGs are turned by each of the 8 EXIF orientations, in both byte orders") {
   // Stored:  A B     What people see, row by row, for orientation 1..8:
   //          C D
   //          E F
@@ -310,7 +315,16 @@ TEST_CASE("a JPEG is turned by each of the 8 EXIF orientations, in both byte ord
       REQUIRE(decoded.ok());
       CHECK(decoded.value().width == (orientation >= 5 ? 24 : 16));
       CHECK(decoded.value().height == (orientation >= 5 ? 16 : 24));
-      CHECK(eighths(decoded.value()) == seen[static_cast<std::size_t>(orientation - 1)]);
+      const std::vector<int>& expected = seen[static_cast<std::size_t>(orientation - 1)];
+      CHECK(eighths(decoded.value()) == expected);
+
+      const Bytes rows = zlibStored({0, a, b, 0, c, d, 0, e, f});
+      const auto small = decodeImage(pngOf(2, 3, 8, 0, rows, tiffOf(orientation, little)), "png");
+      REQUIRE(small.ok());
+      CHECK(small.value().width == (orientation >= 5 ? 3 : 2));
+      std::vector<int> levels;
+      for (const std::uint16_t sample : small.value().samples) levels.push_back(sample / 257);
+      CHECK(levels == expected);
     }
   }
 }

@@ -133,35 +133,16 @@ std::string tgaDefect(Bytes bytes) {
   return at > size ? "it is cut off" : "";
 }
 
-// ---- PNG ----
+// ---- EXIF ----
 
-std::string_view textOf(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
-std::string pngDefect(Bytes bytes) {
-  std::size_t at = 8;
-  while (bytes.size() - at >= 12) {
-    const std::size_t length = be32(bytes, at);
-    if (length > bytes.size() - at - 12) break;
-    const bool critical = (bytes[at + 4] & 32u) == 0;
-    if (critical && crc32(textOf(bytes.subspan(at + 4, length + 4))) != be32(bytes, at + 8 + length))
-      return "it is damaged (checksum)";
-    if (startsWith(bytes.subspan(at + 4), "IEND")) return "";
-    at += length + 12;
-  }
-  return "it is cut off";
-}
-
-// ---- JPEG ----
-
-struct JpegFacts {
+struct Facts {
   std::string defect;   // empty: none
   int orientation = 1;  // EXIF, 1..8
 };
 
-/// \param exif  contents of an APP1 segment. \return 1..8, 1 if nothing valid is found.
-int exifOrientation(Bytes exif) {
-  if (!startsWith(exif, std::string_view("Exif\0\0", 6)) || exif.size() < 14) return 1;
-  const Bytes tiff = exif.subspan(6);
+/// \param tiff  as EXIF holds its tags. \return 1..8, 1 if nothing valid is found.
+int exifOrientation(Bytes tiff) {
+  if (tiff.size() < 8) return 1;
   const bool little = tiff[0] == 'I';
   const auto u16 = [&](std::size_t at) { return little ? le16(tiff, at) : be16(tiff, at); };
   const std::size_t directory = little ? le32(tiff, 4) : be32(tiff, 4);
@@ -177,6 +158,32 @@ int exifOrientation(Bytes exif) {
   return 1;
 }
 
+// ---- PNG ----
+
+std::string_view textOf(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+Facts inspectPng(Bytes bytes) {
+  Facts facts;
+  std::size_t at = 8;
+  while (bytes.size() - at >= 12) {
+    const std::size_t length = be32(bytes, at);
+    if (length > bytes.size() - at - 12) break;
+    const Bytes named = bytes.subspan(at + 4, length + 4);
+    const bool critical = (named[0] & 32u) == 0;
+    if (critical && crc32(textOf(named)) != be32(bytes, at + 8 + length)) {
+      facts.defect = "it is damaged (checksum)";
+      return facts;
+    }
+    if (startsWith(named, "eXIf")) facts.orientation = exifOrientation(named.subspan(4));
+    if (startsWith(named, "IEND")) return facts;
+    at += length + 12;
+  }
+  facts.defect = "it is cut off";
+  return facts;
+}
+
+// ---- JPEG ----
+
 /// A table with more than 256 codes would be written past its end by the decoder.
 bool huffmanTablesValid(Bytes segment) {
   while (segment.size() >= 17) {
@@ -188,8 +195,8 @@ bool huffmanTablesValid(Bytes segment) {
   return segment.empty();
 }
 
-JpegFacts inspectJpeg(Bytes bytes) {
-  JpegFacts facts;
+Facts inspectJpeg(Bytes bytes) {
+  Facts facts;
   int scans = 0;
   std::size_t at = 2;
   const auto isMarker = [&](std::size_t k) {  // not a stuffed zero, a fill byte or a restart inside a scan
@@ -210,7 +217,9 @@ JpegFacts inspectJpeg(Bytes bytes) {
     const std::size_t length = be16(bytes, at);
     if (length < 2 || length > bytes.size() - at) break;
     const Bytes segment = bytes.subspan(at + 2, length - 2);
-    if (marker == 0xe1 && facts.orientation == 1) facts.orientation = exifOrientation(segment);
+    constexpr std::string_view kExif("Exif\0\0", 6);
+    if (marker == 0xe1 && facts.orientation == 1 && startsWith(segment, kExif))
+      facts.orientation = exifOrientation(segment.subspan(kExif.size()));
     if (marker == 0xc4 && !huffmanTablesValid(segment)) facts.defect = "it is damaged (Huffman table)";
     if (marker == 0xda && ++scans > kMaxJpegScans) facts.defect = "it has more than 100 scans";
     if (!facts.defect.empty()) return facts;
@@ -434,21 +443,19 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
     return Error{ErrorCode::TooLarge, name + " has more than 2 GiB; at most that is allowed"};
 
   const Format format = formatOf(bytes);
-  JpegFacts jpeg;
-  std::string defect;
+  Facts facts;
   switch (format) {
     case Format::Png:
-      defect = pngDefect(bytes);
+      facts = inspectPng(bytes);
       break;
     case Format::Jpeg:
-      jpeg = inspectJpeg(bytes);
-      defect = jpeg.defect;
+      facts = inspectJpeg(bytes);
       break;
     case Format::Bmp:
-      defect = bmpDefect(bytes);
+      facts.defect = bmpDefect(bytes);
       break;
     case Format::Tga:
-      defect = tgaDefect(bytes);
+      facts.defect = tgaDefect(bytes);
       break;
     case Format::Unknown:
       if (const std::string kind = foreignKind(bytes); !kind.empty()) {
@@ -459,9 +466,9 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
       return Error{ErrorCode::InvalidFile, name + " is no picture that can be read (it begins with bytes " +
                                                firstBytes(bytes) + "); PNG, JPEG, BMP and TGA can"};
   }
-  if (!defect.empty()) return unreadable(name, format, defect);
+  if (!facts.defect.empty()) return unreadable(name, format, facts.defect);
   try {
-    return decodeChecked(bytes, name, format, jpeg.orientation);
+    return decodeChecked(bytes, name, format, facts.orientation);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::TooLarge, name + " needs more memory than there is"};
   }

@@ -17,7 +17,7 @@ inline constexpr int kMaxImageSide = 32768;  ///< pixels
 inline constexpr std::int64_t kMaxImagePixels = 100'000'000;
 
 /// Decodes PNG, JPEG, BMP or TGA. Stored values as they are: no gamma, no colour profile; 16-bit PNGs keep their bits.
-/// The EXIF orientation of a JPEG is applied.
+/// The EXIF orientation of a JPEG or PNG is applied.
 /// \param name  used in messages only.
 /// \return InvalidFile for anything empty, foreign, damaged or cut off; TooLarge beyond the limits above.
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
