@@ -42,6 +42,25 @@ TEST_CASE("blocks that go down to where a print stands are pointed out") {
   CHECK(job.write().result.value().warnings.empty());
 }
 
+TEST_CASE("a start block that purges where the plate will lie is pointed out") {
+  Job job = plate(30, 20, 1.3);
+  const auto warned = [&](const std::string& block) {
+    job.printer.startGcode = "G28\nM190 S60\nM109 S[first_layer_temperature]\nM83\nG1 Z0.3 F600\n" + block;
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    return contains(written.result.value().warnings, "of startGcode: lays a bead where the plate will lie");
+  };
+  // The plate lies about the middle of the bed, from 95 and 100 mm on.
+  CHECK(warned("G1 X80 Y110 F3000\nG1 X140 E4 F900"));
+  CHECK(warned("G1 X80 Y90 F3000\nG1 X97 Y103 E2 F900"));
+  CHECK(!warned("G1 X80 Y90 F3000\nG1 X140 E4 F900"));                         // beside it
+  CHECK(!warned("G1 X80 Y110 F3000\nG1 X140\nG1 Y5\nG1 X80 E4 F900"));         // without filament
+  CHECK(!warned("G1 X110 Y110 F3000\nG1 E2 F300\nG1 X5 Y5\nG1 X80 E4 F900"));  // a drop, which a cleaner takes off
+  CHECK(!warned("G1 Z5\nG1 X80 Y110 F3000\nG1 X140 E4 F900"));                 // above it
+  const char* follows = "G1 X{first_layer_print_min[0]} Y{first_layer_print_min[1] - 5} F3000\nG1 X140 E4 F900";
+  CHECK(!warned(follows));
+}
+
 TEST_CASE("an end block that comes down on the plate is refused, one that homes Z there is pointed out") {
   Job job = plate(30, 20, 1.3);
   const auto end = [&](const std::string& block) {

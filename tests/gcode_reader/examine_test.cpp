@@ -335,7 +335,7 @@ const std::string kBlocks[] = {
     "M1006 S1\nM1006 A0 B10 L100 C37 D10 M60 E37 F10 N60\nM1006 W\nM18",
     "G28 Z P0 T300\nG29.2 S0\nG0 Z5 F20000\nG0 X128 Y261 F20000\nG0 Z-1.01 F1200\nG1 Z10",
     "G29 A1 X54.8 Y54.8 I70.4 J70.4\nM400\nM970.3 Q1 A7 B30 C80 H15 K0\nM974 Q1 S2 P0",
-    "M211 S\nM211 R\nM220 S100\nM991 S0 P0",
+    "M1002 gcode_claim_action : 2\nM211 S\nM211 R\nM220 S100\nM991 S0 P0\nM993 A0 B0 C0",
 };
 
 std::string fileText(const std::filesystem::path& path) {

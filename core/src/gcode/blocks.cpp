@@ -143,6 +143,27 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
   return refused;
 }
 
+// A block that purges where the plate comes, as one that was made for another place does.
+void warnUnder(const std::string& block, const Standing& plate, const Printer& printer, GcodeJob& job) {
+  MachineState machine(printer.flavor);
+  bool warned = false;
+  forEachLine(block, [&](const GcodeLine& line) {
+    const GcodeParts parts = partsOf(line.text);
+    if (warned || parts.code.empty()) return;
+    const GcodeCommand command = commandOf(parts.code);
+    const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+    if (!move || !(move->e > 0) || !(move->length > 0) || !(move->z < plate.height)) return;
+    constexpr int kPieces = 64;
+    for (int k = 0; k <= kPieces && !warned; ++k) {
+      warned = plate.box.holds(move->from + (static_cast<double>(k) / kPieces) * (move->to - move->from));
+    }
+    if (!warned) return;
+    job.warn(WarningCode::StartLine, {{"line", static_cast<double>(line.number)},
+                                      {"what", std::string("lays a bead where the plate will lie")},
+                                      {"rule", std::string("bounds")}});
+  });
+}
+
 // The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
 std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height, const Printer& printer,
                               GcodeJob& job) {
@@ -248,6 +269,7 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
   if (!end) return end.error();
   if (!printer.startGcode.empty()) {
     if (auto error = checkStart(start.value(), printer, params, job)) return error;
+    warnUnder(start.value(), plate, printer, job);
   }
   if (!printer.endGcode.empty()) {
     const double z = std::min(plate.height + printer.lift + kParkLift, printer.maxZ);

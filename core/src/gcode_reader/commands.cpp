@@ -196,6 +196,8 @@ const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   // Prusa's boards read the area of the print after it (Prusa-Firmware-Buddy, M555: X Y W H), and their files do not
   // tell them from others; RepRapFirmware a mode after P.
   if (name == "M555" && !wordsOf(command.rest).has('P')) return rowOf(name, GcodeFlavor::PrusaBuddy);
+  // Bambu's camera at the nozzle; alone it is Marlin's, which copies the flash memory.
+  if (name == "M993" && flavor == GcodeFlavor::Bambu && wordsOf(command.rest).has('A')) return rowOf("M991", flavor);
   return rowOf(name, flavor);
 }
 

@@ -160,7 +160,7 @@ void Rules::startMacro(std::string_view parameters) {
 }
 
 void Rules::command(std::string_view text) {
-  if (text.size() > 95) found("long-command", false);
+  if (text.size() > 95 && !klipper()) found("long-command", false);
   const GcodeCommand command = commandOf(text);
   const bool moves = command.letter == 'G' && command.code <= 3 && command.code >= 0 && command.sub == 0;
   if (!moves || command.rest.find_first_of("GMgm") != std::string_view::npos) {
@@ -229,7 +229,7 @@ GcodeWords Rules::words(const GcodeCommand& command) {
       found("not-a-word", true, {{"text", shown}});
       break;
     case GcodeWords::NoNumber:
-      found("no-number", true, {{"text", shown}});
+      found("no-number", command.letter != 'M', {{"text", shown}});  // M104 S140 A: some have letters alone
       break;
     case GcodeWords::NotPlain:
       found("no-plain-number", true, {{"text", shown}});
@@ -282,7 +282,9 @@ void Rules::checkPlace(Vec2 p, const char* what) {
   if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
   const double over = beyondBed(settings_, p).value_or(-1);
   if (over <= kRounding) return;
-  if (block() && over <= kBeyondBed) return;
+  constexpr double kBambusWiper = 60;  // [mm] that their machines reach beside the bed, to wipe and to cut
+  const bool bambu = settings_.flavor == GcodeFlavor::Bambu;
+  if (block() && over <= (bambu ? kBambusWiper : kBeyondBed)) return;
   found("off-bed", true, {{"what", what}, {"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
 }
 
@@ -406,9 +408,9 @@ void Rules::bead(const MachineMove& move, double e) {
   // How high homing and levelling leave the nozzle is the printer's own affair: a block may purge there.
   const bool untold = block() && !machine_.told(kAxisZ) && move.z == 0;
   if (move.z <= 0 && !untold) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
-  // Makers' blocks purge thick lines; Klipper stops there too.
+  // Makers' blocks purge thick lines. Klipper stops there, too, unless the printer's configuration allows more.
   if (settings_.nozzle > 0 && sure > 4 * settings_.nozzle * settings_.nozzle && (klipper() || !block())) {
-    found("too-thick", klipper() || ours_, {{"area", decimal(section, 3)}});
+    found("too-thick", !block() && (ours_ || klipper()), {{"area", decimal(section, 3)}});
   }
   if (settings_.printer && !block() && sure * speed > settings_.printer->maxFlow * 1.0001) {
     found("flow", true, {{"flow", decimal(sure * speed, 2)}});
@@ -511,7 +513,9 @@ void Rules::filament(double e, double retractedBefore) {
   if (e > kLongestPrime) found("long-prime", klipper());
   // Other programs, and makers' blocks, give back a little less on purpose (retract_restart_extra below 0).
   if ((!ours_ || block()) && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
-  if (!check_.heatsNozzle) found("cold-start", true);
+  // Bambu's blocks push filament that is soft, no more, before they home.
+  const bool soft = block() && settings_.flavor == GcodeFlavor::Bambu;
+  if (!check_.heatsNozzle && !soft) found("cold-start", true);
   checkHot();
 }
 
