@@ -57,6 +57,9 @@ const Case kCases[] = {
     {"filament_type[0] != \"PETG\" ? 1 : filament_type[0] == \"PLA\" ? 2 : 3", "3"},
     {"\"\" + (filament_type[0] == \"FLEX\" ? 1 : 0)", "0"},
     {"\"a\" + \"b\"", "ab"},
+    {"filament_type[0] == 1", "false"},
+    {"first_layer_temperature[0] == \"215\"", "true"},
+    {"(layer_height < 1) == \"true\"", "true"},
     {"\"x\" + digits(7, 3)", "x  7"},
     {"\"x\" + digits(layer_height * 17, 6, 2)", "x  3.40"},
     {"zdigits(7, 3)", "007"},
@@ -76,6 +79,7 @@ TEST_CASE("expressions of slicers have their values") {
     CHECK(evaluated(c.expression, kValues) == std::string(c.value));
   }
   CHECK(evaluated("is_extruder_used[1]", kValues) == "false");
+  CHECK(evaluated("1 == \"true\" and 0 == \"false\" and 0 != \"true\"", kValues) == "true");  // settings in files
   CHECK(evaluated("random(2, 8)", kValues) == "2");  // in its range, and the same each time
 }
 
@@ -95,7 +99,6 @@ TEST_CASE("what has no value, or is no expression, has none, unless it does not 
                           "filament_type[0] + ",
                           "filament_type[0] - 1",
                           "filament_type[0] < 1",
-                          "filament_type[0] == 1",
                           "printer_notes =~ /a*/",
                           "printer_notes =~ /[a]/",
                           "printer_notes =~ /.*(a/",

@@ -57,6 +57,13 @@ std::string shown(const Term& term) {
   return decimal(term.number, kDigits);
 }
 
+// As texts two terms are compared of which one is a text. Settings that are true or false stand in files as 1 and 0.
+std::string asTextBeside(const Term& other, const Term& term) {
+  const bool answer = other.kind == Term::Text && (other.text == "true" || other.text == "false");
+  const bool flag = term.kind == Term::Number && (term.number == 0 || term.number == 1);
+  return answer && flag ? shown(truth(term.number != 0)) : shown(term);
+}
+
 class Evaluation {
  public:
   Evaluation(std::string_view text, const std::vector<TemplateValue>& values) : rest_(text), values_(values) {}
@@ -176,10 +183,9 @@ class Evaluation {
   Term applied(std::string_view sign, const Term& a, const Term& b) {
     if (sign == "||" || sign == "or") return truth(a.number != 0 || b.number != 0);
     if (sign == "&&" || sign == "and") return truth(a.number != 0 && b.number != 0);
-    const bool texts = a.kind == Term::Text && b.kind == Term::Text;
     if (sign == "==" || sign == "!=" || sign == "<>") {
-      if (skipped_ == 0 && (a.kind == Term::Text) != (b.kind == Term::Text)) return fail();
-      return truth((texts ? a.text == b.text : a.number == b.number) == (sign == "=="));
+      const bool text = a.kind == Term::Text || b.kind == Term::Text;
+      return truth((text ? asTextBeside(b, a) == asTextBeside(a, b) : a.number == b.number) == (sign == "=="));
     }
     if (sign == "+" && (a.kind == Term::Text || b.kind == Term::Text)) {
       return {Term::Text, 0, false, shown(a) + shown(b)};
