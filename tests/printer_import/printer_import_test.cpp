@@ -1,4 +1,6 @@
 #include "sillon/printer_import/printer_import.hpp"
+#include "export/zip.hpp"
+#include "gcode/template.hpp"
 
 #include <doctest/doctest.h>
 
@@ -228,6 +230,72 @@ TEST_CASE("round beds and beds of many corners are told apart") {
   CHECK(notes(odd, "the bed has 5 corners"));
 }
 
+TEST_CASE("excluded strips make the bed smaller, one box stays a box") {
+  const auto read = [](const std::string& area, const std::string& more = "") {
+    return imported("{\"printable_area\": [\"0x0\", \"250x0\", \"250x250\", \"0x250\"], \"bed_exclude_area\": [\"" +
+                    area + "\"]" + more + "}");
+  };
+  const Printer box = read("0x0,18x0,18x28,0x28").printer;
+  CHECK(box.excludedMax == Vec2{18, 28});
+  CHECK(box.bedMin == Vec2{0, 0});
+  const Printer strips =
+      read("0x0,2.5x0,2.5x250,0x250,0x250,250x250,250x247,0x247,0x0,0x1,250x1,250x0,30x40,50x40,50x60,30x60").printer;
+  CHECK(strips.bedMin == Vec2{2.5, 1});
+  CHECK(strips.bedMax == Vec2{250, 247});
+  CHECK(strips.excludedMin == Vec2{30, 40});
+  CHECK(strips.excludedMax == Vec2{50, 60});
+  // One outline along the edges, with what stands in two corners.
+  const Printer corners = read("0x250,0x247,35x247,35x250,250x250,250x20,240x20,240x0,250x0,250x20,250x250").printer;
+  CHECK(corners.bedMax == Vec2{240, 247});
+  CHECK(corners.bedMin == Vec2{0, 0});
+  CHECK(corners.excludedMax == corners.excludedMin);
+  // Across the middle: nothing is left, and a plate is refused.
+  const Printer across = read("0x0,250x0,250x250,125x130,0x250").printer;
+  CHECK(across.excludedMax == Vec2{250, 250});
+  // Two nozzles: what both reach.
+  const Printer both = read("0x0",
+                            ", \"extruder_printable_area\": [\"0x0,240x0,240x250,0x250\", "
+                            "\"25x0,250x0,250x250,25x250\"]")
+                           .printer;
+  CHECK(both.bedMin == Vec2{25, 0});
+  CHECK(both.bedMax == Vec2{240, 250});
+}
+
+TEST_CASE("a preset without its parent is refused where ours would take its place") {
+  const std::string inherits = "\"inherits\": \"Maker 5 0.4 nozzle\", \"retraction_length\": [\"0.8\"]";
+  const std::string bed = ", \"printable_area\": [\"0x0\", \"220x0\", \"220x220\", \"0x220\"]";
+  const std::string start = ", \"machine_start_gcode\": \"G28\\nM190 S60\\nM109 S210\"";
+  for (const std::string& rest : {std::string(), bed, start}) {
+    CHECK(problem("{" + inherits + rest + "}").find("inherits its bed or its start block from \"Maker 5") !=
+          std::string::npos);
+  }
+  CHECK(problem("{" + inherits + bed + start + "}").empty());
+  CHECK(problem("{\"inherits\": \"Creality K1 0.4 nozzle\", \"printer_model\": \"Creality K1\"}").empty());
+}
+
+TEST_CASE("Orca's packed presets and projects are opened, unless they hold G-code") {
+  const std::string json =
+      "{\"name\": \"Mine\", \"printable_area\": [\"0x0\", \"220x0\", \"220x220\", \"0x220\"], \"retraction_length\": "
+      "[\"3\"]}";
+  const auto packed = [&](std::initializer_list<std::pair<const char*, std::string>> entries) {
+    Zip zip;
+    for (const auto& [name, bytes] : entries) zip.add(name, bytes);
+    return zip.finish();
+  };
+  for (const char* name : {"printer/Mine.json", "Metadata/project_settings.config"}) {
+    const ImportedPrinter read = imported(packed({{"bundle_structure.json", "{}"}, {name, json}}));
+    CHECK(read.source == "Orca settings");
+    CHECK(read.printer.retractLength == 3);
+  }
+  const std::string sliced = "G28\n;LAYER_CHANGE\nG1 X5 Y5 E1\nG1 X9 E1\n;TYPE:Custom\nM84\n; retraction_length = 4\n";
+  const ImportedPrinter donor =
+      imported(packed({{"Metadata/project_settings.config", json}, {"Metadata/plate_1.gcode", sliced}}));
+  CHECK(donor.source == "donor G-code");
+  CHECK(donor.printer.retractLength == 4);
+  CHECK(problem(packed({{"printer/Mine.json", "[1"}})).find("is no JSON object") != std::string::npos);
+  CHECK(problem(packed({{"3D/3dmodel.model", ""}})).find("holds no .gcode") != std::string::npos);
+}
+
 TEST_CASE("an Orca preset gives its own values and names what it inherits") {
   const ImportedPrinter read = imported(R"({
     "type": "machine", "name": "My P1S", "inherits": "Bambu Lab P1S 0.4 nozzle", "printer_model": "Bambu Lab P1S",
@@ -285,6 +353,71 @@ TEST_CASE("a donor file gives the blocks that were printed, re-aimed, and its se
   text.erase(text.find(";LAYER_CHANGE\n"), 14);
   CHECK(problem(text).find("the G-code marks no layer") == 0);
   CHECK(problem("G28\n;LAYER_CHANGE\nG1 X5\n") == "the G-code extrudes nothing after its first layer mark");
+}
+
+TEST_CASE("what a donor's own template works out of the plate follows the next one") {
+  const auto donor = [](const std::string& start, const std::string& told) {
+    return imported(start + ";LAYER_CHANGE\nG1 X100 Y90 F6000\nG1 X130 E0.4 F1200\nG1 Y110 E0.4\n;TYPE:Custom\nM84\n" +
+                    "; printable_area = 0x0,250x0,250x210,0x210\n; first_layer_temperature = 225\n"
+                    "; first_layer_bed_temperature = 60\n; filament_type = PLA\n; machine_start_gcode = " +
+                    told + "\n")
+        .printer.startGcode;
+  };
+  const std::string heat = "M140 S60\nM190 S60\nM109 S225\n";
+  const std::string heated =
+      "M140 S{first_layer_bed_temperature}\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}\n";
+  // A purge line beside the plate; M107 is the slicer's.
+  const char* purge =
+      "G28\\n; a line\\nG1 X{first_layer_print_min[0] - 5} Y{max(first_layer_print_min[1], 4)}\\n"
+      "{if filament_type[0] == \"PLA\"}M106 S80{else}M106 S0{endif}\\n;LAYER:0";
+  const std::string purges =
+      "G28\nG1 X{first_layer_print_min[0] - 5} Y{max(first_layer_print_min[1], 4)}\n"
+      "{if filament_type[0] == \"PLA\"}M106 S80{else}M106 S0{endif}\n";
+  CHECK(donor(heat + "G28\nG1 X95 Y90\nM106 S80\nM107\n", purge) == heated + purges + "M107\n");
+  // Centres of beads lie a little within the print.
+  CHECK(donor(heat + "G28\nG1 X94.7 Y89.8\nM106 S80\n", purge) == heated + purges);
+  // What says something else stays as it was done.
+  for (const char* done : {"G28\nG1 X40 Y90\nM106 S80\n", "G28\nG1 X95 Y90\nM106 S0\n", "G28\nM106 S80\nG1 X95 Y90\n",
+                           "G28\nG1 X95 Y90 F3\nM106 S80\n"}) {
+    CHECK(donor(heat + done, purge) == heated + done);
+  }
+  CHECK(donor(heat + "G28\nG1 X95\n", "G28\\nG1 X{other[0]}") == heated + "G28\nG1 X95\n");
+  // Orca's mesh below the plate, within what the probe reaches.
+  const std::string mesh =
+      "BED_MESH_CALIBRATE mesh_min={adaptive_bed_mesh_min[0]},{adaptive_bed_mesh_min[1]} ALGORITHM=[bed_mesh_algo] "
+      "PROBE_COUNT={bed_mesh_probe_count[0]},4\n; adaptive_bed_mesh_margin = 7\n; bed_mesh_min = 10,85";
+  const std::string made =
+      donor(heat + "G28\nBED_MESH_CALIBRATE mesh_min=93,85 ALGORITHM=bicubic PROBE_COUNT=4,4\n", "G28\\n" + mesh);
+  Printer printer;
+  printer.bedMax = {250, 210};
+  const Bounds plate{{40, 100}, {60, 120}};
+  const auto expanded = expandTemplate(made, templateValues(printer, {}, plate), "");
+  REQUIRE(expanded.ok());
+  CHECK(expanded.value().find("mesh_min=33,93 ALGORITHM=bicubic PROBE_COUNT=4,4") != std::string::npos);
+}
+
+TEST_CASE("of several filaments a donor's is the one that it prints with") {
+  const std::string settings =
+      "; filament_type = PLA;PETG\n; nozzle_temperature = 220,250\n; nozzle_temperature_initial_layer = 220,255\n"
+      "; filament_max_volumetric_speed = 21,12\n; filament_density = 1.24,1.27\n"
+      "; machine_max_acceleration_extruding = 5000,2500\n; printable_area = 0x0,256x0,256x256,0x256\n";
+  const std::string layer = ";LAYER_CHANGE\nG1 X100 Y90 F6000\nG1 X130 E0.4 F1200\n;TYPE:Custom\nM620 S255\nM84\n";
+  const std::string start = "G28\nM190 S60\nM620 S1A\nM109 S255\nT1\nM621 S1A\nT1000\n";
+  const Printer bambu = imported(start + layer + "; printer_model = Bambu Lab X1 Carbon\n" + settings).printer;
+  CHECK(bambu.filamentType == "PETG");
+  CHECK(bambu.nozzleTemperature == 250);
+  CHECK(bambu.firstLayerNozzleTemperature == 255);
+  CHECK(bambu.maxFlow == 12);
+  CHECK(bambu.filamentDensity == 1.27);
+  CHECK(bambu.machineAcceleration == 5000);  // of a mode, not of a filament
+  // Its job has one filament, which is the first.
+  CHECK(bambu.startGcode ==
+        "G28\nM190 S{first_layer_bed_temperature}\nM620 S0A\nM109 S{first_layer_temperature}\nT0\nM621 S0A\nT1000\n");
+  CHECK(bambu.endGcode == "M620 S255\nM84\n");
+  const Printer other = imported(start + layer + "; printer_model = Changer\n" + settings).printer;
+  CHECK(other.nozzleTemperature == 250);
+  CHECK(other.startGcode.find("\nT1\n") != std::string::npos);
+  CHECK(imported("G28\n" + layer + settings).printer.nozzleTemperature == 220);
 }
 
 TEST_CASE("Cura's and Bambu's files are donors too") {
@@ -437,6 +570,23 @@ TEST_CASE("what blocks ask of the slicer's settings is put into them, what they 
       "S0\\n"
       "M140 S0\n");
   CHECK(read.notRead.empty());
+}
+
+TEST_CASE("a chamber that no filament tells stays cold; what a donor heats it to is pointed out") {
+  const std::string block = "G28\\nM190 S60\\nM109 S215\\nM141 S{chamber_temperature[0]}\n";
+  const std::string bed = "bed_shape = 0x0,220x0,220x220,0x220\nstart_gcode = ";
+  CHECK(imported(bed + block).printer.startGcode.find("M141 S0") != std::string::npos);
+  CHECK(imported("chamber_temperature = 50\n" + bed + block).printer.startGcode.find("M141 S50") != std::string::npos);
+  const std::string layer =
+      ";LAYER_CHANGE\nG1 X100 Y90 F6000\nG1 X130 E0.4\n;TYPE:Custom\nM84\n; filament_type = ABS\n";
+  const ImportedPrinter hot =
+      imported("PRINT_START BED=100 EXTRUDER=250 CHAMBER=50 MATERIAL=ABS NAME=\"ABS\"\n" + layer);
+  CHECK(notes(hot, "heats for purposes of its own (PRINT_START BED=100 EXTRUDER=250 CHAMBER=50"));
+  CHECK(hot.printer.startGcode ==
+        "PRINT_START BED={first_layer_bed_temperature} EXTRUDER={first_layer_temperature} CHAMBER=50 "
+        "MATERIAL={filament_type} NAME=\"{filament_type}\"\n");
+  CHECK(notes(imported("G28\nM191 S40\nM190 S60\nM109 S215\n" + layer), "(M191 S40)"));
+  CHECK_FALSE(notes(imported("G28\nM141 S0\nM190 S60\nM109 S215\n" + layer), "purposes"));
 }
 
 TEST_CASE("a place to present the print that lies off the bed is left out of the end block") {

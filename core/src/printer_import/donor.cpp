@@ -1,12 +1,18 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "gcode/blocks.hpp"
+#include "gcode/template.hpp"
 #include "gcode_reader/layer_mark.hpp"
 #include "gcode_reader/macros.hpp"
+#include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
+#include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_settings.hpp"
@@ -113,14 +119,73 @@ bool replaceArea(std::string& line) {
   return true;
 }
 
+/// A line of a block that says anything: its code, and where it lies.
+struct BlockLine {
+  std::string_view code;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Empty where there are too many to compare.
+std::vector<BlockLine> linesOf(std::string_view block) {
+  constexpr std::size_t kMost = 5000;
+  std::vector<BlockLine> lines;
+  for (std::string_view rest = block; !rest.empty();) {
+    const std::size_t begin = block.size() - rest.size();
+    const std::string_view code = codeOf(nextLine(rest));
+    if (code.empty() || isOfOldPrint(code)) continue;
+    if (lines.size() == kMost) return {};
+    lines.push_back({code, begin, block.size() - rest.size()});
+  }
+  return lines;
+}
+
+/// The same command, with numbers that differ by no more than a plate's edge that is not known to the bead.
+bool saysTheSame(std::string_view a, std::string_view b) {
+  constexpr double kEdge = 2;  // [mm], and what else has a number
+  const auto isTool = [](std::string_view code) {
+    return code.size() > 1 && code[0] == 'T' && code[1] >= '0' && code[1] <= '9';
+  };
+  if (firstWord(a) != firstWord(b) && !(isTool(a) && isTool(b))) return false;
+  const auto next = [](std::string_view& rest) -> std::optional<double> {
+    while (!rest.empty()) {
+      double value = 0;
+      const std::size_t size = readNumber(rest, value);
+      rest.remove_prefix(std::max<std::size_t>(size, 1));
+      if (size > 0) return value;
+    }
+    return std::nullopt;
+  };
+  for (;;) {
+    const std::optional<double> one = next(a);
+    const std::optional<double> other = next(b);
+    if (one.has_value() != other.has_value()) return false;
+    if (!one) return true;
+    if (std::abs(*one - *other) > std::max(kEdge, 0.05 * std::abs(*other))) return false;
+  }
+}
+
+/// The tool that a start block chooses last; Bambu's have numbers of their own from 255 on.
+std::size_t toolOf(std::string_view block) {
+  constexpr int kMostTools = 16;
+  std::size_t tool = 0;
+  while (!block.empty()) {
+    const GcodeCommand command = commandOf(codeOf(nextLine(block)));
+    if (command.letter == 'T' && command.code >= 0 && command.code < kMostTools)
+      tool = static_cast<std::size_t>(command.code);
+  }
+  return tool;
+}
+
 // RepRapFirmware tells by it what belongs to an "if".
 std::string_view indentationOf(std::string_view line) {
   return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
 }
 
-// A start macro's temperatures become the next job's.
-void insertMacroTargets(std::string& line, double nozzle, double bed) {
+// A start macro's temperatures and filament become the next job's.
+void insertMacroTargets(std::string& line, double nozzle, double bed, std::string_view filament) {
   replaceParameters(line, [&](std::string_view key, std::string_view value) -> std::string_view {
+    if (value == filament && !filament.empty()) return "{filament_type}";
     const double degrees = firstNumber(value).value_or(0);
     switch (macroHeat(key)) {
       case MacroHeat::Bed:
@@ -136,6 +201,19 @@ void insertMacroTargets(std::string& line, double nozzle, double bed) {
   });
 }
 
+/// What a line heats the chamber to [degrees Celsius]; 0: nothing.
+double chamberOf(std::string_view line) {
+  double degrees = 0;
+  if (isCommand(line, "M141") || isCommand(line, "M191")) {
+    const std::size_t begin = valueOf(line, 'S');
+    if (begin != std::string_view::npos) degrees = firstNumber(firstWord(line.substr(begin))).value_or(0);
+  }
+  forEachParameter(line, [&](const std::string& key, std::string_view value) {
+    if (key.find("CHAMBER") != std::string::npos) degrees = std::max(degrees, firstNumber(value).value_or(0));
+  });
+  return degrees;
+}
+
 class Donor {
  public:
   explicit Donor(ImportedPrinter& out) : out_(out) {}
@@ -148,7 +226,10 @@ class Donor {
 
  private:
   void comment(std::string_view line);
+  void startBlock(std::string_view block);
   void startLine(std::string_view whole);
+  void lookAt(std::string_view code);
+  [[nodiscard]] std::string ofThisJob(std::string_view code) const;
   void templateFilament(const GcodeCheck& check);
   void endLine(std::string_view code);
   void note(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {}) {
@@ -160,7 +241,9 @@ class Donor {
   std::string cura_;  // its settings, escaped, over many comments
   bool relativeEnd_ = false;
   bool tellsBlocks_ = false;
-  double lowest_ = 0;   // [mm], coordinate of a bead
+  std::string template_;  // of the start block, as the slicer was told it
+  std::size_t tool_ = 0;  // that the file prints with
+  Bounds beads_;
   double advance_ = 0;  // [s], of the start block
 };
 
@@ -177,12 +260,56 @@ void Donor::comment(std::string_view line) {
   }
 }
 
+// Slicers keep among the settings what they made the block from. Where that says with this file's values what the file
+// does line by line, it takes those lines' place: what it works out of the plate, such as purge lines beside it and the
+// mesh below it, then follows the next plate.
+void Donor::startBlock(std::string_view block) {
+  const std::vector<BlockLine> done = linesOf(block);
+  std::vector<BlockLine> told;
+  const std::string folded = withSettings(template_, settings_, templateValues(out_.printer, {}, {}));
+  const auto expanded = expandTemplate(folded, templateValues(out_.printer, {}, beads_), "");
+  if (expanded && folded.size() <= kMaxBlockBytes && folded.find_first_of("{[") != std::string::npos) {
+    told = linesOf(expanded.value());
+  }
+  const auto found =
+      told.empty() ? done.end()
+                   : std::search(done.begin(), done.end(), told.begin(), told.end(),
+                                 [](const BlockLine& a, const BlockLine& b) { return saysTheSame(a.code, b.code); });
+  const bool same = found != done.end();
+  const std::size_t begin = same ? found->begin : block.size();
+  const std::size_t end = same ? (found + static_cast<std::ptrdiff_t>(told.size()) - 1)->end : block.size();
+  const auto lines = [this](std::string_view rest) {
+    while (!rest.empty() && out_.printer.startGcode.size() <= kMaxBlockBytes) startLine(nextLine(rest));
+  };
+  lines(block.substr(0, begin));
+  if (same) {
+    for (const BlockLine& line : told) lookAt(line.code);
+    for (std::string_view rest = folded; !rest.empty();) {
+      const std::string_view line = nextLine(rest);
+      // A comment may read as a layer's mark; one with a branch holds code, too.
+      const bool comment = trimmed(line).starts_with(';') && line.find("if") == std::string_view::npos;
+      if (!comment) out_.printer.startGcode.append(line).append("\n");
+    }
+  }
+  lines(block.substr(end));
+}
+
+// Of a job for Bambu's machines filaments are counted anew; that of ours is the first.
+std::string Donor::ofThisJob(std::string_view code) const {
+  std::string line(code);
+  if (tool_ == 0 || out_.printer.flavor != GcodeFlavor::Bambu) return line;
+  const std::string number = std::to_string(tool_);
+  if (line == "T" + number) return "T0";
+  const bool changes = isCommand(code, "M620") || isCommand(code, "M621");
+  return changes && code.substr(4) == " S" + number + "A" ? line.substr(0, 4) + " S0A" : line;
+}
+
 // Areas of the old plate become those of the new one; all other words of such a line are the printer's and stay.
 void Donor::startLine(std::string_view whole) {
   const std::string_view code = codeOf(whole);
   const std::string_view indentation = indentationOf(whole);
   if (code.empty() || isOfOldPrint(code)) return;
-  std::string line(code);
+  std::string line = ofThisJob(code);
   if (isCommand(code, "M555")) {
     line = withValues(std::move(line), {{'X', "{first_layer_print_min[0]}"},
                                         {'Y', "{first_layer_print_min[1]}"},
@@ -200,6 +327,12 @@ void Donor::startLine(std::string_view whole) {
       note("FixedArea", {{"line", std::string(code.substr(0, 60))}});
     }
   }
+  lookAt(code);
+  out_.printer.startGcode.append(indentation).append(line).append("\n");
+}
+
+// What a line sets for its own filament, and what it leaves set.
+void Donor::lookAt(std::string_view code) {
   for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
                                      {"M572", " S"},
                                      {"SET_PRESSURE_ADVANCE", " ADVANCE="}}) {
@@ -213,7 +346,6 @@ void Donor::startLine(std::string_view whole) {
     if (!isCommand(code, factor) || value == std::string_view::npos || firstWord(code.substr(value)) == "100") continue;
     note("Factor", {{"line", std::string(code.substr(0, 60))}});
   }
-  out_.printer.startGcode.append(indentation).append(line).append("\n");
 }
 
 // The slicer put the filament's own temperatures and type into the block. Those become the next job's; others, as for
@@ -245,11 +377,13 @@ void Donor::templateFilament(const GcodeCheck& check) {
     if (ofBed || isCommand(line, "M104") || isCommand(line, "M109")) {
       const std::size_t begin = std::min(valueOf(line, 'S'), valueOf(line, 'R'));
       if (begin != std::string::npos) insertTarget(line, begin, ofBed);
-    } else if (isStartMacro(commandOf(codeOf(line)))) {  // PRINT_START BED=60 EXTRUDER=215
+    }
+    if (chamberOf(line) > 0) keep(line);
+    if (isStartMacro(commandOf(codeOf(line)))) {  // PRINT_START BED=60 EXTRUDER=215
       const MacroTargets targets = macroTargets(line);
       if (targets.bed > 0) bed = targets.bed;
       if (targets.nozzle > 0 && targets.nozzle != nozzle) keep(line);
-      insertMacroTargets(line, nozzle, bed);
+      insertMacroTargets(line, nozzle, bed, p.filamentType);
     }
     constexpr std::string_view kType = "M1002 set_filament_type:";
     if (line == std::string(kType) + p.filamentType) line = std::string(kType) + "{filament_type}";
@@ -265,7 +399,7 @@ void Donor::endLine(std::string_view code) {
   if (isOfOldPrint(code)) return;
   if (isCommand(code, "G90")) relativeEnd_ = false;
   if (isCommand(code, "G91")) relativeEnd_ = true;
-  std::string line(code);
+  std::string line = ofThisJob(code);
   // A height of the old print may lie inside the new plate. Ours has lifted the nozzle before the block begins.
   if (isMove(code) && !relativeEnd_ && hasWord(code, 'Z')) {
     const std::size_t z = line.find(" Z");
@@ -294,6 +428,8 @@ std::optional<Error> Donor::read(std::string_view text) {
   std::string_view rest = text;
   std::size_t firstLayer = std::string_view::npos;
   std::size_t lastBead = 0;
+  Vec2 nozzle;
+  bool placed = false;
   while (!rest.empty()) {
     const std::size_t at = text.size() - rest.size();
     const std::string_view line = trimmed(nextLine(rest));
@@ -301,14 +437,18 @@ std::optional<Error> Donor::read(std::string_view text) {
     if (line[0] == ';') {
       if (firstLayer == std::string_view::npos && isLayerMark(line)) firstLayer = at;
       comment(line);
-    } else if (isBead(line)) {
-      lastBead = text.size() - rest.size();
-      for (const char axis : {'X', 'Y'}) {
-        const std::size_t begin = valueOf(line, axis);
+    } else if (isMove(line)) {
+      const bool bead = isBead(line);
+      if (bead) lastBead = text.size() - rest.size();
+      if (firstLayer == std::string_view::npos) continue;
+      if (bead && placed) beads_.add(nozzle);
+      for (double* const place : {&nozzle.x, &nozzle.y}) {
+        const std::size_t begin = valueOf(line, place == &nozzle.x ? 'X' : 'Y');
         if (begin == std::string_view::npos) continue;
-        const auto value = firstNumber(firstWord(line.substr(begin)));
-        if (value && firstLayer != std::string_view::npos) lowest_ = std::min(lowest_, *value);
+        if (const auto value = firstNumber(firstWord(line.substr(begin)))) *place = *value;
+        placed = true;
       }
+      if (bead) beads_.add(nozzle);
     }
   }
   if (firstLayer == std::string_view::npos) {
@@ -322,7 +462,14 @@ std::optional<Error> Donor::read(std::string_view text) {
   }
   if (lastBead <= firstLayer) return invalidFile("the G-code extrudes nothing after its first layer mark");
 
+  const std::string_view start = text.substr(0, firstLayer);
+  tool_ = toolOf(start);
+  chooseTool(settings_, tool_);
   // Resolved settings first; blocks in them are templates, the ones in the file are what was printed.
+  for (const char* key : {"machine_start_gcode", "start_gcode"}) {
+    if (const auto told = settings_.find(key); told != settings_.end() && template_.empty())
+      template_ = unescaped(told->second);
+  }
   for (const char* key : {"start_gcode", "machine_start_gcode", "end_gcode", "machine_end_gcode"}) settings_.erase(key);
   if (!cura_.empty()) {
     std::string_view lines = cura_;
@@ -341,19 +488,15 @@ std::optional<Error> Donor::read(std::string_view text) {
   out_.printer.endGcode.clear();
   // Beads left of or before the origin: it lies in the bed's middle, as on deltas, whose beds are round.
   const bool told = settings_.contains("bed_shape") || settings_.contains("printable_area");
-  if (!told && out_.profile.empty() && lowest_ < -5) {
+  if (!told && out_.profile.empty() && std::min(beads_.min.x, beads_.min.y) < -5) {
     const Vec2 half = 0.5 * (out_.printer.bedMax - out_.printer.bedMin);
     out_.printer.bedMin = {-half.x, -half.y};
     out_.printer.bedMax = half;
     out_.printer.roundBed = true;
   }
 
-  rest = text.substr(0, firstLayer);
-  while (!rest.empty()) {
-    startLine(nextLine(rest));
-    if (out_.printer.startGcode.size() > kMaxBlockBytes)
-      return invalidFile("the start block is longer than 65536 bytes");
-  }
+  startBlock(start);
+  if (out_.printer.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
   recogniseKlipper(out_);
   if (setsPressureAdvance(out_.printer.startGcode)) {  // for the donor's filament, and nothing need set it again
     out_.printer.setPressureAdvance = false;
@@ -374,7 +517,8 @@ std::optional<Error> Donor::read(std::string_view text) {
     if (out_.printer.endGcode.size() > kMaxBlockBytes) return invalidFile("the end block is longer than 65536 bytes");
   }
 
-  const GcodeCheck check = checkGcode(out_.printer.startGcode, out_.printer);
+  const auto expanded = expandTemplate(out_.printer.startGcode, templateValues(out_.printer, {}, beads_), "");
+  const GcodeCheck check = checkGcode(expanded ? expanded.value() : out_.printer.startGcode, out_.printer);
   if (!check.homes) note("NoHoming");
   if (!check.heatsNozzle) note("NoNozzleWait");
   if (!check.heatsBed) note("NoBedWait");

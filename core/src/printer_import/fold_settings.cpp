@@ -1,8 +1,12 @@
 #include "printer_import/fold_settings.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 
+#include "base/decimal_text.hpp"
 #include "gcode_reader/parser.hpp"
 #include "printer_import/slicer_text.hpp"
 
@@ -16,19 +20,15 @@ constexpr std::size_t npos = std::string_view::npos;
 
 bool isName(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }
 
-// The k-th of "1250,960" or "PLA;PETG", or the first where there are fewer.
-std::string itemOf(std::string_view list, std::size_t index) {
-  const char separator = list.find_first_of(";\"") != npos ? ';' : ',';
-  const auto at = [&](std::size_t wanted) -> std::optional<std::string_view> {
-    std::string_view rest = list;
-    for (; wanted > 0; --wanted) {
-      const std::size_t cut = rest.find(separator);
-      if (cut == npos) return std::nullopt;
-      rest.remove_prefix(cut + 1);
-    }
-    return trimmed(rest.substr(0, rest.find(separator)));
-  };
-  return unescaped(at(index).value_or(*at(0)));
+bool isChamber(std::string_view name) {
+  return name == "chamber_temperature" || name == "overall_chamber_temperature" || name == "chamber_temperatures" ||
+         name == "activate_chamber_temp_control";
+}
+
+void replaceAll(std::string& text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != npos && text.size() < kMostBytes; at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
 }
 
 // As it stands in an expression; empty: it cannot.
@@ -40,9 +40,43 @@ std::string literalOf(std::string_view name, const std::string& value) {
     return whole ? value : value + ".0";
   }
   if (value.find_first_of("\"\\") != std::string::npos || value.ends_with('%')) return {};
-  std::string text = value;
+  std::string text = "\"";
+  text += value;
   std::replace(text.begin(), text.end(), '\n', ' ');  // notes, in which words are looked for
-  return "\"" + text + "\"";
+  text += '"';
+  return text;
+}
+
+// Orca's area and points of the mesh below a plate, as expressions of the plate: it lies a margin around it, within
+// what the probe reaches. Four points a side are the least for which bicubic interpolation is defined.
+std::string withMesh(std::string_view block, const SlicerSettings& settings) {
+  const auto number = [&](const char* key, std::size_t index, double otherwise) {
+    const auto found = settings.find(key);
+    if (found == settings.end()) return otherwise;
+    std::string text = found->second;
+    std::replace(text.begin(), text.end(), 'x', ',');  // a point
+    return firstNumber(itemOf(text, index)).value_or(otherwise);
+  };
+  constexpr double kFar = 99999;  // no limit, as Orca writes it
+  constexpr double kMargin = 5;   // [mm]
+  std::string out(block);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::string index = axis == 0 ? "[0]" : "[1]";
+    const std::string margin = decimal(number("adaptive_bed_mesh_margin", 0, kMargin), 3);
+    const std::string low = decimal(number("bed_mesh_min", axis, -kFar), 3);
+    const std::string high = decimal(number("bed_mesh_max", axis, kFar), 3);
+    const std::pair<std::string, std::string> words[] = {
+        {"adaptive_bed_mesh_min" + index,
+         "max(max(first_layer_print_min" + index + " - " + margin + ", " + low + "), print_bed_min" + index + ")"},
+        {"adaptive_bed_mesh_max" + index,
+         "min(min(first_layer_print_max" + index + " + " + margin + ", " + high + "), print_bed_max" + index + ")"},
+        {"bed_mesh_probe_count" + index, "(first_layer_print_size" + index + " > 150 ? 6 : 4)"},
+    };
+    for (const auto& [name, expression] : words) replaceAll(out, name, expression);
+  }
+  replaceAll(out, "[bed_mesh_algo]", "bicubic");
+  replaceAll(out, "{bed_mesh_algo}", "bicubic");
+  return out;
 }
 
 class Folding {
@@ -74,7 +108,7 @@ class Folding {
       if (alone && rest.empty()) {
         out += depth < kMostNested && ++blocks_ < kMostBlocks ? folded(*alone, depth + 1) : *alone;
       } else if (braces) {
-        out += "{" + expression(inside) + "}";
+        out.append("{").append(expression(inside)).append("}");
       } else {
         out += whole;
       }
@@ -90,7 +124,9 @@ class Folding {
     const std::string_view name = text.substr(0, size);
     if (name.empty() || templateValue(name, 0, job_)) return std::nullopt;
     const auto found = settings_.find(name);
-    if (found == settings_.end() || found->second == "nil") return std::nullopt;
+    // A printer's settings alone do not tell the filament's chamber. Ours heat none.
+    const bool cold = found == settings_.end() && isChamber(name);
+    if (!cold && (found == settings_.end() || found->second == "nil")) return std::nullopt;
     std::string_view rest = text.substr(size);
     std::size_t index = 0;
     if (rest.starts_with('[')) {
@@ -105,6 +141,7 @@ class Folding {
       rest.remove_prefix(close + 1);
     }
     text = rest;
+    if (cold) return "0";
     const bool block = name.ends_with("gcode");
     return block ? unescaped(found->second) : itemOf(found->second, index);
   }
@@ -143,7 +180,7 @@ class Folding {
 
 std::string withSettings(std::string_view block, const SlicerSettings& settings,
                          const std::vector<TemplateValue>& job) {
-  return Folding(settings, job).folded(block, 0);
+  return Folding(settings, job).folded(withMesh(block, settings), 0);
 }
 
 }  // namespace sillon

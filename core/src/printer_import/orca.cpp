@@ -31,17 +31,25 @@ Result<ImportedPrinter> importJson(std::string_view text) {
     if (!first->is_string()) continue;
     std::string joined = first->get_ref<const std::string&>();
     // Corners are lists; of anything else the first tool's value counts.
-    if (value.is_array() && (item.key() == "printable_area" || item.key() == "bed_exclude_area")) {
+    if (value.is_array() && item.key().ends_with("_area")) {
       for (std::size_t k = 1; k < value.size() && value[k].is_string(); ++k) {
         joined += "," + value[k].get_ref<const std::string&>();
       }
     }
     settings.insert_or_assign(item.key(), std::move(joined));
   }
-  if (const auto parent = settings.find("inherits"); parent != settings.end() && !parent->second.empty()) {
-    addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parent->second)}}));
+  const auto parent = settings.find("inherits");
+  const bool inherits = parent != settings.end() && !parent->second.empty();
+  if (inherits) addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parent->second)}}));
+  Result<ImportedPrinter> made = printerOfSettings(settings, std::move(out));
+  // Ours would take their place, which are of another machine.
+  const bool lacks = !settings.contains("printable_area") || !settings.contains("machine_start_gcode");
+  if (made && inherits && lacks && made.value().profile.empty()) {
+    return Error{ErrorCode::InvalidFile,
+                 "the preset inherits its bed or its start block from " + shown(parent->second) +
+                     ", which lies in another file; open G-code that was sliced for this printer"};
   }
-  return printerOfSettings(settings, std::move(out));
+  return made;
 }
 
 }  // namespace sillon

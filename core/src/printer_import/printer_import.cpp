@@ -1,7 +1,9 @@
 #include "sillon/printer_import/printer_import.hpp"
 
+#include <optional>
 #include <utility>
 
+#include "export/zip_reader.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/slicer_text.hpp"
 #include "sillon/export/gcode_archive.hpp"
@@ -26,9 +28,30 @@ bool looksLikeGcode(std::string_view text) {
   return false;
 }
 
+// A project of Orca or Bambu Studio that is not sliced, or a printer that Orca exported: where its settings lie.
+std::optional<ZipEntry> packedSettings(std::string_view zip) {
+  const Result<ZipDirectory> directory = readZip(zip);
+  std::optional<ZipEntry> found;
+  if (!directory) return found;
+  for (const ZipEntry& entry : directory.value().entries) {
+    const bool project = entry.name == "Metadata/project_settings.config";
+    const bool preset = entry.name.starts_with("printer/") && entry.name.ends_with(".json");
+    if (entry.name.ends_with(".gcode")) return std::nullopt;
+    if ((project || preset) && !found) found = entry;
+  }
+  return found;
+}
+
 }  // namespace
 
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
+  if (bytes.starts_with("PK\x03\x04")) {
+    if (const auto entry = packedSettings(bytes)) {
+      const Result<std::string> json = unpackEntry(bytes, *entry, kMaxSettingsBytes);
+      if (!json) return Error{json.error().code, "the file " + json.error().message};
+      return importJson(json.value());
+    }
+  }
   if (isPackedGcode(bytes)) {
     const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();

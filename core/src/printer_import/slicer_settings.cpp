@@ -11,6 +11,7 @@
 #include "base/lines.hpp"
 #include "gcode/template.hpp"
 #include "gcode_reader/parser.hpp"
+#include "printer_import/bed_area.hpp"
 #include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
@@ -162,19 +163,17 @@ void SettingsReader::bed() {
     const Vec2 size = p_.bedMax - p_.bedMin;
     addNote(out_.notRead, importNote("BedUnknown", {{"width", decimal(size.x, 0)}, {"depth", decimal(size.y, 0)}}));
   }
-  if (const std::string* text = find({"bed_exclude_area"})) {
-    const std::vector<Vec2> corners = readCorners(*text);
-    Bounds box;
-    for (const Vec2 corner : corners) box.add(corner);
-    const bool usable =
-        corners.size() >= 3 && box.min.x >= -5000 && box.min.y >= -5000 && box.max.x <= 5000 && box.max.y <= 5000;
-    if (usable) {
-      p_.excludedMin = box.min;
-      p_.excludedMax = box.max;
-      took();
-    } else if (*text != "0x0") {  // Orca's way to say none
-      failed("ExcludedArea", *text);
-    }
+  BedArea area{{p_.bedMin, p_.bedMax}, {}};
+  if (const std::string* text = find({"extruder_printable_area"}); text != nullptr && reachByAll(*text, area)) took();
+  if (const std::string* text = find({"bed_exclude_area"});
+      text != nullptr && *text != "0x0") {  // Orca's way to say none
+    exclude(*text, area) ? took() : failed("ExcludedArea", *text);
+  }
+  p_.bedMin = area.bed.min;
+  p_.bedMax = area.bed.max;
+  if (!area.excluded.empty()) {
+    p_.excludedMin = area.excluded.min;
+    p_.excludedMax = area.excluded.max;
   }
 }
 
@@ -248,7 +247,13 @@ void SettingsReader::block(Keys keys, std::string& out) {
   const std::string* text = find(keys);
   if (text == nullptr) return;
   if (text->size() > kMaxBlockBytes) return failed("BlockTooLong", *text);
-  out = withSettings(*text, settings_, templateValues(p_, {}, {}));
+  std::string lines;
+  for (std::string_view rest = *text; !rest.empty();) {
+    const std::string_view line = nextLine(rest);
+    if (!isLayerMark(trimmed(line))) lines.append(line).append("\n");  // the first layer's, of its slicer
+  }
+  if (!text->ends_with('\n') && !lines.empty()) lines.pop_back();
+  out = withSettings(lines, settings_, templateValues(p_, {}, {}));
   if (out.size() > kMaxBlockBytes) {
     out.clear();
     return failed("BlockTooLong", *text);
@@ -260,8 +265,30 @@ void SettingsReader::block(Keys keys, std::string& out) {
 
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { SettingsReader(settings, out).all(); }
 
+namespace {
+
+// For blocks that work something out of it.
+Bounds somePlate(const Printer& printer) {
+  const Vec2 middle = 0.5 * (printer.bedMin + printer.bedMax);
+  const Vec2 quarter = 0.25 * (printer.bedMax - printer.bedMin);
+  return {middle - quarter, middle + quarter};
+}
+
+}  // namespace
+
+void chooseTool(SlicerSettings& settings, std::size_t tool) {
+  const auto types = settings.find("filament_type");
+  const std::size_t count = types == settings.end() ? 0 : itemsOf(types->second);
+  if (tool >= count) return;
+  for (auto& [key, value] : settings) {
+    const bool other = key.starts_with("machine_") || key.ends_with("_area") || key.ends_with("_shape") ||
+                       key.ends_with("gcode") || key == "thumbnails";
+    if (!other && itemsOf(value) == count) value = itemOf(value, tool);
+  }
+}
+
 void judgeBlocks(ImportedPrinter& out) {
-  const std::vector<TemplateValue> values = templateValues(out.printer, {}, {});  // only the names matter here
+  const std::vector<TemplateValue> values = templateValues(out.printer, {}, somePlate(out.printer));
   for (const auto& [name, text] :
        {std::pair{"the start block", &out.printer.startGcode}, {"the end block", &out.printer.endGcode}}) {
     if (const auto expanded = expandTemplate(*text, values, name); !expanded) {
@@ -276,7 +303,7 @@ namespace {
 void addHeating(Printer& printer) {
   std::string& block = printer.startGcode;
   if (block.empty()) return;
-  const auto expanded = expandTemplate(block, templateValues(printer, {}, {}), "");
+  const auto expanded = expandTemplate(block, templateValues(printer, {}, somePlate(printer)), "");
   if (!expanded) return;  // judgeBlocks says why
   const GcodeCheck check = checkGcode(expanded.value(), printer);
   if (!check.heatsNozzle) {

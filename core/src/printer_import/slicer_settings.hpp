@@ -15,6 +15,9 @@ using SlicerSettings = std::map<std::string, std::string, std::less<>>;  ///< re
 /// Lays what is known of the settings over out.printer, and lists what was read and what could not be.
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out);
 
+/// Of lists with a value for each filament, as "PLA;PETG", keeps that of one tool.
+void chooseTool(SlicerSettings& settings, std::size_t tool);
+
 /// Notes placeholders of the blocks that an export would refuse.
 void judgeBlocks(ImportedPrinter& out);
 

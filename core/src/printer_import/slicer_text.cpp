@@ -53,6 +53,31 @@ std::string unescaped(std::string_view text) {
   return out;
 }
 
+namespace {
+
+// Texts may hold commas.
+char separatorOf(std::string_view list) { return list.find_first_of(";\"") != std::string_view::npos ? ';' : ','; }
+
+}  // namespace
+
+std::size_t itemsOf(std::string_view list) {
+  return 1 + static_cast<std::size_t>(std::count(list.begin(), list.end(), separatorOf(list)));
+}
+
+std::string itemOf(std::string_view list, std::size_t index) {
+  const char separator = separatorOf(list);
+  std::string_view rest = list;
+  for (std::size_t k = 0; k < index; ++k) {
+    const std::size_t cut = rest.find(separator);
+    if (cut == std::string_view::npos) {
+      rest = list;
+      break;
+    }
+    rest.remove_prefix(cut + 1);
+  }
+  return unescaped(trimmed(rest.substr(0, rest.find(separator))));
+}
+
 bool splitSetting(std::string_view line, std::string_view& key, std::string_view& value) {
   const std::size_t equal = line.find('=');
   if (equal == std::string_view::npos) return false;

@@ -1,6 +1,7 @@
 // Words and numbers as slicers write their settings.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,12 @@ std::vector<Vec2> readCorners(std::string_view text);
 
 /// PrusaSlicer's and Cura's escapes in one-line texts.
 std::string unescaped(std::string_view text);
+
+/// How many values "1250,960" or "PLA;PETG" has.
+std::size_t itemsOf(std::string_view list);
+
+/// The k-th of them without its escapes, or the first where there are fewer.
+std::string itemOf(std::string_view list, std::size_t index);
 
 /// "key = value", split at the first equal sign only: values hold them too.
 bool splitSetting(std::string_view line, std::string_view& key, std::string_view& value);

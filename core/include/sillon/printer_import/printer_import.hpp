@@ -32,7 +32,8 @@ std::vector<std::string> importNoteCodes();
 /// Tells the kind of file by its content:
 /// - G-code that the user's slicer made for their printer: its start and end blocks, proven there, and its settings;
 /// - PrusaSlicer or SuperSlicer settings (.ini), flat or a bundle with `inherits`;
-/// - an Orca or Bambu Studio preset (.json), whose `inherits` lies in another file and is listed;
+/// - an Orca or Bambu Studio preset (.json, .orca_printer), whose `inherits` lies in another file and is listed, or a
+///   project (.3mf) that has all settings;
 /// - a project of our own, of which the printer is taken.
 /// \param bytes  at most 256 MiB. \param name  printer of a bundle; empty: the active one, else the last.
 /// \return InvalidFile, TooLarge, or InvalidArgument where a bundle has no printer of that name.
