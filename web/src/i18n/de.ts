@@ -814,7 +814,7 @@ export const de: Translation = {
   'hint.TooManyFiles': 'Immer nur ein Projekt öffnen.',
   'problem.PrinterFile': '{name} enthält keine Druckereinstellungen.',
   'hint.PrinterFile':
-    'G-Code verwenden, den der Slicer für diesen Drucker gemacht hat, PrusaSlicer-Einstellungen (.ini) oder ein Orca-Profil (.json).',
+    'G-Code verwenden, den der Slicer für diesen Drucker gemacht hat, PrusaSlicer-Einstellungen (.ini), ein Orca-Profil (.json, .orca_printer) oder ein Orca-Projekt (.3mf).',
   'problem.LinkBroken': 'Der Link ist unvollständig.',
   'hint.LinkBroken': 'Den ganzen Link kopieren; Mail- und Chatprogramme kürzen lange oft.',
   'problem.LinkTooLong': 'Der Link ist zu lang, um von hier zu sein.',

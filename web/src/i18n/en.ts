@@ -765,7 +765,7 @@ export const en = {
   'hint.TooManyFiles': 'Open one project at a time.',
   'problem.PrinterFile': '{name} contains no printer settings.',
   'hint.PrinterFile':
-    'Use G-code that your slicer made for this printer, PrusaSlicer settings (.ini) or an Orca preset (.json).',
+    'Use G-code that your slicer made for this printer, PrusaSlicer settings (.ini), or a preset (.json, .orca_printer) or project (.3mf) of Orca.',
   'problem.LinkBroken': 'The link is incomplete.',
   'hint.LinkBroken': 'Copy the whole link; mail and chat programs often cut long ones.',
   'problem.LinkTooLong': 'The link is too long to be one of ours.',

@@ -821,7 +821,7 @@ export const fr: Translation = {
   'hint.TooManyFiles': 'Ouvrez un projet à la fois.',
   'problem.PrinterFile': '{name} ne contient aucun réglage d’imprimante.',
   'hint.PrinterFile':
-    'Prenez un G-code que votre slicer a fait pour cette imprimante, des réglages de PrusaSlicer (.ini) ou un préréglage d’Orca (.json).',
+    'Prenez un G-code que votre slicer a fait pour cette imprimante, des réglages de PrusaSlicer (.ini), un préréglage (.json, .orca_printer) ou un projet (.3mf) d’Orca.',
   'problem.LinkBroken': 'Le lien est incomplet.',
   'hint.LinkBroken': 'Copiez-le en entier ; les messageries coupent souvent les longs liens.',
   'problem.LinkTooLong': 'Le lien est trop long pour être l’un des nôtres.',

@@ -66,7 +66,7 @@ export function printerField(studio: Studio): TemplateResult {
     <button
       type="button"
       @click=${async () => {
-        const [file] = await studio.pick('.gcode,.ini,.json,.3mf');
+        const [file] = await studio.pick('.gcode,.bgcode,.gz,.ini,.json,.orca_printer,.3mf');
         if (file !== undefined) await studio.attempt(() => studio.services.importPrinter(file));
       }}
     >
