@@ -368,7 +368,7 @@ TEST_CASE("what a donor's own template works out of the plate follows the next o
       "M140 S{first_layer_bed_temperature}\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}\n";
   // A purge line beside the plate; M107 is the slicer's.
   const char* purge =
-      "G28\\n; a line\\nG1 X{first_layer_print_min[0] - 5} Y{max(first_layer_print_min[1], 4)}\\n"
+      "G28\\nM73 P0\\n; a line\\nG1 X{first_layer_print_min[0] - 5} Y{max(first_layer_print_min[1], 4)}\\n"
       "{if filament_type[0] == \"PLA\"}M106 S80{else}M106 S0{endif}\\n;LAYER:0";
   const std::string purges =
       "G28\nG1 X{first_layer_print_min[0] - 5} Y{max(first_layer_print_min[1], 4)}\n"

@@ -15,6 +15,7 @@
 #include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
+#include "printer_import/same_lines.hpp"
 #include "printer_import/slicer_settings.hpp"
 #include "printer_import/slicer_text.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -25,10 +26,6 @@ namespace {
 constexpr double kMostAdvance = 2;  // [s]; linear advance 1.0 counted in units of its own, from 10 on
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
-
-bool isCommand(std::string_view line, std::string_view word) {
-  return line.starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ');
-}
 
 bool hasWord(std::string_view line, char letter) {
   return line.find(std::string{' ', letter}) != std::string_view::npos;
@@ -44,12 +41,6 @@ bool isBead(std::string_view line) {
          !line.substr(e + 2).starts_with('-');
 }
 
-// Belongs to the print it was made for, and says nothing about ours.
-bool isOfOldPrint(std::string_view line) {
-  return isCommand(line, "M73") || isCommand(line, "M486") || line.starts_with("EXCLUDE_OBJECT") ||
-         line.starts_with("SET_PRINT_STATS_INFO");
-}
-
 // The donor drew its filament back for the way to its first bead, and pushed it forward there; ours begins primed.
 void dropRetraction(std::string& block) {
   while (!block.empty()) {
@@ -61,8 +52,6 @@ void dropRetraction(std::string& block) {
     block.resize(line);
   }
 }
-
-std::string_view firstWord(std::string_view text) { return text.substr(0, text.find(' ')); }
 
 /// Where the value of a word such as X12.5 begins; npos if the line has no such word.
 std::size_t valueOf(std::string_view line, char letter) {
@@ -117,52 +106,6 @@ bool replaceArea(std::string& line) {
     return std::string(value);
   });
   return true;
-}
-
-/// A line of a block that says anything: its code, and where it lies.
-struct BlockLine {
-  std::string_view code;
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
-/// Empty where there are too many to compare.
-std::vector<BlockLine> linesOf(std::string_view block) {
-  constexpr std::size_t kMost = 5000;
-  std::vector<BlockLine> lines;
-  for (std::string_view rest = block; !rest.empty();) {
-    const std::size_t begin = block.size() - rest.size();
-    const std::string_view code = codeOf(nextLine(rest));
-    if (code.empty() || isOfOldPrint(code)) continue;
-    if (lines.size() == kMost) return {};
-    lines.push_back({code, begin, block.size() - rest.size()});
-  }
-  return lines;
-}
-
-/// The same command, with numbers that differ by no more than a plate's edge that is not known to the bead.
-bool saysTheSame(std::string_view a, std::string_view b) {
-  constexpr double kEdge = 2;  // [mm], and what else has a number
-  const auto isTool = [](std::string_view code) {
-    return code.size() > 1 && code[0] == 'T' && code[1] >= '0' && code[1] <= '9';
-  };
-  if (firstWord(a) != firstWord(b) && !(isTool(a) && isTool(b))) return false;
-  const auto next = [](std::string_view& rest) -> std::optional<double> {
-    while (!rest.empty()) {
-      double value = 0;
-      const std::size_t size = readNumber(rest, value);
-      rest.remove_prefix(std::max<std::size_t>(size, 1));
-      if (size > 0) return value;
-    }
-    return std::nullopt;
-  };
-  for (;;) {
-    const std::optional<double> one = next(a);
-    const std::optional<double> other = next(b);
-    if (one.has_value() != other.has_value()) return false;
-    if (!one) return true;
-    if (std::abs(*one - *other) > std::max(kEdge, 0.05 * std::abs(*other))) return false;
-  }
 }
 
 /// The tool that a start block chooses last; Bambu's have numbers of their own from 255 on.
@@ -264,34 +207,25 @@ void Donor::comment(std::string_view line) {
 // does line by line, it takes those lines' place: what it works out of the plate, such as purge lines beside it and the
 // mesh below it, then follows the next plate.
 void Donor::startBlock(std::string_view block) {
-  const std::vector<BlockLine> done = linesOf(block);
-  std::vector<BlockLine> told;
   const std::string folded = withSettings(template_, settings_, templateValues(out_.printer, {}, {}));
-  const auto expanded = expandTemplate(folded, templateValues(out_.printer, {}, beads_), "");
-  if (expanded && folded.size() <= kMaxBlockBytes && folded.find_first_of("{[") != std::string::npos) {
-    told = linesOf(expanded.value());
-  }
-  const auto found =
-      told.empty() ? done.end()
-                   : std::search(done.begin(), done.end(), told.begin(), told.end(),
-                                 [](const BlockLine& a, const BlockLine& b) { return saysTheSame(a.code, b.code); });
-  const bool same = found != done.end();
-  const std::size_t begin = same ? found->begin : block.size();
-  const std::size_t end = same ? (found + static_cast<std::ptrdiff_t>(told.size()) - 1)->end : block.size();
+  const bool asks = folded.size() <= kMaxBlockBytes && folded.find_first_of("{[") != std::string::npos;
+  const auto expanded = expandTemplate(asks ? folded : "", templateValues(out_.printer, {}, beads_), "");
+  const Stretch said = expanded ? whereSaid(block, expanded.value()) : Stretch{};
   const auto lines = [this](std::string_view rest) {
     while (!rest.empty() && out_.printer.startGcode.size() <= kMaxBlockBytes) startLine(nextLine(rest));
   };
-  lines(block.substr(0, begin));
-  if (same) {
-    for (const BlockLine& line : told) lookAt(line.code);
-    for (std::string_view rest = folded; !rest.empty();) {
-      const std::string_view line = nextLine(rest);
-      // A comment may read as a layer's mark; one with a branch holds code, too.
-      const bool comment = trimmed(line).starts_with(';') && line.find("if") == std::string_view::npos;
-      if (!comment) out_.printer.startGcode.append(line).append("\n");
-    }
+  if (said.end == 0) return lines(block);
+  lines(block.substr(0, said.begin));
+  for (std::string_view rest = block.substr(said.begin, said.end - said.begin); !rest.empty();) {
+    lookAt(codeOf(nextLine(rest)));
   }
-  lines(block.substr(end));
+  for (std::string_view rest = folded; !rest.empty();) {
+    const std::string_view line = nextLine(rest);
+    // A comment may read as a layer's mark; one with a branch holds code, too.
+    const bool comment = trimmed(line).starts_with(';') && line.find("if") == std::string_view::npos;
+    if (!comment && !isOfOldPrint(codeOf(line))) out_.printer.startGcode.append(line).append("\n");
+  }
+  lines(block.substr(said.end));
 }
 
 // Of a job for Bambu's machines filaments are counted anew; that of ours is the first.
