@@ -1,6 +1,8 @@
 #include "sillon/printer_import/printer_import.hpp"
 #include "export/zip.hpp"
 #include "gcode/template.hpp"
+#include "printer_import/formats.hpp"
+#include "printer_import/spelling.hpp"
 
 #include <doctest/doctest.h>
 
@@ -396,6 +398,60 @@ TEST_CASE("what a donor's own template works out of the plate follows the next o
   CHECK(expanded.value().find("mesh_min=33,93 ALGORITHM=bicubic PROBE_COUNT=4,4") != std::string::npos);
 }
 
+TEST_CASE("filament that a donor counts from its beginning is not pushed at the end of ours") {
+  const auto end = [](const std::string& block, const std::string& mode = "M82") {
+    return imported("G28\nM190 S60\nM109 S215\n" + mode +
+                    "\n;LAYER:0\nG1 X100 Y90 F6000\nG1 X130 E20.4 F1200\nG1 X140 E21\n" + block +
+                    "; bed_shape = 0x0,220x0,220x220,0x220\n")
+        .printer.endGcode;
+  };
+  // As Cura's script for the display leaves it: the last retraction behind a message.
+  CHECK(end("M117 Time Left 0h00m00s\nG1 F2400 E20.5\nM140 S0\nM107\n") == "M140 S0\nM107\n");
+  CHECK(end("G10\nM204 S500\nG0 X5 Y5\nM140 S0\n") == "M140 S0\n");
+  // In the block itself: what it pulls and pushes, whatever modes it chooses.
+  CHECK(end("M140 S0\nG1 E19 F2400\nG1 E20.5\n") == "M140 S0\nG1 E-2 F2400\nG1 E1.5\n");
+  CHECK(end("M140 S0\nG92 E0\nG1 E-3 F2400\n") == "M140 S0\nG92 E0\nG1 E-3 F2400\n");
+  CHECK(end("M140 S0\nG91\nG1 E-2 F2400\nG90\nG1 E16\n") == "M140 S0\nG91\nG1 E-2 F2400\nG90\nM83\nG1 E-5\n");
+  CHECK(end("M140 S0\nM83\nG1 E-2 F2400\nM82\nG1 E19\n") == "M140 S0\nM83\nG1 E-2 F2400\nM82\nM83\nG1 E-2\n");
+  CHECK(end("M140 S0\nG1 E-2 F2400\n", "M83") == "M140 S0\nG1 E-2 F2400\n");
+  // A travel that writes E is no bead: what lies before it is the end block's.
+  CHECK(end("M104 S0\nM140 S0\nG1 X0 Y200 E21 F3000\nM84\n") == "M104 S0\nM140 S0\nG1 X0 Y200 E0 F3000\nM84\n");
+  CHECK(end("M104 S0\nM140 S0\nG1 X0 Y200 E0 F3000\nM84\n", "M83") == "M104 S0\nM140 S0\nG1 X0 Y200 E0 F3000\nM84\n");
+}
+
+TEST_CASE("a tool that is chosen behind the first mark belongs to the start block") {
+  const auto start = [](const std::string& before, const std::string& behind) {
+    return imported("G28\nM190 S60\nM109 S205 T1\n" + before + "; layer 1, Z = 0.200\n" + behind +
+                    "G92 E0\nG1 X100 Y90 F6000\nG1 X130 E0.4 F1200\n; layer 2, Z = 0.400\nT0\nG1 X140 E0.9\nM104 S0\n"
+                    "; bed_shape = 0x0,220x0,220x220,0x220\n")
+        .printer.startGcode;
+  };
+  CHECK(start("", "T1\n").ends_with("\nT1\n"));
+  CHECK(start("T0\n", "T1\n").ends_with("\nT0\nT1\n"));
+  CHECK(start("T1\n", "").ends_with("\nT1\n"));
+  CHECK(start("", "").find("T0") == std::string::npos);
+}
+
+TEST_CASE("commands in other spellings are read as what they are") {
+  const std::string end =
+      ";LAYER:0\ng1 x100 y90 f6000\nG1X130E0.4F1200\nG01\tX140 E0.9\nm104 s0\nG1\tZ50\nM84\n"
+      "; bed_shape = 0x0,220x0,220x220,0x220\n";
+  for (const char* start : {"g28\nm190 s60\nm109 s205\n", "G28\nM190S60\nM109S205\n", "G28\nM190\tS60\nM109  S205\n"}) {
+    const Printer made = imported(start + end).printer;
+    CHECK(made.startGcode == "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}\n");
+    CHECK(made.endGcode == "M104 S0\nM84\n");
+  }
+  for (const char* left : {"M117 a1b2", "M620 S1A", "PRINT_START bed=60", "G28 X Y", "G1 X1 Y-2.5 E.4 ; as it is",
+                           "M862.3 P \"mk3\"", "T?", "G1 X{a}", ""}) {
+    CHECK(spelled(left) == left);
+    CHECK(isSpelled(left));
+  }
+  CHECK(spelled("g01x1.5y-2 ;Keep this") == "G1 X1.5 Y-2 ;Keep this");
+  CHECK(spelled("m0104 s200") == "m0104 s200");  // no command of that name
+  const std::string numbered = "N1 G28*18\nN2 M109 S205*3\n;LAYER:0\nN3 G1 X5 Y5 E1*7\n";
+  CHECK(problem(numbered).find("its lines are numbered") == 0);
+}
+
 TEST_CASE("of several filaments a donor's is the one that it prints with") {
   const std::string settings =
       "; filament_type = PLA;PETG\n; nozzle_temperature = 220,250\n; nozzle_temperature_initial_layer = 220,255\n"
@@ -526,6 +582,17 @@ TEST_CASE("a macro's counts and corners are no temperatures, and the corners bec
   CHECK(notes(imported("G28\nBED_MESH_CALIBRATE mesh_min=10,20 mesh_max=30,40\nM109 S215\n;LAYER_CHANGE\nG1 X5 Y5 "
                        "E1\n"),
               "fixed area (BED_MESH_CALIBRATE"));
+}
+
+TEST_CASE("a comment about layers is no mark of one") {
+  const std::string layer =
+      ";LAYER:0\nG1 X100 Y90 F6000\nG1 X130 E0.4\nM104 S0\n; bed_shape = 0x0,220x0,220x220,0x220\n";
+  const std::string start =
+      imported("G28\nM190 S60\nM109 S215\n;LAYER: first layer calibration\nM420 S1\n" + layer).printer.startGcode;
+  CHECK(start.ends_with("\nM420 S1\n"));
+  for (const char* mark : {";LAYER:0", "; LAYER:12", ";LAYER:-3", ";LAYER_CHANGE"}) CHECK(isLayerMark(mark));
+  for (const char* other : {";LAYER:", ";LAYER: 1", ";LAYER:x", ";LAYER:-", ";LAYERS:4"})
+    CHECK_FALSE(isLayerMark(other));
 }
 
 TEST_CASE("a firmware's retraction before the first bead is left out, an indented line stays indented") {
@@ -663,9 +730,15 @@ TEST_CASE("a delta's bed is round about its origin, however its numbers are writ
   CHECK(length(read.printer.bedMax - Vec2{100, 100}) < 1e-9);
 
   const ImportedPrinter cura =
-      imported(";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\nG1 X-15 Y-5 E1\nG1 X-6 E2\nM104 S0\n");
+      imported(";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\nG1 X-15 Y-5 E1\nG1 X6 Y5 E2\nM104 S0\n");
   CHECK(cura.printer.roundBed);
   CHECK(cura.printer.bedMin == Vec2{-110, -110});
+  // Of a bed whose origin lies behind on the right, and of a large one, nothing is known.
+  for (const char* beads :
+       {"G1 X-120 Y-100 E1\nG1 X-110 E2\n", "G1 X-15 Y-9 E1\nG1 X-6 E2\n", "G1 X260 Y100 E1\nG1 X270 E2\n"}) {
+    CHECK(problem(";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\n" + std::string(beads) + "M104 S0\n")
+              .find("the file does not tell the bed, and its beads, from (") == 0);
+  }
 }
 
 TEST_CASE("Slic3r marks no layers, but tells its blocks; what it heats by itself is added") {

@@ -10,7 +10,11 @@ enum class LayerMark { None, Usual, Bambu, Simplify };
 
 /// \param comment  behind ';', trimmed. Cura counts the layers of a raft from below 0.
 inline LayerMark layerMark(std::string_view comment) {
-  if (comment == "LAYER_CHANGE" || comment.starts_with("LAYER:")) return LayerMark::Usual;
+  if (comment == "LAYER_CHANGE") return LayerMark::Usual;
+  if (comment.starts_with("LAYER:")) {
+    const std::string_view number = comment.substr(comment.starts_with("LAYER:-") ? 7 : 6);
+    return !number.empty() && number[0] >= '0' && number[0] <= '9' ? LayerMark::Usual : LayerMark::None;
+  }
   if (comment == "CHANGE_LAYER") return LayerMark::Bambu;
   const bool simplify = comment.starts_with("layer ") && comment.find(", Z = ") != std::string_view::npos;
   return simplify ? LayerMark::Simplify : LayerMark::None;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/decimal_text.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode/template.hpp"
 #include "gcode_reader/layer_mark.hpp"
@@ -18,6 +19,7 @@
 #include "printer_import/same_lines.hpp"
 #include "printer_import/slicer_settings.hpp"
 #include "printer_import/slicer_text.hpp"
+#include "printer_import/spelling.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
 namespace sillon {
@@ -35,10 +37,12 @@ bool isMove(std::string_view line) {
   return isCommand(line, "G0") || isCommand(line, "G1") || isCommand(line, "G2") || isCommand(line, "G3");
 }
 
-bool isBead(std::string_view line) {
-  const std::size_t e = line.find(" E");
-  return isMove(line) && e != std::string_view::npos && (hasWord(line, 'X') || hasWord(line, 'Y')) &&
-         !line.substr(e + 2).starts_with('-');
+// What slicers and their scripts put between the last bead and the end block.
+bool isOfEnding(std::string_view line) {
+  if (isOfOldPrint(line) || line.starts_with("TIMELAPSE_")) return true;
+  const bool retracts = (isCommand(line, "G10") || isCommand(line, "G11")) && !hasWord(line, 'P');
+  return retracts || isCommand(line, "G92") || isCommand(line, "M117") || isCommand(line, "M118") ||
+         isCommand(line, "M204") || isCommand(line, "M205");
 }
 
 // The donor drew its filament back for the way to its first bead, and pushed it forward there; ours begins primed.
@@ -48,7 +52,9 @@ void dropRetraction(std::string& block) {
     const std::string_view last = std::string_view(block).substr(line, block.size() - line - 1);
     const bool still = !hasWord(last, 'X') && !hasWord(last, 'Y') && !hasWord(last, 'Z');
     const bool pulls = isMove(last) && still && last.find(" E-") != std::string_view::npos;
-    if (!pulls && last != "G10") return;
+    const bool firmware =
+        isCommand(last, "G10") && !hasWord(last, 'P') && !hasWord(last, 'L');  // else it sets up a tool
+    if (!pulls && !firmware) return;
     block.resize(line);
   }
 }
@@ -108,17 +114,37 @@ bool replaceArea(std::string& line) {
   return true;
 }
 
-/// The tool that a start block chooses last; Bambu's have numbers of their own from 255 on.
-std::size_t toolOf(std::string_view block) {
+/// The tool that a line chooses; Bambu's have numbers of their own from 255 on.
+std::optional<int> toolOf(std::string_view line) {
   constexpr int kMostTools = 16;
-  std::size_t tool = 0;
-  while (!block.empty()) {
-    const GcodeCommand command = commandOf(codeOf(nextLine(block)));
-    if (command.letter == 'T' && command.code >= 0 && command.code < kMostTools)
-      tool = static_cast<std::size_t>(command.code);
-  }
-  return tool;
+  const GcodeCommand command = commandOf(codeOf(line));
+  const bool chooses = command.letter == 'T' && command.code >= 0 && command.code < kMostTools;
+  return chooses ? std::optional<int>(command.code) : std::nullopt;
 }
+
+/// How a file counts its filament.
+class Filament {
+ public:
+  /// \return what the line pushes [mm]; below 0: pulls.
+  double take(std::string_view line) {
+    if (isCommand(line, "M82")) absolute_ = true;
+    if (isCommand(line, "M83")) absolute_ = false;
+    const bool sets = isCommand(line, "G92");
+    const std::size_t begin = sets || isMove(line) ? valueOf(line, 'E') : std::string_view::npos;
+    const auto value = begin == std::string_view::npos ? std::nullopt : firstNumber(firstWord(line.substr(begin)));
+    if (!value) return 0;
+    const double pushed = sets ? 0 : absolute_ ? *value - at_ : *value;
+    at_ = sets || absolute_ ? *value : at_;
+    return pushed;
+  }
+  /// As G90 and G91 do in Marlin's family.
+  void setAbsolute(bool absolute) { absolute_ = absolute; }
+  [[nodiscard]] bool absolute() const { return absolute_; }
+
+ private:
+  bool absolute_ = false;  // where neither M82 nor M83 says so
+  double at_ = 0;
+};
 
 // RepRapFirmware tells by it what belongs to an "if".
 std::string_view indentationOf(std::string_view line) {
@@ -174,18 +200,21 @@ class Donor {
   void lookAt(std::string_view code);
   [[nodiscard]] std::string ofThisJob(std::string_view code) const;
   void templateFilament(const GcodeCheck& check);
-  void endLine(std::string_view code);
+  void endLine(std::string_view code, bool shown);
   void note(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {}) {
     addNote(out_.notRead, importNote(code, values));
   }
 
   ImportedPrinter& out_;
   SlicerSettings settings_;
-  std::string cura_;  // its settings, escaped, over many comments
+  std::string cura_;   // its settings, escaped, over many comments
+  Filament filament_;  // while the file is read
+  Filament end_;       // from its last bead on
   bool relativeEnd_ = false;
+  bool absoluteE_ = false;  // of our end block so far
   bool tellsBlocks_ = false;
   std::string template_;  // of the start block, as the slicer was told it
-  std::size_t tool_ = 0;  // that the file prints with
+  int tool_ = 0;          // that the file prints with
   Bounds beads_;
   double advance_ = 0;  // [s], of the start block
 };
@@ -240,7 +269,8 @@ std::string Donor::ofThisJob(std::string_view code) const {
 
 // Areas of the old plate become those of the new one; all other words of such a line are the printer's and stay.
 void Donor::startLine(std::string_view whole) {
-  const std::string_view code = codeOf(whole);
+  const std::string plain = spelled(codeOf(whole));
+  const std::string_view code = plain;
   const std::string_view indentation = indentationOf(whole);
   if (code.empty() || isOfOldPrint(code)) return;
   std::string line = ofThisJob(code);
@@ -329,11 +359,24 @@ void Donor::templateFilament(const GcodeCheck& check) {
   if (!kept.empty()) note("FixedTemperatures", {{"lines", kept.substr(0, 200)}});
 }
 
-void Donor::endLine(std::string_view code) {
-  if (isOfOldPrint(code)) return;
-  if (isCommand(code, "G90")) relativeEnd_ = false;
-  if (isCommand(code, "G91")) relativeEnd_ = true;
+// Behind the last bead. \param shown  else it is not of the block, but counts for what follows.
+void Donor::endLine(std::string_view code, bool shown) {
+  const bool places = isCommand(code, "G90") || isCommand(code, "G91");
+  const bool marlin = out_.printer.flavor != GcodeFlavor::Klipper && out_.printer.flavor != GcodeFlavor::RepRap;
+  if (places) relativeEnd_ = isCommand(code, "G91");
+  if (places && marlin) end_.setAbsolute(!relativeEnd_);
+  const bool counted = end_.absolute();
+  const double pushed = end_.take(code);
+  if (!shown || isOfOldPrint(code)) return;
+  if (places && marlin) absoluteE_ = !relativeEnd_;
+  if (isCommand(code, "M82") || isCommand(code, "M83")) absoluteE_ = isCommand(code, "M82");
   std::string line = ofThisJob(code);
+  // Ours has counted other filament, and begins with M83.
+  if (isMove(code) && hasWord(code, 'E')) {
+    if (absoluteE_) out_.printer.endGcode += "M83\n";
+    absoluteE_ = false;
+    if (counted) line = withValues(std::move(line), {{'E', decimal(pushed, 5)}});
+  }
   // A height of the old print may lie inside the new plate. Ours has lifted the nozzle before the block begins.
   if (isMove(code) && !relativeEnd_ && hasWord(code, 'Z')) {
     const std::size_t z = line.find(" Z");
@@ -362,28 +405,42 @@ std::optional<Error> Donor::read(std::string_view text) {
   std::string_view rest = text;
   std::size_t firstLayer = std::string_view::npos;
   std::size_t lastBead = 0;
+  bool numbered = false;
   Vec2 nozzle;
   bool placed = false;
+  int tool = 0;
   while (!rest.empty()) {
     const std::size_t at = text.size() - rest.size();
-    const std::string_view line = trimmed(nextLine(rest));
-    if (line.empty()) continue;
-    if (line[0] == ';') {
-      if (firstLayer == std::string_view::npos && isLayerMark(line)) firstLayer = at;
-      comment(line);
-    } else if (isMove(line)) {
-      const bool bead = isBead(line);
-      if (bead) lastBead = text.size() - rest.size();
-      if (firstLayer == std::string_view::npos) continue;
-      if (bead && placed) beads_.add(nozzle);
-      for (double* const place : {&nozzle.x, &nozzle.y}) {
-        const std::size_t begin = valueOf(line, place == &nozzle.x ? 'X' : 'Y');
-        if (begin == std::string_view::npos) continue;
-        if (const auto value = firstNumber(firstWord(line.substr(begin)))) *place = *value;
-        placed = true;
-      }
-      if (bead) beads_.add(nozzle);
+    const std::string_view whole = trimmed(nextLine(rest));
+    if (whole.empty()) continue;
+    if (whole[0] == ';') {
+      if (firstLayer == std::string_view::npos && isLayerMark(whole)) firstLayer = at;
+      comment(whole);
+      continue;
     }
+    numbered = numbered || (whole[0] == 'N' && whole.size() > 1 && whole[1] >= '0' && whole[1] <= '9');
+    const std::string other = isSpelled(whole) ? std::string() : spelled(whole);
+    const std::string_view line = other.empty() ? whole : std::string_view(other);
+    if (line[0] == 'T') tool = toolOf(line).value_or(tool);
+    const double pushed = filament_.take(line);
+    const bool bead = pushed > 0 && isMove(line) && (hasWord(line, 'X') || hasWord(line, 'Y'));
+    if (bead) {
+      lastBead = text.size() - rest.size();
+      end_ = filament_;
+    }
+    if (firstLayer == std::string_view::npos || !isMove(line)) continue;
+    if (bead && beads_.empty()) tool_ = tool;
+    if (bead && placed) beads_.add(nozzle);
+    for (double* const place : {&nozzle.x, &nozzle.y}) {
+      const std::size_t begin = valueOf(line, place == &nozzle.x ? 'X' : 'Y');
+      if (begin == std::string_view::npos) continue;
+      if (const auto value = firstNumber(firstWord(line.substr(begin)))) *place = *value;
+      placed = true;
+    }
+    if (bead) beads_.add(nozzle);
+  }
+  if (numbered && lastBead == 0) {
+    return invalidFile("its lines are numbered, as hosts send them; take the file that the slicer wrote");
   }
   if (firstLayer == std::string_view::npos) {
     tellsBlocks_ = settings_.contains("start_gcode") && settings_.contains("end_gcode") && lastBead > 0;
@@ -397,8 +454,7 @@ std::optional<Error> Donor::read(std::string_view text) {
   if (lastBead <= firstLayer) return invalidFile("the G-code extrudes nothing after its first layer mark");
 
   const std::string_view start = text.substr(0, firstLayer);
-  tool_ = toolOf(start);
-  chooseTool(settings_, tool_);
+  chooseTool(settings_, static_cast<std::size_t>(tool_));
   // Resolved settings first; blocks in them are templates, the ones in the file are what was printed.
   for (const char* key : {"machine_start_gcode", "start_gcode"}) {
     if (const auto told = settings_.find(key); told != settings_.end() && template_.empty())
@@ -420,16 +476,31 @@ std::optional<Error> Donor::read(std::string_view text) {
   takeSettings(settings_, out_);
   out_.printer.startGcode.clear();  // the profile's: those of the file take its place
   out_.printer.endGcode.clear();
-  // Beads left of or before the origin: it lies in the bed's middle, as on deltas, whose beds are round.
+  // Beads on both sides of the origin: it lies in the bed's middle, as on deltas, whose beds are round.
   const bool told = settings_.contains("bed_shape") || settings_.contains("printable_area");
-  if (!told && out_.profile.empty() && std::min(beads_.min.x, beads_.min.y) < -5) {
-    const Vec2 half = 0.5 * (out_.printer.bedMax - out_.printer.bedMin);
-    out_.printer.bedMin = {-half.x, -half.y};
-    out_.printer.bedMax = half;
-    out_.printer.roundBed = true;
+  if (!told && out_.profile.empty()) {
+    Printer& p = out_.printer;
+    if (std::min(beads_.min.x, beads_.min.y) < -5 && std::min(beads_.max.x, beads_.max.y) > 0) {
+      const Vec2 half = 0.5 * (p.bedMax - p.bedMin);
+      p.bedMin = {-half.x, -half.y};
+      p.bedMax = half;
+      p.roundBed = true;
+    }
+    const Bounds bed{p.bedMin, p.bedMax};
+    if (!bed.holds(beads_.min) || !bed.holds(beads_.max)) {
+      return invalidFile("the file does not tell the bed, and its beads, from (" + decimal(beads_.min.x, 1) + ", " +
+                         decimal(beads_.min.y, 1) + ") to (" + decimal(beads_.max.x, 1) + ", " +
+                         decimal(beads_.max.y, 1) + "), lie beside any that could be guessed");
+    }
   }
 
   startBlock(start);
+  // Some choose it behind the first mark.
+  std::optional<int> chosen;
+  for (std::string_view lines = start; !lines.empty();) {
+    if (const auto tool = toolOf(nextLine(lines))) chosen = tool;
+  }
+  if (tool_ != chosen.value_or(0)) startLine("T" + std::to_string(tool_));
   if (out_.printer.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
   recogniseKlipper(out_);
   if (setsPressureAdvance(out_.printer.startGcode)) {  // for the donor's filament, and nothing need set it again
@@ -444,10 +515,10 @@ std::optional<Error> Donor::read(std::string_view text) {
   while (!rest.empty()) {
     const std::string_view line = trimmed(nextLine(rest));
     if (line == ";TYPE:Custom" || line == "; FEATURE: Custom") begun = true;
-    const std::string_view code = codeOf(line);
-    if (!begun || code.empty()) continue;
-    wiping = wiping && (isMove(code) || isCommand(code, "G92") || isOfOldPrint(code));
-    if (!wiping) endLine(code);
+    const std::string code = spelled(codeOf(line));
+    if (code.empty()) continue;
+    wiping = wiping && (isMove(code) || isOfEnding(code));
+    endLine(code, begun && !wiping);
     if (out_.printer.endGcode.size() > kMaxBlockBytes) return invalidFile("the end block is longer than 65536 bytes");
   }
 
