@@ -579,6 +579,13 @@ TEST_CASE("a macro's counts and corners are no temperatures, and the corners bec
         "START_PRINT HOTEND=\"{first_layer_temperature}\" BED={first_layer_bed_temperature} "
         "SIZE={first_layer_print_min[0]}_{first_layer_print_min[1]}_{first_layer_print_max[0]}_"
         "{first_layer_print_max[1]}\n");
+  CHECK(start("PRINT_START EXTRUDER=215 BED=60 AREA_START=100,90 AREA_END=120,110").startGcode ==
+        "PRINT_START EXTRUDER={first_layer_temperature} BED={first_layer_bed_temperature} "
+        "AREA_START={first_layer_print_min[0]},{first_layer_print_min[1]} "
+        "AREA_END={first_layer_print_max[0]},{first_layer_print_max[1]}\n");
+  CHECK(start("G29 L100 R120 F90 B110").startGcode ==
+        "G29 L{first_layer_print_min[0]} R{first_layer_print_max[0]} F{first_layer_print_min[1]} "
+        "B{first_layer_print_max[1]}\n");
   CHECK(notes(imported("G28\nBED_MESH_CALIBRATE mesh_min=10,20 mesh_max=30,40\nM109 S215\n;LAYER_CHANGE\nG1 X5 Y5 "
                        "E1\n"),
               "fixed area (BED_MESH_CALIBRATE"));

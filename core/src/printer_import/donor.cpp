@@ -89,8 +89,8 @@ void replaceParameters(std::string& line, ValueOf&& valueOf) {
   line = out.append(line, done);
 }
 
-/// The plate's corners, as macros with adaptive meshes are given them: PRINT_MIN and PRINT_MAX; X0, Y0, X1 and Y1; SIZE
-/// with all four. \return whether the line has such parameters.
+/// The plate's corners, as macros with adaptive meshes are given them: PRINT_MIN and PRINT_MAX; AREA_START and
+/// AREA_END; X0, Y0, X1 and Y1; SIZE with all four. \return whether the line has such parameters.
 bool replaceArea(std::string& line) {
   std::string keys = " ";
   forEachParameter(line, [&](const std::string& key, std::string_view value) {
@@ -98,13 +98,13 @@ bool replaceArea(std::string& line) {
   });
   const auto has = [&](std::string_view key) { return keys.find(' ' + std::string(key) + ' ') != std::string::npos; };
   const bool corners = has("X0") && has("Y0") && has("X1") && has("Y1");
-  if (!corners && !has("PRINT_MIN") && !has("SIZE")) return false;
+  if (!corners && !has("PRINT_MIN") && !has("AREA_START") && !has("SIZE")) return false;
   constexpr const char* kMin[] = {"{first_layer_print_min[0]}", "{first_layer_print_min[1]}"};
   constexpr const char* kMax[] = {"{first_layer_print_max[0]}", "{first_layer_print_max[1]}"};
   const auto joined = [](const char* const(&pair)[2], const char* by) { return std::string(pair[0]) + by + pair[1]; };
   replaceParameters(line, [&](std::string_view key, std::string_view value) {
-    if (key == "PRINT_MIN") return joined(kMin, ",");
-    if (key == "PRINT_MAX") return joined(kMax, ",");
+    if (key == "PRINT_MIN" || key == "AREA_START") return joined(kMin, ",");
+    if (key == "PRINT_MAX" || key == "AREA_END") return joined(kMax, ",");
     if (key == "SIZE" && has(key)) return joined(kMin, "_") + "_" + joined(kMax, "_");
     if (corners && key.size() == 2 && (key[0] == 'X' || key[0] == 'Y') && (key[1] == '0' || key[1] == '1')) {
       return std::string((key[1] == '0' ? kMin : kMax)[key[0] == 'X' ? 0 : 1]);
@@ -284,6 +284,11 @@ void Donor::startLine(std::string_view whole) {
                                         {'Y', "{first_layer_print_min[1]}"},
                                         {'I', "{first_layer_print_size[0]}"},
                                         {'J', "{first_layer_print_size[1]}"}});
+  } else if (isCommand(code, "G29") && hasWord(code, 'L') && hasWord(code, 'R') && hasWord(code, 'F')) {  // Marlin's
+    line = withValues(std::move(line), {{'L', "{first_layer_print_min[0]}"},
+                                        {'F', "{first_layer_print_min[1]}"},
+                                        {'R', "{first_layer_print_max[0]}"},
+                                        {'B', "{first_layer_print_max[1]}"}});
   } else if (const bool macro = commandOf(code).letter == 0; !macro || !replaceArea(line)) {
     const bool area =
         isCommand(code, "G29") && hasWord(code, 'X') && !hasWord(code, 'C') && !code.starts_with("G29 P9");
