@@ -740,11 +740,16 @@ TEST_CASE("a delta's bed is round about its origin, however its numbers are writ
       imported(";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\nG1 X-15 Y-5 E1\nG1 X6 Y5 E2\nM104 S0\n");
   CHECK(cura.printer.roundBed);
   CHECK(cura.printer.bedMin == Vec2{-110, -110});
-  // Of a bed whose origin lies behind on the right, and of a large one, nothing is known.
+  const auto printed = [](const std::string& beads) {
+    return ";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\n" + beads + "M104 S0\n";
+  };
+  CHECK(imported(printed("G1 X-130 Y-5 E1\nG1 X99 Y100 E2\n")).printer.bedMax == Vec2{130, 130});
+  // It reaches at least as far as beads do; of one whose origin lies behind on the right nothing is known.
+  CHECK(imported(printed("G1 X260.5 Y100 E1\nG1 X270 E2\n")).printer.bedMax == Vec2{270, 220});
+  CHECK(imported(printed("G1 X-2 Y100 E1\nG1 X20 E2\n")).printer.bedMin == Vec2{0, 0});
   for (const char* beads :
-       {"G1 X-120 Y-100 E1\nG1 X-110 E2\n", "G1 X-15 Y-9 E1\nG1 X-6 E2\n", "G1 X260 Y100 E1\nG1 X270 E2\n"}) {
-    CHECK(problem(";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\n" + std::string(beads) + "M104 S0\n")
-              .find("the file does not tell the bed, and its beads, from (") == 0);
+       {"G1 X-120 Y-100 E1\nG1 X-110 E2\n", "G1 X-15 Y-9 E1\nG1 X-6 E2\n", "G1 X-20 Y50 E1\nG1 X20 E2\n"}) {
+    CHECK(problem(printed(beads)).find("the file does not tell the bed, and its beads lie left of or before") == 0);
   }
 }
 

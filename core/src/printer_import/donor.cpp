@@ -194,7 +194,11 @@ class Donor {
   [[nodiscard]] const SlicerSettings& settings() const { return settings_; }
 
  private:
+  void scan(std::string_view text);
   void comment(std::string_view line);
+  void takeOwnSettings();
+  std::optional<Error> guessBed();
+  std::optional<Error> endBlock(std::string_view rest);
   void startBlock(std::string_view block);
   void startLine(std::string_view whole);
   void lookAt(std::string_view code);
@@ -207,14 +211,16 @@ class Donor {
 
   ImportedPrinter& out_;
   SlicerSettings settings_;
-  std::string cura_;   // its settings, escaped, over many comments
-  Filament filament_;  // while the file is read
-  Filament end_;       // from its last bead on
+  std::string cura_;                                 // its settings, escaped, over many comments
+  std::size_t firstLayer_ = std::string_view::npos;  // where its mark begins
+  std::size_t lastBead_ = 0;                         // where its line ends
+  bool numbered_ = false;                            // N1 G28*18
+  Filament end_;                                     // from the last bead on
   bool relativeEnd_ = false;
   bool absoluteE_ = false;  // of our end block so far
   bool tellsBlocks_ = false;
   std::string template_;  // of the start block, as the slicer was told it
-  int tool_ = 0;          // that the file prints with
+  int tool_ = 0;          // of its first bead
   Bounds beads_;
   double advance_ = 0;  // [s], of the start block
 };
@@ -243,18 +249,21 @@ void Donor::startBlock(std::string_view block) {
   const auto lines = [this](std::string_view rest) {
     while (!rest.empty() && out_.printer.startGcode.size() <= kMaxBlockBytes) startLine(nextLine(rest));
   };
-  if (said.end == 0) return lines(block);
   lines(block.substr(0, said.begin));
   for (std::string_view rest = block.substr(said.begin, said.end - said.begin); !rest.empty();) {
     lookAt(codeOf(nextLine(rest)));
   }
-  for (std::string_view rest = folded; !rest.empty();) {
+  for (std::string_view rest = said.end > 0 ? folded : std::string_view(); !rest.empty();) {
     const std::string_view line = nextLine(rest);
     // A comment may read as a layer's mark; one with a branch holds code, too.
     const bool comment = trimmed(line).starts_with(';') && line.find("if") == std::string_view::npos;
     if (!comment && !isOfOldPrint(codeOf(line))) out_.printer.startGcode.append(line).append("\n");
   }
   lines(block.substr(said.end));
+
+  int chosen = 0;
+  for (std::string_view rest = block; !rest.empty();) chosen = toolOf(nextLine(rest)).value_or(chosen);
+  if (tool_ != chosen) startLine("T" + std::to_string(tool_));  // behind the first mark
 }
 
 // Of a job for Bambu's machines filaments are counted anew; that of ours is the first.
@@ -405,35 +414,32 @@ void Donor::endLine(std::string_view code, bool shown) {
   out_.printer.endGcode += line + "\n";
 }
 
-std::optional<Error> Donor::read(std::string_view text) {
-  // Where the end block begins is known only at the end, so this looks twice.
-  std::string_view rest = text;
-  std::size_t firstLayer = std::string_view::npos;
-  std::size_t lastBead = 0;
-  bool numbered = false;
+// Where its blocks end and begin, what it prints with which tool, and its settings.
+void Donor::scan(std::string_view text) {
+  Filament filament;
   Vec2 nozzle;
   bool placed = false;
   int tool = 0;
-  while (!rest.empty()) {
+  for (std::string_view rest = text; !rest.empty();) {
     const std::size_t at = text.size() - rest.size();
     const std::string_view whole = trimmed(nextLine(rest));
     if (whole.empty()) continue;
     if (whole[0] == ';') {
-      if (firstLayer == std::string_view::npos && isLayerMark(whole)) firstLayer = at;
+      if (firstLayer_ == std::string_view::npos && isLayerMark(whole)) firstLayer_ = at;
       comment(whole);
       continue;
     }
-    numbered = numbered || (whole[0] == 'N' && whole.size() > 1 && whole[1] >= '0' && whole[1] <= '9');
+    numbered_ = numbered_ || (whole[0] == 'N' && whole.size() > 1 && whole[1] >= '0' && whole[1] <= '9');
     const std::string other = isSpelled(whole) ? std::string() : spelled(whole);
     const std::string_view line = other.empty() ? whole : std::string_view(other);
     if (line[0] == 'T') tool = toolOf(line).value_or(tool);
-    const double pushed = filament_.take(line);
+    const double pushed = filament.take(line);
     const bool bead = pushed > 0 && isMove(line) && (hasWord(line, 'X') || hasWord(line, 'Y'));
     if (bead) {
-      lastBead = text.size() - rest.size();
-      end_ = filament_;
+      lastBead_ = text.size() - rest.size();
+      end_ = filament;
     }
-    if (firstLayer == std::string_view::npos || !isMove(line)) continue;
+    if (firstLayer_ == std::string_view::npos || !isMove(line)) continue;
     if (bead && beads_.empty()) tool_ = tool;
     if (bead && placed) beads_.add(nozzle);
     for (double* const place : {&nozzle.x, &nozzle.y}) {
@@ -444,76 +450,54 @@ std::optional<Error> Donor::read(std::string_view text) {
     }
     if (bead) beads_.add(nozzle);
   }
-  if (numbered && lastBead == 0) {
-    return invalidFile("its lines are numbered, as hosts send them; take the file that the slicer wrote");
-  }
-  if (firstLayer == std::string_view::npos) {
-    tellsBlocks_ = settings_.contains("start_gcode") && settings_.contains("end_gcode") && lastBead > 0;
-    if (tellsBlocks_) {
-      for (const char* key : {"start_gcode", "end_gcode"}) settings_[key] = unescaped(settings_[key]);
-      return std::nullopt;
-    }
-    return invalidFile(
-        "the G-code marks no layer (;LAYER_CHANGE, ; CHANGE_LAYER or ;LAYER:0); its start block cannot be told");
-  }
-  if (lastBead <= firstLayer) return invalidFile("the G-code extrudes nothing after its first layer mark");
+}
 
-  const std::string_view start = text.substr(0, firstLayer);
+// The resolved ones; blocks in them are templates, the ones in the file are what was printed.
+void Donor::takeOwnSettings() {
   chooseTool(settings_, static_cast<std::size_t>(tool_));
-  // Resolved settings first; blocks in them are templates, the ones in the file are what was printed.
   for (const char* key : {"machine_start_gcode", "start_gcode"}) {
     if (const auto told = settings_.find(key); told != settings_.end() && template_.empty())
       template_ = unescaped(told->second);
   }
   for (const char* key : {"start_gcode", "machine_start_gcode", "end_gcode", "machine_end_gcode"}) settings_.erase(key);
-  if (!cura_.empty()) {
-    std::string_view lines = cura_;
-    const std::string opened = unescaped(unescaped(lines));
-    lines = opened;
-    while (!lines.empty()) {
-      std::string_view key;
-      std::string_view value;
-      if (!splitSetting(trimmed(nextLine(lines)), key, value) || key == "name")
-        continue;  // of a quality, not a printer
-      settings_.emplace(std::string(key), std::string(value));
-    }
+  const std::string opened = unescaped(unescaped(cura_));
+  for (std::string_view lines = opened; !lines.empty();) {
+    std::string_view key;
+    std::string_view value;
+    if (!splitSetting(trimmed(nextLine(lines)), key, value) || key == "name") continue;  // of a quality, not a printer
+    settings_.emplace(std::string(key), std::string(value));
   }
   takeSettings(settings_, out_);
   out_.printer.startGcode.clear();  // the profile's: those of the file take its place
   out_.printer.endGcode.clear();
-  // Beads on both sides of the origin: it lies in the bed's middle, as on deltas, whose beds are round.
-  const bool told = settings_.contains("bed_shape") || settings_.contains("printable_area");
-  if (!told && out_.profile.empty()) {
-    Printer& p = out_.printer;
-    if (std::min(beads_.min.x, beads_.min.y) < -5 && std::min(beads_.max.x, beads_.max.y) > 0) {
-      const Vec2 half = 0.5 * (p.bedMax - p.bedMin);
-      p.bedMin = {-half.x, -half.y};
-      p.bedMax = half;
-      p.roundBed = true;
-    }
-    const Bounds bed{p.bedMin, p.bedMax};
-    if (!bed.holds(beads_.min) || !bed.holds(beads_.max)) {
-      return invalidFile("the file does not tell the bed, and its beads, from (" + decimal(beads_.min.x, 1) + ", " +
-                         decimal(beads_.min.y, 1) + ") to (" + decimal(beads_.max.x, 1) + ", " +
-                         decimal(beads_.max.y, 1) + "), lie beside any that could be guessed");
-    }
-  }
+}
 
-  startBlock(start);
-  // Some choose it behind the first mark.
-  std::optional<int> chosen;
-  for (std::string_view lines = start; !lines.empty();) {
-    if (const auto tool = toolOf(nextLine(lines))) chosen = tool;
+// Where nothing tells the bed, it reaches as far as the beads do. About the origin it is a delta's, whose beds are
+// round.
+std::optional<Error> Donor::guessBed() {
+  const bool told = settings_.contains("bed_shape") || settings_.contains("printable_area");
+  if (told || !out_.profile.empty()) return std::nullopt;
+  constexpr double kPurged = 5;  // [mm] beside the bed
+  Printer& p = out_.printer;
+  const auto [least, most] = beads_;
+  if (std::min(least.x, least.y) >= -kPurged) {
+    p.bedMax = {std::max(p.bedMax.x, std::ceil(most.x)), std::max(p.bedMax.y, std::ceil(most.y))};
+    return std::nullopt;
   }
-  if (tool_ != chosen.value_or(0)) startLine("T" + std::to_string(tool_));
-  if (out_.printer.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
-  recogniseKlipper(out_);
-  if (setsPressureAdvance(out_.printer.startGcode)) {  // for the donor's filament, and nothing need set it again
-    out_.printer.setPressureAdvance = false;
-    if (advance_ > 0) out_.printer.pressureAdvance = advance_;
+  if (!(least.x < 0 && least.y < 0 && most.x > 0 && most.y > 0)) {
+    return invalidFile("the file does not tell the bed, and its beads lie left of or before the origin, from (" +
+                       decimal(least.x, 1) + ", " + decimal(least.y, 1) + ") to (" + decimal(most.x, 1) + ", " +
+                       decimal(most.y, 1) + "); take a file of a slicer that tells it, such as PrusaSlicer or Orca");
   }
-  dropRetraction(out_.printer.startGcode);
-  rest = text.substr(lastBead);
+  const double reach = std::max({-least.x, -least.y, most.x, most.y});
+  const double half = std::max(0.5 * std::max(p.bedMax.x - p.bedMin.x, p.bedMax.y - p.bedMin.y), std::ceil(reach));
+  p.bedMin = {-half, -half};
+  p.bedMax = {half, half};
+  p.roundBed = true;
+  return std::nullopt;
+}
+
+std::optional<Error> Donor::endBlock(std::string_view rest) {
   bool begun =
       rest.find(";TYPE:Custom") == std::string_view::npos && rest.find("; FEATURE: Custom") == std::string_view::npos;
   bool wiping = begun;  // without a mark: moves that end the last bead come first
@@ -526,9 +510,40 @@ std::optional<Error> Donor::read(std::string_view text) {
     endLine(code, begun && !wiping);
     if (out_.printer.endGcode.size() > kMaxBlockBytes) return invalidFile("the end block is longer than 65536 bytes");
   }
+  return std::nullopt;
+}
 
-  const auto expanded = expandTemplate(out_.printer.startGcode, templateValues(out_.printer, {}, beads_), "");
-  const GcodeCheck check = checkGcode(expanded ? expanded.value() : out_.printer.startGcode, out_.printer);
+std::optional<Error> Donor::read(std::string_view text) {
+  scan(text);
+  if (numbered_ && lastBead_ == 0) {
+    return invalidFile("its lines are numbered, as hosts send them; take the file that the slicer wrote");
+  }
+  if (firstLayer_ == std::string_view::npos) {
+    tellsBlocks_ = settings_.contains("start_gcode") && settings_.contains("end_gcode") && lastBead_ > 0;
+    if (tellsBlocks_) {
+      for (const char* key : {"start_gcode", "end_gcode"}) settings_[key] = unescaped(settings_[key]);
+      return std::nullopt;
+    }
+    return invalidFile(
+        "the G-code marks no layer (;LAYER_CHANGE, ; CHANGE_LAYER or ;LAYER:0); its start block cannot be told");
+  }
+  if (lastBead_ <= firstLayer_) return invalidFile("the G-code extrudes nothing after its first layer mark");
+
+  takeOwnSettings();
+  if (auto error = guessBed()) return error;
+  startBlock(text.substr(0, firstLayer_));
+  Printer& p = out_.printer;
+  if (p.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
+  recogniseKlipper(out_);
+  if (setsPressureAdvance(p.startGcode)) {  // for the donor's filament, and nothing need set it again
+    p.setPressureAdvance = false;
+    if (advance_ > 0) p.pressureAdvance = advance_;
+  }
+  dropRetraction(p.startGcode);
+  if (auto error = endBlock(text.substr(lastBead_))) return error;
+
+  const auto expanded = expandTemplate(p.startGcode, templateValues(p, {}, beads_), "");
+  const GcodeCheck check = checkGcode(expanded ? expanded.value() : p.startGcode, p);
   if (!check.homes) note("NoHoming");
   if (!check.heatsNozzle) note("NoNozzleWait");
   if (!check.heatsBed) note("NoBedWait");
