@@ -179,7 +179,9 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addShapeFacts(app, arguments.shape);
   CLI::App* import =
       app.add_subcommand("import", "Take a printer from G-code of your own slicer, its settings or a project");
-  import->add_option("file", arguments.import, "G-code, .ini, .json, .orca_printer, .3mf")->option_text("FILE")->required();
+  import->add_option("file", arguments.import, "G-code, .ini, .json, .orca_printer, .3mf")
+      ->option_text("FILE")
+      ->required();
   import->add_option("--name", arguments.importName, "printer of a bundle [the active one]")->option_text("NAME");
 
   CLI::App* generate =
