@@ -103,6 +103,19 @@ struct Standing {
   double height;
 };
 
+// Runs a block. \param take  called with each line that says anything, its command, and the move that it makes, if any;
+// the machine's homed axes are those of this line.
+template <class Take>
+void runBlock(const std::string& block, MachineState& machine, Take&& take) {
+  forEachLine(block, [&](const GcodeLine& line) {
+    const GcodeParts parts = partsOf(line.text);
+    if (parts.code.empty()) return;
+    const GcodeCommand command = commandOf(parts.code);
+    machine.homedAxes = 0;
+    take(line, command, runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{}));
+  });
+}
+
 // A printer that is at `from` [mm], above what was printed, runs the block: whether it comes down on that.
 std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, const Standing& plate,
                               const Printer& printer, GcodeJob& job) {
@@ -113,12 +126,8 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
   const Vec2 body{kNozzleBody, kNozzleBody};
   const Bounds near{plate.box.min - body, plate.box.max + body};
   std::optional<Error> refused;
-  forEachLine(block, [&](const GcodeLine& line) {
-    const GcodeParts parts = partsOf(line.text);
-    if (refused || parts.code.empty()) return;
-    const GcodeCommand command = commandOf(parts.code);
-    machine.homedAxes = 0;  // so that they are those of this line
-    const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
+  runBlock(block, machine, [&](const GcodeLine& line, const GcodeCommand& command, const auto& move) {
+    if (refused) return;
     const auto warn = [&](const char* what) {
       job.warn(
           WarningCode::EndLine,
@@ -147,12 +156,8 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
 void warnUnder(const std::string& block, const Standing& plate, const Printer& printer, GcodeJob& job) {
   MachineState machine(printer.flavor);
   bool warned = false;
-  forEachLine(block, [&](const GcodeLine& line) {
-    const GcodeParts parts = partsOf(line.text);
-    if (warned || parts.code.empty()) return;
-    const GcodeCommand command = commandOf(parts.code);
-    const auto move = runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
-    if (!move || !(move->e > 0) || !(move->length > 0) || !(move->z < plate.height)) return;
+  runBlock(block, machine, [&](const GcodeLine& line, const GcodeCommand&, const auto& move) {
+    if (warned || !move || !(move->e > 0) || !(move->length > 0) || !(move->z < plate.height)) return;
     constexpr int kPieces = 64;
     for (int k = 0; k <= kPieces && !warned; ++k) {
       warned = plate.box.holds(move->from + (static_cast<double>(k) / kPieces) * (move->to - move->from));
