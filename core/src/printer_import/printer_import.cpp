@@ -45,14 +45,12 @@ std::optional<ZipEntry> packedSettings(std::string_view zip) {
 }  // namespace
 
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
-  if (bytes.starts_with("PK\x03\x04")) {
+  if (isPackedGcode(bytes)) {
     if (const auto entry = packedSettings(bytes)) {
       const Result<std::string> json = unpackEntry(bytes, *entry, kMaxSettingsBytes);
       if (!json) return Error{json.error().code, "the file " + json.error().message};
       return importJson(json.value());
     }
-  }
-  if (isPackedGcode(bytes)) {
     const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();
     if (!looksLikeGcode(gcode.value())) return invalidFile("what the file holds is no G-code");
