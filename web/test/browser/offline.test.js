@@ -218,12 +218,18 @@ test('each of two open pages is loaded anew when its visitor says so, however la
   await takesNew(second);
 });
 
-test('a page that registers while a new version comes offers it too', { skip }, async () => {
+/** A page that is settled, and one that learns of its registration late; there is another version by then. */
+async function pagesBeforeAnotherVersion() {
   const address = await plainHost();
   const { page: first } = await open(address);
   await isolatedPage(first);
   const { page: second, learn } = await openSlow(address);
   deploy();
+  return { first, second, learn };
+}
+
+test('a page that registers while a new version comes offers it too', { skip }, async () => {
+  const { first, second, learn } = await pagesBeforeAnotherVersion();
   const release = site.hold('/studio/manifest.webmanifest');
   await findsNew(first);
   await workerIs(first, 'installing');
@@ -233,11 +239,7 @@ test('a page that registers while a new version comes offers it too', { skip }, 
 });
 
 test('a page that registers after another took a new version offers it too', { skip }, async () => {
-  const address = await plainHost();
-  const { page: first } = await open(address);
-  await isolatedPage(first);
-  const { page: second, learn } = await openSlow(address);
-  deploy();
+  const { first, second, learn } = await pagesBeforeAnotherVersion();
   await findsNew(first);
   await takesNew(first);
   await learn();
