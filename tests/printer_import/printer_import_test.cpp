@@ -411,8 +411,8 @@ TEST_CASE("filament that a donor counts from its beginning is not pushed at the 
   // In the block itself: what it pulls and pushes, whatever modes it chooses.
   CHECK(end("M140 S0\nG1 E19 F2400\nG1 E20.5\n") == "M140 S0\nG1 E-2 F2400\nG1 E1.5\n");
   CHECK(end("M140 S0\nG92 E0\nG1 E-3 F2400\n") == "M140 S0\nG92 E0\nG1 E-3 F2400\n");
-  CHECK(end("M140 S0\nG91\nG1 E-2 F2400\nG90\nG1 E16\n") == "M140 S0\nG91\nG1 E-2 F2400\nG90\nM83\nG1 E-5\n");
-  CHECK(end("M140 S0\nM83\nG1 E-2 F2400\nM82\nG1 E19\n") == "M140 S0\nM83\nG1 E-2 F2400\nM82\nM83\nG1 E-2\n");
+  CHECK(end("M140 S0\nG91\nG1 E-2 F2400\nG90\nG1 E16\n") == "M140 S0\nG91\nG1 E-2 F2400\nG90\nM83\nG1 E-3\n");
+  CHECK(end("M140 S0\nM83\nG1 E-2 F2400\nM82\nG1 E19\n") == "M140 S0\nM83\nG1 E-2 F2400\nM82\nM83\nG1 E0\n");
   CHECK(end("M140 S0\nG1 E-2 F2400\n", "M83") == "M140 S0\nG1 E-2 F2400\n");
   // A travel that writes E is no bead: what lies before it is the end block's.
   CHECK(end("M104 S0\nM140 S0\nG1 X0 Y200 E21 F3000\nM84\n") == "M104 S0\nM140 S0\nG1 X0 Y200 E0 F3000\nM84\n");

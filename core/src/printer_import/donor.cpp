@@ -10,6 +10,7 @@
 #include "gcode/blocks.hpp"
 #include "gcode/template.hpp"
 #include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
@@ -63,6 +64,11 @@ void dropRetraction(std::string& block) {
 std::size_t valueOf(std::string_view line, char letter) {
   const std::size_t word = line.find(std::string{' ', letter});
   return word == std::string_view::npos ? word : word + 2;
+}
+
+std::optional<double> numberOf(std::string_view line, char letter) {
+  const std::size_t begin = valueOf(line, letter);
+  return begin == std::string_view::npos ? std::nullopt : firstNumber(firstWord(line.substr(begin)));
 }
 
 /// The line with other values after some letters, and all else as it was.
@@ -122,28 +128,22 @@ std::optional<int> toolOf(std::string_view line) {
   return chooses ? std::optional<int>(command.code) : std::nullopt;
 }
 
-/// How a file counts its filament.
-class Filament {
- public:
+/// How a file counts its filament. Its firmware is not known yet, so that G90 and G91 mean nothing for it.
+struct Filament {
+  bool absolute = false;  ///< where neither M82 nor M83 says so
+  double at = 0;          ///< [mm], as written
+
   /// \return what the line pushes [mm]; below 0: pulls.
   double take(std::string_view line) {
-    if (isCommand(line, "M82")) absolute_ = true;
-    if (isCommand(line, "M83")) absolute_ = false;
+    if (isCommand(line, "M82")) absolute = true;
+    if (isCommand(line, "M83")) absolute = false;
     const bool sets = isCommand(line, "G92");
-    const std::size_t begin = sets || isMove(line) ? valueOf(line, 'E') : std::string_view::npos;
-    const auto value = begin == std::string_view::npos ? std::nullopt : firstNumber(firstWord(line.substr(begin)));
+    const auto value = sets || isMove(line) ? numberOf(line, 'E') : std::nullopt;
     if (!value) return 0;
-    const double pushed = sets ? 0 : absolute_ ? *value - at_ : *value;
-    at_ = sets || absolute_ ? *value : at_;
+    const double pushed = sets ? 0 : absolute ? *value - at : *value;
+    at = sets || absolute ? *value : at + *value;
     return pushed;
   }
-  /// As G90 and G91 do in Marlin's family.
-  void setAbsolute(bool absolute) { absolute_ = absolute; }
-  [[nodiscard]] bool absolute() const { return absolute_; }
-
- private:
-  bool absolute_ = false;  // where neither M82 nor M83 says so
-  double at_ = 0;
 };
 
 // RepRapFirmware tells by it what belongs to an "if".
@@ -172,15 +172,17 @@ void insertMacroTargets(std::string& line, double nozzle, double bed, std::strin
 
 /// What a line heats the chamber to [degrees Celsius]; 0: nothing.
 double chamberOf(std::string_view line) {
-  double degrees = 0;
-  if (isCommand(line, "M141") || isCommand(line, "M191")) {
-    const std::size_t begin = valueOf(line, 'S');
-    if (begin != std::string_view::npos) degrees = firstNumber(firstWord(line.substr(begin))).value_or(0);
-  }
+  const bool heats = isCommand(line, "M141") || isCommand(line, "M191");
+  double degrees = heats ? numberOf(line, 'S').value_or(0) : 0;
   forEachParameter(line, [&](const std::string& key, std::string_view value) {
     if (key.find("CHAMBER") != std::string::npos) degrees = std::max(degrees, firstNumber(value).value_or(0));
   });
   return degrees;
+}
+
+std::optional<MachineMove> run(MachineState& machine, std::string_view code) {
+  const GcodeCommand command = commandOf(code);
+  return runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
 }
 
 class Donor {
@@ -215,9 +217,9 @@ class Donor {
   std::size_t firstLayer_ = std::string_view::npos;  // where its mark begins
   std::size_t lastBead_ = 0;                         // where its line ends
   bool numbered_ = false;                            // N1 G28*18
-  Filament end_;                                     // from the last bead on
-  bool relativeEnd_ = false;
-  bool absoluteE_ = false;  // of our end block so far
+  Filament end_;                                     // at the last bead
+  MachineState donor_;                               // from there on
+  MachineState ours_;                                // in our end block
   bool tellsBlocks_ = false;
   std::string template_;  // of the start block, as the slicer was told it
   int tool_ = 0;          // of its first bead
@@ -375,36 +377,30 @@ void Donor::templateFilament(const GcodeCheck& check) {
 
 // Behind the last bead. \param shown  else it is not of the block, but counts for what follows.
 void Donor::endLine(std::string_view code, bool shown) {
-  const bool places = isCommand(code, "G90") || isCommand(code, "G91");
-  const bool marlin = out_.printer.flavor != GcodeFlavor::Klipper && out_.printer.flavor != GcodeFlavor::RepRap;
-  if (places) relativeEnd_ = isCommand(code, "G91");
-  if (places && marlin) end_.setAbsolute(!relativeEnd_);
-  const bool counted = end_.absolute();
-  const double pushed = end_.take(code);
+  const bool counted = donor_.absoluteE;
+  const auto move = run(donor_, code);
   if (!shown || isOfOldPrint(code)) return;
-  if (places && marlin) absoluteE_ = !relativeEnd_;
-  if (isCommand(code, "M82") || isCommand(code, "M83")) absoluteE_ = isCommand(code, "M82");
   std::string line = ofThisJob(code);
+  run(ours_, code);
   // Ours has counted other filament, and begins with M83.
   if (isMove(code) && hasWord(code, 'E')) {
-    if (absoluteE_) out_.printer.endGcode += "M83\n";
-    absoluteE_ = false;
-    if (counted) line = withValues(std::move(line), {{'E', decimal(pushed, 5)}});
+    if (ours_.absoluteE) out_.printer.endGcode += "M83\n";
+    ours_.absoluteE = false;
+    if (counted && move) line = withValues(std::move(line), {{'E', decimal(move->e, 5)}});
   }
   // A height of the old print may lie inside the new plate. Ours has lifted the nozzle before the block begins.
-  if (isMove(code) && !relativeEnd_ && hasWord(code, 'Z')) {
+  if (isMove(code) && donor_.absolute && hasWord(code, 'Z')) {
     const std::size_t z = line.find(" Z");
     line.erase(z, std::min(line.find(' ', z + 1), line.size()) - z);
     note("EndHeights");
     if (!hasWord(line, 'X') && !hasWord(line, 'Y') && !hasWord(line, 'E')) return;
   }
   // A place to present the print that lies off the bed as it is known here, which an export would refuse.
-  if (isMove(code) && !relativeEnd_ && out_.printer.flavor != GcodeFlavor::Bambu) {
+  if (isMove(code) && donor_.absolute && out_.printer.flavor != GcodeFlavor::Bambu) {
     const Printer& p = out_.printer;
     for (const auto& [axis, low, high] : {std::tuple{'X', p.bedMin.x, p.bedMax.x}, {'Y', p.bedMin.y, p.bedMax.y}}) {
       const std::size_t begin = valueOf(line, axis);
-      const auto value =
-          begin == std::string::npos ? std::nullopt : firstNumber(firstWord(std::string_view(line).substr(begin)));
+      const auto value = numberOf(line, axis);
       if (!value || (*value >= low - kBeyondBed && *value <= high + kBeyondBed)) continue;
       line.erase(begin - 2, std::min(line.find(' ', begin), line.size()) - begin + 2);
       note("EndPlaces");
@@ -443,9 +439,9 @@ void Donor::scan(std::string_view text) {
     if (bead && beads_.empty()) tool_ = tool;
     if (bead && placed) beads_.add(nozzle);
     for (double* const place : {&nozzle.x, &nozzle.y}) {
-      const std::size_t begin = valueOf(line, place == &nozzle.x ? 'X' : 'Y');
-      if (begin == std::string_view::npos) continue;
-      if (const auto value = firstNumber(firstWord(line.substr(begin)))) *place = *value;
+      const auto value = numberOf(line, place == &nozzle.x ? 'X' : 'Y');
+      if (!value) continue;
+      *place = *value;
       placed = true;
     }
     if (bead) beads_.add(nozzle);
@@ -501,6 +497,10 @@ std::optional<Error> Donor::endBlock(std::string_view rest) {
   bool begun =
       rest.find(";TYPE:Custom") == std::string_view::npos && rest.find("; FEATURE: Custom") == std::string_view::npos;
   bool wiping = begun;  // without a mark: moves that end the last bead come first
+  donor_ = ours_ = MachineState(out_.printer.flavor);
+  donor_.absoluteE = end_.absolute;
+  donor_.e = end_.at;
+  ours_.absoluteE = false;
   while (!rest.empty()) {
     const std::string_view line = trimmed(nextLine(rest));
     if (line == ";TYPE:Custom" || line == "; FEATURE: Custom") begun = true;
