@@ -222,6 +222,7 @@ async function speak(language: string): Promise<void> {
 }
 
 const restoreWithin = 1500; // [ms], after which the page begins with what it has; the plate may still come
+const linkWithin = 10_000; // [ms], as nobody who follows a link wants to see another plate first
 const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' storages never answer
 const keepsAfter = 60_000; // [ms]; some plates cannot be made
 
@@ -531,7 +532,8 @@ async function start(): Promise<void> {
   app.studio = studio;
   document.body.append(app);
   keepUp();
-  await Promise.race([restore(), elapsed(restoreWithin)]);
+  const within = location.hash === '' ? restoreWithin : linkWithin; // restore() takes the link out of the address
+  await Promise.race([restore(), elapsed(within)]);
   // Nobody wants to see another plate first, nor its figures, where the host's is on its way.
   if (framed && asked.waits) void elapsed(hostWaits).then(begin);
   else begin();

@@ -6,8 +6,9 @@ import { test } from 'node:test';
 import { zipSync } from 'fflate';
 
 import { sharedBench } from './support/shared.js';
+import { smallPlate } from './support/small.js';
 import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
-import { keptPlate, settled, until } from './support/waits.js';
+import { keptPlate, settled, stretchWaits, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 
@@ -61,6 +62,20 @@ test('a broken link is told, and the page begins as usual', { skip }, async () =
   await alert.waitFor();
   assert.match(await alert.innerText(), /link/i);
   await visit.idle();
+});
+
+test('no other plate is made while a link’s is on its way', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await stretchWaits(visit.page, 10_000, 170_000); // then a page begins without its link's plate (`linkWithin`)
+  let begun;
+  await visit.page.route(/links-[^/]*\.js$/, async (route) => {
+    await visit.page.waitForTimeout(2500); // after 1.5 s a page without a link begins (`restoreWithin`)
+    begun = await visit.state(({ progress, result }) => progress !== undefined || result !== undefined);
+    await route.continue();
+  });
+  await visit.page.goto(`${bench.origin}/?again${smallPlate}`);
+  await visit.until((state) => state.result?.plate.width === 24);
+  assert.equal(begun, false);
 });
 
 test('long work tells its progress, is cancelled, and begins again', { skip }, async () => {

@@ -68,7 +68,10 @@ export async function start() {
       page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
       page.on('pageerror', (error) => problems.push(String(error)));
       await page.goto(site.origin + path);
-      return new Visit(page, context, problems);
+      const visit = new Visit(page, context, problems);
+      // A page that is long without its link begins with another plate, and then takes what a test has made of that away.
+      if (path === `/${smallPlate}`) await visit.until((state) => state.plate.width === 24);
+      return visit;
     },
     async close() {
       await browser.close();
@@ -106,7 +109,16 @@ class Visit {
   /** Waits until a function of the state gives true: the page's language comes before the studio does. */
   async until(read) {
     await this.page.waitForFunction(() => document.querySelector('sillon-app')?.studio !== undefined);
-    await until(() => this.state(read), read);
+    try {
+      await until(() => this.state(read), read);
+    } catch (error) {
+      const found = await this.state(({ plate, progress, cancelled, problem, live, result }) => ({
+        ...{ name: plate.name, width: plate.width, height: plate.height, directions: plate.directions.kind },
+        ...{ progress, cancelled, problem, live, coarse: result?.coarse, measured: result?.measured },
+      }));
+      error.message += `\nthe studio is at ${JSON.stringify(found)}`;
+      throw error;
+    }
   }
 
   /** What the line below the plate says. */
