@@ -274,7 +274,7 @@ int generate(const cli::Arguments& arguments) {
 
   job.pictureOptions = arguments.pictures;
   std::vector<std::string> inputs = cli::inputFiles(job.project);
-  for (const std::string* name : {&arguments.scene, &arguments.pictures.spoolsFile}) {
+  for (const std::string* name : {&arguments.scene, &arguments.pictures.spoolsFile, &arguments.outputs.container}) {
     if (!name->empty()) inputs.push_back(*name);
   }
   if (const std::optional<Error> problem =

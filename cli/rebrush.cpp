@@ -79,8 +79,11 @@ std::string dumped(const nlohmann::ordered_json& json) {
 }
 
 nlohmann::ordered_json fileJson(const SlicedFile& file) {
-  return {
-      {"program", file.program}, {"slicer", slicerName(file.slicer)}, {"layers", file.layers}, {"lines", file.lines}};
+  return {{"program", file.program},
+          {"slicer", slicerName(file.slicer)},
+          {"layers", file.layers},
+          {"lines", file.lines},
+          {"nozzle", file.nozzle}};
 }
 
 std::string listJson(const SlicedFile& file) {
@@ -241,7 +244,7 @@ Result<std::string> previewPng(const RebrushArguments& arguments, const sillon::
   params.width = arguments.previewWidth;
   const SlicedSurface& surface = done.file.surfaces[made.surface];
   params.look.colour = spool.colour;
-  params.look.roughness = sillon::roughnessOf(spool, 0.4, surface.side == SurfaceSide::Bottom);
+  params.look.roughness = sillon::roughnessOf(spool, done.file.nozzle, surface.side == SurfaceSide::Bottom);
   if (!made.lamps.empty()) {
     params.look.lamp = made.lamps.front();
     // Bottoms are drawn as they lie, seen through the plate.
@@ -277,19 +280,20 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
   if (container.value().plates > 1) return severalPlates(arguments.file, container.value().plates);
   const Result<sillon::RebrushOptions> options = readOptions(arguments, pictures);
   if (!options) return options.error();
-  std::vector<std::string> outputs;
-  for (const std::string* name : {&arguments.out, &arguments.report, &arguments.preview}) {
+  const std::string& out = arguments.out.empty() ? arguments.file : arguments.out;
+  std::vector<std::string> outputs{out};
+  for (const std::string* name : {&arguments.report, &arguments.preview}) {
     if (!name->empty()) outputs.push_back(*name);
   }
   std::vector<std::string> inputs = arguments.pictures.files;
-  for (const std::string* name : {&arguments.directions, &arguments.pictures.spoolsFile}) {
+  if (out != arguments.file) inputs.push_back(arguments.file);
+  for (const std::string* name : {&arguments.directions, &arguments.modes, &arguments.pictures.spoolsFile}) {
     if (!name->empty()) inputs.push_back(*name);
   }
   if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
   Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options.value(), run);
   if (!done) return named(done.error());
   std::vector<OutputFile> files;
-  const std::string& out = arguments.out.empty() ? arguments.file : arguments.out;
   std::string brushed = sillon::withEdits(gcode, done.value().edits);
   // In place the kind of file stays, whatever its name.
   Result<std::string> file = arguments.out.empty() ? sillon::writeGcodeContainer(container.value(), std::move(brushed))
@@ -304,6 +308,9 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
     Result<std::string> png = previewPng(arguments, shown, done.value(), made, run);
     if (!png) return png.error();
     files.push_back({previewName(arguments.preview, drawn++), std::move(png).value()});
+    if (drawn == 1) continue;
+    outputs.push_back(files.back().path);
+    if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
   return Outcome{std::move(files), summaryText(done.value())};

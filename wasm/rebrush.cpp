@@ -55,6 +55,7 @@ val fileOf(const sillon::SlicedFile& file) {
   out.set("program", val(file.program));
   out.set("layers", file.layers);
   out.set("lines", static_cast<double>(file.lines));
+  out.set("nozzle", file.nozzle);
   out.set("surfaces", surfaces);
   return out;
 }

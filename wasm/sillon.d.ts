@@ -370,6 +370,8 @@ export interface SlicedFile {
   program: string;
   layers: number;
   lines: number;
+  /** 0.4 where the file does not tell. */
+  nozzle: number;
   surfaces: SlicedSurface[];
 }
 

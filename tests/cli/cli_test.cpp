@@ -430,10 +430,14 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
       {"part.gcode --picture half.png --lamp x", "it must be AZ or AZ,EL"},
       {"part.gcode --picture half.png --angle 3", "--angle"},
       {"part.gcode --picture nowhere.png", "cannot be read"},
-      {"part.gcode --picture half.png --fit bed", "does not tell its bed"},
+      {"part.gcode --picture half.png --fit bed", "fit is bed, but the file does not give its bed"},
       {"part.gcode --fit sideways", "must be one of face, object, bed, all"},
       {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or 0 to 100"},
       {"part.gcode --angle 3 -o part.gcode --report part.gcode", "two outputs"},
+      {"part.gcode --angle 3 --report part.gcode", "two outputs"},
+      {"part.gcode --angle 3 -o more.gcode --report part.gcode", "also an input"},
+      {"part.gcode --modes half.png --preview half.png", "also an input"},
+      {"part.gcode --surfaces both --angle 3 --preview p.png --report p-2.png", "two outputs"},
       {"half.png", "does not mark its surfaces"},
       {"part.gcode --only 0", "the first is 1"},
       {"part.gcode --only 2,a", "--only is \"a\"; it must be a number that --list shows"},
@@ -1290,6 +1294,7 @@ TEST_CASE("command lines that make no sense are refused") {
   checkRefused(folder, "frobnicate",
                "\"frobnicate\" is not a command; it must be generate, check, rebrush, shape, zones, import, printers,");
   checkRefused(folder, "generate --directions l.png --gcode l.png", "also an input");
+  checkRefused(folder, "generate --shape disc --container keep.json --gcode keep.json", "also an input");
   checkRefused(folder, "generate keep.json --shape disc --size 9 --project keep.json", "also an input");
   CHECK(readAll(folder.at("keep.json")) == R"({"sillon": 1})");
 }

@@ -718,7 +718,7 @@ TEST_CASE("a picture is shown on each face, or runs across them") {
   how.fit = PictureFit::Bed;
   const auto bedless = rebrush(text.substr(0, text.find("; bed_shape")), how, run);
   REQUIRE_FALSE(bedless);
-  CHECK(bedless.error().message.find("does not tell its bed") != std::string::npos);
+  CHECK(bedless.error().message.find("does not give its bed") != std::string::npos);
   how.spool = "none";
   CHECK_FALSE(rebrush(text, how, run));
 }

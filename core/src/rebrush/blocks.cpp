@@ -259,7 +259,6 @@ void Reader::mark(const Mark& mark) {
       return;
     case MarkKind::None:
     case MarkKind::Width:
-    case MarkKind::Z:
       return;
   }
 }
@@ -637,6 +636,7 @@ Result<SlicedBlocks> Reader::finish() {
     block.mostFlow = std::max(mostFlowOf(out_.settings, tool), mostFeed_[tool] * area_);
   }
   out_.file.program = program_->name;
+  if (out_.settings.nozzle > 0) out_.file.nozzle = out_.settings.nozzle;
   sortBy(out_.blocks, [](const SurfaceBlock& block) { return block.surface.begin; });
   return std::move(out_);
 }

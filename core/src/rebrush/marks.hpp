@@ -9,7 +9,7 @@
 
 namespace sillon {
 
-enum class MarkKind { None, Layer, Role, Width, Height, Object, Z };
+enum class MarkKind { None, Layer, Role, Width, Height, Object };
 
 /// What the following moves are.
 enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
@@ -18,7 +18,7 @@ enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
 struct Mark {
   MarkKind kind = MarkKind::None;
   RoleKind role = RoleKind::Other;
-  double value = 0;       ///< width, height, Z [mm]
+  double value = 0;       ///< of Height [mm]
   std::string_view name;  ///< of the object
 };
 

@@ -17,10 +17,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kLeastCoverage = 97;       // [%], less shows the layer below; wide faces reach 98.5
-constexpr double kLeastUnderPictures = 97;  // [%], as beads turn within a width at a picture's edges
-constexpr double kMostSpill = 2;            // [%] of beads beyond the region
-constexpr double kMostBeyond = 0.05;        // [mm] of a bead beyond the region
+constexpr double kLeastCoverage = 97;  // [%], less shows the layer below; wide faces reach 98.5
+constexpr double kMostSpill = 2;       // [%] of beads beyond the region
+constexpr double kMostBeyond = 0.05;   // [mm] of a bead beyond the region
 
 // How far the beads reach over the region at most [mm].
 Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing, const RunContext& run) {
@@ -45,13 +44,14 @@ Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing
   return most;
 }
 
-std::string problemOf(const Measures& measures, double leastCoverage) {
+std::string problemOf(const Measures& measures) {
   if (measures.crossings > 0) return "the new path would cross itself";
-  if (measures.coverage < leastCoverage)
-    return "the new beads would cover " + fixed(measures.coverage, 2) + " % of it; " + decimal(leastCoverage, 1) +
+  if (measures.coverage < kLeastCoverage)
+    return "the new beads would cover " + fixed(measures.coverage, 2) + " % of it; " + decimal(kLeastCoverage, 1) +
            " is the least";
   if (measures.spill > kMostSpill)
-    return "the new beads would spill over " + fixed(measures.spill, 1) + " % of it; 2 is the most";
+    return "the new beads would spill over " + fixed(measures.spill, 1) + " % of it; " + decimal(kMostSpill, 1) +
+           " is the most";
   return {};
 }
 
@@ -111,7 +111,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
   }
 
   Rebrushed out;
-  DirectionSource source(options, file.blocks->settings, blocks);
+  DirectionSource source(options, file);
   std::vector<Edit> edits;
   std::vector<TimeChange> changes;
   std::string reason;  // why the first was left
@@ -147,8 +147,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
     made.alignment = measures.alignment;
     made.coverage = measures.coverage;
     made.spill = measures.spill;
-    if (std::string problem = problemOf(measures, wanted.value().shown.empty() ? kLeastCoverage : kLeastUnderPictures);
-        !problem.empty()) {
+    if (std::string problem = problemOf(measures); !problem.empty()) {
       leave(std::move(problem));
       continue;
     }

@@ -199,11 +199,8 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
   double told = block.before.e;
   double exact = told;
   for (const Bead& bead : beads) {
-    if (bead.to == at) {
-      exact += bead.volume * flow / filamentArea;
-      continue;
-    }
     exact += bead.volume * flow / filamentArea;
+    if (bead.to == at) continue;
     const double target = std::round(exact * 1e5) / 1e5;
     text += "G1 X" + fixed(bead.to.x, 3) + " Y" + fixed(bead.to.y, 3) + " E" +
             fixed(block.before.absoluteE ? target : target - told, 5) +
@@ -247,10 +244,10 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
 
 std::string stateDifference(std::string_view before, std::string_view after, const SurfaceBlock& block) {
   // Until the first travel in the plane that pulls nothing.
-  const auto run = [&](std::string_view text, bool bothTravels) {
+  const auto run = [&](std::string_view text) {
     MachineState machine = block.before;
     Heaters heaters;
-    bool behind = !bothTravels;
+    bool behind = false;
     int lines = 0;
     double pushed = 0;
     bool done = false;
@@ -273,8 +270,8 @@ std::string stateDifference(std::string_view before, std::string_view after, con
     }
     return std::tuple{machine, heaters, pushed};
   };
-  const auto [a, heatA, pushedA] = run(before, true);
-  const auto [b, heatB, pushedB] = run(after, true);
+  const auto [a, heatA, pushedA] = run(before);
+  const auto [b, heatB, pushedB] = run(after);
   if (block.next && !(a.at == b.at)) return "the place";
   if (a.z != b.z) return "the height";
   if (a.absolute != b.absolute || a.absoluteE != b.absoluteE || a.inches != b.inches) return "the modes";

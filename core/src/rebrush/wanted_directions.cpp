@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "rebrush/blocks.hpp"
 #include "sillon/look/spools.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr int kMostTexels = 4096;     // of a side of a cut map
-constexpr double kUsualNozzle = 0.4;  // [mm]
-constexpr const char* kNoBed = "the file does not tell its bed, which --fit bed needs; take face, object or all";
+constexpr int kMostTexels = 4096;  // of a side of a cut map
+constexpr const char* kNoBed = "fit is bed, but the file does not give its bed; it must be face, object or all";
 
 // The part of a map that lies over `part` where the map lies over `whole`. 1 x 1 maps are the same everywhere.
 template <class Map, class Texels>
@@ -66,8 +66,8 @@ bool isChosen(const SlicedSurface& surface, std::size_t index, const RebrushOpti
 Bounds DirectionSource::shared(const SlicedSurface& surface) const {
   if (options_.fit == PictureFit::Face) return pageOf(surface);
   Bounds box;
-  for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    const SlicedSurface& other = blocks_[k].surface;
+  for (std::size_t k = 0; k < file_.surfaces.size(); ++k) {
+    const SlicedSurface& other = file_.surfaces[k];
     if (!isChosen(other, k, options_) || other.left != LeftBecause::None) continue;
     if (options_.fit == PictureFit::Object && other.object != surface.object) continue;
     const Bounds page = pageOf(other);
@@ -79,13 +79,14 @@ Bounds DirectionSource::shared(const SlicedSurface& surface) const {
 
 Result<Bounds> DirectionSource::whole(const SlicedSurface& surface) const {
   if (options_.fit != PictureFit::Bed) return shared(surface);
-  const Vec2 size = settings_.bed.empty() ? Vec2{} : settings_.bed.size();
+  const Bounds& bed = file_.blocks->settings.bed;
+  const Vec2 size = bed.empty() ? Vec2{} : bed.size();
   if (!(size.x > 0 && size.y > 0)) return Error{ErrorCode::InvalidArgument, kNoBed};
-  return settings_.bed;
+  return bed;
 }
 
 Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext& run) {
-  const SlicedSurface& surface = blocks_[block].surface;
+  const SlicedSurface& surface = file_.surfaces[block];
   const Result<Bounds> stretched = whole(surface);
   if (!stretched) return stretched.error();
   const Bounds page = pageOf(surface);
@@ -99,7 +100,7 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
   if (spool == nullptr)
     return Error{ErrorCode::InvalidArgument, "spool \"" + options_.spool + "\" is none of those listed"};
   const bool below = surface.side == SurfaceSide::Bottom;
-  wanted.roughness = roughnessOf(*spool, settings_.nozzle > 0 ? settings_.nozzle : kUsualNozzle, below);
+  wanted.roughness = roughnessOf(*spool, file_.nozzle, below);
 
   const Bounds box = shared(surface);
   std::string key = below ? "below " : "above ";

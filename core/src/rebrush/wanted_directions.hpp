@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "gcode_reader/file_settings.hpp"
-#include "rebrush/blocks.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/quality/picture_measures.hpp"
@@ -24,9 +22,8 @@ struct WantedDirections {
 /// Solves each picture once for all surfaces that share it.
 class DirectionSource {
  public:
-  /// \param options, settings, blocks  must outlive this.
-  DirectionSource(const RebrushOptions& options, const FileSettings& settings, const std::vector<SurfaceBlock>& blocks)
-      : options_(options), settings_(settings), blocks_(blocks) {}
+  /// \param options, file  must outlive this.
+  DirectionSource(const RebrushOptions& options, const SlicedFile& file) : options_(options), file_(file) {}
 
   /// \return as solveDirections; InvalidArgument for a spool that is none, or if the file does not tell its bed where
   /// PictureFit::Bed needs it.
@@ -39,8 +36,7 @@ class DirectionSource {
   [[nodiscard]] Bounds shared(const SlicedSurface& surface) const;
 
   const RebrushOptions& options_;
-  const FileSettings& settings_;
-  const std::vector<SurfaceBlock>& blocks_;
+  const SlicedFile& file_;
   std::map<std::string, SolvedDirections> solved_;
 };
 

@@ -6,9 +6,15 @@ import { withAdvance } from './printers.js';
 /** Along, across. */
 export type Slopes = readonly [number, number];
 
-interface Roughness {
+interface SideSlopes {
   nozzleSide: Slopes;
   bedSide: Slopes;
+}
+
+/** Measured with nozzles of 0.4 and 0.8 mm. */
+interface Roughness {
+  fine: SideSlopes;
+  wide: SideSlopes;
 }
 
 export type FilamentKey = keyof typeof spools;
@@ -24,8 +30,7 @@ export interface Filament {
   bedTemperature: number;
   /** Of the body, sRGB 0..255; for swatches as well. */
   colour: readonly [number, number, number];
-  /** Measured with nozzles of 0.4 and 0.8 mm. */
-  roughness: { fine: Roughness; wide: Roughness };
+  roughness: Roughness;
 }
 
 const fineNozzle = 0.4;
@@ -51,11 +56,11 @@ export const filaments: readonly Filament[] = [
 export const filamentOf = (key: string): Filament =>
   filaments.find((filament) => filament.key === key) ?? (filaments[0] as Filament);
 
+const ownRoughness = ({ fine, wide }: OwnSpool): Roughness => ({ fine, wide: wide ?? fine });
+
 /** Colour and gloss: of the visitor's own spool, where there is one. */
 const looksOf = ({ filament, spool }: Pick<Plate, 'filament' | 'spool'>): Pick<Filament, 'colour' | 'roughness'> =>
-  spool === undefined
-    ? filamentOf(filament)
-    : { colour: spool.colour, roughness: { fine: spool.fine, wide: spool.wide ?? spool.fine } };
+  spool === undefined ? filamentOf(filament) : { colour: spool.colour, roughness: ownRoughness(spool) };
 
 /** Looks like a spool of one's own; undefined: as the filament again. */
 export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
@@ -87,8 +92,7 @@ const toLinear = (value: number): number => {
   return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
 };
 
-/** What the views draw with: linear colour, and the slopes for this nozzle, between those measured. A mirrored plate is
- * made to be seen from below. */
+/** What the views draw with: linear colour, and the slopes for this nozzle, between those measured. */
 export function lookOf(plate: Plate): { colour: [number, number, number]; along: number; across: number } {
   const { colour } = looksOf(plate);
   const [along, across] = slopesOf(plate);
@@ -103,9 +107,16 @@ export function viewLook(plate: Plate): { colour: [number, number, number]; slop
 /** Along and across the bead, on the side that is seen, for the nozzle [degrees]. */
 export function slopesOf(plate: Plate): [number, number] {
   const { print, printer } = plate;
-  const { roughness } = looksOf(plate);
-  const side = print.mirror ? 'bedSide' : 'nozzleSide';
-  const share = Math.min(1, Math.max(0, (printer.nozzle - fineNozzle) / (wideNozzle - fineNozzle)));
-  const between = (k: 0 | 1): number => roughness.fine[side][k] * (1 - share) + roughness.wide[side][k] * share;
+  return slopesFor(looksOf(plate).roughness, printer.nozzle, print.showSide === 'bed' ? 'bedSide' : 'nozzleSide');
+}
+
+/** Of a spool of one's own, as `slopesOf`. @param nozzle [mm] */
+export const spoolSlopes = (spool: OwnSpool, nozzle: number, side: keyof SideSlopes): [number, number] =>
+  slopesFor(ownRoughness(spool), nozzle, side);
+
+/** @param nozzle [mm], between those that were measured */
+function slopesFor({ fine, wide }: Roughness, nozzle: number, side: keyof SideSlopes): [number, number] {
+  const share = Math.min(1, Math.max(0, (nozzle - fineNozzle) / (wideNozzle - fineNozzle)));
+  const between = (k: 0 | 1): number => fine[side][k] * (1 - share) + wide[side][k] * share;
   return [between(0), between(1)];
 }

@@ -1,6 +1,7 @@
 // What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
 import type { DirectionMode, RebrushOptions, SlicedSurface } from 'sillon';
 import { engineInput, rasterInput } from './input.js';
+import { spoolSlopes } from './filaments.js';
 import type { OwnSpool, Plate, SourceFile, Stroke } from './plate.js';
 import type { DirectionRaster } from './raster.js';
 
@@ -77,16 +78,18 @@ export const lackOf = ({ chosen, way, picture }: Wish): '' | 'nothing' | 'noPict
   chosen.size === 0 ? 'nothing' : way === 'picture' && picture === undefined ? 'noPicture' : '';
 
 /** Of one's own spool, those of the side that is seen; of the others the engine knows them. */
-const slopesFor = (spool: OwnSpool | undefined, side: Side): { slopes?: [number, number] } =>
-  spool === undefined ? {} : { slopes: [...spool.fine[side === 'bottom' ? 'bedSide' : 'nozzleSide']] };
+const slopesFor = (spool: OwnSpool | undefined, side: Side, nozzle: number): { slopes?: [number, number] } =>
+  spool === undefined ? {} : { slopes: spoolSlopes(spool, nozzle, side === 'bottom' ? 'bedSide' : 'nozzleSide') };
 
 /** @param faces  all that can be replaced; where all are chosen, none is named
- * @param raster  of the plate, for the way 'plate'; over the box of the chosen faces, for 'hand' */
+ * @param raster  of the plate, for the way 'plate'; over the box of the chosen faces, for 'hand'
+ * @param nozzle  of the file [mm] */
 export function howOf(
   wish: Wish,
   faces: readonly Face[],
   plate: Plate,
   raster: DirectionRaster | undefined,
+  nozzle: number,
 ): Partial<RebrushOptions> {
   const all = faces.every(({ index }) => wish.chosen.has(index));
   const sides = wish.side === 'top' ? {} : { sides: wish.side };
@@ -99,7 +102,7 @@ export function howOf(
       return { ...rasterInput(raster), fit: 'all', ...only };
     case 'plate': {
       const { directions, modes, pictures } = engineInput({ plate, raster }).input;
-      const lit = pictures && { ...pictures, slopes: null, ...slopesFor(plate.spool, wish.side) };
+      const lit = pictures && { ...pictures, slopes: null, ...slopesFor(plate.spool, wish.side, nozzle) };
       const given = Object.entries({ directions, modes, pictures: lit }).filter(([, part]) => part !== undefined);
       return { ...(Object.fromEntries(given) as Partial<RebrushOptions>), fit: wish.fit, ...only };
     }
@@ -107,7 +110,7 @@ export function howOf(
       const { picture, lamp } = wish;
       if (picture === undefined) throw new Error('there is no picture');
       const files = [{ file: picture.bytes, lamp: [lamp[0], lamp[1]] as [number, number] }];
-      const pictures = { files, spool: wish.spool as never, ...slopesFor(wish.own, wish.side) };
+      const pictures = { files, spool: wish.spool as never, ...slopesFor(wish.own, wish.side, nozzle) };
       return { pictures, fit: wish.fit, ...only };
     }
   }

@@ -208,7 +208,7 @@ export class CalibratePrints extends StudioElement {
 export function calibrationOf(plate: Plate, side: number): CalibrationRequest {
   const { printer, print, toolpath } = plate;
   // Prints lie with their beads on top, whatever the plate does.
-  const filament = viewLook({ ...plate, print: { ...print, mirror: false } });
+  const filament = viewLook({ ...plate, print: { ...print, showSide: 'up' } });
   return { printer, print, toolpath, filament, pictureSide: side };
 }
 

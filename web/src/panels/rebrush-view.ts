@@ -247,7 +247,8 @@ export class RebrushView extends StudioElement {
 
   async #lay(): Promise<void> {
     const file = this.#file;
-    if (file === undefined) return;
+    const { print } = this;
+    if (file === undefined || print === undefined) return;
     this.#job?.abort();
     const job = new AbortController();
     this.#job = job;
@@ -264,7 +265,7 @@ export class RebrushView extends StudioElement {
       const drawn = await this.#drawn(wish);
       const engine = await services.engine();
       if (signal.aborted) return;
-      const how = howOf(wish, this.#free(), plate, drawn);
+      const how = howOf(wish, this.#free(), plate, drawn, print.nozzle);
       const done = await engine.rebrush(file, how, {
         signal,
         onProgress: ({ fraction }) => {

@@ -92,8 +92,8 @@ test('the engine is asked for what was chosen, and for no list where all are', (
   const all = facesOf([surface('bottom', 9), surface('top', 1), surface('bottom', 2), surface('top', 3)], 'top');
   const more = facesOf([surface('bottom', 9), surface('top', 1), surface('top', 2), surface('top', 3)], 'top');
   const plate = newPlate();
-  assert.deepEqual(howOf(wish({}), all, plate, undefined), { directions: { angle: 40 } });
-  assert.deepEqual(howOf(wish({ chosen: new Set([3, 1]) }), more, plate, undefined).only, [1, 3]);
+  assert.deepEqual(howOf(wish({}), all, plate, undefined, 0.4), { directions: { angle: 40 } });
+  assert.deepEqual(howOf(wish({ chosen: new Set([3, 1]) }), more, plate, undefined, 0.4).only, [1, 3]);
 
   // Bottoms are asked for by their side, or by their places.
   const surfaces = [surface('bottom', 9), surface('top', 1), surface('bottom', 2)];
@@ -103,19 +103,19 @@ test('the engine is asked for what was chosen, and for no list where all are', (
     bottoms.map(({ index }) => index),
     [0, 2],
   );
-  assert.equal(howOf(wish({ side: 'bottom', chosen }), bottoms, plate, undefined).sides, 'bottom');
+  assert.equal(howOf(wish({ side: 'bottom', chosen }), bottoms, plate, undefined, 0.4).sides, 'bottom');
   const both = facesOf(surfaces, 'both');
-  assert.equal(howOf(wish({ side: 'both', chosen: new Set([0, 1, 2]) }), both, plate, undefined).sides, 'both');
-  const some = howOf(wish({ side: 'both', chosen }), both, plate, undefined);
+  assert.equal(howOf(wish({ side: 'both', chosen: new Set([0, 1, 2]) }), both, plate, undefined, 0.4).sides, 'both');
+  const some = howOf(wish({ side: 'both', chosen }), both, plate, undefined, 0.4);
   assert.deepEqual([some.sides, some.only], [undefined, [0, 2]]);
 
-  const lit = howOf(wish({ way: 'picture', picture }), all, plate, undefined);
+  const lit = howOf(wish({ way: 'picture', picture }), all, plate, undefined, 0.4);
   assert.deepEqual(lit, {
     pictures: { files: [{ file: picture.bytes, lamp: [60, 35] }], spool: 'bluePla' },
     fit: 'object',
   });
   const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
-  const drawn = howOf(wish({ way: 'plate' }), all, plate, raster);
+  const drawn = howOf(wish({ way: 'plate' }), all, plate, raster, 0.4);
   assert.deepEqual(Object.keys(drawn).sort(), ['directions', 'fit', 'modes']);
   // Pictures of the plate stay pictures.
   const directions = {
@@ -125,7 +125,7 @@ test('the engine is asked for what was chosen, and for no list where all are', (
     smoothness: 1,
     localContrast: 0,
   } satisfies DirectionSource;
-  const solved = howOf(wish({ way: 'plate' }), all, { ...plate, directions }, undefined);
+  const solved = howOf(wish({ way: 'plate' }), all, { ...plate, directions }, undefined, 0.4);
   assert.deepEqual(solved.pictures?.files[0], { file: picture.bytes, lamp: [10, 40] });
   assert.equal('directions' in solved, false);
 
@@ -184,7 +184,7 @@ test('a hand draws on the box of what is chosen and free, which the engine is to
   const chosen = wish({ way: 'hand', chosen: new Set([1, 2, 3]) });
   assert.deepEqual(boxOf(chosen, faces), { corner: [20, 10], size: [40, 35] });
   const raster = handRaster([], boxOf(chosen, faces), 40, 64);
-  const how = howOf(chosen, faces, newPlate(), raster);
+  const how = howOf(chosen, faces, newPlate(), raster, 0.4);
   assert.equal(how.fit, 'all');
   assert.equal((how.directions as { encoding: string }).encoding, 'angle');
   assert.deepEqual(how.only, [1, 2, 3]);

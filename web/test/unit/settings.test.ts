@@ -230,10 +230,10 @@ test('a filament brings temperatures the engine takes, and a look that is duller
     const plate = withFilament(newPlate(), key);
     for (const setting of settings) assert.ok(accepts(setting, valueOf(plate, setting)), `${key}: ${setting.id}`);
     for (const nozzle of [0.2, 0.4, 0.5, 0.8, 1.2]) {
-      for (const mirror of [false, true]) {
+      for (const showSide of ['up', 'bed'] as const) {
         const { colour, along, across } = lookOf({
           ...plate,
-          print: { ...plate.print, mirror },
+          print: { ...plate.print, showSide },
           printer: { ...plate.printer, nozzle },
         });
         assert.ok(along > 0 && across > along && across < 30, key);
@@ -247,7 +247,8 @@ test('the look is the one that was measured, from the side that is seen', () => 
   const plate = withFilament(newPlate(), 'bluePla');
   const { along, across } = lookOf(plate);
   assert.deepEqual([along, across], [2.36, 17.32]);
-  const below = lookOf({ ...plate, print: { ...plate.print, mirror: true } });
+  const below = lookOf({ ...plate, print: { ...plate.print, showSide: 'bed' } });
+  assert.deepEqual(lookOf({ ...plate, print: { ...plate.print, mirror: true } }), lookOf(plate));
   assert.deepEqual([below.along, below.across], [2.56, 13.54]);
   const wide = lookOf({ ...plate, printer: { ...plate.printer, nozzle: 0.8 } });
   assert.deepEqual([wide.along, wide.across], [2.31, 17.69]);

@@ -90,7 +90,7 @@ test('whatever is drawn or solved takes the spool', () => {
   const own = withSpool(plain, spool);
   assert.deepEqual(viewLook(own), { colour: [10, 20, 30], slopes: [3, 14] });
   assert.equal(lookOf(own).along, 3);
-  assert.deepEqual(slopesOf({ ...own, print: { ...own.print, mirror: true } }), [2, 9]);
+  assert.deepEqual(slopesOf({ ...own, print: { ...own.print, showSide: 'bed' } }), [2, 9]);
   const wide = { ...spool, wide: { nozzleSide: [5, 18] as [number, number], bedSide: [2, 9] as [number, number] } };
   assert.deepEqual(slopesOf({ ...withSpool(plain, wide), printer: { ...plain.printer, nozzle: 0.6 } }), [4, 16]);
 
@@ -101,11 +101,13 @@ test('whatever is drawn or solved takes the spool', () => {
     ...{ side: 'bottom' as const, chosen: new Set([0]), way: 'picture' as const, angle: 0, picture },
     ...{ lamp: [60, 35] as const, spool: 'bluePla', own: spool, fit: 'face' as const, strokes: [] },
   };
-  assert.deepEqual(howOf(wish, [], plain, undefined).pictures?.slopes, [2, 9]);
+  assert.deepEqual(howOf(wish, [], plain, undefined, 0.4).pictures?.slopes, [2, 9]);
   assert.deepEqual(
-    howOf({ ...wish, side: 'top', way: 'plate' }, [], { ...own, directions }, undefined).pictures?.slopes,
+    howOf({ ...wish, side: 'top', way: 'plate' }, [], { ...own, directions }, undefined, 0.4).pictures?.slopes,
     [3, 14],
   );
+
+  assert.deepEqual(howOf({ ...wish, own: wide, side: 'top' }, [], plain, undefined, 0.6).pictures?.slopes, [4, 16]);
 
   assert.equal(withFilament(own, 'greyPla').spool, undefined);
   assert.ok(!('spool' in withSpool(own, undefined)));

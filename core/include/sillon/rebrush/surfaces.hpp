@@ -77,6 +77,7 @@ struct SlicedFile {
   std::string program;  ///< as the file says: "PrusaSlicer 2.5.0"
   int layers = 0;
   std::int64_t lines = 0;
+  double nozzle = 0.4;                         ///< [mm], as most have where the file does not say
   std::vector<SlicedSurface> surfaces;         ///< in the order of the file
   std::shared_ptr<const SlicedBlocks> blocks;  ///< the moves of each, for rebrush
 };
