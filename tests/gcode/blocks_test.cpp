@@ -42,6 +42,26 @@ TEST_CASE("blocks that go down to where a print stands are pointed out") {
   CHECK(job.write().result.value().warnings.empty());
 }
 
+TEST_CASE("what a start block leaves scaled is pointed out, and put back") {
+  Job job = plate(30, 20, 1.3);
+  const auto warned = [&](const std::string& block) {
+    job.printer.startGcode = "G28\nM190 S60\nM109 S[first_layer_temperature]\n" + block;
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    for (const GcodeWarning& warning : written.result.value().warnings) {
+      if (warning.code == WarningCode::StartScales) return warningSentence(warning);
+    }
+    return std::string();
+  };
+  CHECK(warned("M221 S95").find("95") != std::string::npos);
+  CHECK(warned("M221S97.5").find("97.5") != std::string::npos);
+  CHECK(warned("M220 S50").find("speed") != std::string::npos);
+  CHECK(warned("M221 S100.5 ; a little more").find("100.5") != std::string::npos);
+  CHECK(warned("M221 S95\nM221 S100").empty());
+  CHECK(warned("M2210 S95").empty());
+  CHECK(warned("M221 T0").empty());
+}
+
 TEST_CASE("a start block that purges where the plate will lie is pointed out") {
   Job job = plate(30, 20, 1.3);
   const auto warned = [&](const std::string& block) {

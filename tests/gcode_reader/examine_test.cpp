@@ -301,6 +301,7 @@ const std::string kBlocks[] = {
     "E10\nM107\nG21\nG90\nM83\nG28",
     "PRINT_START EXTRUDER=215 BED=60 CHAMBER=40",
     "START_PRINT EXTRUDER_TEMP=215 BED_TEMP=60",
+    "BEGIN_PRINT EXTRUDER=215 BED=60",
     "print_start EXTRUDER=240 BED=110",
     "M190 S0\nM109 S0\nPRINT_START EXTRUDER=215 BED=60\nSET_PRESSURE_ADVANCE ADVANCE=0.04",
     "G32\nM116\nT0\nG28\nM572 D0 S0.04",
@@ -443,6 +444,7 @@ TEST_CASE("findings name their line, and unknown commands and macros are marked"
   CHECK(examineBlock("", GcodeFlavor::Marlin).empty());
   CHECK(examineBlock("; a remark: M997\n;M104 S480\n", GcodeFlavor::Marlin).empty());
   CHECK(examineBlock("M104 S300\nM140 S120\n", GcodeFlavor::Marlin).empty());
+  CHECK(examineBlock("SUSPEND_PRINT", GcodeFlavor::Klipper).at(0).code == "macro");
 }
 
 TEST_CASE("any bytes can be examined") {

@@ -211,20 +211,11 @@ std::string withoutBlankLines(std::string_view block) {
 
 // Percentages that the block leaves on all flow (M221) or speed (M220), which are put back to 100 after it.
 void warnScaled(GcodeJob& job, std::string_view block) {
-  for (const auto& [command, setting] :
-       {std::pair<std::string_view, const char*>{"M221 ", "flow"}, {"M220 ", "speed"}}) {
+  for (const auto& [code, setting] : {std::pair<int, const char*>{221, "flow"}, {220, "speed"}}) {
     double percent = 100;
     for (std::string_view rest = block; !rest.empty();) {
-      const std::string_view line = codeOf(nextLine(rest));
-      const std::size_t at = line.find(" S");
-      if (!line.starts_with(command) || at == std::string_view::npos) continue;
-      double value = 0;
-      int digits = 0;
-      for (const char c : line.substr(at + 2)) {
-        if (c < '0' || c > '9' || ++digits > 4) break;
-        value = 10 * value + (c - '0');
-      }
-      if (digits > 0) percent = value;
+      const GcodeCommand command = commandOf(codeOf(nextLine(rest)));
+      if (command.is('M', code)) percent = wordsOf(command.rest).at('S', percent);
     }
     if (percent != 100) job.warn(WarningCode::StartScales, {{"setting", std::string(setting)}, {"percent", percent}});
   }

@@ -14,6 +14,14 @@
 namespace sillon {
 namespace {
 
+enum class CommandKind {
+  Safe,        // ends with the print, or is followed by the reader
+  Outlives,    // still holds when the print is over
+  Runs,        // runs commands that stand somewhere else
+  Unfollowed,  // moves, heats or switches in a way that is not followed here
+  Files,       // files, network, other programs
+  Never,       // has no place in a print
+};
 using enum CommandKind;
 
 // Where a command is described. Each row of the table names one of these pages, on which its commands are found by
@@ -289,19 +297,12 @@ class Judge {
   void byKind(const GcodeCommand& head, const Row* row, const std::string& shown, int depth) {
     if (row == nullptr) {
       if (!strict_ || depth > 0) return;
-      const std::string name = upperCase(head.name);
-      const bool start = holds(name, "PRINT") && (holds(name, "START") || holds(name, "END"));
-      if (head.letter == 0 && name[0] != '@') {
-        if (!start) add("macro", false, {{"command", shown}});
-      } else {
-        add("unknown", false, {{"command", shown}});
-      }
+      const bool macro = head.letter == 0 && !head.name.starts_with('@');
+      if (!isStartMacro(head) && !isEndMacro(head)) add(macro ? "macro" : "unknown", false, {{"command", shown}});
       return;
     }
     switch (row->kind) {
       case Safe:
-      case Macro:
-      case Unknown:
         return;
       case Outlives:
         return add("outlives", row->error, {{"command", shown}});
@@ -476,11 +477,6 @@ class Judge {
 };
 
 }  // namespace
-
-CommandKind commandKind(const GcodeCommand& command, GcodeFlavor flavor) {
-  if (const Row* row = rowOf(command, flavor)) return row->kind;
-  return command.letter == 0 ? Macro : Unknown;
-}
 
 std::vector<GcodeFinding> judgeCommand(std::string_view code, GcodeFlavor flavor, double hottestNozzle,
                                        double hottestBed, bool strict) {

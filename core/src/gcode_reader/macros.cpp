@@ -36,8 +36,10 @@ bool isStartMacro(const GcodeCommand& command) {
 }
 
 bool isEndMacro(const GcodeCommand& command) {
-  const std::string name = macroName(command);
-  return holds(name, "PRINT") && holds(name, "END");
+  std::string name("_");
+  name.append(macroName(command)).append("_");
+  // SUSPEND_PRINT is none.
+  return holds(name, "PRINTEND") || holds(name, "ENDPRINT") || (holds(name, "PRINT") && holds(name, "_END_"));
 }
 
 unsigned homedByMacro(const GcodeCommand& command) {
