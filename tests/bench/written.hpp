@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,7 +45,8 @@ inline Written writtenToolpath(const sillon::Toolpath& toolpath, const sillon::S
     written.error = summary.error().message;
     return written;
   }
-  const double perMm = sillon::extrusion(params.layerHeight, 1, 1, printer.filamentDiameter, params.flow);
+  const double filament = std::numbers::pi / 4 * printer.filamentDiameter * printer.filamentDiameter;  // [mm²]
+  const double perMm = params.flow * params.layerHeight / filament;  // of a bead 1 mm wide
   written.path.spacing = written.beads.spacing = toolpath.spacing;
   for (const sillon::test::ReadPath& path : sillon::test::readGcode(text).paths) {
     if (path.role != "Top solid infill") continue;

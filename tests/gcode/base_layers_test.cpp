@@ -167,7 +167,7 @@ TEST_CASE("concentric base layers fill the plate, the same cycle repeats it") {
     ++loops;
   }
   CHECK(loops == 2 * 25);
-  CHECK(filament == about(2 * extrusion(0.2, 30, 20, 1.75, 1), 0.03));
+  CHECK(filament == about(2 * extrusion(0.2, 30, 20), 0.03));
 
   job.params.basePattern = BasePattern::Same;
   const ReadFile same = checkFile(job, job.write());

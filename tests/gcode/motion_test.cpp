@@ -27,7 +27,7 @@ TEST_CASE("widths beyond 0.6 and 1.6 nozzle are held there and reported") {
   const ReadFile file = checkFile(job, written);
   CHECK(written.result.value().clampedLengthMm == Approx(60));  // one whole segment and two halves, three times
   CHECK(contains(written.result.value().warnings, "50 % of the path is printed with a width held at 0.24 or 0.64 mm"));
-  CHECK(lastPath(file).filament() == about(extrusion(0.2, 0.24 + 0.32 + 0.4 + 0.32, 10, 1.75, 1), 1e-4));
+  CHECK(lastPath(file).filament() == about(extrusion(0.2, 0.24 + 0.32 + 0.4 + 0.32, 10), 1e-4));
   job.toolpath.cycles[0].widths = {0.24f, 0.24f, 0.64f, 0.64f};
   CHECK(job.write().result.value().clampedLengthMm == 0);
 }
@@ -566,7 +566,7 @@ TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre")
   for (const ReadMove& move : full.moves) a += move.length();
   for (const ReadMove& move : path.moves) b += move.length();
   CHECK(a - b == about(0.25, 0.01));
-  CHECK(full.filament() - path.filament() == about(extrusion(0.2, 0.4, 0.25, 1.75, 0.95), 0.02));
+  CHECK(full.filament() - path.filament() == about(extrusion(0.2, 0.4, 0.25, 0.95), 0.02));
 }
 
 TEST_CASE("the skirt beside an oriented first layer neither coasts nor has a scarf") {

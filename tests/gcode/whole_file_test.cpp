@@ -55,7 +55,7 @@ std::string filled(std::string_view pattern, double flow, bool absolute = false)
     if (words == "G92 E0") axis = 0;
     const std::size_t mark = words.find_first_of("!?");
     if (mark != std::string::npos) {
-      exact += extrusion(0.2, 0.4, 10, 1.75, words[mark] == '!' ? 1 : flow);
+      exact += extrusion(0.2, 0.4, 10, words[mark] == '!' ? 1 : flow);
       const std::int64_t due = std::llround(exact * 1e5);
       axis += due - written;
       words.replace(mark, 1, number(absolute ? axis : due - written));

@@ -49,14 +49,7 @@ TEST_CASE("the checker's grammar refuses what kills prints") {
   CHECK(grammarError("G1 X1") != "");
 }
 
-// ---- extrusion
-
-TEST_CASE("filament equals the plastic of the cell a bead fills") {
-  CHECK(extrusion(0.2, 0.4, 10, 1.75, 1) == about(0.33260, 2e-5));
-  CHECK(extrusion(0.2, 0.5, 2, 1.75, 1) == about(0.08315, 6e-5));
-  CHECK(extrusion(0.2, 0.4, 10, 1.75, 0.95) == about(0.31597, 2e-5));
-  CHECK(extrusion(0.2, 0.4, 4000, 1.75, 1) == Approx(133.041).epsilon(4e-6));
-}
+// ---- filament
 
 TEST_CASE("the file carries the same plastic: constant width, growing width, flow") {
   Job job = plate();
@@ -75,7 +68,7 @@ TEST_CASE("the file carries the same plastic: constant width, growing width, flo
   for (std::size_t k = 1; k <= 10; ++k) {
     growing += moves[k].e;
     CHECK(moves[k].length() == Approx(0.2));
-    CHECK(double(moves[k].e) / 1e5 == about(extrusion(0.2, 0.39 + 0.02 * double(k), 0.2, 1.75, 1), 1e-3));
+    CHECK(double(moves[k].e) / 1e5 == about(extrusion(0.2, 0.39 + 0.02 * double(k), 0.2), 1e-3));
   }
   CHECK(growing == 8315);
   job.params.flow = 0.95;
@@ -101,7 +94,7 @@ TEST_CASE("tiny steps lose no plastic to rounding") {
   double printed = 0;
   double worst = 0;
   for (const ReadMove& move : lastPath(file).moves) {
-    exact += extrusion(0.2, 0.4, move.length(), 1.75, 0.95);
+    exact += extrusion(0.2, 0.4, move.length(), 0.95);
     printed += double(move.e) / 1e5;
     worst = std::max(worst, std::abs(exact - printed));
   }

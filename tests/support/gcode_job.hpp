@@ -21,6 +21,11 @@
 namespace sillon::test {
 
 inline constexpr double kArea = 2.4052818754046854;  // of filament of 1.75 mm [mm²]
+/// Filament for a bead as the cell that it fills [mm].
+inline double extrusion(double height, double width, double length, double flow = 1) {
+  return flow * height * width * length / kArea;
+}
+
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

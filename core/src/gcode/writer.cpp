@@ -91,14 +91,6 @@ GcodeSummary summaryOf(const Nozzle& nozzle, const OrientedLength& oriented, con
   return summary;
 }
 
-}  // namespace
-
-double extrusion(double layerHeight, double width, double length, double filamentDiameter, double flow) {
-  return flow * layerHeight * width * length / filamentArea(filamentDiameter);
-}
-
-namespace {
-
 Result<GcodeSummary> writeFile(const GcodeJob& job, const Printer& printer, const PrintParams& params,
                                const GcodeSink& sink) {
   MotionPlans plans;

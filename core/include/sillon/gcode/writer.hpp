@@ -38,7 +38,4 @@ using GcodeSink = std::function<bool(std::string_view)>;
 Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
                                 const PrintParams& params, const GcodeSink& sink, const Toolpath* across = nullptr);
 
-/// Filament for a bead: height * width * length / filament area [mm], the bead as the cell it fills.
-double extrusion(double layerHeight, double width, double length, double filamentDiameter, double flow);
-
 }  // namespace sillon
