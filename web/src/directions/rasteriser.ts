@@ -24,8 +24,6 @@ export interface Rasteriser {
   /** @returns undefined where a later call came before this one was begun.
    * @throws StudioError, and what decoding throws */
   rasterise(wanted: Wanted): Promise<DirectionRaster | undefined>;
-  /** Ends the worker; calls that are not answered resolve to undefined. */
-  dispose(): void;
 }
 
 interface Call {
@@ -40,7 +38,6 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
   let worker: Worker | undefined;
   let running: Call | undefined;
   let waiting: Call | undefined;
-  let disposed = false;
   // What the worker has.
   let files: string[] = [];
   let strokes: readonly Stroke[] = [];
@@ -100,7 +97,6 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
   const run = async ({ wanted, resolve, reject }: Call): Promise<void> => {
     try {
       const request = await requestFor(wanted);
-      if (disposed) return;
       const asked = ask(request);
       files = filesOf(wanted.source, wanted.modes);
       strokes = wanted.strokes;
@@ -132,19 +128,8 @@ export function createRasteriser(decode: (file: SourceFile) => Promise<Picture>,
       new Promise((resolve, reject) => {
         waiting?.resolve(undefined);
         waiting = undefined;
-        if (disposed) {
-          resolve(undefined);
-          return;
-        }
         waiting = { wanted, resolve, reject };
         next();
       }),
-    dispose: () => {
-      disposed = true;
-      end();
-      running?.resolve(undefined);
-      waiting?.resolve(undefined);
-      waiting = undefined;
-    },
   };
 }

@@ -73,7 +73,6 @@ export class StudioEngine {
   readonly #exports = new Set<AbortController>();
   readonly #cost = new Cost();
   #problem: Problem | undefined;
-  #disposed = false;
 
   constructor(
     private readonly host: EngineHost,
@@ -82,7 +81,6 @@ export class StudioEngine {
 
   /** The plate as it is now. @param live  a hand still moves: a preview will do. */
   update(plate: Plate, raster: DirectionRaster | undefined, { live = false }: { live?: boolean } = {}): void {
-    if (this.#disposed) return;
     const input = { plate, raster };
     this.#latest = input;
     this.#wanted = { ...input, live };
@@ -110,7 +108,7 @@ export class StudioEngine {
 
   /** Makes the latest plate once more, after a problem or a cancel. */
   retry(): void {
-    if (this.#latest === undefined || this.#disposed) return;
+    if (this.#latest === undefined) return;
     if (this.#done?.problem !== undefined) this.#done = undefined;
     this.#wanted = { ...this.#latest, live: false };
     this.#pump();
@@ -143,7 +141,7 @@ export class StudioEngine {
   /** The latest plate's path, whole and measured: its measures go into the G-code.
    * @throws SillonError, StudioError, AbortError */
   finished(): Promise<PlateResult> {
-    if (this.#latest === undefined || this.#disposed) return Promise.reject(new StudioError('Disposed'));
+    if (this.#latest === undefined) return Promise.reject(new Error('no plate was asked for'));
     return new Promise((resolve, reject) => {
       this.#waiters.push({ resolve, reject });
       this.#wanted ??= { ...(this.#latest as Input), live: false };
@@ -158,15 +156,13 @@ export class StudioEngine {
 
   /** For what needs neither the queue nor a plate: reading shapes, pictures and projects. */
   async engine(): Promise<Engine> {
-    if (this.#disposed) throw new StudioError('Disposed');
     if (this.#engine === undefined) {
       const loading = this.host.load();
       this.#engine = loading;
       loading.then(
         (engine) => {
           this.#loaded = true;
-          if (this.#disposed) engine.dispose();
-          else this.events.onInfo(engine.info);
+          this.events.onInfo(engine.info);
         },
         () => {
           this.#engine = undefined;
@@ -174,17 +170,6 @@ export class StudioEngine {
       );
     }
     return this.#engine;
-  }
-
-  dispose(): void {
-    this.cancel();
-    this.#disposed = true;
-    this.#engine?.then(
-      (engine) => {
-        engine.dispose();
-      },
-      () => undefined,
-    );
   }
 
   // --- Which job comes next -----------------------------------------------------------------------------------------------
@@ -213,7 +198,7 @@ export class StudioEngine {
   }
 
   #pump(): void {
-    if (this.#running !== undefined || this.#disposed) return;
+    if (this.#running !== undefined) return;
     const job = this.#nextJob();
     if (job === undefined) {
       this.events.onProgress(undefined);

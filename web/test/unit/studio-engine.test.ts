@@ -45,7 +45,6 @@ class Bench {
   time = 0;
   loads = 0;
   loadError: Error | undefined;
-  disposed = 0;
   calls: Call[] = [];
   written: { toolpath: Toolpath; printer: unknown; below: Toolpath | undefined }[] = [];
   results: PlateResult[] = [];
@@ -124,9 +123,6 @@ class Bench {
     writeBaseBody: (shape: Toolpath['shape'], printer: unknown, print: unknown) =>
       Promise.resolve(new Blob([JSON.stringify([shape, printer, print])])),
     checkGcode: () => Promise.resolve({ findings: [], errors: 0 }),
-    dispose: () => {
-      ++this.disposed;
-    },
   };
 
   get call(): Call {
@@ -410,18 +406,6 @@ test('cancel ends exports, whether they wait or write', async () => {
   assert.equal(bench.written.length, 1);
   bench.studio.cancel();
   await assert.rejects(writing, { name: 'AbortError' });
-});
-
-test('after dispose nothing is made, and the engine is ended', async () => {
-  bench.studio.update(plateOf(50), raster);
-  await turn();
-  bench.studio.dispose();
-  await turn();
-  assert.equal(bench.disposed, 1);
-  bench.studio.update(plateOf(60), raster);
-  await turn();
-  assert.equal(bench.calls.length, 1);
-  await assert.rejects(bench.studio.engine(), { code: 'Disposed' });
 });
 
 // --- Its parts ------------------------------------------------------------------------------------------------------------
