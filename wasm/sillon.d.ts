@@ -306,7 +306,7 @@ export interface RebrushOptions {
   pictures: PictureInput;
   /** The spacing is that of each surface. */
   toolpath: ToolpathOptions;
-  /** Bottoms are those of the first layer. Default 'top'. */
+  /** Bottoms are those that lie on the bed. Default 'top'. */
   sides: 'top' | 'bottom' | 'both';
   /** What pictures are stretched over: each face, the faces of one object, the bed, or all faces. Default 'face'. */
   fit: 'face' | 'object' | 'bed' | 'all';
@@ -330,6 +330,7 @@ export type LeftReason =
   | 'Narrow'
   | 'Small'
   | 'Covered'
+  | 'Bridge'
   | 'Ironed'
   | 'Interleaved'
   | 'Command'

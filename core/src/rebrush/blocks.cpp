@@ -14,6 +14,7 @@
 #include "gcode_reader/tool_change.hpp"
 #include "rebrush/marks.hpp"
 #include "rebrush/region.hpp"
+#include "rebrush/skins.hpp"
 #include "rebrush/totals.hpp"
 #include "sillon/geometry/outline.hpp"
 
@@ -26,12 +27,9 @@ constexpr double kNotch = 0.3;                 // [spacings], between the ends o
 constexpr double kLooseFilament = 0.02;        // [mm] that retractions inside a block may gain or lose
 constexpr double kShortWipe = 1;               // [mm] without plastic behind the last bead
 constexpr double kLongBead = 1;                // [mm], shorter beads tell no flow: E is rounded
+constexpr double kLongTravel = 1;              // [mm], shorter ones may be wipes
 constexpr double kThickDiameter = 2.85;        // [mm], of the other filament in use
 constexpr double kThinShare = 0.55;            // of a bead's section: less was reckoned with too thin a filament
-constexpr double kExpanded = 2;                // [mm] by which skins reach under the next layer's walls (Cura)
-constexpr double kInside = 0.8;                // of a skin that is no top at all
-constexpr double kMostExpanded = 0.35;         // of a skin that may lie there
-constexpr double kCovered = 0.02;              // of a skin: less below the next layer is none
 constexpr double kFullFlow = 0.01;             // by which flow may differ from 1 before it counts as set so
 constexpr double kMostFlow = 0.25;             // by which a slicer's flow may differ from 1
 constexpr double kJoined = 0.01;               // [mm] between the end of a bead and the beginning of the next
@@ -53,13 +51,11 @@ struct Item {
   [[nodiscard]] bool bead() const { return move && move->e > 0 && move->length > 0; }
 };
 
-// A skin of Cura waits for the next layer.
-struct Skin {
-  SurfaceBlock block;
-  std::shared_ptr<const RegionField> field;  // of its stretch
-  int part = 0;
-  std::vector<bool> covered;
-};
+// Editors and shells of Windows write one.
+std::string_view withoutByteOrderMark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
 
 double median(std::vector<std::pair<double, double>> valueAndWeight) {
   std::sort(valueAndWeight.begin(), valueAndWeight.end());
@@ -143,15 +139,17 @@ class Reader {
 
  private:
   void mark(const Mark& mark);
-  void beginLayer();
+  void beginLayer(std::string_view name);
+  void beginOnBed();
+  void endSkins();
   void endStretch();
   void learnDiameter(const std::vector<Item>& items, double height);
   void addPart(const std::vector<Item>& items, const std::shared_ptr<const RegionField>& shared, int part,
                double breadth, double width, double flow, const std::vector<int>& partOf);
   void keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places) const;
   void lookAhead(SurfaceBlock& block) const;
-  void coverSkins(const MachineMove& move);
-  void judgeSkins();
+  void takeRole();
+  [[nodiscard]] bool byCura() const { return program_ && program_->slicer == Slicer::Cura; }
   [[nodiscard]] double beadSection(const MachineMove& move) const {
     return move.e * (volumetric_ ? 1 : area_) / move.length;
   }
@@ -177,28 +175,32 @@ class Reader {
   std::optional<Program> program_;
   bool marked_ = false;  // any role
 
-  RoleKind role_ = RoleKind::Other;
+  RoleKind told_ = RoleKind::Other;  // by the last mark
+  RoleKind role_ = RoleKind::Other;  // what counts of it in this layer
+  bool onBed_ = false;               // this layer lies on the bed; of objects printed one by one, each has such a layer
+  std::optional<double> firstZ_;     // as a mark tells it
+  std::string firstLayer_;           // the mark of Cura
+  double travelSpeed_ = 0;           // of the last travel [mm/s]
+  bool pushed_ = false;              // any bead
   double height_ = 0;
   double layerZ_ = 0;
   double previousZ_ = 0;
   bool heightTold_ = false;
   std::string object_;
   std::vector<Item> items_;
-  std::vector<Skin> skins_;     // of this layer
-  std::vector<Skin> waiting_;   // of the layer below
+  Skins skins_;
   std::size_t layerBegin_ = 0;  // its first block
 };
 
 void Reader::line(const GcodeLine& line) {
   out_.file.lines = line.number;
-  const GcodeParts parts = partsOf(line.text);
+  const GcodeParts parts = partsOf(line.offset == 0 ? withoutByteOrderMark(line.text) : line.text);
   numbered_ = numbered_ || parts.numbered;
   changesTool_ = toolChangeMark(parts).value_or(changesTool_);
   if (parts.code.empty()) {
     if (parts.comment.empty()) return;
     if (!program_) program_ = programOf(parts.comment);
-    const Mark read = readMark(parts.comment);
-    mark(read);
+    mark(readMark(parts.comment));
   } else if (const auto object = objectOf(parts.code)) {
     object_ = *object;
   }
@@ -224,7 +226,10 @@ void Reader::line(const GcodeLine& line) {
       double& most = mostFeed_[machine_.tool];
       most = std::max(most, move->e / move->length * machine_.speed);
     }
-    if (!waiting_.empty()) coverSkins(*move);
+    if (byCura()) skins_.bead(move->from, move->to);
+    pushed_ = true;
+  } else if (move && move->xy && move->length > kLongTravel) {
+    travelSpeed_ = machine_.speed;
   }
   if (collecting && items_.size() < kMostItems) {
     item.move = move;
@@ -237,15 +242,17 @@ void Reader::mark(const Mark& mark) {
   switch (mark.kind) {
     case MarkKind::Layer:
       endStretch();
-      role_ = RoleKind::Other;
-      beginLayer();
+      beginLayer(mark.name);
+      return;
+    case MarkKind::Z:
+      if (out_.file.layers == 1) firstZ_ = mark.value;
+      if (firstZ_ && mark.value <= *firstZ_) beginOnBed();
       return;
     case MarkKind::Role:
       marked_ = true;
       endStretch();
-      role_ = mark.role;
-      if (role_ == RoleKind::FirstSolid && out_.file.layers > 1) role_ = RoleKind::Other;
-      if (role_ == RoleKind::Bottom && out_.file.layers > 1) role_ = RoleKind::Other;
+      told_ = mark.role;
+      takeRole();
       if (role_ == RoleKind::Ironing) {
         for (std::size_t k = layerBegin_; k < out_.blocks.size(); ++k) leave(out_.blocks[k], LeftBecause::Ironed);
       }
@@ -263,13 +270,32 @@ void Reader::mark(const Mark& mark) {
   }
 }
 
-void Reader::beginLayer() {
-  judgeSkins();
-  waiting_ = std::move(skins_);
-  skins_.clear();
+// Cura tells the role anew in each layer, the others where it changes.
+void Reader::beginLayer(std::string_view name) {
+  if (byCura()) told_ = RoleKind::Other;
+  endSkins();
   ++out_.file.layers;
   layerBegin_ = out_.blocks.size();
   previousZ_ = layerZ_;
+  onBed_ = false;
+  if (out_.file.layers == 1) firstLayer_ = std::string(name);
+  if (out_.file.layers == 1 || (byCura() && name == firstLayer_)) beginOnBed();
+  takeRole();
+}
+
+void Reader::beginOnBed() {
+  onBed_ = true;
+  previousZ_ = 0;
+  takeRole();
+}
+
+void Reader::takeRole() {
+  const bool ofBottoms = told_ == RoleKind::FirstSolid || told_ == RoleKind::Bottom;
+  role_ = ofBottoms && !onBed_ ? RoleKind::Other : told_;
+}
+
+void Reader::endSkins() {
+  for (SurfaceBlock& top : skins_.endLayer()) out_.blocks.push_back(std::move(top));
 }
 
 // Cura's files do not tell the filament: beads as thick as their distance do.
@@ -301,8 +327,7 @@ void Reader::endStretch() {
     if (item.bead()) sections.emplace_back(beadSection(*item.move), item.move->length);
   }
   // Beads are rectangles with round sides: their section is h (w - h) + pi h²/4. Cura reckons with plain rectangles.
-  const bool rectangles = program_ && program_->slicer == Slicer::Cura;
-  const double rounding = rectangles ? 0 : (1 - std::numbers::pi / 4) * height;
+  const double rounding = byCura() ? 0 : (1 - std::numbers::pi / 4) * height;
   const double told = median(std::move(sections)) / height;
   // A flow ratio other than 1 makes beads thinner than their distance: the filament is known to need that.
   const double distance = neighbourDistance(items);
@@ -311,7 +336,7 @@ void Reader::endStretch() {
   const double spacing = told / flow;
   // Cura irons under the same mark.
   if (role_ == RoleKind::Skin && spacing <= 0.05) {
-    for (Skin& skin : skins_) leave(skin.block, LeftBecause::Ironed);
+    skins_.leave(LeftBecause::Ironed);
     for (std::size_t k = layerBegin_; k < out_.blocks.size(); ++k) leave(out_.blocks[k], LeftBecause::Ironed);
   }
   if (!(spacing > 0.05 && spacing < 5)) return;
@@ -380,8 +405,8 @@ void Reader::addPart(const std::vector<Item>& items, const std::shared_ptr<const
   }
   SurfaceBlock block;
   SlicedSurface& surface = block.surface;
-  surface.side = role_ == RoleKind::Top || (role_ == RoleKind::Skin && out_.file.layers > 1) ? SurfaceSide::Top
-                                                                                             : SurfaceSide::Bottom;
+  surface.side =
+      role_ == RoleKind::Top || (role_ == RoleKind::Skin && !onBed_) ? SurfaceSide::Top : SurfaceSide::Bottom;
   surface.layer = out_.file.layers;
   surface.z = items[first].move->z;
   surface.height = heightTold_ ? height_ : std::max(0.0, surface.z - previousZ_);
@@ -397,6 +422,7 @@ void Reader::addPart(const std::vector<Item>& items, const std::shared_ptr<const
   surface.end = items[last].end;
   block.before = items[first].before;
   block.acceleration = items[first].acceleration;
+  block.travelSpeed = travelSpeed_;
   block.after = items[last].after;
   block.lineEnd =
       text_.substr(items[first].begin, items[first].end - items[first].begin).ends_with("\r\n") ? "\r\n" : "\n";
@@ -429,7 +455,7 @@ void Reader::addPart(const std::vector<Item>& items, const std::shared_ptr<const
   surface.volumeMm3 = laid * (volumetric_ ? 1 : area_);
   surface.speed = median(std::move(speeds));
   surface.spacing = length > 0 ? width - (1 - std::numbers::pi / 4) * surface.height : 0;
-  if (program_ && program_->slicer == Slicer::Cura) surface.spacing = width;
+  if (byCura()) surface.spacing = width;
   if (std::abs(loose) > kLooseFilament || block.after.firmwareRetracted != block.before.firmwareRetracted ||
       block.after.absoluteE != block.before.absoluteE || block.after.tool != block.before.tool ||
       !(block.before.origin == block.after.origin)) {
@@ -447,7 +473,7 @@ void Reader::addPart(const std::vector<Item>& items, const std::shared_ptr<const
   if (!(fill > 0.8 && fill < 1.2)) leave(block, LeftBecause::Flow);
   lookAhead(block);
   if (role_ == RoleKind::Skin && surface.side == SurfaceSide::Top) {
-    skins_.push_back({std::move(block), shared, part, std::vector<bool>(field.distance.size(), false)});
+    skins_.add(std::move(block), shared, part);
   } else {
     out_.blocks.push_back(std::move(block));
   }
@@ -556,79 +582,31 @@ void Reader::lookAhead(SurfaceBlock& block) const {
     }
     // A wipe may leave out a coordinate that does not change; a travel must name its place.
     if (!words.has('X') || !words.has('Y')) return leave(block, LeftBecause::Travel);
-    if (block.wipes.empty() && !move->toldF && move->length < kShortWipe && block.after.at == move->from &&
+    if (byCura() && block.wipes.empty() && !move->toldF && move->length < kShortWipe && block.after.at == move->from &&
         move->z == move->zFrom) {
       block.wipes.push_back({begin, offset, move->length});
       continue;
     }
     block.next = move->to;
+    block.nextEnd = offset;
     block.tightBefore = machine.firmwareRetracted || machine.retracted > block.after.retracted + 0.05;
     done = true;
   }
-}
-
-void Reader::coverSkins(const MachineMove& move) {
-  for (Skin& skin : waiting_) {
-    const RegionField& field = *skin.field;
-    const int steps = std::clamp(static_cast<int>(move.length / field.cell) + 1, 1, 100000);
-    for (int k = 0; k <= steps; ++k) {
-      const Vec2 p = move.from + (static_cast<double>(k) / steps) * (move.to - move.from);
-      const int cell = field.at(p);
-      if (cell < 0) continue;
-      // Half a bead to each side.
-      const int reach = static_cast<int>(skin.block.surface.width / 2 / field.cell);
-      const int x = cell % field.columns;
-      const int y = cell / field.columns;
-      for (int v = std::max(0, y - reach); v <= std::min(field.rows - 1, y + reach); ++v) {
-        for (int u = std::max(0, x - reach); u <= std::min(field.columns - 1, x + reach); ++u) {
-          skin.covered[static_cast<std::size_t>(v) * static_cast<std::size_t>(field.columns) +
-                       static_cast<std::size_t>(u)] = true;
-        }
-      }
-    }
-  }
-}
-
-void Reader::judgeSkins() {
-  for (Skin& skin : waiting_) {
-    // Skins reach a little under the walls of the next layer. Infill above would cover them all over.
-    const std::vector<float> depth = depths(*skin.field);
-    std::int64_t all = 0;
-    std::int64_t covered = 0;
-    std::int64_t deep = 0;
-    std::int64_t deepCovered = 0;
-    for (std::size_t k = 0; k < skin.covered.size(); ++k) {
-      if (skin.field->part[k] != skin.part) continue;
-      const bool inner = static_cast<double>(depth[k]) * skin.field->cell > kExpanded;
-      ++all;
-      deep += inner ? 1 : 0;
-      covered += skin.covered[k] ? 1 : 0;
-      deepCovered += inner && skin.covered[k] ? 1 : 0;
-    }
-    const auto share = [](std::int64_t some, std::int64_t whole) {
-      return whole > 0 ? static_cast<double>(some) / static_cast<double>(whole) : 1.0;
-    };
-    if (share(covered, all) > kInside) continue;
-    const bool rim = share(deepCovered, deep) <= kCovered && share(covered, all) <= kMostExpanded;
-    if (share(covered, all) > kCovered && !rim) leave(skin.block, LeftBecause::Covered);
-    out_.blocks.push_back(std::move(skin.block));
-  }
-  waiting_.clear();
 }
 
 Result<SlicedBlocks> Reader::finish() {
   const bool inside = isSurface(role_) && !items_.empty() && items_.back().bead();
   endStretch();
   if (inside && !out_.blocks.empty()) leave(out_.blocks.back(), LeftBecause::Cut);
-  judgeSkins();
-  waiting_ = std::move(skins_);
-  judgeSkins();
+  endSkins();
+  endSkins();
   const auto refuse = [](const char* why) { return Error{ErrorCode::InvalidFile, why}; };
   if (numbered_) return refuse("its lines are numbered, as hosts send them; take the file that the slicer wrote");
   if (!program_ || !marked_ || out_.file.layers == 0) {
     return refuse(
         "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do");
   }
+  if (!pushed_) return refuse("no bead in it pushes filament by E; export it for a firmware that counts filament so");
   out_.file.slicer = program_->slicer;
   out_.filamentArea = area_;
   for (SurfaceBlock& block : out_.blocks) {

@@ -27,6 +27,7 @@ struct SurfaceBlock {
   MachineState before;         ///< its first bead
   MachineState after;          ///< its last bead
   double acceleration = 1000;  ///< at its first bead [mm/s²], as the file says
+  double travelSpeed = 0;      ///< of travels near it [mm/s]; 0: not told
   double mostFlow =
       0;  ///< that the file allows its tool, or that tool's beads have if that is more [mm³/s]; 0: unknown
   /// Lines to repeat behind the new beads: what was set within the block and holds on, the last of each kind, in their
@@ -34,6 +35,7 @@ struct SurfaceBlock {
   std::vector<std::string> kept;
   std::vector<WipeMove> wipes;
   std::optional<Vec2> next;  ///< where the first travel after the block goes
+  std::size_t nextEnd = 0;   ///< of that travel's line [bytes]
   bool tightBefore = false;  ///< that travel is retracted, by a wipe or standing
   std::string lineEnd = "\n";
 };

@@ -53,6 +53,7 @@ Mark readMark(std::string_view comment) {
   };
   if (layerMark(comment) != LayerMark::None) {
     mark.kind = MarkKind::Layer;
+    mark.name = comment;
     return mark;
   }
   if (takes(rest, "TYPE:") || takes(rest, "FEATURE:")) {
@@ -62,6 +63,7 @@ Mark readMark(std::string_view comment) {
   }
   if (takes(rest, "WIDTH:") || takes(rest, "LINE_WIDTH:")) return number(MarkKind::Width);
   if (takes(rest, "HEIGHT:") || takes(rest, "LAYER_HEIGHT:")) return number(MarkKind::Height);
+  if (takes(rest, "Z:") || takes(rest, "Z_HEIGHT:")) return number(MarkKind::Z);
   if (rest.starts_with("stop printing object")) {
     mark.kind = MarkKind::Object;
     return mark;

@@ -9,7 +9,7 @@
 
 namespace sillon {
 
-enum class MarkKind { None, Layer, Role, Width, Height, Object };
+enum class MarkKind { None, Layer, Role, Width, Height, Z, Object };
 
 /// What the following moves are.
 enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
@@ -18,8 +18,8 @@ enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
 struct Mark {
   MarkKind kind = MarkKind::None;
   RoleKind role = RoleKind::Other;
-  double value = 0;       ///< of Height [mm]
-  std::string_view name;  ///< of the object
+  double value = 0;       ///< of Height and Z [mm]
+  std::string_view name;  ///< of the object; of a layer, the comment
 };
 
 /// \param comment  without ';', trimmed.

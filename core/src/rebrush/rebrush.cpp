@@ -152,14 +152,15 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
       continue;
     }
     // What surrounds the block is the slicer's: it must find the machine as the slicer left it.
-    constexpr std::size_t kBehind = 200'000;  // bytes
+    constexpr std::size_t kBehind = 200'000;  // bytes, where no travel tells how far to look
     std::vector<Edit> local = replacement.edits;
     for (Edit& edit : local) {
       edit.begin -= surface.begin;
       edit.end -= surface.begin;
     }
     const std::size_t last = local.back().end;
-    const std::string_view old = gcode.substr(surface.begin, last + kBehind);
+    const std::size_t until = block.next ? block.nextEnd - surface.begin : last + kBehind;
+    const std::string_view old = gcode.substr(surface.begin, until);
     const std::string fresh = withEdits(old, local);
     if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
       leave(differs + " would be another behind it");

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/decimal_text.hpp"
+#include "base/lines.hpp"
 #include "gcode_reader/heaters.hpp"
 #include "gcode_reader/parser.hpp"
 
@@ -189,12 +190,15 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
   std::string& text = edit.text;
   text.reserve(beads.size() * 32);
   Feedrate feedrate(surface.speed, mostFlow);
-  if (const std::string word = feedrate.set(surface.speed); !word.empty()) text += "G1" + word + end;
   Vec2 at = surface.entry;
-  if (length(start - at) > 0.0005) {
-    text += "G1 X" + fixed(start.x, 3) + " Y" + fixed(start.y, 3) + end;
+  if (const double way = length(start - at); way > 0.0005) {
+    // A long way at the speed of beads would ooze.
+    const double speed =
+        way > kShortTravel && surface.speed > 0 ? std::max(block.travelSpeed, surface.speed) : surface.speed;
+    text += "G1 X" + fixed(start.x, 3) + " Y" + fixed(start.y, 3) + feedrate.set(speed) + end;
     at = start;
   }
+  if (const std::string word = feedrate.set(surface.speed); !word.empty()) text += "G1" + word + end;
   // E has five decimals; what rounding leaves over goes to the next move.
   double told = block.before.e;
   double exact = told;
@@ -243,30 +247,18 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
 }
 
 std::string stateDifference(std::string_view before, std::string_view after, const SurfaceBlock& block) {
-  // Until the first travel in the plane that pulls nothing.
   const auto run = [&](std::string_view text) {
     MachineState machine = block.before;
     Heaters heaters;
-    bool behind = false;
-    int lines = 0;
     double pushed = 0;
-    bool done = false;
-    while (!text.empty() && !done) {
-      const std::size_t lineFeed = std::min(text.find('\n'), text.size() - 1);
-      const std::string_view line = trimmed(text.substr(0, text[lineFeed] == '\n' ? lineFeed : lineFeed + 1));
-      text.remove_prefix(lineFeed + 1);
-      const GcodeParts parts = partsOf(line);
+    while (!text.empty()) {
+      const GcodeParts parts = partsOf(trimmed(nextLine(text)));
       if (parts.code.empty()) continue;
       const GcodeCommand command = commandOf(parts.code);
       const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
       heaters.run(command, words, machine.tool);
       const auto move = runCommand(machine, command, words);
-      if (move && move->e > 0 && move->length > 0) {
-        pushed += move->e;
-        behind = true;
-      }
-      done = behind && move && move->xy && move->e == 0 && block.next && machine.at == *block.next;
-      if (++lines > 4'000'000) break;
+      if (move && move->e > 0 && move->length > 0) pushed += move->e;
     }
     return std::tuple{machine, heaters, pushed};
   };

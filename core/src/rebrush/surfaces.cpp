@@ -16,6 +16,8 @@ const char* surfaceReason(LeftBecause reason) {
       return "it is smaller than ten beads' squares";
     case LeftBecause::Covered:
       return "the next layer lies on part of it";
+    case LeftBecause::Bridge:
+      return "it bridges air";
     case LeftBecause::Ironed:
       return "the slicer irons it afterwards; switch ironing off";
     case LeftBecause::Interleaved:
@@ -48,6 +50,8 @@ const char* surfaceReasonName(LeftBecause reason) {
       return "Small";
     case LeftBecause::Covered:
       return "Covered";
+    case LeftBecause::Bridge:
+      return "Bridge";
     case LeftBecause::Ironed:
       return "Ironed";
     case LeftBecause::Interleaved:

@@ -938,6 +938,7 @@ export const de: Translation = {
   'rebrush.left.Narrow': 'Schmaler als drei Bahnen',
   'rebrush.left.Small': 'Kleiner als zehn Quadrate von Bahnbreite',
   'rebrush.left.Covered': 'Die nächste Schicht liegt zum Teil darauf',
+  'rebrush.left.Bridge': 'Liegt auf Luft',
   'rebrush.left.Ironed': 'Wird danach gebügelt; im Slicer das Bügeln ausschalten',
   'rebrush.left.Interleaved': 'Der Slicer springt zwischen ihr und einer anderen Fläche hin und her',
   'rebrush.left.Command': 'Ein Befehl darin ginge verloren',

@@ -951,6 +951,7 @@ export const fr: Translation = {
   'rebrush.left.Narrow': 'Plus étroite que trois cordons',
   'rebrush.left.Small': 'Plus petite que dix carrés de cordon',
   'rebrush.left.Covered': 'La couche suivante en couvre une partie',
+  'rebrush.left.Bridge': 'Repose sur le vide',
   'rebrush.left.Ironed': 'Lissée ensuite ; désactivez le lissage dans le slicer',
   'rebrush.left.Interleaved': 'Le slicer va et vient entre elle et une autre face',
   'rebrush.left.Command': 'Une commande à l’intérieur serait perdue',

@@ -85,6 +85,7 @@ export const rebrushEn = {
   'rebrush.left.Narrow': 'Narrower than three beads',
   'rebrush.left.Small': 'Smaller than ten beads’ squares',
   'rebrush.left.Covered': 'The next layer lies on part of it',
+  'rebrush.left.Bridge': 'Bridges air',
   'rebrush.left.Ironed': 'Ironed afterwards; switch ironing off in the slicer',
   'rebrush.left.Interleaved': 'The slicer goes to and fro between it and another face',
   'rebrush.left.Command': 'A command inside it would be lost',

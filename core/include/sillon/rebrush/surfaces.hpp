@@ -28,6 +28,7 @@ enum class LeftBecause {
   Narrow,       ///< narrower than three beads
   Small,        ///< less than ten beads' squares
   Covered,      ///< the next layer lies on part of it (Cura marks tops and inner skins alike)
+  Bridge,       ///< hardly any plastic lies below it (Cura marks bridges as skins, too)
   Ironed,       ///< the slicer irons it afterwards
   Interleaved,  ///< the slicer goes to and fro between it and another surface
   Command,      ///< a command inside it that would be lost
@@ -82,8 +83,8 @@ struct SlicedFile {
   std::shared_ptr<const SlicedBlocks> blocks;  ///< the moves of each, for rebrush
 };
 
-/// Finds the surfaces of a file by PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura. Bottoms are those of the
-/// first layer. Memory: one layer of moves and the regions, beside the text.
+/// Finds the surfaces of a file by PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura. Bottoms are those
+/// that lie on the bed. Memory: one layer of moves and the regions, beside the text.
 /// \return InvalidFile with what is missing: no marks of a known slicer, line numbers, binary G-code; Cancelled.
 Result<SlicedFile> readSlicedFile(std::string_view gcode, const RunContext& run = RunContext());
 
