@@ -16,7 +16,6 @@
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
 #include "spools.hpp"
-#include "threads.hpp"
 #include "words.hpp"
 
 namespace cli {
@@ -220,28 +219,17 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   addPrinter(calibrateOptions);
   calibrateOptions.settings(isOfCalibrations);
 
-  arguments.threads = threadsOfMachine();
-  generate
-      ->add_option_function<std::string>(
-          "--threads",
-          [&arguments](const std::string& text) {
-            const std::optional<double> value = parseNumber(text);
-            if (!value || *value != std::floor(*value) || *value < 1 || *value > 256) {
-              refuse("--threads", text, "a whole number from 1 to 256");
-            }
-            arguments.threads = static_cast<int>(*value);
-          },
-          "how many may work; never changes the result [all]")
-      ->option_text("N")
-      ->take_last()
-      ->group("Run");
+  addThreads(*generate, arguments.threads);
+  generate->get_option("--threads")->group("Run");
   generate->add_flag("--quiet", arguments.quiet, "no summary, no progress")->group("Run");
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) requireValues(*command);
 
   try {
     const std::vector<std::string> words = withTodaysNames(argc, argv);
     std::vector<const char*> pointers;
     for (const std::string& word : words) pointers.push_back(word.c_str());
     app.parse(argc, pointers.data());
+    arguments.command = app.get_subcommands().front()->get_name();
   } catch (const CLI::CallForHelp&) {
     CLI::App* asked = generate->parsed() ? generate : &app;
     arguments.answer = asked->help(generate->parsed() ? "sillon" : "");

@@ -39,8 +39,9 @@ enum class Placing {
 
 struct Arguments {
   std::string answer;      ///< help, version or a list: print it, done
+  std::string command;     ///< "generate", "check", ...: what was asked for, if there is no answer yet
   std::string check;       ///< G-code file to check
-  std::string import;      ///< file to take a printer from; this and the files of the others empty: generate
+  std::string import;      ///< file to take a printer from
   std::string importName;  ///< printer of a bundle; empty: the active one
   std::optional<sillon::Printer> checkPrinter;
   bool checkJson = false;

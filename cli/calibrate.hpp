@@ -18,7 +18,7 @@ class App;
 namespace cli {
 
 struct CalibrateArguments {
-  std::string kind;  ///< a name of sillon::calibrationKinds, or kReadPhotograph; empty: another command
+  std::string kind;  ///< a name of sillon::calibrationKinds, or kReadPhotograph
   std::optional<double> from;
   std::optional<double> to;
   std::string out;          ///< G-code; packed by its ending as --gcode of generate; of a photograph, a file of spools

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "calibrate.hpp"
+#include "options.hpp"
 #include "pictures.hpp"
 #include "rebrush.hpp"
-#include "threads.hpp"
 #include "words.hpp"
 #include "zones.hpp"
 
@@ -94,10 +94,10 @@ void addPictures(CLI::App& app, PictureOptions& pictures) {
       ->option_text("bulb|softbox|window|SLOPE")
       ->group(group);
   addSpools(app, pictures, group);
-  app.add_option("--smoothness", pictures.smoothness, "more: fewer U-turns, less detail [0.02]")
+  addNumber(app, "--smoothness", pictures.smoothness, "more: fewer U-turns, less detail [0.02]")
       ->option_text("F")
       ->group(group);
-  app.add_option("--local-contrast", pictures.localContrast, "raises what differs from its surroundings [0]")
+  addNumber(app, "--local-contrast", pictures.localContrast, "raises what differs from its surroundings [0]")
       ->option_text("F")
       ->group(group);
 }
@@ -113,20 +113,22 @@ void addZones(CLI::App& command, ZonesArguments& arguments) {
   const char* group = "Zones";
   command.footer(kZonesExamples);
   command.add_option("-o,--output", arguments.out, "the 3MF")->option_text("F.3mf")->required()->group(group);
-  command.add_option("--body", arguments.body, "STL whose tops shall have the zones [a prism of the shape]")
-      ->option_text("F.stl")
-      ->group(group);
-  command.add_option("--height", arguments.height, "of that prism [2]")->option_text("MM")->group(group);
-  command.add_option("--zones", arguments.params.most, "how many directions at most, 2 to 12 [6]")
+  CLI::Option* body =
+      command.add_option("--body", arguments.body, "STL whose tops shall have the zones [a prism of the shape]")
+          ->option_text("F.stl")
+          ->group(group);
+  addNumber(command, "--height", arguments.height, "of that prism [2]")->option_text("MM")->group(group);
+  for (const char* other : {"--height", "--shape", "--size"}) body->excludes(command.get_option(other));
+  addNumber(command, "--zones", arguments.params.most, "how many directions at most, 2 to 12 [6]")
       ->option_text("N")
       ->group(group);
-  command.add_option("--least", arguments.params.least, "narrowest place of a zone, 0.5 to 100 [3]")
+  addNumber(command, "--least", arguments.params.least, "narrowest place of a zone, 0.5 to 100 [3]")
       ->option_text("MM")
       ->group(group);
-  command.add_option("--layer-height", arguments.layers.height, "of your slicer's profile [0.2]")
+  addNumber(command, "--layer-height", arguments.layers.height, "of your slicer's profile [0.2]")
       ->option_text("MM")
       ->group(group);
-  command.add_option("--first-layer-height", arguments.layers.firstHeight, "of your slicer's profile [0.2]")
+  addNumber(command, "--first-layer-height", arguments.layers.firstHeight, "of your slicer's profile [0.2]")
       ->option_text("MM")
       ->group(group);
 }
@@ -154,17 +156,14 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
                   "G-code; packed if F ends in .gcode.3mf, .bgcode or .gz; of a photograph, a file for --spools")
       ->option_text("F")
       ->group(group);
-  command.add_option("--from", arguments.from, "first value to try [as the kind has it]")
+  addNumber(command, "--from", arguments.from, "first value to try [as the kind has it]")
       ->option_text("VALUE")
       ->group(group);
-  command.add_option("--to", arguments.to, "last value to try [likewise]")->option_text("VALUE")->group(group);
+  addNumber(command, "--to", arguments.to, "last value to try [likewise]")->option_text("VALUE")->group(group);
   command.add_option("--preview", arguments.preview, "picture of directions and look, PNG")
       ->option_text("F")
       ->group(group);
-  command.add_option("--preview-width", arguments.previewWidth, "width of each of the picture's two panels [1600]")
-      ->option_text("PX")
-      ->check(CLI::Range(16, 16384))
-      ->group(group);
+  addPreviewWidth(command, arguments.previewWidth, "width of each of the picture's two panels [1600]")->group(group);
   command.add_flag("--json", arguments.json, "what is printed, as JSON")->group(group);
   const char* photograph = "Photograph (read)";
   command.add_option("--name", arguments.name, "of the spool [mySpool]")->option_text("KEY")->group(photograph);
@@ -172,9 +171,8 @@ void addCalibrate(CLI::App& command, CalibrateArguments& arguments) {
       .add_option("--lamp-size", arguments.lampSize, "of the lamp: bulb, softbox, window or its slope [unknown, small]")
       ->option_text("S")
       ->group(photograph);
-  command
-      .add_option("--lamp-elevation", arguments.lampElevation,
-                  "how high the lamp stands, as measured within 2 degrees [47 within 9]")
+  addNumber(command, "--lamp-elevation", arguments.lampElevation,
+            "how high the lamp stands, as measured within 2 degrees [47 within 9]")
       ->option_text("DEG")
       ->group(photograph);
 }
@@ -191,7 +189,7 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
   command->add_option("--report", arguments.report, "what became of each surface, JSON")->option_text("F");
   command->add_option("--preview", arguments.preview, "picture of each new surface: its directions, and its look")
       ->option_text("F");
-  command->add_option("--preview-width", arguments.previewWidth, "of each of its panels [1600]")->option_text("PX");
+  addPreviewWidth(*command, arguments.previewWidth, "of each of its panels [1600]");
   command
       ->add_option_function<std::string>("--surfaces",
                                          choice<int>("--surfaces", {{"top", 1}, {"bottom", 2}, {"both", 3}},
@@ -199,7 +197,7 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
                                                        arguments.options.tops = (which & 1) != 0;
                                                        arguments.options.bottoms = (which & 2) != 0;
                                                      }),
-                                         "top, bottom (of the first layer) or both [top]")
+                                         "top, bottom (on the bed) or both [top]")
       ->option_text("WHICH");
   command
       ->add_option_function<std::vector<std::string>>(
@@ -216,7 +214,7 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
           "these surfaces alone, by their numbers in --list")
       ->delimiter(',')
       ->option_text("N,N...");
-  command->add_option("--angle", arguments.angle, "direction of the beads, counter-clockwise from +x [0]")
+  addNumber(*command, "--angle", arguments.angle, "direction of the beads, counter-clockwise from +x [0]")
       ->option_text("DEG");
   command->add_option("--directions,--lines", arguments.directions, "picture of directions, instead of an angle")
       ->option_text("F");
@@ -264,10 +262,11 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
           "beads along the border of each surface: none, soft or a number [1; soft with --picture]")
       ->option_text("N");
   addPictures(*command, arguments.pictures);
-  arguments.threads = threadsOfMachine();
-  command->add_option("--threads", arguments.threads, "how many may work; never changes the result [all]")
-      ->option_text("N")
-      ->check(CLI::Range(1, 256));
+  addThreads(*command, arguments.threads);
+  CLI::Option* list = command->get_option("--list");
+  command->get_option("--json")->needs(list);
+  for (const char* output : {"--output", "--report", "--preview"}) list->excludes(command->get_option(output));
+  command->get_option("--angle")->excludes(command->get_option("--directions"));
 }
 
 }  // namespace cli

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <random>
 #include <string_view>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -33,19 +34,22 @@ std::string reason(int error) { return error == 0 ? "unknown reason" : std::stre
 fs::path target(const std::string& path) {
   std::error_code error;
   // Absolute first: a relative name that is not there yet would stay as it was written, "a" and "./a" two names.
-  const fs::path resolved = fs::weakly_canonical(fs::absolute(path, error), error);
-  return error ? fs::path(path) : resolved;
+  fs::path resolved = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (error) return path;
+  // A link to what is not there yet.
+  for (int links = 0; links < 16; ++links) {
+    const fs::path to = fs::read_symlink(resolved, error);
+    if (error) break;
+    resolved = fs::weakly_canonical(resolved.parent_path() / to, error);
+    if (error) return path;
+  }
+  return resolved;
 }
 
-/// A free name in the same folder: renaming is atomic only within one file system.
-fs::path temporaryName(const fs::path& path, std::size_t index, const char* ending) {
-#if defined(__unix__) || defined(__APPLE__)
-  const auto process = static_cast<long>(::getpid());
-#else
-  const long process = 0;
-#endif
-  const std::string name = ".sillon-" + std::to_string(process) + "-" + std::to_string(index) + ending;
-  return path.parent_path() / name;
+/// A name in the same folder that nobody else has: renaming is atomic only within one file system.
+fs::path temporaryName(const fs::path& path, const char* ending) {
+  std::random_device random;
+  return path.parent_path() / (".sillon-" + std::to_string(random()) + std::to_string(random()) + ending);
 }
 
 /// As a file behind such a name, what stdout is sent to would be replaced by another one.
@@ -58,9 +62,13 @@ bool namesOtherPicture(const std::string& path) {
   return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return endsWith(path, end); });
 }
 
+/// \param path  where it is written before it takes the place of `wanted`, and the permissions of what lies there.
 std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, const std::string& wanted) {
   File file(std::fopen(path.string().c_str(), "wbx"));  // x: never into a file that is there
   if (file == nullptr) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
+  std::error_code error;
+  const fs::file_status before = fs::status(target(wanted), error);
+  if (fs::exists(before)) fs::permissions(path, before.permissions(), error);  // else as the file system has them
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const bool flushed = std::fflush(file.get()) == 0;
@@ -76,8 +84,7 @@ class TemporaryFiles {
   explicit TemporaryFiles(const std::vector<OutputFile>& files) {
     for (const OutputFile& file : files) {
       const fs::path to = target(file.path);
-      const std::size_t k = files_.size();
-      files_.push_back({file.path, temporaryName(to, k, ".tmp"), temporaryName(to, k, ".old"), to});
+      files_.push_back({file.path, temporaryName(to, ".tmp"), temporaryName(to, ".old"), to});
     }
   }
   ~TemporaryFiles() {
@@ -172,6 +179,8 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   return bytes;
 }
 
+bool sameFile(const std::string& a, const std::string& b) { return target(a) == target(b); }
+
 Error severalPlates(const std::string& path, int plates) {
   return {ErrorCode::InvalidFile, "\"" + path + "\": it holds " + std::to_string(plates) +
                                       " plates; export them one by one, so that none is forgotten"};
@@ -180,12 +189,12 @@ Error severalPlates(const std::string& path, int plates) {
 std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const std::string name = "the output \"" + outputs[k] + "\"";
-    if (namesStream(outputs[k])) return invalid(name + " is no file; files cannot be written to stdout");
+    if (namesStream(outputs[k])) return invalid(name + " is not a file; files cannot be written to stdout");
     const fs::path path = target(outputs[k]);
     std::error_code error;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {
-      return invalid(name + " cannot be written: \"" + folder.string() + "\" is no folder");
+      return invalid(name + " cannot be written: \"" + folder.string() + "\" is not a folder");
     }
     const fs::file_status status = fs::status(path, error);
     if (!fs::status_known(status))
@@ -195,6 +204,8 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
     }
 #if defined(__unix__) || defined(__APPLE__)
     if (::access(folder.c_str(), W_OK) != 0) return invalid(name + " cannot be written: " + reason(errno));
+    if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
+      return invalid(name + " cannot be written: " + reason(errno));
 #endif
     for (std::size_t j = 0; j < k; ++j) {
       if (target(outputs[j]) == path) return invalid(name + " is named for two outputs; each needs a name of its own");

@@ -23,6 +23,9 @@ bool endsWith(std::string name, std::string_view end);
 /// \param what  "shape", "direction picture", ...: for the message.
 sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
 
+/// Whether both names lead to the same place, also through links and where nothing is yet.
+bool sameFile(const std::string& a, const std::string& b);
+
 /// For a package that holds more plates than one, of which a command reads the first.
 sillon::Error severalPlates(const std::string& path, int plates);
 

@@ -1,4 +1,4 @@
-// sillon generate: reads, computes, then writes everything at once. sillon check: reads G-code and judges it.
+// Runs the command that was asked for. Each reads and computes first, then writes all of its files at once.
 // Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
 #include <atomic>
 #include <cerrno>
@@ -53,6 +53,9 @@ class CancelOnSignal {
     action.sa_handler = cancelRun;  // without SA_RESTART: what waits for a pipe wakes up
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
+    struct sigaction before {};
+    ::sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // else nohup asked for that
 #else
     std::signal(SIGINT, cancelRun);
     std::signal(SIGTERM, cancelRun);
@@ -205,6 +208,9 @@ int commit(const sillon::Result<cli::Outcome>& made, const sillon::RunContext& r
   // From here on it is faster to finish than to stop.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
+#ifdef SIGHUP
+  std::signal(SIGHUP, SIG_IGN);
+#endif
   if (run.cancelled()) return fail({ErrorCode::Cancelled, kCancelled});
   if (const std::optional<Error> problem = cli::writeTogether(made.value().files)) return fail(*problem);
   if (made.value().files.empty() || made.value().textIsAsked) return answer(made.value().text, 0);
@@ -282,6 +288,10 @@ int generate(const cli::Arguments& arguments) {
     return fail(*problem);
   }
 
+  if (!arguments.outputs.container.empty() && arguments.outputs.gcode.empty()) {
+    return fail({ErrorCode::InvalidArgument,
+                 "--container is \"" + arguments.outputs.container + "\"; it must go with --gcode"});
+  }
   if (!arguments.outputs.conflict.empty() && job.project.pictures.files.size() < 2) {
     return fail({ErrorCode::InvalidArgument,
                  "--conflict is \"" + arguments.outputs.conflict + "\"; it must go with two pictures or more"});
@@ -301,6 +311,9 @@ int main(int argc, char** argv) {
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is said may go away: what is written stays
 #endif
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows is an error of writing
+#endif
   try {
     sillon::Result<cli::Arguments> arguments = cli::readArguments(argc, argv);
     if (!arguments) return fail(arguments.error());
@@ -308,16 +321,19 @@ int main(int argc, char** argv) {
     for (cli::PictureOptions* options : {&arguments.value().pictures, &arguments.value().rebrush.pictures}) {
       if (const std::optional<Error> problem = cli::readOwnSpools(*options)) return fail(*problem);
     }
-    if (!arguments.value().check.empty()) return check(arguments.value());
-    if (!arguments.value().rebrush.file.empty()) return rebrush(arguments.value().rebrush);
-    if (!arguments.value().zones.out.empty()) return zones(arguments.value());
-    if (arguments.value().calibrate.kind == cli::kReadPhotograph) return readPhotographs(arguments.value());
-    if (!arguments.value().calibrate.kind.empty()) return calibrate(arguments.value());
-    if (!arguments.value().shape.files.empty()) {
+    const std::string& command = arguments.value().command;
+    if (command == "check") return check(arguments.value());
+    if (command == "rebrush") return rebrush(arguments.value().rebrush);
+    if (command == "zones") return zones(arguments.value());
+    if (command == "calibrate") {
+      const bool reads = arguments.value().calibrate.kind == cli::kReadPhotograph;
+      return reads ? readPhotographs(arguments.value()) : calibrate(arguments.value());
+    }
+    if (command == "shape") {
       const cli::ShapeAnswer shapes = cli::describeShapes(arguments.value().shape);
       return answer(shapes.text, shapes.failed ? 2 : 0);
     }
-    if (!arguments.value().import.empty()) return importFrom(arguments.value());
+    if (command == "import") return importFrom(arguments.value());
     return generate(arguments.value());
   } catch (const std::bad_alloc&) {
     return endWithoutMemory();

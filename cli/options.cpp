@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "threads.hpp"
 #include "words.hpp"
 
 namespace cli {
@@ -79,12 +80,57 @@ const char* groupOf(Section section) {
                                                                     : "Shape and directions";
 }
 
-/// "--gcode --quiet" has forgotten a name; it does not mean a file called --quiet.
-void needValue(const std::string& name, const std::string& text) {
-  if (text.empty() || text.rfind("--", 0) == 0) refuse(name, text, "followed by its value");
+/// A whole number of a range; throws by refuse().
+std::function<void(const std::string&)> within(const std::string& name, int low, int high, int& out) {
+  return [=, &out](const std::string& text) {
+    int value = 0;
+    parseInto(name, text, value);
+    if (value < low || value > high) {
+      refuse(name, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    }
+    out = value;
+  };
 }
 
 }  // namespace
+
+template <class Number>
+CLI::Option* addNumber(CLI::App& app, const std::string& name, Number& out, const std::string& help) {
+  return app.add_option_function<std::string>(
+      name, [name, &out](const std::string& text) { parseInto(name, text, out); }, help);
+}
+template CLI::Option* addNumber(CLI::App&, const std::string&, double&, const std::string&);
+template CLI::Option* addNumber(CLI::App&, const std::string&, std::optional<double>&, const std::string&);
+template CLI::Option* addNumber(CLI::App&, const std::string&, int&, const std::string&);
+
+CLI::Option* addPreviewWidth(CLI::App& app, int& out, const std::string& help) {
+  const char* name = "--preview-width";
+  return app.add_option_function<std::string>(name, within(name, 16, 16384, out), help)->option_text("PX");
+}
+
+void addThreads(CLI::App& app, int& out) {
+  out = threadsOfMachine();
+  const char* name = "--threads";
+  app.add_option_function<std::string>(name, within(name, 1, kMostThreads, out),
+                                       "how many may work; never changes the result [all]")
+      ->option_text("N");
+}
+
+void requireValues(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    const std::string name = option->get_name();
+    const bool positional = option->get_positional();
+    if (!positional && option->get_items_expected_max() == 1) option->take_last();
+    // "--gcode --quiet" has forgotten a name; it does not mean a file called --quiet.
+    option->check([name, positional](const std::string& text) {
+      if (text.empty() || (!positional && text.rfind("--", 0) == 0)) {
+        refuse(name, text, positional ? "a name" : "followed by its value");
+      }
+      return std::string();
+    });
+  }
+}
 
 void setField(const Setting& row, Project& project, const std::string& option, const std::string& text) {
   const Field field = row.field(viewOf(project));
@@ -95,14 +141,8 @@ CLI::Option* Options::word(const std::string& name, const char* unit, const std:
                            std::function<Change(const std::string&)> read) {
   return app_
       .add_option_function<std::string>(
-          name,
-          [this, name, read](const std::string& text) {
-            needValue(name, text);
-            changes_.push_back(read(text));
-          },
-          help)
+          name, [this, read](const std::string& text) { changes_.push_back(read(text)); }, help)
       ->option_text(unit)
-      ->take_last()
       ->group(group_);
 }
 
@@ -145,15 +185,11 @@ void Options::settings(const std::function<bool(const Setting&)>& wanted) {
 
 void Options::output(const std::string& name, const std::string& help, std::string& path) {
   app_.add_option_function<std::string>(
-          name,
-          [&path, name](const std::string& text) {
-            needValue(name, text);
-            path = text;
-          },
-          help)
+          name, [&path](const std::string& text) { path = text; }, help)
       ->option_text("F")
-      ->take_last()
       ->group(group_);
 }
+
+void Options::previewWidth(const std::string& help, int& out) { addPreviewWidth(app_, out, help)->group(group_); }
 
 }  // namespace cli

@@ -41,11 +41,25 @@ class Options {
   /// An option that names a file.
   void output(const std::string& name, const std::string& help, std::string& path);
 
+  void previewWidth(const std::string& help, int& out);
+
  private:
   CLI::App& app_;
   std::vector<Change>& changes_;
   std::string group_;
 };
+
+/// An option with a number, of which the last counts. \param out  double, optional<double> or int
+template <class Number>
+CLI::Option* addNumber(CLI::App& app, const std::string& name, Number& out, const std::string& help);
+
+/// \param out  pixels.
+CLI::Option* addPreviewWidth(CLI::App& app, int& out, const std::string& help);
+
+void addThreads(CLI::App& app, int& out);
+
+/// No option and no file of a command may be empty, and of options that take one value the last counts.
+void requireValues(CLI::App& command);
 
 /// Puts a word of the command line into the field of a row; throws by refuse().
 void setField(const sillon::Setting& row, sillon::Project& project, const std::string& option, const std::string& text);

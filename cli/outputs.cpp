@@ -290,7 +290,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   if (!paths.body.empty()) {
     const auto mesh = sillon::baseBody(job.input.shape, job.project.printer, job.project.print);
     if (mesh) {
-      const bool zipped = paths.body.ends_with(".3mf");
+      const bool zipped = endsWith(paths.body, ".3mf");
       files.push_back({paths.body, zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value())});
     } else {
       job.bodyRefused = Error{mesh.error().code, "\"" + paths.body + "\" is not written: " + mesh.error().message};

@@ -78,6 +78,7 @@ void addShape(Options& options) {
                    [](const std::string& text) {
                      return [text](Project& project) {
                        project.directionFile = text;
+                       project.pictures.files.clear();
                        return std::string();
                      };
                    });
@@ -88,6 +89,7 @@ void addShape(Options& options) {
               parseInto("--angle", text, angle);
               return [angle](Project& project) {
                 project.directionFile.clear();
+                project.pictures.files.clear();
                 project.angle = angle;
                 return std::string();
               };
@@ -219,13 +221,7 @@ void addOutputs(Options& options, Arguments& arguments) {
   options.output("--svg", "drawing of the toolpath", arguments.outputs.svg);
   options.output("--report", "measures as JSON", arguments.outputs.report);
   options.output("--preview", "picture of directions and look, PNG", arguments.outputs.preview);
-  options.word("--preview-width", "PX", "width of each of the picture's two panels [1600]",
-               [&arguments](const std::string& text) {
-                 int& width = arguments.outputs.previewWidth;
-                 parseInto("--preview-width", text, width);
-                 if (width < 16 || width > 16384) refuse("--preview-width", text, "16 to 16384 pixels");
-                 return [](Project&) { return std::string(); };
-               });
+  options.previewWidth("width of each of the picture's two panels [1600]", arguments.outputs.previewWidth);
   options.output("--conflict", "where several pictures take tones from each other, PNG for each",
                  arguments.outputs.conflict);
   options.output("--view", "picture of directions for <sillon-view> on web pages, PNG", arguments.outputs.view);

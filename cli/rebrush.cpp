@@ -222,15 +222,13 @@ Result<sillon::GcodeContainer> readContainer(const std::string& path) {
 /// what else a printer wants of a package only its slicer knows.
 Result<std::string> packed(const sillon::GcodeContainer& container, std::string gcode, const std::string& out) {
   using Kind = sillon::GcodeContainerKind;
-  const auto ends = [&](const char* tail) { return out.ends_with(tail); };
-  const std::optional<Kind> wanted = ends(".3mf")                                   ? std::optional(Kind::Package3mf)
-                                     : ends(".bgcode") || ends(".bgc")              ? std::optional(Kind::Binary)
-                                     : ends(".gz")                                  ? std::optional(Kind::Gzip)
-                                     : ends(".gcode") || ends(".gco") || ends(".g") ? std::optional(Kind::Text)
-                                                                                    : std::nullopt;
-  if (!wanted || *wanted == container.kind) return sillon::writeGcodeContainer(container, std::move(gcode));
-  if (*wanted == Kind::Text) return gcode;
-  if (*wanted == Kind::Gzip && container.kind == Kind::Text) return sillon::gzipGcode(gcode);
+  const Kind wanted = endsWith(out, ".3mf")                               ? Kind::Package3mf
+                      : endsWith(out, ".bgcode") || endsWith(out, ".bgc") ? Kind::Binary
+                      : endsWith(out, ".gz")                              ? Kind::Gzip
+                                                                          : Kind::Text;
+  if (wanted == container.kind) return sillon::writeGcodeContainer(container, std::move(gcode));
+  if (wanted == Kind::Text) return gcode;
+  if (wanted == Kind::Gzip && container.kind == Kind::Text) return sillon::gzipGcode(gcode);
   return Error{ErrorCode::InvalidArgument,
                "\"" + out +
                    "\" would be another kind of file than what the slicer wrote; give it the same ending, or "
@@ -286,7 +284,7 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
     if (!name->empty()) outputs.push_back(*name);
   }
   std::vector<std::string> inputs = arguments.pictures.files;
-  if (out != arguments.file) inputs.push_back(arguments.file);
+  if (!sameFile(out, arguments.file)) inputs.push_back(arguments.file);
   for (const std::string* name : {&arguments.directions, &arguments.modes, &arguments.pictures.spoolsFile}) {
     if (!name->empty()) inputs.push_back(*name);
   }

@@ -8,8 +8,8 @@
 namespace cli {
 
 struct ShapeArguments {
-  std::vector<std::string> files;  ///< empty: not asked
-  std::optional<double> width;     ///< of the page [mm]; unset: as drawn
+  std::vector<std::string> files;
+  std::optional<double> width;  ///< of the page [mm]; unset: as drawn
   bool ignorePaint = false;
   bool json = false;
 };

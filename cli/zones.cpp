@@ -20,7 +20,7 @@ using sillon::Result;
 }  // namespace
 
 Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
-  if (!arguments.out.ends_with(".3mf")) {
+  if (!endsWith(arguments.out, ".3mf")) {
     return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
   }
   std::vector<std::string> inputs = inputFiles(project);

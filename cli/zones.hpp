@@ -16,7 +16,7 @@ class App;
 namespace cli {
 
 struct ZonesArguments {
-  std::string out;    ///< a .3mf; empty: another command
+  std::string out;    ///< a .3mf
   std::string body;   ///< STL; empty: a prism of the shape
   double height = 2;  ///< of that prism [mm]
   sillon::ZoneParams params;

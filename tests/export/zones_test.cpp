@@ -245,7 +245,7 @@ TEST_CASE("what makes no zones is refused") {
   CHECK_FALSE(directionZones(shape, map, {6, 0}, run));
   CHECK_FALSE(directionZones(shape, {}, {}, run));
   CHECK(directionZones(Shape{{}, {10, 10}}, map, {}, run).error().code == ErrorCode::EmptyShape);
-  CHECK_FALSE(prismOf(shape, 0));
+  for (const double height : {0.0, 0.04, 5001.0, HUGE_VAL, std::nan("")}) CHECK_FALSE(prismOf(shape, height));
   const DirectionZones zones = zonesOf(shape, map);
   CHECK_FALSE(zones3mf({}, zones, {}, {}));
   CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {}, {0, 0.2}));

@@ -83,6 +83,9 @@ std::string metadata(const char* type, const char* key, const std::string& value
   return "   <metadata type=\"" + std::string(type) + "\" key=\"" + key + "\" value=\"" + value + "\"/>\n";
 }
 
+constexpr double kLeastHeight = 0.05;  // [mm]
+constexpr double kMostHeight = 5000;   // [mm]
+
 struct Volume {
   std::string name;
   std::size_t first = 0;  ///< triangle
@@ -94,7 +97,8 @@ struct Volume {
 }  // namespace
 
 Result<Mesh> prismOf(const Shape& shape, double height) {
-  if (!(height > 0)) return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "above 0 mm")};
+  if (!(height >= kLeastHeight && height <= kMostHeight))
+    return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "0.05 to 5000 mm")};
   const Result<FlatBody> flat = flatBody(shape, {});
   if (!flat) return flat.error();
   Mesh mesh;

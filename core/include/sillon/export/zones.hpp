@@ -50,7 +50,7 @@ struct ZoneLayers {
 /// \param corner  of the zones' page on the bed [mm]. \return InvalidArgument or TooLarge.
 Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers);
 
-/// The shape less its holes in height: a prism from the bed up. \param height  [mm], above 0.
+/// The shape less its holes in height: a prism from the bed up. \param height  [mm], 0.05..5000.
 /// \return EmptyShape, InvalidFile or TooLarge.
 Result<Mesh> prismOf(const Shape& shape, double height);
 
