@@ -150,6 +150,12 @@ TEST_CASE("what viewers show and is not read is told, once each, where it is sho
   CHECK(note("<circle r='5' mask='url(#nothing)' clip-path='none'/>").empty());
   CHECK(note("<circle r='5' style='r:9px'/>") == "CSS \"r\"");
   CHECK(note("<style>rect{width:50px}</style>") == "CSS \"width\"");
+  for (const std::string moves : {"rotate:45deg", "translate:5px 9px", "scale:2", "offset-path:path('M0 0h9')"}) {
+    const std::string name = moves.substr(0, moves.find(':'));
+    CHECK(note("<g style=\"" + moves + "\"/>") == "CSS \"" + name + "\"");
+    CHECK(note("<g style='" + name + ":none'/>").empty());
+  }
+  CHECK(note("<g style='width:50px'/>").empty());
   CHECK(note("<g style='transform:translateZ(0)'/>") == "transform \"translateZ(0)\"");
   CHECK(note("<g style='transform:rotate(1furlong)'/>") == "transform \"rotate(1furlong)\"");
   // What is not shown needs no note.

@@ -863,19 +863,35 @@ const std::string kSquare = "<rect x='10' y='10' width='10' height='10'/>";  // 
 }  // namespace
 
 TEST_CASE("what is not painted is not there, as long as something is") {
-  for (const char* hidden :
-       {"fill='none'", "fill='transparent'", "fill='#0000'", "fill='#12345600'", "fill='rgba(9,9,9,0)'",
-        "fill='rgb(9 9 9 / 0%)'", "fill='hsla(1,2%,3%,0.0)'", "fill-opacity='0'", "fill-opacity='0%'", "opacity='0'",
-        "visibility='hidden'", "visibility='collapse'", "style='fill:none'", "style='visibility:hidden'",
-        "fill='url(#nothing)'", "fill='url(#nothing) none'", "color='#0000' fill='currentColor'", "class='hidden'",
-        "style='fill:red' class='important'"}) {
+  for (const char* hidden : {"fill='none'",
+                             "fill='transparent'",
+                             "fill='#0000'",
+                             "fill='#12345600'",
+                             "fill='rgba(9,9,9,0)'",
+                             "fill='rgb(9 9 9 / 0%)'",
+                             "fill='hsla(1,2%,3%,0.0)'",
+                             "fill-opacity='0'",
+                             "fill-opacity='0%'",
+                             "opacity='0'",
+                             "visibility='hidden'",
+                             "visibility='collapse'",
+                             "style='fill:none'",
+                             "style='visibility:hidden'",
+                             "fill='url(#nothing)'",
+                             "fill='url(#nothing) none'",
+                             "color='#0000' fill='currentColor'",
+                             "class='hidden'",
+                             "fill='#ffffff01'",
+                             "fill-opacity='0.01'",
+                             "opacity='.1' fill-opacity='.1'",
+                             "style='fill:red' class='important'"}) {
     CAPTURE(hidden);
     checkShown("<style>.hidden{opacity:0} .important{fill:none ! important}</style><g>" + kSquare +
                    "</g><path d='M0 0h90v90h-90z' " + hidden + "/>",
                100);
   }
   for (const char* shown :
-       {"fill='white'", "fill='#fff'", "fill='#ffffff01'", "fill-opacity='0.01'", "opacity='.5'", "fill='url(#g)'",
+       {"fill='white'", "fill='#fff'", "fill='#ffffff06'", "fill-opacity='0.03'", "opacity='.5'", "fill='url(#g)'",
         "fill='url(#nothing) red'", "fill='nonsense'", "fill='currentColor'", "style='fill:rgb(1,2,3)'"}) {
     CAPTURE(shown);
     checkShown("<linearGradient id='g'><stop/></linearGradient><rect width='90' height='90' " + std::string(shown) +

@@ -232,7 +232,9 @@ class Drawing {
     const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
     if (!function.empty()) note("CSS " + quoted(function));
     const std::string_view name = elementName(node);
-    if (!style.unread().empty() && !isRoot(node) && name != "g" && name != "a") note("CSS " + quoted(style.unread()));
+    // Groups have neither place nor size of their own, but they move what is in them.
+    const bool hasPlace = !isRoot(node) && name != "g" && name != "a";
+    if (hasPlace ? !style.unread().empty() : style.unreadMoves()) note("CSS " + quoted(style.unread()));
   }
 
   // What clip paths do without.

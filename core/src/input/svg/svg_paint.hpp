@@ -26,8 +26,8 @@ struct Paint {
 /// Added to the colour of a name or a gradient.
 inline constexpr std::uint64_t kOther = 0x1000000;
 
-/// Less shows on no screen.
-inline constexpr double kFaintest = 0.5 / 255;
+/// Nobody sees less. Drawing programs lay it over whole pages, to catch clicks.
+inline constexpr double kFaintest = 0.02;
 
 /// Inherited from element to element, but for `opacity`, which is the product of all around, and `strokeScales`.
 struct PaintState {

@@ -92,6 +92,10 @@ std::string_view Style::unreadFunction() const {
   return {};
 }
 
+bool Style::unreadMoves() const {
+  return unread_ == "offset-path" || unread_ == "rotate" || unread_ == "scale" || unread_ == "translate";
+}
+
 void Style::declare(std::string_view declarations, std::int64_t weight) {
   split(declarations, ';', [&](std::string_view declaration) {
     const std::size_t colon = declaration.find(':');
@@ -100,7 +104,8 @@ void Style::declare(std::string_view declarations, std::int64_t weight) {
     const auto found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
     if (found == kPropertyNames.end()) {
       const auto unread = std::find(kUnread.begin(), kUnread.end(), name);
-      if (unread != kUnread.end()) unread_ = *unread;
+      const bool nothing = lowered(trimmed(declaration.substr(colon + 1)).substr(0, 5)) == "none";
+      if (unread != kUnread.end() && !nothing) unread_ = *unread;
       return;
     }
     std::string_view value = declaration.substr(colon + 1);

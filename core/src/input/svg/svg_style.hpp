@@ -110,6 +110,8 @@ class Style {
   [[nodiscard]] bool isCss(Property property) const { return of(property).weight > 0; }
   /// A property that changes what is shown and is not read; empty: none is declared.
   [[nodiscard]] std::string_view unread() const { return unread_; }
+  /// Whether that moves, turns or scales, which groups do, too.
+  [[nodiscard]] bool unreadMoves() const;
   /// "var()" or "calc()" where a value has one that is not read; else empty.
   [[nodiscard]] std::string_view unreadFunction() const;
   /// Whether a value is what var() gives where its custom property is not defined.
