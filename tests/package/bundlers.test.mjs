@@ -7,7 +7,7 @@ import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, writeF
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 
 import { lacking, startChromium } from '../../wasm/test/support/browsers.js';
@@ -68,7 +68,7 @@ before(async () => {
 });
 
 /** What the app at this address makes, with two threads, or one where the page cannot have more. */
-async function madeAt(url, threads = 2) {
+async function madeAt(url, threads = 2, options = {}) {
   const browser = await startChromium();
   try {
     const visit = await browser.newPage();
@@ -77,7 +77,7 @@ async function madeAt(url, threads = 2) {
     visit.setDefaultTimeout(180_000);
     await visit.goto(url);
     await visit.waitForFunction(() => globalThis.attempt !== undefined);
-    const made = await visit.evaluate(() => globalThis.attempt('make', { threads: 2 }));
+    const made = await visit.evaluate((more) => globalThis.attempt('make', { threads: 2, ...more }), options);
     assert.deepEqual(made, { ...expected, threads });
     assert.deepEqual(problems, []);
   } finally {
@@ -85,10 +85,10 @@ async function madeAt(url, threads = 2) {
   }
 }
 
-async function madeIn(dist) {
+async function madeIn(dist, path = 'index.html', options = {}) {
   const site = await serve({ '/': `${dist}/` }, headerSets.isolated);
   try {
-    await madeAt(`${site.origin}/index.html`);
+    await madeAt(`${site.origin}/${path}`, 2, options);
   } finally {
     site.close();
   }
@@ -115,11 +115,27 @@ test('a page without bundler: its files as they are, and an import map', { skip 
   await madeIn(app);
 });
 
-test('Vite', { skip }, async () => {
-  const app = await appWith('vite', ['vite@8'], { 'index.html': html('./page.js'), 'page.js': page });
-  await run(app, 'npx', 'vite', 'build', '--logLevel', 'warn');
-  await madeIn(join(app, 'dist'));
-});
+for (const version of [7, 8]) {
+  test(`Vite ${version}: built, and by its development server`, { skip }, async () => {
+    const files = { 'index.html': html('./page.js'), 'page.js': page };
+    const app = await appWith(`vite${version}`, [`vite@${version}`], files);
+    await run(app, 'npx', 'vite', 'build', '--logLevel', 'warn');
+    await madeIn(join(app, 'dist'));
+    const { createServer } = await import(pathToFileURL(join(app, 'node_modules/vite/dist/node/index.js')));
+    const server = await createServer({
+      root: app,
+      configFile: false,
+      logLevel: 'warn',
+      server: { port: 0, headers: headerSets.isolated },
+    });
+    try {
+      await server.listen();
+      await madeAt(server.resolvedUrls.local[0]);
+    } finally {
+      await server.close();
+    }
+  });
+}
 
 test('webpack', { skip }, async () => {
   const app = await appWith('webpack', ['webpack@5', 'webpack-cli@6'], { 'src/index.js': page });
@@ -131,13 +147,34 @@ test('webpack', { skip }, async () => {
 /** esbuild and rollup leave addresses as they are: the engine's files must lie beside the bundle. */
 const besideBundle = (app) => cpSync(join(app, 'node_modules/sillon/dist/engine'), join(app, 'dist/engine'), { recursive: true });
 
-test('esbuild: for pages, with the folder of the engine copied beside, and for Node', { skip }, async () => {
+test('esbuild: for pages and for Node, with the folder of the engine copied beside, or named', { skip }, async () => {
   const app = await appWith('esbuild', ['esbuild'], { 'page.js': page, 'script.js': script, 'dist/index.html': html('./page.js') });
   await run(app, 'npx', 'esbuild', 'page.js', '--bundle', '--format=esm', '--outdir=dist');
   besideBundle(app);
   await madeIn(join(app, 'dist'));
   await run(app, 'npx', 'esbuild', 'script.js', '--bundle', '--platform=node', '--format=esm', '--outfile=out/script.js');
   assert.deepEqual(JSON.parse(await run(app, process.execPath, 'out/script.js')), expected);
+
+  // A plain script, which does not know where it is.
+  await run(app, 'npx', 'esbuild', 'page.js', '--bundle', '--log-level=error', '--outfile=dist/plain.js');
+  write(join(app, 'dist/plain.html'), '<!doctype html><title>app</title><script src="./plain.js"></script>');
+  await madeIn(join(app, 'dist'), 'plain.html', { assetBase: 'engine' });
+  await assert.rejects(madeIn(join(app, 'dist'), 'plain.html'), /SillonError: .*assetBase/);
+
+  // CommonJS, run from another folder.
+  write(
+    join(app, 'later.js'),
+    `const options = { threads: 2 };
+    import('sillon').then(async ({ createEngine }) => {${makes} console.log(JSON.stringify(made)); });`,
+  );
+  const words = ['--bundle', '--platform=node', '--format=cjs', '--log-level=error'];
+  await run(app, 'npx', 'esbuild', 'later.js', ...words, '--outfile=dist/script.cjs');
+  assert.deepEqual(JSON.parse(await run(folder, process.execPath, join(app, 'dist/script.cjs'))), expected);
+  cpSync(join(app, 'dist/script.cjs'), join(app, 'alone/script.cjs'));
+  await assert.rejects(
+    run(folder, process.execPath, join(app, 'alone/script.cjs')),
+    /beside file:\S+alone\/script\.cjs nor below .*assetBase/,
+  );
 });
 
 test('rollup, with the folder of the engine copied beside', { skip }, async () => {

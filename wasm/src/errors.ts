@@ -1,21 +1,25 @@
 // The one kind of error that leaves the package.
 import type * as api from '../sillon.js';
+import type { Call } from './protocol.js';
 
 /** What helps against most errors of a kind. */
 const hints: Record<api.ErrorCode, string> = {
   InvalidArgument: '',
-  InvalidFile: 'Shapes are SVG, PNG, JPEG, BMP or TGA; draw other formats to a canvas and hand over its pixels.',
+  InvalidFile: '',
   TooLarge: 'Use a larger spacing, a smaller shape or smaller pictures.',
   EmptyShape: 'Check that the shape has filled areas that are wider than the spacing.',
   DoesNotFit: 'Make the shape smaller, or check printer.bedMin, printer.bedMax and print.place.',
   OutOfMemory: 'Use a larger spacing or a smaller shape, or close what else needs much memory.',
   LoadFailed:
     'Check that all files of sillon/dist/engine are served there (option assetBase), and that the content security ' +
-    "policy allows 'wasm-unsafe-eval'.",
+    "policy allows 'wasm-unsafe-eval' and, in connect-src, their origin.",
   Crashed: "Try again; if it happens again, with threads: 'off'.",
   Disposed: 'Create another engine.',
   Internal: 'Please report it, with the input that led to it.',
 };
+
+const aboutPictures = 'Shapes are SVG, PNG, JPEG, BMP or TGA; draw other formats to a canvas and hand over its pixels.';
+const readers: Call['name'][] = ['generateToolpath', 'readShape', 'decodePicture'];
 
 export type SillonError = api.SillonError;
 
@@ -35,6 +39,12 @@ export const SillonError: typeof api.SillonError = class SillonError extends Err
     this.hint = hint;
   }
 };
+
+/** What the worker says of a call, or of its start. */
+export function failureOf(code: api.ErrorCode, message: string, call: Call['name'] | undefined): SillonError {
+  const readsPictures = call !== undefined && readers.includes(call);
+  return new SillonError(code, message, code === 'InvalidFile' && readsPictures ? aboutPictures : undefined);
+}
 
 export const invalid = (message: string, hint?: string): SillonError =>
   new SillonError('InvalidArgument', message, hint);

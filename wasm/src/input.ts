@@ -511,7 +511,7 @@ function look(value: unknown, path: string): api.Look {
   };
 }
 
-/** The engine would cut what is none to 8 bits. */
+/** The engine would truncate other values to 8 bits. */
 function rgb(value: unknown, path: string): [number, number, number] {
   const channels = listOf(value, path, finite);
   if (channels.length !== 3 || !channels.every((one) => Number.isInteger(one) && one >= 0 && one <= 255)) {

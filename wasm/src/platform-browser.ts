@@ -4,36 +4,6 @@ import { SillonError, invalid, messageOf } from './errors.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, FromWorker, ThreadScripts } from './protocol.js';
 
-// Written out one by one: bundlers find and copy only these.
-const beside: EngineFiles = {
-  worker: new URL('./engine/worker.js', import.meta.url).href,
-  st: {
-    script: new URL('./engine/sillon-st.js', import.meta.url).href,
-    wasm: new URL('./engine/sillon-st.wasm', import.meta.url).href,
-  },
-  mt: {
-    script: new URL('./engine/sillon-mt.js', import.meta.url).href,
-    wasm: new URL('./engine/sillon-mt.wasm', import.meta.url).href,
-    threadScript: new URL('./engine/sillon-mt.worker.js', import.meta.url).href,
-  },
-  files: {
-    script: new URL('./engine/sillon-files.js', import.meta.url).href,
-    wasm: new URL('./engine/sillon-files.wasm', import.meta.url).href,
-  },
-  rebrush: {
-    script: new URL('./engine/sillon-rebrush.js', import.meta.url).href,
-    wasm: new URL('./engine/sillon-rebrush.wasm', import.meta.url).href,
-  },
-  calibrate: {
-    script: new URL('./engine/sillon-calibrate.js', import.meta.url).href,
-    wasm: new URL('./engine/sillon-calibrate.wasm', import.meta.url).href,
-  },
-  photo: {
-    script: new URL('./engine/sillon-photo.js', import.meta.url).href,
-    wasm: new URL('./engine/sillon-photo.wasm', import.meta.url).href,
-  },
-};
-
 const page = (): string => (typeof document === 'undefined' ? location.href : document.baseURI);
 
 function filesAt(assetBase: string | URL): EngineFiles {
@@ -54,14 +24,62 @@ function filesAt(assetBase: string | URL): EngineFiles {
   }
 }
 
+/** Vite's development server moves this module there, up to Vite 7 without the files beside it. */
+const movedByVite = /\/node_modules\/\.vite\/deps[^/]*\/engine\//;
+
 /** Some bundlers write paths for what `new URL(file, import.meta.url)` means. */
 const addressed = <T extends object>(files: T): T =>
   Object.fromEntries(
     Object.entries(files).map(([name, value]: [string, unknown]) => [
       name,
-      typeof value === 'string' ? new URL(value, page()).href : addressed(value as object),
+      typeof value === 'string'
+        ? new URL(value, page()).href.replace(movedByVite, '/node_modules/sillon/dist/engine/')
+        : addressed(value as object),
     ]),
   ) as T;
+
+/** The files beside this module. */
+function ownFiles(): EngineFiles {
+  let beside: EngineFiles;
+  try {
+    // Written out one by one: bundlers find and copy only these.
+    beside = {
+      worker: new URL('./engine/worker.js', import.meta.url).href,
+      st: {
+        script: new URL('./engine/sillon-st.js', import.meta.url).href,
+        wasm: new URL('./engine/sillon-st.wasm', import.meta.url).href,
+      },
+      mt: {
+        script: new URL('./engine/sillon-mt.js', import.meta.url).href,
+        wasm: new URL('./engine/sillon-mt.wasm', import.meta.url).href,
+        threadScript: new URL('./engine/sillon-mt.worker.js', import.meta.url).href,
+      },
+      files: {
+        script: new URL('./engine/sillon-files.js', import.meta.url).href,
+        wasm: new URL('./engine/sillon-files.wasm', import.meta.url).href,
+      },
+      rebrush: {
+        script: new URL('./engine/sillon-rebrush.js', import.meta.url).href,
+        wasm: new URL('./engine/sillon-rebrush.wasm', import.meta.url).href,
+      },
+      calibrate: {
+        script: new URL('./engine/sillon-calibrate.js', import.meta.url).href,
+        wasm: new URL('./engine/sillon-calibrate.wasm', import.meta.url).href,
+      },
+      photo: {
+        script: new URL('./engine/sillon-photo.js', import.meta.url).href,
+        wasm: new URL('./engine/sillon-photo.wasm', import.meta.url).href,
+      },
+    };
+  } catch {
+    // Bundles that are plain scripts have no import.meta.url, or an empty one.
+    throw new SillonError(
+      'LoadFailed',
+      'this script does not know its own address, so the option assetBase must be that of the folder sillon/dist/engine',
+    );
+  }
+  return addressed(beside);
+}
 
 async function fetchScript(url: string): Promise<Uint8Array<ArrayBuffer>> {
   if (url.startsWith('data:')) return decodeData(url); // which policies may forbid to fetch
@@ -73,7 +91,7 @@ async function fetchScript(url: string): Promise<Uint8Array<ArrayBuffer>> {
   }
   if (!response.ok) throw new SillonError('LoadFailed', `${url} could not be fetched: status ${response.status}`);
   const type = response.headers.get('content-type') ?? 'of unknown type';
-  if (/html/i.test(type)) throw new SillonError('LoadFailed', `${url} is no script: it came as ${type}`);
+  if (/html/i.test(type)) throw new SillonError('LoadFailed', `${url} is not a script: it came as ${type}`);
   return new Uint8Array(await response.arrayBuffer());
 }
 
@@ -121,7 +139,7 @@ async function whyNot(url: string, message: string | undefined): Promise<string>
 }
 
 export const browser: Platform = {
-  files: (assetBase) => (assetBase === undefined ? addressed(beside) : filesAt(assetBase)),
+  files: (assetBase) => (assetBase === undefined ? ownFiles() : filesAt(assetBase)),
 
   cores: () => navigator.hardwareConcurrency,
 

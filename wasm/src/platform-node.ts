@@ -14,7 +14,9 @@ import type { Files, FromWorker } from './protocol.js';
 /** The engine's files, which a server's bundler leaves in the package. Written so that none takes it for a file that it is
  * to copy: a folder, which `new URL` beside `import.meta.url` would be to them, ends their work. */
 function ownFolder(): URL {
-  const here = (import.meta as { url?: string }).url ?? ''; // undefined in a bundle of another kind
+  // A bundle in CommonJS has the other name of its place, and one of another kind none.
+  const filename = typeof __filename === 'string' ? pathToFileURL(__filename).href : '';
+  const here = (import.meta as { url?: string }).url ?? filename;
   if (here.startsWith('file:')) {
     const beside = new URL(here.replace(/[^/]*$/, 'engine/'));
     if (existsSync(new URL('worker.js', beside))) return beside;
@@ -24,7 +26,11 @@ function ownFolder(): URL {
     const find = createRequire(join(home, 'package.json'));
     return new URL('dist/engine/', pathToFileURL(find.resolve('sillon/package.json')));
   } catch {
-    throw new SillonError('LoadFailed', `the files of sillon/dist/engine are neither beside ${here} nor below ${home}`);
+    const beside = here === '' ? 'its script, whose place is unknown,' : here;
+    throw new SillonError(
+      'LoadFailed',
+      `the folder sillon/dist/engine is neither beside ${beside} nor below ${home}; the option assetBase may name it`,
+    );
   }
 }
 

@@ -1,5 +1,5 @@
 // One worker with a started engine in it, from its start to its end.
-import { SillonError, messageOf } from './errors.js';
+import { SillonError, failureOf, messageOf } from './errors.js';
 import type { EngineWorker, Platform } from './platform.js';
 import type { Call, EngineFiles, FromWorker } from './protocol.js';
 import { type StopSign, flagSign, stopSign } from './stop.js';
@@ -12,6 +12,8 @@ type OnMessage = (message: FromWorker) => void;
 
 /** Somebody waits for the worker's answer to a start or a call. */
 interface Waiting {
+  /** None: the start. */
+  call: Call['name'] | undefined;
   resolve(answer: unknown): void;
   reject(error: SillonError): void;
   onMessage: OnMessage;
@@ -80,7 +82,7 @@ export class Session {
 
   /** One at a time. @throws SillonError */
   run(call: Call, onMessage: OnMessage): Promise<unknown> {
-    const answer = this.#answer(onMessage);
+    const answer = this.#answer(onMessage, call.name);
     this.#expectSigns(callSilence);
     this.#stop = this.#cancelFlag === undefined ? stopSign() : flagSign(this.#cancelFlag, undefined);
     try {
@@ -112,10 +114,10 @@ export class Session {
     this.#settle()?.reject(error);
   }
 
-  #answer(onMessage: OnMessage): Promise<unknown> {
+  #answer(onMessage: OnMessage, call?: Call['name']): Promise<unknown> {
     this.#worker?.hold(true);
     return new Promise((resolve, reject) => {
-      this.#waiting = { resolve, reject, onMessage };
+      this.#waiting = { call, resolve, reject, onMessage };
     });
   }
 
@@ -134,8 +136,9 @@ export class Session {
     if (message.type === 'started') this.#settle()?.resolve(undefined);
     if (message.type === 'done') this.#settle()?.resolve(message.value);
     if (message.type === 'failed') {
-      if (message.code === 'Cancelled') this.#settle()?.resolve(undefined);
-      else this.#settle()?.reject(new SillonError(message.code, message.message));
+      const waiting = this.#settle();
+      if (message.code === 'Cancelled') waiting?.resolve(undefined);
+      else waiting?.reject(failureOf(message.code, message.message, waiting.call));
     }
   }
 

@@ -335,7 +335,8 @@ function isSillonError(error, code, message) {
   assert.ok(!/undefined|\[object/.test(error.message.replace(/is undefined/, '')), error.message);
   assert.ok(error.message.length < 400, error.message);
   assert.equal(typeof error.hint, 'string');
-  if (code !== 'InvalidArgument') assert.match(error.hint, /^[A-Z].*\.$/);
+  if (code === 'InvalidFile') assert.match(error.hint, /^$|^Shapes are/);
+  else if (code !== 'InvalidArgument') assert.match(error.hint, /^[A-Z].*\.$/);
   assert.ok(error.stack.startsWith(`SillonError: ${error.message}`));
 }
 
@@ -369,6 +370,21 @@ test('errors that users often meet say what to do', async () => {
   assert.match(await hint(withShape('leaf.svg')), /content/);
   assert.match(await hint(withDirections({ ...picture, samples: [] })), /ImageData/);
   assert.match(await hint(withShape(detached(Uint8Array.of(1)))), /buffer/);
+  for (const call of [
+    withShape(noise),
+    withDirections(noise),
+    () => engine.readShape({ file: noise }),
+    () => engine.decodePicture(noise),
+  ])
+    assert.match(await hint(call), /SVG, PNG/);
+  // Of pictures nothing where none are read.
+  for (const call of [
+    () => engine.readProject('not JSON'),
+    () => engine.importPrinter(noise),
+    () => engine.checkGcode(Buffer.from('PK\x03\x04')),
+    () => engine.listSurfaces(Buffer.from('G28\n')),
+  ])
+    assert.equal(await hint(call), '');
 });
 
 describe('createEngine', () => {

@@ -49,7 +49,10 @@ const scope = {
     throw new Error('importScripts is not available');
   },
 };
-Object.assign(globalThis, scope);
+// Not assigned: Deno has a location that cannot be.
+for (const [name, value] of Object.entries(scope)) {
+  Object.defineProperty(globalThis, name, { value, writable: true, configurable: true, enumerable: true });
+}
 
 await import(script);
 port.on('message', (data) => {

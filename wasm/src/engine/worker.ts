@@ -127,6 +127,7 @@ interface Scope {
   onerror: (() => boolean) | null;
   onmessage: ((event: { data: ToWorker }) => void) | null;
   postMessage(message: FromWorker, transfer: ArrayBuffer[]): void;
+  Worker: typeof Worker;
 }
 const scope = globalThis as unknown as Scope;
 
@@ -235,6 +236,17 @@ async function compileWhole(url: string): Promise<WebAssembly.Module> {
   }
 }
 
+/** Glue made before Emscripten 3.1.58 starts threads as classic scripts, and Vite's development server puts an import into
+ * theirs, which only modules may have. Blobs stay as they are: in frames of opaque origin Chromium starts no modules from
+ * them. */
+function startThreadsAsModules(): void {
+  scope.Worker = class extends scope.Worker {
+    constructor(script: string | URL, options?: WorkerOptions) {
+      super(script, String(script).startsWith('blob:') ? options : { type: 'module', ...options });
+    }
+  };
+}
+
 async function importGlue(url: string): Promise<Glue> {
   try {
     return (await import(/* @vite-ignore */ /* webpackIgnore: true */ url)) as Glue;
@@ -269,6 +281,7 @@ function limitGrowth(exports: WebAssembly.Exports, most: number): void {
 
 async function start({ threads, memory: most, script, wasm, threadScripts, compiled }: StartMessage): Promise<void> {
   const { threadScript, mainScript } = threadScripts;
+  if (threads > 1) startThreadsAsModules();
   mostKept = most * 2 ** 20;
   mostPictures = Math.min(128 * 2 ** 20, mostKept / 8);
   const [wasmModule, glue] = await Promise.all([

@@ -39,6 +39,12 @@ const contexts = [
   { name: 'plain page', site: 'plain', threaded: false },
   { name: 'strict policy without unsafe-eval', site: 'strict', threaded: true },
   {
+    name: 'strict policy, engine files from another origin',
+    site: 'strictElsewhere',
+    assetBase: () => elsewhere('isolatedShared', '/sillon/dist/engine'),
+    threaded: true,
+  },
+  {
     name: 'isolated page, engine files from another origin',
     site: 'isolated',
     assetBase: () => elsewhere('isolatedShared', '/sillon/dist/engine'),

@@ -20,15 +20,18 @@ const isolated = {
   'Cross-Origin-Resource-Policy': 'cross-origin',
 };
 const shared = { 'Access-Control-Allow-Origin': '*' };
-const strict = {
+/** What wasm/README.md names, and nothing else. @param more  another origin */
+const strict = (more = '') => ({
   'Content-Security-Policy':
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; base-uri 'none'",
-};
+    `default-src 'none'; script-src 'self' 'wasm-unsafe-eval'${more}; worker-src 'self' blob:; ` +
+    `connect-src 'self'${more}; base-uri 'none'`,
+});
 
 export const headerSets = {
   plain: {},
   isolated,
-  strict: { ...isolated, ...strict },
+  strict: { ...isolated, ...strict() },
+  strictElsewhere: { ...isolated, ...strict(' http://localhost:*') },
   /** For pages of any other origin. */
   plainShared: shared,
   isolatedShared: { ...isolated, ...shared },

@@ -109,6 +109,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   #late: ReturnType<typeof setTimeout> | undefined;
   /** While the studio is not to be loaded yet. */
   #near: IntersectionObserver | undefined;
+  /** Loaded, or on its way, since the element came into its page. */
+  #opened = false;
   /** Of the files that attributes name: done when the studio has them. */
   #loading: Promise<void> = Promise.resolve();
   #loads = 0;
@@ -129,6 +131,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   connectedCallback(): void {
+    takeOver(this);
     this.#fault = undefined; // put into a page again, it opens again
     addEventListener('message', this.#onMessage);
     this.#showPoster();
@@ -146,6 +149,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     removeEventListener('message', this.#onMessage);
     this.#near?.disconnect();
     this.#near = undefined;
+    this.#opened = false;
     clearTimeout(this.#late);
     this.#close(new StudioFrameError('Closed', 'The element was taken out of its page.', ''));
     this.#frame.removeAttribute('src');
@@ -154,7 +158,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
     if (before === now || !this.isConnected || name === ofLoads) return;
     if (name === ofPoster) this.#showPoster();
-    else if (this.#near !== undefined)
+    else if (!this.#opened)
       return; // all of them are looked at when the studio is loaded
     else if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
     else if (name in ofFiles) this.#loadAttributes();
@@ -224,26 +228,26 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   /** The base layers as a solid for other slicers, 3MF. */
-  exportBody({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+  async exportBody({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportBody', {}, signal);
   }
 
-  exportSvg({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+  async exportSvg({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportSvg', {}, signal);
   }
 
   /** A zip with the project and its pictures, which studio and command line open. */
-  exportProject({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+  async exportProject({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportProject', {}, signal);
   }
 
   /** For <sillon-view>. */
-  exportView({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
+  async exportView({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportView', {}, signal);
   }
 
   /** Its look: a PNG `width` pixels wide, or a video of one turn of the light. */
-  capture({
+  async capture({
     signal,
     ...options
   }: { type?: 'image' | 'video'; width?: number; seconds?: number; signal?: AbortSignal } = {}): Promise<StudioFile> {
@@ -270,6 +274,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   #open(): void {
     this.#near?.disconnect();
     this.#near = undefined;
+    this.#opened = true;
     this.#drop(new StudioFrameError('Closed', 'The frame was closed.', ''));
     this.#fault = undefined;
     clearTimeout(this.#late);
@@ -514,6 +519,16 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 }
 
+/** What a page set before this script had defined the element hides the properties of the class. */
+function takeOver(element: HTMLElement): void {
+  for (const name of attributes) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value: unknown = Reflect.get(element, name);
+    Reflect.deleteProperty(element, name);
+    Reflect.set(element, name, value);
+  }
+}
+
 /** A promise, and what settles it. */
 function wait<T>(): Waiter & { promise: Promise<T> } {
   let waiter!: Waiter;
@@ -560,8 +575,8 @@ for (const name of attributes) {
     get(this: HTMLElement) {
       return this.getAttribute(name) ?? '';
     },
-    set(this: HTMLElement, value: string | null) {
-      if (value === null) this.removeAttribute(name);
+    set(this: HTMLElement, value: string | null | undefined) {
+      if (value === null || value === undefined) this.removeAttribute(name);
       else this.setAttribute(name, value);
     },
   });

@@ -155,6 +155,7 @@ export class SillonViewElement extends HTMLElement {
   }
 
   connectedCallback(): void {
+    takeOver(this);
     if (!this.hasAttribute('role')) this.setAttribute('role', 'img');
     this.#name();
     this.#showPoster();
@@ -364,6 +365,16 @@ export class SillonViewElement extends HTMLElement {
   }
 }
 
+/** What a page set before this script had defined the element hides the properties of the class. */
+function takeOver(element: HTMLElement): void {
+  for (const name of attributes) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value: unknown = Reflect.get(element, name);
+    Reflect.deleteProperty(element, name);
+    Reflect.set(element, name, value);
+  }
+}
+
 /** "#c9942e" */
 function hexColour(text: string | null): ViewFile['colour'] | undefined {
   const found = /^#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})$/i.exec(text ?? '');
@@ -383,8 +394,8 @@ for (const name of attributes) {
     get(this: HTMLElement) {
       return this.getAttribute(name) ?? '';
     },
-    set(this: HTMLElement, value: string | null) {
-      if (value === null) this.removeAttribute(name);
+    set(this: HTMLElement, value: string | null | undefined) {
+      if (value === null || value === undefined) this.removeAttribute(name);
       else this.setAttribute(name, value);
     },
   });

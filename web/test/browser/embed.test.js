@@ -207,6 +207,15 @@ test('a signal that outlives its calls keeps nothing of them', { skip }, async (
 
 test('what cannot be loaded or asked for is refused with a code', { skip }, async () => {
   const { page } = await element();
+  const nothing = ['generate', 'exportGcode', 'exportBody', 'exportSvg', 'exportProject', 'exportView', 'capture'];
+  const names = await page.evaluate((methods) => {
+    const refused = methods.map((method) => globalThis.element[method](null)); // none throws
+    return Promise.all(refused.map((one) => one.catch(({ name }) => name)));
+  }, nothing);
+  assert.deepEqual(
+    names,
+    nothing.map(() => 'TypeError'),
+  );
   const codes = await page.evaluate(() => {
     const { element } = globalThis;
     const refused = [
@@ -241,8 +250,18 @@ test(
     const { page } = await hosts.open();
     await page.evaluate(
       async ({ studio }) => {
-        await import(`${studio}embed/sillon-studio.js`);
         document.body.style.paddingTop = '5000px';
+        const early = document.createElement('sillon-studio'); // as in a page's HTML: older than its script
+        for (const [name, value] of [
+          ['base', studio],
+          ['mode', 'view'],
+          ['src', 'examples/logo.json'],
+        ]) {
+          early.setAttribute(name, value);
+        }
+        document.body.append(early);
+        globalThis.early = early;
+        await import(`${studio}embed/sillon-studio.js`);
         const element = document.createElement('sillon-studio');
         globalThis.ready = new Promise((resolve) => element.addEventListener('ready', resolve, { once: true }));
         element.setAttribute('poster', `${studio}icon.svg`);
@@ -251,15 +270,41 @@ test(
       },
       { studio: hosts.studio },
     );
-    const poster = page.locator('sillon-studio img');
+    const poster = page.locator('sillon-studio:last-of-type img');
     await poster.waitFor();
     await page.evaluate(
       () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve)))),
     );
-    assert.equal(await page.evaluate(() => globalThis.element.shadowRoot.querySelector('iframe').src), '');
+    const addresses = await page.evaluate(() =>
+      [globalThis.early, globalThis.element].map((one) => one.shadowRoot.querySelector('iframe').src),
+    );
+    assert.deepEqual(addresses, ['', '']);
+    await page.evaluate(() => globalThis.early.remove());
     await page.evaluate(() => globalThis.element.scrollIntoView());
     await page.evaluate(() => globalThis.ready.then(() => undefined));
     assert.equal(await poster.isVisible(), false);
+  },
+);
+
+test(
+  'properties that are set before the script has come are attributes; undefined takes them away',
+  { skip },
+  async () => {
+    const { page } = await hosts.open();
+    const seen = await page.evaluate(
+      async ({ studio }) => {
+        const element = document.createElement('sillon-studio');
+        Object.assign(element, { mode: 'view', units: 'in' });
+        document.body.append(element);
+        await import(`${studio}embed/sillon-studio.js`);
+        await element.info();
+        const address = new URL(element.shadowRoot.querySelector('iframe').src).search;
+        element.units = undefined;
+        return [address, element.mode, element.getAttribute('units')];
+      },
+      { studio: hosts.studio },
+    );
+    assert.deepEqual(seen, ['?mode=view&units=in', 'view', null]);
   },
 );
 

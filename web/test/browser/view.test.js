@@ -197,6 +197,25 @@ test('a poster stands in for what is not there yet, or cannot be', { skip }, asy
   );
 });
 
+test('properties are attributes: null and undefined take them away, and none is too early', { skip }, async () => {
+  const early = () =>
+    addEventListener('DOMContentLoaded', () => {
+      globalThis.early = Object.assign(document.createElement('sillon-view'), { alt: 'A plate', light: 'fixed' });
+      document.body.append(globalThis.early);
+    });
+  await open({ prepare: (page) => page.addInitScript(early) });
+  const seen = await page.evaluate(() => {
+    const { early: view } = globalThis;
+    const found = [view.getAttribute('light'), view.getAttribute('aria-label')];
+    view.alt = 'Another';
+    found.push(view.getAttribute('alt'));
+    view.alt = undefined;
+    view.light = null;
+    return [...found, view.getAttribute('alt'), view.getAttribute('light')];
+  });
+  assert.deepEqual(seen, ['fixed', 'A plate', 'Another', null, null]);
+});
+
 test('many elements share one context, which may be lost and comes back', { skip }, async () => {
   await open({
     prepare: (page) =>
