@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "calibrate/find_outline.hpp"
 #include "calibrate/find_spirals.hpp"
@@ -46,7 +47,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
   std::vector<PointPair> corners;  // of the best
   double next = 0;                 // clarity of the second best way round
   for (std::size_t turn = 0; turn < 4; ++turn) {
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    if (run.cancelled()) return cancelledRun();
     std::vector<PointPair> pairs;
     for (std::size_t k = 0; k < 4; ++k) pairs.push_back({plate[k], outline.value()[(k + turn) % 4], kOutlineWeight});
     FoundCoupon tried;
@@ -65,7 +66,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
   }
   double residual = 0;
   for (const double reach : {kReach, 0.3, 0.3}) {
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    if (run.cancelled()) return cancelledRun();
     const std::vector<SeenSpiral> seen = findSpirals(spirals, best, tones, reach, 1);
     best.clarity = meanClarity(seen);
     std::vector<PointPair> pairs = corners;

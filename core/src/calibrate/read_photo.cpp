@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "base/json.hpp"
 #include "calibrate/find_coupon.hpp"
@@ -172,7 +173,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   };
   int all = 0, burnt = 0;
   for (LitSpiral& s : spirals) {
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    if (run.cancelled()) return cancelledRun();
     lookAt(s);
     all += s.seen.pixels;
     burnt += s.seen.burnt;
@@ -190,7 +191,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
     for (LitSpiral& s : spirals) lookAt(s);
     fit = fitSpirals(spirals, camera, elevation, &fit, run);
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+  if (run.cancelled()) return cancelledRun();
 
   CouponReading out;
   out.pixelsPerMm = coupon.scaleAt(kMiddle);

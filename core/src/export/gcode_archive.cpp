@@ -15,6 +15,7 @@
 #include "export/gcode_facts.hpp"
 #include "export/gzip.hpp"
 #include "export/md5.hpp"
+#include "export/packed_limits.hpp"
 #include "export/zip.hpp"
 #include "export/zip_reader.hpp"
 
@@ -25,13 +26,12 @@ bool isZip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::size_t kMostPacked = std::size_t{1} << 30;
 constexpr std::size_t kMostMetadata = std::size_t{64} << 20;
 constexpr std::size_t kMostRecords = std::size_t{1} << 16;  // [bytes] by which all but the G-code grows
 constexpr double kMoved = 0.5;                              // [mm] by which a box is another
 constexpr int kSmallPicture = 128;                          // [pixels], of plate_1_small.png
 
-Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gcode.3mf ") + what}; }
+Error damaged(const char* what) { return damagedFile(".gcode.3mf", what); }
 
 // ---- a new one
 
@@ -201,10 +201,7 @@ std::string toldPart(const std::vector<std::string_view>& parts, std::size_t siz
 }  // namespace
 
 Result<std::string> packGcode(std::string_view gcode) {
-  if (gcode.size() > kMostPacked) {
-    return Error{ErrorCode::TooLarge, "the G-code is " + std::to_string(gcode.size() >> 20) +
-                                          " MiB; in a .gcode.3mf it must be at most 1024"};
-  }
+  if (const auto problem = tooLargeToPack(gcode.size(), ".gcode.3mf")) return *problem;
   const std::vector<ToldPicture> pictures = toldPictures(gcode);
   const std::string png = nearestPng(pictures, 4096);
   Zip zip;
@@ -309,10 +306,7 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
     take(whole.value());
     return std::nullopt;
   }
-  if (size > kMostPacked) {
-    return Error{ErrorCode::TooLarge,
-                 "the G-code is " + std::to_string(size >> 20) + " MiB; in a .gcode.3mf it must be at most 1024"};
-  }
+  if (const auto problem = tooLargeToPack(size, ".gcode.3mf")) return *problem;
   const std::string_view file = container.file;
   const Result<ZipDirectory> directory = readZip(file);
   if (!directory) return directory.error();

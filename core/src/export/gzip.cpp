@@ -7,6 +7,7 @@
 
 #include "base/crc32.hpp"
 #include "export/bytes.hpp"
+#include "export/packed_limits.hpp"
 #include "input/inflate.hpp"
 #include "sillon/export/gcode_archive.hpp"
 
@@ -15,10 +16,8 @@ namespace {
 
 constexpr std::size_t kHeader = 10;
 constexpr std::size_t kTrailer = 8;  // checksum and size
-constexpr std::size_t kMostPacked = std::size_t{1} << 30;
-constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
 
-Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gz ") + what}; }
+Error damaged(const char* what) { return damagedFile(".gz", what); }
 
 // One past the header; 0 if it does not end.
 std::size_t endOfHeader(std::string_view file) {
@@ -40,10 +39,7 @@ std::size_t endOfHeader(std::string_view file) {
 }
 
 Result<std::string> packed(std::string header, std::string_view text) {
-  if (text.size() > kMostPacked) {
-    return Error{ErrorCode::TooLarge,
-                 "the G-code is " + std::to_string(text.size() >> 20) + " MiB; in a .gz it must be at most 1024"};
-  }
+  if (const auto problem = tooLargeToPack(text.size(), ".gz")) return *problem;
   header += deflated(text);
   append(header, crc32(text), 4);
   append(header, text.size(), 4);

@@ -105,7 +105,7 @@ Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset) {
   }
   if (std::abs(area - outline.value().area) > 1e-9 * (1 + outline.value().area)) {
     return Error{ErrorCode::TooLarge,
-                 "the outline touches itself in a way that cannot be cut into triangles; there is no body of it"};
+                 "the outline touches itself in a way that cannot be cut into triangles, so no body can be made of it"};
   }
   flat.triangulation = std::move(cut);
   return flat;

@@ -52,7 +52,7 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
     for (double& value : p) {
       while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '+')) ++at;
       const auto read = fast_float::from_chars(text.data() + at, text.data() + text.size(), value);
-      if (read.ec != std::errc{}) return broken("has a corner that is no three numbers");
+      if (read.ec != std::errc{}) return broken("has a corner that is not three numbers");
       at = static_cast<std::size_t>(read.ptr - text.data());
     }
     if (corners.size() > 3 * kMostFacets) return corners;

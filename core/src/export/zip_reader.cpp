@@ -7,6 +7,7 @@
 #include "base/crc32.hpp"
 #include "base/sort_key.hpp"
 #include "export/bytes.hpp"
+#include "export/packed_limits.hpp"
 #include "input/inflate.hpp"
 
 namespace sillon {
@@ -16,10 +17,9 @@ constexpr std::size_t kListedSize = 46;
 constexpr std::size_t kLocalSize = 30;
 constexpr std::size_t kEndSize = 22;
 constexpr std::size_t kMostComment = 65535;
-constexpr std::size_t kBestDeflate = 1032;  // nothing becomes smaller than this share
 constexpr std::uint64_t kUtf8Names = 0x0800;
 
-Error damaged(const char* what) { return {ErrorCode::InvalidFile, std::string("the .gcode.3mf ") + what}; }
+Error damaged(const char* what) { return damagedFile(".gcode.3mf", what); }
 
 }  // namespace
 

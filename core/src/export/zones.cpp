@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "export/prism.hpp"
 #include "export/zone_outlines.hpp"
@@ -374,9 +375,9 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
                  "the shape is too small for zones; a cell of them is " + decimal(picture.grid.cell, 2) + " mm wide"};
   }
   const std::vector<double> chosen = refined(picture, chosenDirections(picture, params.most));
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+  if (run.cancelled()) return cancelledRun();
   Labels label = nearestDirections(picture, chosen, params.least);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+  if (run.cancelled()) return cancelledRun();
   widen(label, static_cast<int>(chosen.size()), picture, params.least);
   dropSpecks(label, picture, params.least);
 

@@ -7,6 +7,7 @@
 
 #include "base/decimal_text.hpp"
 #include "base/json_text.hpp"
+#include "base/sentence.hpp"
 #include "base/sort_key.hpp"
 
 namespace sillon {
@@ -212,14 +213,12 @@ std::string withWarnings(std::string report, const std::vector<GcodeWarning>& wa
 }
 
 std::string warningSentence(const GcodeWarning& warning) {
-  std::string sentence = row(warning.code).sentence;
-  for (const WarningValue& value : warning.values) {
-    const std::string place = "{" + std::string(value.name) + "}";
-    const std::size_t at = sentence.find(place);
-    if (at == std::string::npos) continue;
-    sentence.replace(at, place.size(), value.text.empty() ? decimal(value.number, 3) : value.text);
-  }
-  return sentence;
+  return filled(row(warning.code).sentence, [&](std::string_view name) {
+    for (const WarningValue& value : warning.values) {
+      if (name == value.name) return value.text.empty() ? decimal(value.number, 3) : value.text;
+    }
+    return std::string();
+  });
 }
 
 }  // namespace sillon

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <iterator>
 
+#include "base/sentence.hpp"
+
 namespace sillon {
 namespace {
 
@@ -109,19 +111,7 @@ GcodeFinding makeFinding(std::string_view code, bool error, FindingValues values
   finding.rule = std::string(sentence->rule);
   finding.error = error;
   finding.values = std::move(values);
-  std::string_view rest = sentence->text;
-  while (!rest.empty()) {
-    const std::size_t open = std::min(rest.find('{'), rest.size());
-    finding.message += rest.substr(0, open);
-    rest.remove_prefix(open);
-    if (rest.empty()) break;
-    const std::size_t close = rest.find('}');
-    const std::string_view name = rest.substr(1, close - 1);
-    for (const auto& [key, value] : finding.values) {
-      if (key == name) finding.message += value;
-    }
-    rest.remove_prefix(close + 1);
-  }
+  finding.message = filledFrom(sentence->text, finding.values);
   return finding;
 }
 

@@ -110,6 +110,12 @@ void setOrigin(MachineState& state, const GcodeWords& words) {
 
 }  // namespace
 
+Vec2 onArc(const MachineMove& arc, double share) {
+  const Vec2 a = arc.from - arc.centre;
+  const double turn = share * arc.turn;
+  return arc.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)};
+}
+
 bool setsTool(const GcodeCommand& command, const GcodeWords& words, bool duet) {
   if (!command.is('G', 10)) return false;
   for (const char letter : {'P', 'L', 'R', 'X', 'Y', 'Z'}) {

@@ -35,6 +35,9 @@ struct MachineMove {
   bool readable = true;  ///< an arc without a centre, or with a radius that cannot be, is not followed
 };
 
+/// A place on an arc that is readable. \param share  of its turn, 0..1.
+Vec2 onArc(const MachineMove& arc, double share);
+
 /// What SAVE_GCODE_STATE of Klipper or M120 of RepRapFirmware keeps.
 struct SavedState {
   bool absolute = true;

@@ -319,13 +319,7 @@ void Rules::move(const MachineMove& move) {
   if (move.arc && !move.readable) found("unread-arc", true);
   if (move.arc && move.readable) {
     constexpr int kPieces = 32;
-    const Vec2 a = move.from - move.centre;
-    for (int k = 1; k < kPieces; ++k) {
-      const double turn = move.turn * k / kPieces;
-      checkPlace(
-          move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)},
-          "an arc");
-    }
+    for (int k = 1; k < kPieces; ++k) checkPlace(onArc(move, static_cast<double>(k) / kPieces), "an arc");
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
   const bool zTold = machine_.told(kAxisZ);
@@ -429,8 +423,8 @@ void Rules::checkHot() {
 }
 
 // Noise is a zigzag: three turns in a row, left and right in turn. Its amplitude is half the middle's distance from the
-// line between its neighbours, so that curves and corners, which turn to one side, have none. A turn that no planner
-// brakes for is none either: else a curve that bends to and fro would have more noise the longer its moves are.
+// line between its neighbours, so that curves and corners, which turn to one side, have none. Turns too
+// small to make a planner brake do not count; otherwise S-curves made of long moves would look noisy.
 void Rules::follow(Vec2 p) {
   trail_.push_back(p);
   if (trail_.size() < 5) return;

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
@@ -474,7 +475,7 @@ Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, c
   Grid grid = gridOf(raised, tables, solved.level);
   solve(grid, tables, smoothed.smoothness, run);
   solved.directions = refined(grid, tables, smoothed.smoothness, run);
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "solving for the pictures was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return solved;
 }
 

@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 
+#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "look/decay.hpp"
 #include "look/direction_colour.hpp"
@@ -261,7 +262,7 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
     drawLegend(image, layout);
     drawLamp(image, layout, params.look.lamp);
   }
-  if (run.cancelled()) return Error{ErrorCode::Cancelled, "preview was cancelled"};
+  if (run.cancelled()) return cancelledRun();
   return image;
 }
 

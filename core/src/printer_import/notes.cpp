@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/sentence.hpp"
+
 namespace sillon {
 namespace {
 
@@ -52,18 +54,7 @@ ImportNote importNote(std::string_view code, std::initializer_list<std::pair<con
   const auto* row = std::find_if(std::begin(kSentences), std::end(kSentences),
                                  [&](const Sentence& sentence) { return sentence.code == code; });
   assert(row != std::end(kSentences));
-  std::string_view rest = row->text;
-  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
-    const std::size_t close = rest.find('}', open);
-    const std::string_view name = rest.substr(open + 1, close - open - 1);
-    const auto value =
-        std::find_if(note.values.begin(), note.values.end(), [&](const auto& pair) { return pair.first == name; });
-    assert(value != note.values.end());
-    note.message += rest.substr(0, open);
-    note.message += value->second;
-    rest.remove_prefix(close + 1);
-  }
-  note.message += rest;
+  note.message = filledFrom(row->text, note.values);
   return note;
 }
 

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
@@ -243,7 +244,7 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
                  band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
       }
     });
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "judging the pictures was cancelled"};
+    if (run.cancelled()) return cancelledRun();
     return SeenCells{cells.width, cells.height, std::move(lights)};
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::TooLarge, "judging the pictures needs more memory than there is"};

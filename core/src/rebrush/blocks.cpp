@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "base/sort_key.hpp"
 #include "gcode_reader/parser.hpp"
@@ -354,14 +355,10 @@ void Reader::endStretch() {
       beads.push_back({move.from, move.to, own});
       continue;
     }
-    const Vec2 a = move.from - move.centre;
     const int pieces = std::clamp(static_cast<int>(std::abs(move.turn) * 8) + 1, 1, 64);
     Vec2 last = move.from;
     for (int piece = 1; piece <= pieces; ++piece) {
-      const double turn = move.turn * piece / pieces;
-      const Vec2 p = piece == pieces ? move.to
-                                     : move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn),
-                                                          a.x * std::sin(turn) + a.y * std::cos(turn)};
+      const Vec2 p = piece == pieces ? move.to : onArc(move, static_cast<double>(piece) / pieces);
       beads.push_back({last, p, own});
       last = p;
       if (piece == (pieces + 1) / 2) middles[k] = p;
@@ -631,7 +628,7 @@ Result<SlicedBlocks> readBlocks(std::string_view gcode, const RunContext& run) {
   Reader reader(gcode, readFileSettings(gcode, {}));
   run.beginStage("reading", 0, 1);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { reader.line(line); })) {
-    return Error{ErrorCode::Cancelled, "cancelled"};
+    return cancelledRun();
   }
   return reader.finish();
 }

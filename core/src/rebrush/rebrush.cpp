@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "rebrush/blocks.hpp"
 #include "rebrush/replace.hpp"
@@ -119,7 +120,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
     const SurfaceBlock& block = blocks[k];
     const SlicedSurface& surface = block.surface;
     if (options.onSurface) options.onSurface(out.surfaces.size(), chosen.size());
-    if (run.cancelled()) return Error{ErrorCode::Cancelled, "cancelled"};
+    if (run.cancelled()) return cancelledRun();
     RebrushedSurface& made = out.surfaces.emplace_back();
     made.surface = k;
     const auto leave = [&](std::string why) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/cancelled.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
@@ -79,13 +80,10 @@ class Beads {
       take_({single(move.from), single(move.to), width, top, height});
       return;
     }
-    const Vec2 a = move.from - move.centre;
     const int pieces = std::clamp(static_cast<int>(std::abs(move.turn) * 8) + 1, 1, 64);
     Vec2 last = move.from;
     for (int k = 1; k <= pieces; ++k) {
-      const double turn = move.turn * k / pieces;
-      const Vec2 p =
-          move.centre + Vec2{a.x * std::cos(turn) - a.y * std::sin(turn), a.x * std::sin(turn) + a.y * std::cos(turn)};
+      const Vec2 p = onArc(move, static_cast<double>(k) / pieces);
       take_({single(last), single(p), width, top, height});
       last = p;
     }
@@ -178,7 +176,7 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunConte
   run.beginJob();
   run.beginStage("reading", 0, 0.5);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { beads.line(line); })) {
-    return Error{ErrorCode::Cancelled, "cancelled"};
+    return cancelledRun();
   }
   if (beads.beyond) {
     return Error{ErrorCode::InvalidFile, "a bead lies more than 10 m away from the bed's origin"};
@@ -198,7 +196,7 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunConte
   Beads again(settings, [&](const Bead& bead) { draw(bead, relief); });
   run.beginStage("drawing", 0.5, 1);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { again.line(line); })) {
-    return Error{ErrorCode::Cancelled, "cancelled"};
+    return cancelledRun();
   }
   return relief;
 }
