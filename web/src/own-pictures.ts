@@ -13,7 +13,7 @@ import { fileKinds, generatorKinds, newColours, newFileDirections, newGenerator,
 import { viewLook } from './model/filaments.js';
 import { directionsFor, flatColours } from './model/flat-colours.js';
 import { homeLight } from './model/lamp.js';
-import type { DirectionSource, Plate, ShapeSource, SourceFile } from './model/plate.js';
+import { pageOf, type DirectionSource, type Plate, type ShapeSource, type SourceFile } from './model/plate.js';
 import { brightnessOf, plateThumbnail, thumbnailSide } from './views/plate-thumbnail.js';
 
 type Kind = DirectionSource['kind'];
@@ -64,7 +64,7 @@ function sourceOf(
 }
 
 async function brightOf(source: DirectionSource, plate: Plate, size: Size, own: Picture | undefined) {
-  const page = [plate.width, plate.height || plate.width] as const;
+  const page = pageOf(plate);
   const round = plate.shape.kind === 'disc';
   const picture =
     source.kind === 'text' ? drawText(source, size, round) : source.kind === 'qr' ? await qrPicture(source.text) : own;
@@ -80,8 +80,6 @@ const litPicture = (picture: Picture, size: Size) => ({
   ...size,
   bright: tonesAt(picture, size).map((tone) => 0.05 + 0.85 * tone),
 });
-
-const pageOf = ({ width, height }: Plate): readonly [number, number] => [width, height || width];
 
 async function own(plate: Plate, lamp: number) {
   const file = ownFile(plate, lamp);

@@ -7,7 +7,7 @@ import type { Rasteriser } from './directions/rasteriser.js';
 import type { StudioEngine } from './engine/studio-engine.js';
 import { viewLook } from './model/filaments.js';
 import { isOf, isRound, roomShape, sameDirections, sameSource } from './model/result.js';
-import type { Plate } from './model/plate.js';
+import { pageOf, type Plate } from './model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from './model/problem.js';
 import type { PlateResult } from './model/state.js';
 import type { Store } from './model/store.js';
@@ -159,7 +159,7 @@ export class Pipeline {
         source: plate.directions,
         modes: plate.modes,
         strokes: plate.directions.kind === 'lamp' ? [] : plate.strokes, // the engine solves for them alone
-        page: [plate.width, plate.height || plate.width],
+        page: pageOf(plate),
         round: isRound(plate),
         room: roomShape(plate) === undefined ? undefined : await this.room(plate),
         resolution: coarse ? coarseResolution : fineResolution,

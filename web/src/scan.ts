@@ -11,6 +11,7 @@ import { startWorker } from './start-worker.js';
 import scanWorker from './views/scan.worker.ts?worker&url';
 import type { ScanRequest } from './views/scan.worker.js';
 import './panels/scan-note.js';
+import { pageOf } from './model/plate.js';
 
 /** As a phone sees it from so far that single beads are no longer seen [pixels]. */
 const pixelsPerModule = 5;
@@ -36,7 +37,7 @@ export async function scan(
   if (directions.kind !== 'qr') return undefined;
   const { text } = directions;
   const room = roomShape(plate) === undefined ? undefined : await shapeRoom(plate, engine);
-  const share = await moduleShare(directions, [plate.width, plate.height || plate.width], isRound(plate), room);
+  const share = await moduleShare(directions, pageOf(plate), isRound(plate), room);
   const width = Math.round(Math.min(1024, Math.max(64, pixelsPerModule / share)));
   const worker = startWorker(scanWorker, 'scan');
   const read: number[] = [];

@@ -9,6 +9,7 @@ import type { PlateResult } from './model/state.js';
 import type { Light } from './model/view.js';
 import { shine } from './views/miniature.js';
 import { brightnessOf } from './views/plate-thumbnail.js';
+import { pageOf } from './model/plate.js';
 
 const beadsPerCell = 2;
 /** Of the bead that a cell has room for: less is no part of the plate. */
@@ -98,7 +99,7 @@ function compared(wanted: readonly number[], seen: readonly number[]): Pick<Seen
 /** @param raster  the plate's directions, with strokes */
 export function seenOf({ plate, toolpath }: Pick<PlateResult, 'plate' | 'toolpath'>, raster: DirectionRaster): Seen {
   const { spacing } = plate.toolpath;
-  const page = [plate.width, plate.height || plate.width] as const;
+  const page = pageOf(plate);
   const [width, height] = page.map((side) => Math.max(1, Math.round(side / (beadsPerCell * spacing)))) as [
     number,
     number,

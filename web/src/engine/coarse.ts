@@ -1,15 +1,16 @@
 // How coarse a preview must be to keep up with a hand.
-import type { Plate } from '../model/plate.js';
+import { pageOf, type Plate } from '../model/plate.js';
 
-/** [ms] of 60; the rest is for directions and for drawing. */
+/** Engine time per preview [ms]; the other 15 of 60 ms are for directions and drawing. */
 const target = 45;
 const guess = 0.002; // [ms] per cell; measured in Chromium, one thread
 const fewestBeads = 10;
 const largestSpacing = 20; // of the engine
 
-export const cellsOf = ({ width, height, toolpath }: Plate, factor = 1): number => {
-  const cell = (toolpath.spacing * factor) / 2;
-  return (width * (height || width)) / (cell * cell);
+export const cellsOf = (plate: Plate, factor = 1): number => {
+  const cell = (plate.toolpath.spacing * factor) / 2;
+  const [width, height] = pageOf(plate);
+  return (width * height) / (cell * cell);
 };
 
 /** What a plate's cell has cost lately, and what a preview costs besides. */
@@ -29,7 +30,7 @@ export class Cost {
     // Half is for beads, whatever comes besides: fewer of them would not make that less, and show nothing in the end.
     const forBeads = Math.min(target, Math.max(target / 2, target - this.#besides));
     const { spacing } = plate.toolpath;
-    const widest = Math.min(largestSpacing, Math.min(plate.width, plate.height || plate.width) / fewestBeads);
+    const widest = Math.min(largestSpacing, Math.min(...pageOf(plate)) / fewestBeads);
     return Math.max(1, Math.min(Math.sqrt(full / forBeads), widest / spacing));
   }
 }

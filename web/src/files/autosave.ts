@@ -3,7 +3,7 @@
 // overwritten.
 import { createStore, delMany, getMany, keys, promisifyRequest } from 'idb-keyval';
 import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type FileFrom } from '../model/check-plate.js';
-import type { Plate, SourceFile } from '../model/plate.js';
+import { pageOf, type Plate, type SourceFile } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
 import type { Steps } from '../model/store.js';
 import { webLocks, type Locks } from './locks.js';
@@ -334,11 +334,11 @@ export function createAutosave(
       past: past.map(told),
       future: future.map(told),
     };
-    const { width, height } = plate;
+    const [width, height] = pageOf(plate);
     const about: About = {
       name: plate.name,
       width,
-      height: height || width,
+      height,
       changed: Date.now(),
       fresh: begun.get(id) === plate,
       ...(pictures.has(id) ? { picture: pictures.get(id) } : {}),

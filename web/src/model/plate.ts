@@ -68,10 +68,10 @@ export type DirectionSource =
   | { kind: 'waves'; angle: number; amplitude: number; length: number }
   | { kind: 'noise'; seed: number; scale: number; amplitude: number; angle: number };
 
-/** One gesture of a brush, in page units as above. Edits are replayed in order over the source. */
 /** What beads may do at a place, as people choose among it. */
 export const modeChoices = ['constrained', 'parallel', 'orthogonal', 'smoothest'] as const satisfies DirectionMode[];
 
+/** One gesture of a brush, in page units as above. Edits are replayed in order over the source. */
 export interface Stroke {
   tool: 'comb' | 'mode' | 'erase';
   /** x0, y0, x1, y1, ... */
@@ -115,3 +115,9 @@ export interface Plate {
   /** Instead of its colour and gloss, those of a spool of one's own. */
   spool?: OwnSpool | undefined;
 }
+
+/** Width and height. */
+export const pageOf = ({ width, height }: Pick<Plate, 'width' | 'height'>): [number, number] => [
+  width,
+  height || width,
+];

@@ -4,6 +4,7 @@ import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { settingOf, withValue } from '../model/settings.js';
 import { StudioElement } from './element.js';
+import { pageOf } from '../model/plate.js';
 
 @customElement('sillon-bed')
 export class Bed extends StudioElement {
@@ -68,7 +69,7 @@ export class Bed extends StudioElement {
       );
     const middle: [number, number] = [px + box[0] / 2, py + box[1] / 2];
     const turned = `translate(${middle[0]} ${middle[1]}) rotate(${print.rotate})`;
-    const tall = height || width;
+    const [, tall] = pageOf({ width, height });
     return html`<svg
       role="img"
       aria-label=${t('setting.print.place')}

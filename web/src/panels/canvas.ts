@@ -6,7 +6,7 @@ import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
 import { pictureOf } from '../model/lamp.js';
-import type { Plate, Stroke } from '../model/plate.js';
+import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../style/bench.js';
 import { panned, zoomed } from '../views/camera.js';
@@ -217,7 +217,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     drawOverlay(this.overlay, {
       camera: this.camera,
       pixels,
-      page: [plate.width, plate.height || plate.width],
+      page: pageOf(plate),
       cursor: this.state.tool === 'pan' ? undefined : this.#cursor,
       radius: this.state.brush.radius * plate.width,
       softness: this.state.brush.softness,
@@ -354,7 +354,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #page(): { page: [number, number]; shown: number } {
     const { plate } = this.state;
-    const page: [number, number] = [plate.width, plate.height || plate.width];
+    const page = pageOf(plate);
     return { page, shown: this.#compares(this.state) ? page[0] * (2 + gap) : page[0] };
   }
 

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { newShape } from '../model/defaults.js';
-import type { Plate, ShapeSource } from '../model/plate.js';
+import { pageOf, type Plate, type ShapeSource } from '../model/plate.js';
 import { settingOf, withValue } from '../model/settings.js';
 import { StudioElement } from './element.js';
 import { DrawnChoices } from './drawn-choices.js';
@@ -93,7 +93,7 @@ export class ShapePanel extends StudioElement {
       return;
     }
     this.studio.change((plate) => {
-      const side = kind === 'disc' ? Math.min(plate.width, plate.height || plate.width) : undefined;
+      const side = kind === 'disc' ? Math.min(...pageOf(plate)) : undefined;
       return { ...plate, shape: newShape(kind), ...(side === undefined ? {} : { width: side, height: side }) };
     });
   }
@@ -126,7 +126,7 @@ export class ShapePanel extends StudioElement {
   #fit({ printer, toolpath, width, height }: Plate): TemplateResult {
     const bed = [printer.bedMax[0] - printer.bedMin[0], printer.bedMax[1] - printer.bedMin[1]] as const;
     const box = this.studio.boxOnBed();
-    const beads = Math.floor(Math.min(width, height || width) / toolpath.spacing);
+    const beads = Math.floor(Math.min(...pageOf({ width, height })) / toolpath.spacing);
     const tooLarge = box[0] > bed[0] || box[1] > bed[1];
     return html`<p class="note figures">
         ${t('size.onBed', {

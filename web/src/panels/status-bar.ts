@@ -7,6 +7,7 @@ import { isOf } from '../model/result.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { inUnits } from './size-fields.js';
+import { pageOf } from '../model/plate.js';
 
 @customElement('sillon-status')
 export class StatusBar extends StudioElement {
@@ -141,9 +142,7 @@ export class StatusBar extends StudioElement {
 
   #figures(): TemplateResult {
     const { plate, result, cancelled, units } = this.state;
-    const size = [plate.width, plate.height || plate.width].map((length) =>
-      formatNumber(inUnits(length, units), units === 'in' ? 2 : 1),
-    );
+    const size = pageOf(plate).map((length) => formatNumber(inUnits(length, units), units === 'in' ? 2 : 1));
     // Figures of another plate - the last one that could be made - would be taken for this one's.
     const own = result !== undefined && isOf(result, plate);
     const length = own ? result.report.lengthMm : undefined;

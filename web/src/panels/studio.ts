@@ -5,7 +5,7 @@ import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, lampsOf } from '../model/lamp.js';
-import type { Plate, Stroke } from '../model/plate.js';
+import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import type { Seen } from '../model/doubts.js';
 import type { DirectionRaster } from '../model/raster.js';
 import type { Box } from '../model/rebrush.js';
@@ -165,11 +165,11 @@ export class Studio {
 
   /** The page's box as it lies turned. */
   boxOnBed(): [number, number] {
-    const { width, height, print } = this.store.state.plate;
-    const angle = (print.rotate * Math.PI) / 180;
+    const { plate } = this.store.state;
+    const [width, tall] = pageOf(plate);
+    const angle = (plate.print.rotate * Math.PI) / 180;
     const c = Math.abs(Math.cos(angle));
     const s = Math.abs(Math.sin(angle));
-    const tall = height || width;
     return [c * width + s * tall, s * width + c * tall];
   }
 

@@ -1,5 +1,5 @@
 // Strokes of brushes that are ahead of the beads: shown at once, until the plate that follows them is there.
-import type { Plate } from '../model/plate.js';
+import { pageOf, type Plate } from '../model/plate.js';
 import { sameSource } from '../model/result.js';
 import { drawStrokes } from './print-drawing.js';
 
@@ -14,7 +14,7 @@ export function strokesAhead(plate: Plate, made: Plate): Draw | undefined {
   while (same < made.strokes.length && made.strokes[same] === plate.strokes[same]) ++same;
   const ahead = plate.strokes.slice(same);
   if (ahead.length === 0) return undefined;
-  const sides = [plate.width, plate.height || plate.width] as const;
+  const sides = pageOf(plate);
   const inMm = ahead.map(({ points, radius }) => ({
     points: points.map((value, k) => value * sides[(k % 2) as 0 | 1]),
     radius: radius * plate.width,
