@@ -91,7 +91,7 @@ val guarded(const std::function<val(sillon::RunContext&)>& body) {
   } catch (const std::exception& problem) {
     return failure("Internal", problem.what());
   } catch (...) {
-    return failure("Internal", "something that is no exception was thrown");
+    return failure("Internal", "something other than an exception was thrown");
   }
 }
 

@@ -1,4 +1,4 @@
-// What the bindings of both modules share: every function that JavaScript may call returns {value} or
+// What the bindings of all modules share: every function that JavaScript may call returns {value} or
 // {error: {code, message}}; no exception leaves.
 #pragma once
 

@@ -187,7 +187,7 @@ TEST_CASE("squares of the first layer have equal plastic and their own heights")
   CHECK(squares == 7);
 }
 
-TEST_CASE("every row of hairpins has its own advance, in the dialect's words, and the last one does not stay") {
+TEST_CASE("every row of U-turns has its own advance, in the dialect's words, and the last one does not stay") {
   for (const Project& project : dialects()) {
     CAPTURE(project.printer.name);
     const CalibrationPlate plate = made(CalibrationKind::Advance, project);
@@ -215,7 +215,7 @@ TEST_CASE("every row of hairpins has its own advance, in the dialect's words, an
   }
 }
 
-TEST_CASE("a hairpin's legs are three widths apart and as long as the row is high") {
+TEST_CASE("a U-turn's legs are three widths apart and as long as the row is high") {
   const CalibrationPlate plate = made(CalibrationKind::Advance);
   for (const CalibrationValue& value : plate.values) {
     const Patch& patch = plate.patches.patches[value.patch];

@@ -408,7 +408,7 @@ TEST_CASE("a circle goes at most at the root of acceleration times radius, evenl
   }
 }
 
-TEST_CASE("a hairpin is slower than its straights, which keep their speed, and so are its first and last bends") {
+TEST_CASE("a U-turn is slower than its straights, which keep their speed, and so are its first and last bends") {
   for (const GcodeFlavor flavor : {GcodeFlavor::Klipper, GcodeFlavor::Marlin}) {
     MotionLimits limits = someLimits(flavor);
     limits.curveAcceleration = 1000;

@@ -166,7 +166,7 @@ TEST_CASE("every scene gives one simple closed toolpath per part that covers the
       CHECK(m.crossings == 0);
       CHECK(m.spill <= 0.05);
       CHECK(m.overlap < 0.5);
-      // Slivers hold few beads. White noise is hairpins everywhere, and beads do not overlap to hide it.
+      // Slivers hold few beads. White noise is U-turns everywhere, and beads do not overlap to hide it.
       const bool sliver = scene.name == "sliver" || scene.name == "two beads";
       const bool noise = scene.name == "noise";
       CHECK(m.coverage > (sliver ? 60 : noise ? 90 : 92.5));

@@ -212,7 +212,7 @@ TEST_CASE("what cannot be read is listed with its value") {
   CHECK(read.read == std::vector<std::string>{"max_print_height", "start_gcode"});
   CHECK(problem("hello = world\n") == "the file has no setting of a printer that is known here");
   CHECK(problem("") != "");
-  CHECK(problem(std::string("a\0b", 3)).find("the file is no text") == 0);
+  CHECK(problem(std::string("a\0b", 3)).find("the file is not text") == 0);
 }
 
 TEST_CASE("round beds and beds of many corners are told apart") {

@@ -163,7 +163,7 @@ TEST_CASE("alignment of straight rows is minus cos² of their angle to the map")
   }
 }
 
-TEST_CASE("rows joined by hairpins have one U-turn each") {
+TEST_CASE("rows joined by U-turns have one U-turn each") {
   const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 20})}, {40, 20});
   std::vector<Vec2f> points;
   constexpr int kRows = 10;

@@ -174,7 +174,7 @@ TEST_CASE("a bead grows again, in two rounds, where its neighbour gave way to an
   checkRow(most[2], grown(1.2 * 0.35, 0.2, 0.35));
 }
 
-TEST_CASE("the legs of a hairpin make room for each other, but for seven steps round its tip") {
+TEST_CASE("the legs of a U-turn make room for each other, but for seven steps round its tip") {
   // Two legs 0.25 mm apart, for beads of 0.4 mm.
   const ClosedCurves curves =
       resampled(scenes::closed({{{10, 10}, {20, 10}, {20, 10.25f}, {10, 10.25f}}}), 0.1f, RunContext(1));

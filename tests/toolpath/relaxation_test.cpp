@@ -211,7 +211,7 @@ TEST_CASE("where lines are asked for, paths are smoothed by 0.3 at most") {
   }
 }
 
-TEST_CASE("a circle's gaps inside are its diameter, so a hairpin's tip keeps its size") {
+TEST_CASE("a circle's gaps inside are its diameter, so a U-turn's tip keeps its size") {
   ClosedCurves curves;
   for (const Vec2 p : scenes::circle({20, 20}, 0.25, 40))
     curves.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
@@ -278,7 +278,7 @@ TEST_CASE("kinks are rounded, and only what lies within a spacing of one moves")
   }
 }
 
-TEST_CASE("a hairpin whose legs lie too near to each other is pulled back to where it can turn") {
+TEST_CASE("a U-turn whose legs lie too near to each other is pulled back to where it can turn") {
   // A wedge of 2 mm, from legs 0.6 mm apart to a point.
   ClosedCurves curves = resampled(
       scenes::closed({{{10, 10}, {12, 9.7f}, {12, 8}, {20, 8}, {20, 12}, {12, 12}, {12, 10.3f}}}), 0.1f, RunContext(1));

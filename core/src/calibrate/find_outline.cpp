@@ -241,15 +241,14 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
         "the coupon is cut off by the photograph's border; all of it and some ground around it must show");
   }
   std::vector<Vec2> hull = convexHull(part);
-  if (hull.size() < 4) return unreadable("the photograph shows no coupon; what lies there is no square");
+  if (hull.size() < 4) return unreadable("the photograph shows no coupon; what lies there is not square");
   // Corners of pixels, not their lower ones.
   Vec2 middle;
   for (const Vec2 p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * p;
   const double hullArea = areaOf(hull);
   const std::vector<Vec2> quad = quadAround(hull);
   if (quad.size() != 4 || static_cast<double>(part.size()) < 0.8 * hullArea || hullArea < 0.9 * areaOf(quad)) {
-    return unreadable(
-        "the photograph shows no coupon; what lies there is no square, or one that is cut off or covered");
+    return unreadable("the photograph shows no coupon; what lies there is not square, or is cut off or covered");
   }
   std::vector<Vec2> corners;
   for (const Vec2 p : quad) corners.push_back(picture.scale * (p + Vec2{0.5, 0.5}));

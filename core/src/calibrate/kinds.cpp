@@ -18,7 +18,7 @@ const CalibrationRow kKinds[] = {
     {"first-layer", -0.06, 0.06, 7, 3, kNozzleHeight, "mm", "the square whose lines just close, without ridges"},
     {"flow", 0.88, 1.0, 7, 2, "print.flow", "", "the lowest disc without dark gaps between its rounds"},
     {"advance", 0, 0.08, 9, 3, "printer.pressureAdvance, printer.setPressureAdvance", "s",
-     "the row whose hairpins are as wide in their turns as along their legs"},
+     "the row whose beads are as wide in the U-turns as along the legs"},
     {"speed", 15, 70, 12, 1, "printer.showSpeed, print.constantFlow", "mm/s",
      "the fastest row that is as glossy as the slowest one; the half that looks more even tells constantFlow"},
     {"temperature", -15, 15, 7, 0, "printer.nozzleTemperature", "degrees Celsius",

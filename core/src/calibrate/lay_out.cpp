@@ -81,7 +81,7 @@ void combs(PlateBuilder& plate) {
   constexpr double kLength = 36;
   constexpr double kRow = 6;
   const Printer& printer = plate.printer();
-  // As fast as plates run: slower hairpins show nothing.
+  // As fast as plates run: slower U-turns show nothing.
   double speed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
   speed = std::min(speed, fastest(printer, plate.print(), 1));
   rows(plate, kLength, kRow, [&](Vec2 corner, double value) {

@@ -32,7 +32,7 @@ PatchLine wedge(Vec2 leftMiddle, double length, int lines, double from, double t
 /// `width`, over waves of 9 mm. Their cells are the rectangle. \param length  [mm], `width` plus a multiple of 9.
 PatchLine wavyRow(Vec2 corner, double length, int lines, double width);
 
-/// Hairpins: legs of `height` along y, three widths apart, from the left to the right.
+/// U-turns: legs of `height` along y, three widths apart, from the left to the right.
 PatchLine comb(Vec2 corner, double length, double height, double width);
 
 /// Writing. \param unit  a sixth of a capital's height [mm].

@@ -123,7 +123,8 @@ std::optional<Error> checkToolpath(const Toolpath& toolpath, const Printer& prin
   if (toolpath.cycles.empty())
     return Error{ErrorCode::EmptyShape, "the toolpath has no cycles; there is nothing to print"};
   if (!(toolpath.spacing > 0 && toolpath.spacing <= kMaxCoordinate)) {
-    return invalid("the toolpath's spacing is " + decimal(toolpath.spacing, 6) + " mm; it must be above 0");
+    return invalid("the toolpath's spacing is " + decimal(toolpath.spacing, 6) +
+                   " mm; it must be above 0, at most 100000");
   }
   const double height = std::max(params.layerHeight, firstLayerHeight(params));
   const double maxArea = 4 * printer.nozzle * printer.nozzle;

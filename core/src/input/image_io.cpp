@@ -463,7 +463,7 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
             ErrorCode::InvalidFile,
             name + " is " + kind + "; pictures must be PNG, JPEG, BMP or TGA, and drawings plain SVG in UTF-8"};
       }
-      return Error{ErrorCode::InvalidFile, name + " is no picture that can be read (it begins with bytes " +
+      return Error{ErrorCode::InvalidFile, name + " is not a picture that can be read (it begins with bytes " +
                                                firstBytes(bytes) + "); PNG, JPEG, BMP and TGA can"};
   }
   if (!facts.defect.empty()) return unreadable(name, format, facts.defect);

@@ -65,7 +65,7 @@ Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view n
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   const bool json = begin != std::string_view::npos && text[begin] == '{';
   if (text.find('\0') != std::string_view::npos)
-    return invalidFile("the file is no text; G-code, .ini, .json, .orca_printer and .3mf are read");
+    return invalidFile("the file is not text; G-code, .ini, .json, .orca_printer and .3mf are read");
   if (!json && looksLikeGcode(text)) return importDonor(text);
   if (text.size() > kMaxSettingsBytes) {
     return Error{ErrorCode::TooLarge,

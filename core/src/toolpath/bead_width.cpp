@@ -24,7 +24,7 @@ constexpr int kRounds = 3;  ///< one to give way, two to grow; more gain less th
 constexpr float kGrowth = 1.2f;      ///< at most, in one round
 constexpr float kYielding = 0.995f;  ///< less is not worth another look: half of the time of this stage
 
-constexpr int kOwnChain = 7;  ///< points tau/4 apart: a hairpin's legs do not count as neighbours of each other
+constexpr int kOwnChain = 7;  ///< points tau/4 apart: a U-turn's legs do not count as neighbours of each other
 
 // What beads may take of the room between them: see holdApart.
 struct Room {

@@ -39,7 +39,7 @@ bool hasKink(const std::vector<Vec2f>& path, float spacing) {
   return false;
 }
 
-// How a kink is taken away: bending moves the path least, shortening pulls the tips of hairpins back to where their
+// How a kink is taken away: bending moves the path least, shortening pulls the tips of U-turns back to where their
 // legs lie further apart.
 struct Remedy {
   bool shorten;

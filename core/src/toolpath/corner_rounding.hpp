@@ -1,4 +1,4 @@
-// Rounds the sharp turns that evening out leaves at the tips of hairpins.
+// Rounds the sharp turns that evening out leaves at the tips of U-turns.
 #pragma once
 
 #include "sillon/base/run_context.hpp"
@@ -8,7 +8,7 @@
 namespace sillon {
 
 /// Where a path turns by more than 56 degrees within tau/4, bends the fewest points around it as little as takes the
-/// turn below that. Where bending seven points on either side does not, the tip is a hairpin's whose legs lie too near
+/// turn below that. Where bending seven points on either side does not, the tip is a U-turn's whose legs lie too near
 /// to each other, and is pulled back by up to three spacings. Points stay where that would make the path meet itself or
 /// another, or bring it nearer to the border than tau/4 (0.18 tau where that does not help) and than it was nearby.
 /// \param curves  points about tau/4 apart; their number stays.

@@ -18,10 +18,10 @@ constexpr float kCap =
     1.5f;  ///< gaps wider than this count as this [tau]; also the width a bead has with nothing beside it
 constexpr float kMaxMove = 0.15f;  ///< per round [tau]
 // Small differences are drift of the spacing, and evening them out tilts beads over long stretches: wave loses 0.0019
-// of alignment per round at a strength of 0.25. What is larger is room that a hairpin left, worth filling at once.
+// of alignment per round at a strength of 0.25. What is larger is room that a U-turn left, worth filling at once.
 constexpr float kDrift = 0.24f;          ///< [tau]
 constexpr float kVoidStrength = 0.7f;    ///< of the difference beyond kDrift
-constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where hairpins lie
+constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where U-turns lie
 // Where lines are kept to, which leaves gaps uneven:
 constexpr float kAskedStrength = 0.25f;  ///< at least
 constexpr float kAskedSmoothing = 0.3f;  ///< at most: what runs along the lines needs less
@@ -143,7 +143,7 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
       }
       // Equal steps may cut corners where strands lie near to each other, however little was moved.
       ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);
-      // Not before the last round: smoothing points hairpins anew.
+      // Not before the last round: smoothing points U-turns anew.
       if (round + 1 == rounds) roundKinks(next, border, params.spacing, run);
       BeadGaps nextGaps = beadGaps(next, border, params.spacing, kCap * spacing, run);
       // Equal steps meet where points lie near to each other; other segments may be longer.

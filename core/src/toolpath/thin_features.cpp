@@ -14,7 +14,7 @@ constexpr std::size_t kShortestLine = 8;  ///< nodes: shorter ones are necks, an
 constexpr std::size_t kDotCells = 6;      ///< at most, of a dot in which no place was filled
 constexpr int kReach = 3;                 ///< nodes: a contour that is nearer fills the place
 constexpr std::size_t kSmallest =
-    4;  ///< nodes of a place worth a contour: a smaller one adds two hairpins and covers nothing
+    4;  ///< nodes of a place worth a contour: a smaller one adds two U-turns and covers nothing
 
 bool contourNear(const Grid& nodes, const std::vector<float>& values, int x, int y) {
   for (int b = std::max(0, y - kReach); b <= std::min(nodes.ny - 1, y + kReach); ++b) {

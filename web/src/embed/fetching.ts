@@ -81,7 +81,7 @@ function namedBy(bytes: ArrayBuffer): string[] {
  * below it, and no query goes with it. */
 function besideProject(name: string, project: URL): URL {
   const short = name.slice(0, 100);
-  if (!URL.canParse(name, project)) throw new Error(`${short} is no address`);
+  if (!URL.canParse(name, project)) throw new Error(`${short} is not an address`);
   const url = new URL(name, project);
   if (url.origin !== project.origin) throw new Error(`${short} lies on another site than its project`);
   const folder = project.protocol === 'blob:' ? undefined : new URL('.', project).pathname;
@@ -97,7 +97,7 @@ function besideProject(name: string, project: URL): URL {
  * @throws Error with one sentence for people; the signal's reason */
 export async function fetchFiles(files: readonly Asked[], base: string, signal?: AbortSignal): Promise<Fetched[]> {
   const addressOf = (text: string, from: string | URL): URL => {
-    if (!URL.canParse(text, from)) throw new Error(`${text.slice(0, 100)} is no address`);
+    if (!URL.canParse(text, from)) throw new Error(`${text.slice(0, 100)} is not an address`);
     return new URL(text, from);
   };
   const fetched: Fetched[] = [];

@@ -32,7 +32,7 @@ function commentOf(bytes: DataView): string | undefined {
 function headerFrom(start: ArrayBuffer, name: string): Omit<ViewFile, 'png'> {
   const bytes = new DataView(start);
   const found = pattern.exec(commentOf(bytes) ?? '');
-  if (found === null) throw new Error(`${name} is no view of a plate; sillon generate --view makes one`);
+  if (found === null) throw new Error(`${name} is not a view of a plate; sillon generate --view makes one`);
   const [wide, tall] = [bytes.getUint32(16), bytes.getUint32(20)];
   if (wide * tall > mostTexels)
     throw new Error(`${name} has ${wide} x ${tall} texels; at most ${mostTexels} in all are read`);

@@ -39,7 +39,7 @@ const attributeIn = (attributes: string, name: string): string | undefined => {
 /** With its size said in pixels, which browsers ask for, and without soft edges. @throws Error */
 function sized(text: string, longest: number): { svg: Blob; width: number; height: number } {
   const [tag, name = '', attributes = '', end = ''] = rootTag.exec(text) ?? [];
-  if (tag === undefined) throw new Error('this is no drawing');
+  if (tag === undefined) throw new Error('this is not a drawing');
   const box = (attributeIn(attributes, 'viewBox') ?? '')
     .trim()
     .split(/[\s,]+/)

@@ -286,7 +286,7 @@ const neutral: Preset = Object.fromEntries(
 );
 
 /** Ways to make a plate, from the engine's own table. Measured on the examples: draft halves the points, fine leaves
- * fewer hairpins and next to no kinks for up to twice the time, strict follows the directions best and leaves gaps and
+ * fewer U-turns and next to no kinks for up to twice the time, strict follows the directions best and leaves gaps and
  * kinks as they come. */
 export const qualities = Object.fromEntries(
   Object.entries(presets).map(([name, preset]) => [name, { ...neutral, ...preset }]),

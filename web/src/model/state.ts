@@ -28,7 +28,7 @@ export interface PlateResult {
   report: Report;
   /** Of two pictures and more: what they take from each other. */
   conflict?: Conflict | undefined;
-  /** PlateResult with a larger spacing, to be quick. */
+  /** Made with a larger spacing, as a quick preview. */
   coarse: boolean;
   measured: boolean;
 }

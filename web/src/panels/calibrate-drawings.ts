@@ -18,7 +18,7 @@ const star = (x: number, y: number, inner: number, outer: number, count: number)
     return `M${at(inner)}L${at(outer)}`;
   }).join('');
 
-/** Rows of upright hairpins from x to 44. */
+/** Rows of upright U-turns from x to 44. */
 const combs = (x: number, rows: readonly number[], high: number): string =>
   rows
     .map((y) => {

@@ -1,10 +1,10 @@
-// Places worth a look before printing: what stays empty, hairpin turns, beads whose width is far from the spacing.
+// Places worth a look before printing: what stays empty, U-turns, beads whose width is far from the spacing.
 import type { Toolpath } from 'sillon';
 import { findGaps } from './gaps.js';
 import type { Mark } from '../model/view.js';
 
 const mostMarks = 200;
-const turnWithin = 1.5; // [spacings] of path in which a hairpin turns round
+const turnWithin = 1.5; // [spacings] of path in which a U-turns round
 const turnFrom = (120 * Math.PI) / 180;
 const narrow = 0.55; // [spacings]
 const wide = 1.6;

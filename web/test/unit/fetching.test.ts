@@ -103,7 +103,7 @@ test('addresses that are none, that run script, or that are not there are told i
       await refused('javascript:alert(1)', /javascript: addresses are not fetched/);
       await refused('data:image/svg+xml,<svg/>', /data: addresses are not fetched/);
       await refused('file:///etc/passwd', /file: addresses are not fetched/);
-      await refused('http://', /is no address/);
+      await refused('http://', /is not an address/);
       await refused('gone.svg', /gone\.svg came with status 404/);
     },
   );

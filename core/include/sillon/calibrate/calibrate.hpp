@@ -16,7 +16,7 @@ namespace sillon {
 enum class CalibrationKind {
   FirstLayer,   ///< squares, the nozzle higher and lower
   Flow,         ///< discs
-  Advance,      ///< combs of hairpins
+  Advance,      ///< combs of U-turns
   Speed,        ///< rows, at one speed and at one flow
   Temperature,  ///< strips
   Fan,          ///< strips

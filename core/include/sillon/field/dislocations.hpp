@@ -13,7 +13,7 @@
 namespace sillon {
 
 struct Dislocations {
-  std::int64_t count = 0;          ///< of the waves: sum of the sizes of their indices; each is a hairpin or two
+  std::int64_t count = 0;          ///< of the waves: sum of the sizes of their indices; each is a U-turn or two
   std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
   /// Estimate of the least count at one constant spacing: the integral of |div t| over the infill divided by 2 tau, t
   /// the bead direction smoothed over 2 tau and |div t| at most 1/(2 tau). Beads tau apart end at a rate of div t/tau,

@@ -40,7 +40,7 @@ struct PrintParams {
   BasePattern basePattern = BasePattern::Hatched;
   int basePerimeters = 1;  ///< loops along the border of hatched base layers, 0..10
   ShowSide showSide = ShowSide::Up;
-  int skirt = 1;                ///< loops around the plates, 0..20; without one a purge line primes
+  int skirt = 1;                ///< loops around the plates, 0..20; a purge line is laid in any case
   double purgeLength = 10;      ///< of filament, laid off the plate before the first layer [mm], 0..100
   int brim = 0;                 ///< loops that touch the plate, on the first layer, 0..50
   double elephantFoot = 0.1;    ///< the first layer, if a base layer, stays this far within the border [mm], 0..0.5

@@ -8,7 +8,7 @@ namespace sillon {
 
 /// How beads meet the border.
 enum class PerimeterMode {
-  None,   ///< beads end at the border in hairpins
+  None,   ///< beads end at the border in U-turns
   Soft,   ///< beads follow the border where the directions allow it, and end there where they do not
   Count,  ///< `perimeters` beads follow the border
 };

@@ -18,7 +18,7 @@ struct BeadGaps {
   std::vector<char> tight;  ///< not 0 where the path may meet itself: another piece within 0.3 spacings, a sharp turn
 };
 
-/// Points of the same curve nearer than one spacing along it are not neighbours. Further ones are, so that a hairpin's
+/// Points of the same curve nearer than one spacing along it are not neighbours. Further ones are, so that a U-turn's
 /// legs keep their distance from each other; round its tip the touching circle is the tip itself, as it should be.
 /// (Leaving out 2.5 spacings lets the legs be pressed together: ten times the kinks.)
 /// \param curves  points tau/4 apart.
