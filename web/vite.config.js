@@ -77,13 +77,15 @@ const printerTable = {
   },
 };
 
-/** Shaders are fetched without their comments and indents, which no minifier takes out of strings. */
-const shaders = {
-  name: 'studio-shaders',
+/** Shaders and elements' styles are fetched without their comments and indents, which no minifier takes out of strings. */
+const strings = {
+  name: 'studio-strings',
   enforce: 'pre',
   transform(code, id) {
-    if (!/src[\\/]views[\\/]shaders\.ts$/.test(id)) return undefined;
-    return code.replaceAll(/`[^`]*`/g, (text) => text.replaceAll(/ *\/\/.*$/gm, '').replaceAll(/\n\s+/g, '\n'));
+    if (/src[\\/]views[\\/]shaders\.ts$/.test(id))
+      return code.replaceAll(/`[^`]*`/g, (text) => text.replaceAll(/ *\/\/.*$/gm, '').replaceAll(/\n\s+/g, '\n'));
+    if (!/src[\\/](panels|style)[\\/][\w-]+\.ts$/.test(id)) return undefined;
+    return code.replaceAll(/\bcss`[^`]*`/g, (text) => text.replaceAll(/\/\*.*?\*\//gs, '').replaceAll(/\n\s+/g, '\n'));
   },
 };
 
@@ -141,7 +143,7 @@ const offline = {
 export default {
   root: at('.'),
   base: './',
-  plugins: [head, engineFiles, exampleFiles, printerTable, shaders, policy, offline],
+  plugins: [head, engineFiles, exampleFiles, printerTable, strings, policy, offline],
   server: { headers: isolation },
   preview: { headers },
   worker: { format: 'iife' }, // sandboxed frames start no modules

@@ -101,6 +101,13 @@ export class LooksBar extends StudioElement {
           min-height: 0;
           opacity: 0;
         }
+      }
+      /* Beside the light, so that the plate has the height of a row more. */
+      @container (width < 1000px) {
+        select {
+          max-width: 132px;
+          text-overflow: ellipsis;
+        }
         .turn .words {
           position: absolute;
           clip-path: inset(50%);

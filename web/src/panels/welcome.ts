@@ -41,6 +41,12 @@ export class Welcome extends StudioElement {
         top: 8px;
         right: 12px;
       }
+      /* Nothing can be dropped by touch. */
+      @media (hover: none) {
+        b {
+          display: none;
+        }
+      }
       @media (max-width: 720px) {
         .bar {
           padding: 8px 12px;

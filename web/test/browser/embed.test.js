@@ -556,21 +556,23 @@ test('a video of what nobody sees is refused; one that is given up ends', { skip
   await page.evaluate(() => Object.assign(globalThis.element.style, { width: '760px', height: '420px' }));
   await load(page);
   await page.evaluate(() => globalThis.element.generate());
-  const video = (given) =>
-    page.evaluate(async (given) => {
+  const video = (top) =>
+    page.evaluate(async (top) => {
       const { element } = globalThis;
-      const control = new AbortController();
-      element.style.marginTop = given.top;
+      const control = (globalThis.control = new AbortController());
+      element.style.marginTop = top;
       element.scrollIntoView();
       scrollTo(0, 0);
-      if (given.up) setTimeout(() => control.abort(), 500);
       return element.capture({ type: 'video', seconds: 20, signal: control.signal }).then(
         ({ name }) => name,
         ({ name, code, message }) => (name === 'AbortError' ? name : `${code}: ${message}`),
       );
-    }, given);
-  assert.match(await video({ top: '9000px' }), /^OutOfSight: The plate is out of sight/);
-  assert.equal(await video({ top: '0', up: true }), 'AbortError');
+    }, top);
+  assert.match(await video('9000px'), /^OutOfSight: The plate is out of sight/);
+  const begun = video('0');
+  await stateIs(frame, (state) => state.recording);
+  await page.evaluate(() => globalThis.control.abort());
+  assert.equal(await begun, 'AbortError');
   await stateIs(frame, (state) => !state.recording);
   assert.match(await page.evaluate(async () => (await globalThis.element.capture({ width: 200 })).name), /\.png$/);
 });

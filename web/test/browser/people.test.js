@@ -258,7 +258,9 @@ test('the light keeps still for people who ask for less motion, and moves for ot
   const calm = await bench.open({ small: true, reducedMotion: 'reduce' });
   await calm.until((state) => state.result !== undefined);
   const first = await calm.state(azimuth);
-  await calm.page.waitForTimeout(900);
+  await calm.page.evaluate(async () => {
+    for (let frame = 0; frame < 30; ++frame) await new Promise(requestAnimationFrame);
+  });
   assert.equal(await calm.state(azimuth), first);
   await calm.close();
   const lively = await bench.open({ small: true, reducedMotion: 'no-preference' });
