@@ -652,6 +652,15 @@ TEST_CASE("Cura's skin is a top only where the next layer leaves it free") {
   CHECK(rimmed.value().surfaces.back().left == LeftBecause::Covered);
 }
 
+TEST_CASE("where nothing can be replaced, the largest surface says why") {
+  std::string large = zigzag({70, 50});
+  large.insert(large.find("G1 X82.000 Y50.400"), "M600\n");
+  const std::string text = kPrusa + prusaLayer("0.2") + ";TYPE:Top solid infill\n" +
+                           "G1 X50 Y50 F7800\nG1 F900\nG1 X62 Y50 E0.39911\n" + large + "G1 X5 Y5 F7800\n";
+  CHECK(readSlicedFile(text).value().surfaces.size() == 2);
+  CHECK(why(text).find("a command inside it would be lost") != std::string::npos);
+}
+
 TEST_CASE("a role that goes on in the next layer is not told again") {
   const std::string text = kPrusa + prusaLayer("0.2") + ";TYPE:Solid infill\n" + zigzag({50, 50}) + prusaLayer("0.4") +
                            zigzag({50, 50}) + ";TYPE:Top solid infill\n" + zigzag({70, 50}) + prusaLayer("0.6") +

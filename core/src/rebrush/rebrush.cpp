@@ -115,7 +115,8 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
   DirectionSource source(options, file);
   std::vector<Edit> edits;
   std::vector<TimeChange> changes;
-  std::string reason;  // why the first was left
+  std::string reason;  // why the largest was left
+  double largest = 0;  // [mm²]
   for (const std::size_t k : chosen) {
     const SurfaceBlock& block = blocks[k];
     const SlicedSurface& surface = block.surface;
@@ -125,7 +126,9 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
     made.surface = k;
     const auto leave = [&](std::string why) {
       made.why = std::move(why);
-      if (reason.empty()) reason = "layer " + std::to_string(surface.layer) + ": " + made.why;
+      if (!reason.empty() && surface.areaMm2 <= largest) return;
+      reason = "layer " + std::to_string(surface.layer) + ": " + made.why;
+      largest = surface.areaMm2;
     };
     if (surface.left != LeftBecause::None) {
       leave(surfaceReason(surface.left));
