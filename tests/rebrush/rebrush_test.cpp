@@ -44,6 +44,7 @@
 
 #include "rebrush/blocks.hpp"
 #include "rebrush/marks.hpp"
+#include "rebrush/move_times.hpp"
 #include "rebrush/region.hpp"
 #include "rebrush/replace.hpp"
 #include "rebrush/totals.hpp"

@@ -14,9 +14,9 @@
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/tool_change.hpp"
 #include "rebrush/marks.hpp"
+#include "rebrush/move_times.hpp"
 #include "rebrush/region.hpp"
 #include "rebrush/skins.hpp"
-#include "rebrush/totals.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {

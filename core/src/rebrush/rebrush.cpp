@@ -7,6 +7,7 @@
 #include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "rebrush/blocks.hpp"
+#include "rebrush/move_times.hpp"
 #include "rebrush/replace.hpp"
 #include "rebrush/totals.hpp"
 #include "rebrush/wanted_directions.hpp"

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "gcode_reader/machine.hpp"
 #include "sillon/rebrush/edits.hpp"
 
 namespace sillon {
@@ -17,13 +16,6 @@ struct TimeChange {
   double seconds = 0;
   bool firstLayer = false;
 };
-
-/// How long moves take by the rule of Klipper's planner: trapezoids, corners by their square corner velocity.
-/// \param acceleration  where the text begins [mm/s²]; M204 and SET_VELOCITY_LIMIT change it. \return [s].
-double secondsOfMoves(std::string_view text, const MachineState& before, double acceleration);
-
-/// What an acceleration command sets for beads [mm/s²]; 0: it is none.
-double accelerationOf(std::string_view code);
 
 /// Changes the times of the file: "estimated printing time", "model printing time", "total estimated time", TIME,
 /// TIME_ELAPSED, and P, R, Q, S of M73. Everything else keeps its bytes. \param edits  what else becomes of the file,
