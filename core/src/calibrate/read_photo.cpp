@@ -122,9 +122,8 @@ Measured slopeOf(double variance, double relativeError, const LampPart& lamp) {
           std::hypot(slopeErrorOf(degrees, std::hypot(variance * relativeError, lamp.error)), kModelShare * degrees)};
 }
 
-}  // namespace
-
-Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request, const RunContext& run) {
+// What is wrong with a photograph before anything is looked for in it.
+std::optional<Error> unfit(const Image& photograph, const PhotoRequest& request) {
   if (request.lampSlope && !(*request.lampSlope >= 0 && *request.lampSlope <= 2)) {
     return Error{ErrorCode::InvalidArgument, outOfRange("lamp size", *request.lampSlope, "", "0 to 2")};
   }
@@ -147,6 +146,97 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
                                           std::to_string(photograph.height) +
                                           " pixels; it may have 64 million: take it with fewer"};
   }
+  return std::nullopt;
+}
+
+// Whether what shines on the coupon is the coupon, in one light and in focus.
+std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) {
+  if (blur > kMostBlur * nozzle) {
+    return unreadable("the photograph is blurred by " + fixed(blur, 2) + " mm; it may be by " +
+                      fixed(kMostBlur * nozzle, 2) + ": hold the camera still and let it focus on the coupon");
+  }
+  if (fit.contrast < kLeastContrast) {
+    return unreadable("the brightest beads are " + fixed(fit.contrast, 2) +
+                      " times as bright as the darkest, and must be 1.5 times; use one small lamp, low over the "
+                      "coupon, in a dark room");
+  }
+  if (fit.misfit > kMostMisfit) {
+    return unreadable(
+        "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
+        "curtains");
+  }
+
+  if (std::abs(fit.lone - 1) > kMostOff || std::abs(fit.closing - 1) > kMostOff) {
+    return unreadable(
+        "beads would be " + fixed(100 * fit.lone, 0) +
+        " % as wide as they were asked for, and must be 90 to 110 %; the coupon is of other settings, or the "
+        "light shows the beads too poorly: move the lamp around the coupon");
+  }
+
+  return std::nullopt;
+}
+
+// Where the lamp stands, by the slope that mirrors it into the camera.
+void tellLamp(const SpiralFit& fit, const SeenFrom& camera, CouponReading& out) {
+  const Vec3 to = unit(lampOf(fit.tilt, unit(camera.place)));
+  const double flat = std::max(0.02, std::hypot(to.x, to.y));
+  double azimuth = std::atan2(to.y, to.x) * kDegrees;
+  if (azimuth < 0) azimuth += 360;
+  const double tiltError = std::sqrt(0.5 * (fit.variances[0] + fit.variances[1]));
+  const double turn = tiltError * (1 + to.z);
+  out.azimuth = {azimuth, std::min(180.0, std::hypot(turn, camera.directionError) / flat * kDegrees)};
+  out.elevation = {std::asin(std::clamp(to.z, -1.0, 1.0)) * kDegrees,
+                   std::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
+}
+
+// The flow whose beads close, if the coupon has tried it.
+void tellFlow(const SpiralFit& fit, const std::vector<CalibrationValue>& tried, CouponReading& out) {
+  double lowest = 1e9, highest = 0;
+  for (const CalibrationValue& value : tried) {
+    lowest = std::min(lowest, value.value);
+    highest = std::max(highest, value.value);
+  }
+  const double closing = 1 / fit.closing;
+  if (closing < lowest) {
+    out.flowIsLower = true;
+  } else if (closing <= highest + (highest - lowest) / 3) {
+    out.flow = Measured{closing, closing * closing * errorOf(fit.variances[5])};
+  }
+}
+
+// Of the darkest tenth, as bright as a colour gets.
+std::array<std::uint8_t, 3> colourOf(const Image& photograph, const Tones& tones, const FoundCoupon& coupon,
+                                     double diffuse) {
+  std::array<std::uint8_t, 3> colour{};
+  double rgb[3] = {0, 0, 0};
+  int count = 0;
+  const int colours = photograph.channels >= 3 ? 3 : 1;
+  for (int j = 0; j < 64; ++j) {
+    for (int i = 0; i < 64; ++i) {
+      const Vec2 p = coupon.pixelOf({(i + 0.5) * kCouponSide / 64, (j + 0.5) * kCouponSide / 64});
+      const int x = std::clamp(static_cast<int>(p.x), 0, photograph.width - 1);
+      const int y = std::clamp(static_cast<int>(p.y), 0, photograph.height - 1);
+      if (tones.at(x, y) > codeOfLight(static_cast<float>(2 * diffuse))) continue;
+      for (int c = 0; c < 3; ++c) {
+        rgb[c] +=
+            static_cast<double>(lightOfCode(static_cast<float>(photograph.at(x, y, std::min(c, colours - 1))) / 65535));
+      }
+      ++count;
+    }
+  }
+  const double brightest = std::max({rgb[0], rgb[1], rgb[2], 1e-9});
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double share = count > 0 ? rgb[c] / brightest : 1;
+    colour[c] =
+        static_cast<std::uint8_t>(std::lround(200 * static_cast<double>(codeOfLight(static_cast<float>(share)))));
+  }
+  return colour;
+}
+
+}  // namespace
+
+Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request, const RunContext& run) {
+  if (auto problem = unfit(photograph, request)) return *problem;
   const Result<CalibrationPlate> plate =
       makeCalibration({CalibrationKind::Coupon, request.from, request.to, request.project}, run);
   if (!plate) return plate.error();
@@ -197,28 +287,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   out.pixelsPerMm = coupon.scaleAt(kMiddle);
   out.blur = fit.blur / out.pixelsPerMm;
   out.tilt = std::acos(std::clamp(unit(camera.place).z, -1.0, 1.0)) * kDegrees;
-  if (out.blur > kMostBlur * nozzle) {
-    return unreadable("the photograph is blurred by " + fixed(out.blur, 2) + " mm; it may be by " +
-                      fixed(kMostBlur * nozzle, 2) + ": hold the camera still and let it focus on the coupon");
-  }
-  if (fit.contrast < kLeastContrast) {
-    return unreadable("the brightest beads are " + fixed(fit.contrast, 2) +
-                      " times as bright as the darkest, and must be 1.5 times; use one small lamp, low over the "
-                      "coupon, in a dark room");
-  }
-  if (fit.misfit > kMostMisfit) {
-    return unreadable(
-        "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
-        "curtains");
-  }
-
-  if (std::abs(fit.lone - 1) > kMostOff || std::abs(fit.closing - 1) > kMostOff) {
-    return unreadable(
-        "beads would be " + fixed(100 * fit.lone, 0) +
-        " % as wide as they were asked for, and must be 90 to 110 %; the coupon is of other settings, or the "
-        "light shows the beads too poorly: move the lamp around the coupon");
-  }
-
+  if (auto problem = doubtful(fit, out.blur, nozzle)) return *problem;
   const LampPart lamp = lampPartOf(request.lampSlope);
   out.along = slopeOf(fit.alongVariance, errorOf(fit.variances[2]), lamp);
   out.across = slopeOf(fit.acrossVariance, errorOf(fit.variances[3]), lamp);
@@ -229,52 +298,11 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
                       " the beads cannot be told in this light: " + fixed(slope->value, 1) + " degrees within " +
                       fixed(slope->error, 1) + "; use a smaller lamp, or one that is farther away");
   }
-  const Vec3 to = unit(lampOf(fit.tilt, unit(camera.place)));
-  const double flat = std::max(0.02, std::hypot(to.x, to.y));
-  double azimuth = std::atan2(to.y, to.x) * kDegrees;
-  if (azimuth < 0) azimuth += 360;
-  const double tiltError = std::sqrt(0.5 * (fit.variances[0] + fit.variances[1]));
-  const double turn = tiltError * (1 + to.z);
-  out.azimuth = {azimuth, std::min(180.0, std::hypot(turn, camera.directionError) / flat * kDegrees)};
-  out.elevation = {std::asin(std::clamp(to.z, -1.0, 1.0)) * kDegrees,
-                   std::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
-
+  tellLamp(fit, camera, out);
   out.width = {nozzle * plate.value().print.flow * fit.lone,
                nozzle * plate.value().print.flow * errorOf(fit.variances[6])};
-  double lowest = 1e9, highest = 0;
-  for (const CalibrationValue& value : plate.value().values) {
-    lowest = std::min(lowest, value.value);
-    highest = std::max(highest, value.value);
-  }
-  const double closing = 1 / fit.closing;
-  if (closing < lowest) {
-    out.flowIsLower = true;
-  } else if (closing <= highest + (highest - lowest) / 3) {
-    out.flow = Measured{closing, closing * closing * errorOf(fit.variances[5])};
-  }
-  // Colour of the darkest tenth, as bright as a colour gets.
-  double rgb[3] = {0, 0, 0};
-  int count = 0;
-  const int colours = photograph.channels >= 3 ? 3 : 1;
-  for (int j = 0; j < 64; ++j) {
-    for (int i = 0; i < 64; ++i) {
-      const Vec2 p = coupon.pixelOf({(i + 0.5) * kCouponSide / 64, (j + 0.5) * kCouponSide / 64});
-      const int x = std::clamp(static_cast<int>(p.x), 0, photograph.width - 1);
-      const int y = std::clamp(static_cast<int>(p.y), 0, photograph.height - 1);
-      if (tones.at(x, y) > codeOfLight(static_cast<float>(2 * fit.diffuse))) continue;
-      for (int c = 0; c < 3; ++c) {
-        rgb[c] +=
-            static_cast<double>(lightOfCode(static_cast<float>(photograph.at(x, y, std::min(c, colours - 1))) / 65535));
-      }
-      ++count;
-    }
-  }
-  const double brightest = std::max({rgb[0], rgb[1], rgb[2], 1e-9});
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double share = count > 0 ? rgb[c] / brightest : 1;
-    out.colour[c] =
-        static_cast<std::uint8_t>(std::lround(200 * static_cast<double>(codeOfLight(static_cast<float>(share)))));
-  }
+  tellFlow(fit, plate.value().values, out);
+  out.colour = colourOf(photograph, tones, coupon, fit.diffuse);
   return out;
 }
 
