@@ -93,6 +93,83 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
   return laid;
 }
 
+// Lays one surface anew. \param made  what became of it; where it is left, why \param edits, change  of the file, where
+// it is not
+std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const RebrushOptions& options,
+                           DirectionSource& source, const RunContext& run, RebrushedSurface& made,
+                           std::vector<Edit>& edits, TimeChange& change) {
+  const SurfaceBlock& block = file.blocks->blocks[made.surface];
+  const SlicedSurface& surface = block.surface;
+  if (surface.left != LeftBecause::None) {
+    made.why = surfaceReason(surface.left);
+    return std::nullopt;
+  }
+  Result<WantedDirections> wanted = source.of(made.surface, run);
+  if (!wanted) return wanted.error();
+  PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
+  ToolpathParams params = options.toolpath;
+  params.spacing = surface.spacing;
+  Result<LaidBeads> laid = layBeads(gcode, block, input, params, *file.blocks, run);
+  if (!laid) return laid.error();
+  if (!laid.value().left.empty()) {
+    made.why = std::move(laid.value().left);
+    return std::nullopt;
+  }
+  Toolpath& toolpath = laid.value().toolpath;
+  Replacement& replacement = laid.value().replacement;
+  const Measures& measures = laid.value().measures;
+  made.alignment = measures.alignment;
+  made.coverage = measures.coverage;
+  made.spill = measures.spill;
+  if (std::string problem = problemOf(measures); !problem.empty()) {
+    made.why = std::move(problem);
+    return std::nullopt;
+  }
+  // What surrounds the block is the slicer's: it must find the machine as the slicer left it.
+  constexpr std::size_t kBehind = 200'000;  // bytes, where no travel tells how far to look
+  std::vector<Edit> local = replacement.edits;
+  for (Edit& edit : local) {
+    edit.begin -= surface.begin;
+    edit.end -= surface.begin;
+  }
+  const std::size_t last = local.back().end;
+  const std::size_t until = block.next ? block.nextEnd - surface.begin : last + kBehind;
+  const std::string_view old = gcode.substr(surface.begin, until);
+  const std::string fresh = withEdits(old, local);
+  if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
+    made.why = differs + " would be another behind it";
+    return std::nullopt;
+  }
+  const Result<double> beyond = reachOver(toolpath.cycles.front(), input.shape, params.spacing, run);
+  if (!beyond) return beyond.error();
+  made.beyond = beyond.value();
+  if (made.beyond > kMostBeyond) {
+    made.why =
+        "a new bead would reach " + fixed(made.beyond, 3) + " mm over it; " + fixed(kMostBeyond, 2) + " is the most";
+    return std::nullopt;
+  }
+  if (!wanted.value().shown.empty()) {
+    auto pictures = measurePictures(toolpath, input.shape.page, wanted.value().shown, wanted.value().roughness, run);
+    if (!pictures) return pictures.error();
+    made.pictures = std::move(pictures).value();
+    for (const ShownPicture& picture : wanted.value().shown) {
+      made.lamps.push_back(picture.lamp);
+      if (surface.side == SurfaceSide::Bottom) made.lamps.back().azimuth = 180 - picture.lamp.azimuth;
+    }
+  }
+  const std::string_view oldMoves = old.substr(0, last);
+  const std::string_view relaid = std::string_view(fresh).substr(0, fresh.size() - (old.size() - last));
+  made.seconds = secondsOfMoves(relaid, block.before, block.acceleration) -
+                 secondsOfMoves(oldMoves, block.before, block.acceleration);
+  change = {replacement.edits.front().end, made.seconds, surface.layer == 1};
+  made.toolpath = std::move(toolpath);
+  made.replaced = true;
+  made.volumeMm3 = replacement.volumeMm3;
+  made.moves = replacement.moves;
+  edits = std::move(replacement.edits);
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
@@ -119,85 +196,20 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
   std::string reason;  // why the largest was left
   double largest = 0;  // [mm²]
   for (const std::size_t k : chosen) {
-    const SurfaceBlock& block = blocks[k];
-    const SlicedSurface& surface = block.surface;
     if (options.onSurface) options.onSurface(out.surfaces.size(), chosen.size());
     if (run.cancelled()) return cancelledRun();
     RebrushedSurface& made = out.surfaces.emplace_back();
     made.surface = k;
-    const auto leave = [&](std::string why) {
-      made.why = std::move(why);
-      if (!reason.empty() && surface.areaMm2 <= largest) return;
+    std::vector<Edit> relaid;
+    TimeChange change;
+    if (auto error = relay(gcode, file, options, source, run, made, relaid, change)) return *error;
+    if (made.replaced) {
+      changes.push_back(change);
+      edits.insert(edits.end(), relaid.begin(), relaid.end());
+    } else if (const SlicedSurface& surface = file.surfaces[k]; reason.empty() || surface.areaMm2 > largest) {
       reason = "layer " + std::to_string(surface.layer) + ": " + made.why;
       largest = surface.areaMm2;
-    };
-    if (surface.left != LeftBecause::None) {
-      leave(surfaceReason(surface.left));
-      continue;
     }
-    Result<WantedDirections> wanted = source.of(k, run);
-    if (!wanted) return wanted.error();
-    PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
-    ToolpathParams params = options.toolpath;
-    params.spacing = surface.spacing;
-    Result<LaidBeads> laid = layBeads(gcode, block, input, params, *file.blocks, run);
-    if (!laid) return laid.error();
-    if (!laid.value().left.empty()) {
-      leave(std::move(laid.value().left));
-      continue;
-    }
-    Toolpath& toolpath = laid.value().toolpath;
-    Replacement& replacement = laid.value().replacement;
-    const Measures& measures = laid.value().measures;
-    made.alignment = measures.alignment;
-    made.coverage = measures.coverage;
-    made.spill = measures.spill;
-    if (std::string problem = problemOf(measures); !problem.empty()) {
-      leave(std::move(problem));
-      continue;
-    }
-    // What surrounds the block is the slicer's: it must find the machine as the slicer left it.
-    constexpr std::size_t kBehind = 200'000;  // bytes, where no travel tells how far to look
-    std::vector<Edit> local = replacement.edits;
-    for (Edit& edit : local) {
-      edit.begin -= surface.begin;
-      edit.end -= surface.begin;
-    }
-    const std::size_t last = local.back().end;
-    const std::size_t until = block.next ? block.nextEnd - surface.begin : last + kBehind;
-    const std::string_view old = gcode.substr(surface.begin, until);
-    const std::string fresh = withEdits(old, local);
-    if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
-      leave(differs + " would be another behind it");
-      continue;
-    }
-    const Result<double> beyond = reachOver(toolpath.cycles.front(), input.shape, params.spacing, run);
-    if (!beyond) return beyond.error();
-    made.beyond = beyond.value();
-    if (made.beyond > kMostBeyond) {
-      leave("a new bead would reach " + fixed(made.beyond, 3) + " mm over it; " + fixed(kMostBeyond, 2) +
-            " is the most");
-      continue;
-    }
-    if (!wanted.value().shown.empty()) {
-      auto pictures = measurePictures(toolpath, input.shape.page, wanted.value().shown, wanted.value().roughness, run);
-      if (!pictures) return pictures.error();
-      made.pictures = std::move(pictures).value();
-      for (const ShownPicture& picture : wanted.value().shown) {
-        made.lamps.push_back(picture.lamp);
-        if (surface.side == SurfaceSide::Bottom) made.lamps.back().azimuth = 180 - picture.lamp.azimuth;
-      }
-    }
-    const std::string_view oldMoves = old.substr(0, last);
-    const std::string_view relaid = std::string_view(fresh).substr(0, fresh.size() - (old.size() - last));
-    made.seconds = secondsOfMoves(relaid, block.before, block.acceleration) -
-                   secondsOfMoves(oldMoves, block.before, block.acceleration);
-    changes.push_back({replacement.edits.front().end, made.seconds, surface.layer == 1});
-    made.toolpath = std::move(toolpath);
-    made.replaced = true;
-    made.volumeMm3 = replacement.volumeMm3;
-    made.moves = replacement.moves;
-    edits.insert(edits.end(), replacement.edits.begin(), replacement.edits.end());
   }
   if (edits.empty()) {
     return Error{ErrorCode::InvalidArgument, out.surfaces.empty()
