@@ -33,13 +33,16 @@ std::optional<Error> wrongInput(const Shape& shape, const DirectionMap& directio
   return Error{ErrorCode::InvalidArgument, std::move(bad)};
 }
 
-Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
-                                        bool countDislocations) {
+namespace {
+
+// The steps of the method in their order. \param stages  receives what each has made; may be null
+Result<ToolpathResult> runSteps(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+                                Lines lines, bool countDislocations, Stages* stages) {
   if (auto wrong = wrongInput(input, params)) return *wrong;
   StageClock clock(run);
-  Result<ShapeFields> shape = shapeStep(input.shape, params, clock, run);
+  Result<ShapeFields> shape = shapeStep(input.shape, params, clock, run, stages);
   if (!shape) return shape.error();
-  Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run);
+  Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run, stages, lines);
   if (!waves) return waves.error();
   std::optional<Dislocations> dislocations;
   if (countDislocations) {
@@ -47,37 +50,28 @@ Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathP
     if (!found) return found.error();
     dislocations = found.value();
   }
-  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run);
+  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run, stages);
   if (!path) return path.error();
-  Result<ToolpathResult> plate = widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run);
-  if (plate) plate.value().dislocations = dislocations;
-  return plate;
+  Result<ToolpathResult> result =
+      widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run, stages);
+  if (result) result.value().dislocations = dislocations;
+  return result;
+}
+
+}  // namespace
+
+Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+                                        bool countDislocations) {
+  return runSteps(input, params, run, Lines::Asked, countDislocations, nullptr);
 }
 
 Result<ToolpathResult> generateAcross(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
-  if (auto wrong = wrongInput(input, params)) return *wrong;
-  StageClock clock(run);
-  Result<ShapeFields> shape = shapeStep(input.shape, params, clock, run);
-  if (!shape) return shape.error();
-  Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run, nullptr, Lines::Across);
-  if (!waves) return waves.error();
-  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run);
-  if (!path) return path.error();
-  return widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run);
+  return runSteps(input, params, run, Lines::Across, false, nullptr);
 }
 
 Result<Stages> generateStages(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
-  if (auto wrong = wrongInput(input, params)) return *wrong;
   Stages stages;
-  StageClock clock(run);
-  Result<ShapeFields> shape = shapeStep(input.shape, params, clock, run, &stages);
-  if (!shape) return shape.error();
-  Result<WaveFields> waves = waveStep(input, shape.value(), params, clock, run, &stages);
-  if (!waves) return waves.error();
-  Result<RelaxedPath> path = pathStep(input, shape.value(), waves.value(), Fields::Freed, params, clock, run, &stages);
-  if (!path) return path.error();
-  const Result<ToolpathResult> result =
-      widthStep(path.value(), shape.value().border, Fields::Freed, params, clock, run, &stages);
+  const Result<ToolpathResult> result = runSteps(input, params, run, Lines::Asked, false, &stages);
   if (!result) return result.error();
   return stages;
 }
