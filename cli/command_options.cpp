@@ -50,7 +50,7 @@ constexpr const char* kRebrushExamples =
     "  sillon rebrush part.gcode --directions waves.png --report part.json -o part_brushed.gcode\n"
     "  sillon rebrush part.gcode.3mf --picture face.png --lamp 60 --preview face_shown.png -o part_brushed.gcode.3mf\n"
     "\n"
-    "Without -o the file itself is changed, as slicers want it of post-processing scripts.\n"
+    "Without -o the file itself is changed, as slicers expect of post-processing scripts.\n"
     "Exit codes: 0 done, 2 refused, 3 cancelled, 1 a fault of the program. Nothing is written unless all is done.";
 
 std::string joined(const std::vector<std::string>& words, const char* between, const char* last) {
@@ -114,7 +114,7 @@ void addZones(CLI::App& command, ZonesArguments& arguments) {
   command.footer(kZonesExamples);
   command.add_option("-o,--output", arguments.out, "the 3MF")->option_text("F.3mf")->required()->group(group);
   CLI::Option* body =
-      command.add_option("--body", arguments.body, "STL whose tops shall have the zones [a prism of the shape]")
+      command.add_option("--body", arguments.body, "STL whose top surfaces get the zones [a prism of the shape]")
           ->option_text("F.stl")
           ->group(group);
   addNumber(command, "--height", arguments.height, "of that prism [2]")->option_text("MM")->group(group);

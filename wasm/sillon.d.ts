@@ -499,7 +499,7 @@ export interface ToolpathParams {
   perimeterMode: 'none' | 'soft' | 'count';
   /** Number of beads that follow the border in mode "count". 0..100, default 1. */
   perimeters: number;
-  /** Joins parts of the shape nearer than this into one path; null uses one spacing. 0..100 mm, default null. */
+  /** Joins solids closer than this into one path; null uses one spacing. 0..100 mm, default null. */
   bridge: number | null;
   /** Whether neighbouring pixels of the direction picture are averaged or the nearest one is taken. Default "average". */
   mapFilter: 'average' | 'nearest';

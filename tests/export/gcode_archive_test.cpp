@@ -137,7 +137,7 @@ TEST_CASE("a printer is imported from a packed donor") {
   REQUIRE_MESSAGE(read.ok(), read.error().message);
   CHECK(read.value().printer.nozzle == 0.6);
   CHECK(read.value().source == "donor G-code");
-  CHECK(importPrinter(packed("no G-code")).error().message == "what the file holds is no G-code");
+  CHECK(importPrinter(packed("no G-code")).error().message == "the file does not contain G-code");
 }
 
 namespace {

@@ -714,7 +714,7 @@ TEST_CASE("what is odd but printable is written with a warning") {
   const Row rows[] = {
       {"filamentDiameter is 2.2 mm", [](Job& j) { j.printer.filamentDiameter = 2.2; }},
       {"below 0.2 nozzle", [](Job& j) { j.params.layerHeight = 0.06; }},
-      {"flow is 0.7; usual are 0.8 to 1.1", [](Job& j) { j.params.flow = 0.7; }},
+      {"flow is 0.7; 0.8 to 1.1 is usual", [](Job& j) { j.params.flow = 0.7; }},
       {"baseFlow is 1.2", [](Job& j) { j.params.baseFlow = 1.2; }},
       {"no wider than the layer is high",
        [](Job& j) {

@@ -20,7 +20,7 @@ const CalibrationRow kKinds[] = {
     {"advance", 0, 0.08, 9, 3, "printer.pressureAdvance, printer.setPressureAdvance", "s",
      "the row whose beads are as wide in the U-turns as along the legs"},
     {"speed", 15, 70, 12, 1, "printer.showSpeed, print.constantFlow", "mm/s",
-     "the fastest row that is as glossy as the slowest one; the half that looks more even tells constantFlow"},
+     "the fastest row that is as glossy as the slowest one; the half that looks more even decides constantFlow"},
     {"temperature", -15, 15, 7, 0, "printer.nozzleTemperature", "degrees Celsius",
      "the glossiest strip whose edges are clean"},
     {"fan", 0, 100, 5, 0, "printer.showFan", "%", "the glossiest strip whose edges are clean"},

@@ -44,7 +44,7 @@ constexpr Row kRows[] = {
     {WarningCode::EndHot, "EndHot",
      "endGcode leaves a nozzle, the bed or the chamber hot; M104 S0, M140 S0 and M141 S0 turn them off"},
     {WarningCode::EndLine, "EndLine", "line {line} of endGcode: {what}"},
-    {WarningCode::FillRatio, "FillRatio", "the beads cover {percent} % of the shape's area; 97 to 105 print well"},
+    {WarningCode::FillRatio, "FillRatio", "the plastic fills {percent} % of the shape's area; 97 to 105 print well"},
     {WarningCode::FlatBeads, "FlatBeads", "{n} points have beads no wider than the layer is high ({height} mm)"},
     {WarningCode::ManyBytes, "ManyBytes", "the file has {mb} MB; hosts get slow above 100"},
     {WarningCode::ManyMoves, "ManyMoves", "the file has {n} moves; hosts get slow above 2 million"},
@@ -87,7 +87,7 @@ constexpr Row kRows[] = {
     {WarningCode::ThinLayers, "ThinLayers", "layerHeight is {value} mm; below 0.2 nozzle layers tear"},
     {WarningCode::UnusualFilament, "UnusualFilament",
      "filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
-    {WarningCode::UnusualFlow, "UnusualFlow", "{field} is {value}; usual are 0.8 to 1.1"},
+    {WarningCode::UnusualFlow, "UnusualFlow", "{field} is {value}; 0.8 to 1.1 is usual"},
     {WarningCode::WidthHeld, "WidthHeld",
      "{percent} % of the path is printed with a width held at {low} or {high} mm (0.6 and 1.6 nozzle)"},
 };

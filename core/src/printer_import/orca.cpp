@@ -12,7 +12,7 @@ namespace sillon {
 Result<ImportedPrinter> importJson(std::string_view text) {
   const Json root = parseJson(text);
   if (!root.is_object()) {
-    return Error{ErrorCode::InvalidFile, "the file begins like JSON, but is no JSON object"};
+    return Error{ErrorCode::InvalidFile, "the file begins like JSON, but is not a JSON object"};
   }
   ImportedPrinter out;
   if (root.contains("sillon")) {

@@ -53,7 +53,7 @@ Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view n
     }
     const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();
-    if (!looksLikeGcode(gcode.value())) return invalidFile("what the file holds is no G-code");
+    if (!looksLikeGcode(gcode.value())) return invalidFile("the file does not contain G-code");
     return importDonor(gcode.value());
   }
   if (bytes.size() > kMaxBytes) {

@@ -13,7 +13,7 @@ const char* surfaceReason(LeftBecause reason) {
     case LeftBecause::Narrow:
       return "it is narrower than three beads";
     case LeftBecause::Small:
-      return "it is smaller than ten beads' squares";
+      return "it is smaller than ten squares of one bead width";
     case LeftBecause::Covered:
       return "the next layer lies on part of it";
     case LeftBecause::Bridge:

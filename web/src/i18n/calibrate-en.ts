@@ -91,7 +91,7 @@ export const calibrateEn = {
   'calibrate.photo.how3': 'Tilt the camera by 10 to 30°, fill half of the picture, and underexpose slightly.',
   'calibrate.photo.how4': 'Take three or more, with the lamp on another side in each: together they are more reliable.',
   'calibrate.photo.elevation': 'Height of the lamp, if measured',
-  'calibrate.photo.same': 'The coupon must be of the nozzle and the flow that are set now.',
+  'calibrate.photo.same': 'The coupon must have been printed with the nozzle and flow that are set now.',
   'calibrate.photo.reading': 'Reading',
   'calibrate.photo.read': {
     one: 'What the photograph shows',
@@ -105,7 +105,7 @@ export const calibrateEn = {
   'calibrate.photo.flow': 'Flow that closes the surface',
   'calibrate.photo.flow.lower': 'below the coupon’s: all discs are closed',
   'calibrate.photo.flow.higher': 'above the coupon’s: no disc is closed',
-  'calibrate.photo.width': 'Bead width, of {asked} mm asked for',
+  'calibrate.photo.width': 'Bead width ({asked} mm requested)',
   'calibrate.photo.lamp': 'lamp at {azimuth}°, {elevation} ± {error}° high',
   'calibrate.photo.bars': '± is one standard deviation.',
   'calibrate.photo.more': 'Add others, with the lamp on other sides: together they are more reliable.',

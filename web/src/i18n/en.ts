@@ -318,7 +318,7 @@ export const en = {
   'setting.toolpath.directionTolerance': 'Direction tolerance',
   'help.toolpath.directionTolerance':
     'How far beads may turn away from the directions where that saves U-turns. Takes longer.',
-  'setting.toolpath.kernelRadius': 'Smoothing radius',
+  'setting.toolpath.kernelRadius': 'Kernel radius',
   'help.toolpath.kernelRadius': 'The radius over which neighbouring waves are averaged, in spacings.',
   'setting.toolpath.borderWeight': 'Border weight',
   'help.toolpath.borderWeight': 'How strongly beads follow the border, where they may choose.',
@@ -331,7 +331,7 @@ export const en = {
   'setting.toolpath.maxWidth': 'Widest bead',
   'help.toolpath.maxWidth': 'No bead is wider.',
   'setting.toolpath.bridge': 'Bridge gaps up to',
-  'help.toolpath.bridge': 'Regions of the shape closer than this become one path.',
+  'help.toolpath.bridge': 'Solids closer than this become one path.',
   'null.toolpath.bridge': 'One spacing',
   'setting.toolpath.mapFilter': 'Image sampling',
   'help.toolpath.mapFilter': 'Average neighbouring pixels of the direction map, or take the nearest one.',
@@ -341,8 +341,8 @@ export const en = {
   'help.toolpath.simplifyTolerance': 'How far the path may move when points are left out. More makes smaller files.',
 
   // --- Settings: print ------------------------------------------------------------------------------------------------
-  'setting.print.layers': 'Show layers',
-  'help.print.layers': 'Layers with oriented beads, on top.',
+  'setting.print.layers': 'Oriented layers',
+  'help.print.layers': 'Layers whose beads show the picture, on top.',
   'setting.print.base': 'Base layers',
   'help.print.base': 'Hatched layers below, which make the plate stiff.',
   'setting.print.layerHeight': 'Layer height',
@@ -359,8 +359,8 @@ export const en = {
     'The height of a print that already stands on the bed; all layers lie above it. The printer must home without touching it. 0 is the bed.',
   'setting.print.firstLayerHeight': 'First layer height',
   'help.print.firstLayerHeight': '0 is the same as the other layers.',
-  'setting.print.flow': 'Flow, show layers',
-  'help.print.flow': 'Slightly less than 1 keeps the furrows between beads crisp.',
+  'setting.print.flow': 'Flow, oriented layers',
+  'help.print.flow': 'Slightly less than 1 keeps the grooves between beads crisp.',
   'setting.print.baseFlow': 'Flow, base layers',
   'help.print.baseFlow': '1 fills them.',
   'setting.print.skirt': 'Skirt loops',
@@ -453,7 +453,7 @@ export const en = {
 
   'setting.print.basePattern': 'Base pattern',
   'help.print.basePattern':
-    'Zigzags across each other, loops along the border, or the oriented path itself. “Across the beads”: zigzags, and next to the show layer a path at right angles to it, so that nothing shows through.',
+    'Zigzags across each other, loops along the border, or the oriented path itself. “Across the beads”: zigzags, and next to the oriented layer a path at right angles to it, so that nothing shows through.',
   'setting.print.showSide': 'Show side',
   'help.print.showSide':
     'The top, the side that lies on the bed (printed mirrored), or both, where the shape is its own mirror image.',
@@ -697,7 +697,7 @@ export const en = {
   'export.view': 'Shimmer for web pages',
   'export.project': 'Project with its files',
   'export.link': 'Copy link',
-  'export.body.rest': '{name} is in your downloads. To print the show layers above it, start at {height} mm.',
+  'export.body.rest': '{name} is in your downloads. To print the oriented layers above it, start at {height} mm.',
   'export.body.set': 'Use this height',
   'export.done': '{name} is in your downloads.',
   'summary.time': 'Print time',

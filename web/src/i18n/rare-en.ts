@@ -3,8 +3,8 @@ import type { Text } from './text.js';
 
 export const rareEn = {
   'rare.plates.title': 'Your plates',
-  'rare.plates.what': 'Kept in this browser, on this device. What matters to you, save as a project file, too.',
-  'rare.plates.none': 'No plate is kept here yet: one is, from its first change on.',
+  'rare.plates.what': 'Kept in this browser, on this device. Also save what matters to you as a project file.',
+  'rare.plates.none': 'No plates here yet. A plate is kept here from its first change on.',
   'rare.plates.untitled': 'Untitled',
   'rare.plates.size': '{width} × {height} mm',
   'rare.plates.open': 'Open {name}',
@@ -116,7 +116,7 @@ export const rareEn = {
   'rare.check.places': '{what} (line {line} and {n} more)',
   'rare.finding.commands': 'A command that has no place in a print, or that nobody can follow.',
   'rare.finding.layers': 'No layer is marked in it.',
-  'rare.finding.grammar': 'A line is not as every firmware reads it.',
+  'rare.finding.grammar': 'Some firmwares may misread one of its lines.',
   'rare.finding.homing': 'It moves before it homes.',
   'rare.finding.heating': 'It extrudes too cold, too hot or before it has waited for the heat.',
   'rare.finding.modes': 'Units or coordinates are not what the rest is in.',
@@ -131,7 +131,7 @@ export const rareEn = {
   'rare.finding.coverage': 'A top layer leaves part of its base bare.',
   'rare.finding.noise': 'The path zigzags so that printers brake.',
   'rare.finding.settings': 'It changes settings that outlive the print.',
-  'rare.finding.totals': 'Its figures are not those of its moves.',
+  'rare.finding.totals': 'The totals that it states do not match its moves.',
   'rare.finding.end': 'Heaters stay on at the end.',
   'rare.warning.SpeedHeld': 'A speed of {asked} mm/s is more than the machine’s own; it is held at {held}.',
   'rare.warning.AccelerationHeld': 'Acceleration is {asked} mm/s²; it is held at the machine’s {held}.',
@@ -150,9 +150,9 @@ export const rareEn = {
     'The base layers cover only {percent}% of the shape; thinner parts have nothing below them.',
   'rare.warning.UnusualFilament': 'Filament diameter is {value} mm; filament is sold with 1.75 and 2.85 mm.',
   'rare.warning.ThinLayers': 'Layer height is {value} mm; layers below 0.2 nozzle tear.',
-  'rare.warning.UnusualFlow': 'Flow is {value}; usual are 0.8 to 1.1.',
+  'rare.warning.UnusualFlow': 'Flow is {value}; 0.8 to 1.1 is usual.',
   'rare.warning.FlatBeads': 'At {n} points beads are no wider than the layer is high ({height} mm).',
-  'rare.warning.FillRatio': 'The beads cover {percent}% of the shape’s area; 97 to 105% print well.',
+  'rare.warning.FillRatio': 'The plastic fills {percent}% of the shape’s area; 97 to 105% print well.',
   'rare.warning.PressureAdvanceReset':
     'Pressure advance is 0 after the print, until the printer restarts or another file sets it.',
   'rare.warning.PictureLost':

@@ -69,7 +69,7 @@ export const rebrushEn = {
   },
   'rebrush.longer': 'longer',
   'rebrush.shorter': 'less',
-  'rebrush.untried': 'Not tried on a printer yet. Watch the first layers of it.',
+  'rebrush.untried': 'Not tried on a printer yet. Watch the new beads as they are printed.',
   'rebrush.download': 'Download {name}',
   'rebrush.saved': '{name} was handed to your downloads.',
 
@@ -83,7 +83,7 @@ export const rebrushEn = {
     '{name} has {mb} MB; at most {most} MB are read here. The command line takes more: sillon rebrush.',
 
   'rebrush.left.Narrow': 'Narrower than three beads',
-  'rebrush.left.Small': 'Smaller than ten beads’ squares',
+  'rebrush.left.Small': 'Smaller than ten squares of one bead width',
   'rebrush.left.Covered': 'The next layer lies on part of it',
   'rebrush.left.Bridge': 'Bridges air',
   'rebrush.left.Ironed': 'Ironed afterwards; switch ironing off in the slicer',
