@@ -9,6 +9,7 @@
 #include "outputs.hpp"
 #include "sillon/gcode/warning.hpp"
 #include "sillon/project/pictures.hpp"
+#include "words.hpp"
 
 namespace cli {
 namespace {
@@ -22,6 +23,11 @@ using sillon::Result;
 Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
   if (!endsWith(arguments.out, ".3mf")) {
     return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
+  }
+  if (!project.modeFile.empty() || project.mode != sillon::DirectionMode::Constrained) {
+    return Error{
+        ErrorCode::InvalidArgument,
+        "zones show directions as they are given, so the mode must be constrained; --mode constrained sets it"};
   }
   std::vector<std::string> inputs = inputFiles(project);
   if (!arguments.body.empty()) inputs.push_back(arguments.body);
@@ -71,6 +77,10 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
     for (const sillon::GcodeWarning& warning : sillon::drawingWarnings(seen.drawing)) {
       out += "warning " + sillon::warningSentence(warning) + "\n";
     }
+  }
+  if (const std::size_t open = sillon::openEdges(body); open > 0) {
+    out += "warning the body has " + plural(open, "open edge") +
+           "; slicers may find no layers in it, so repair it first\n";
   }
   char line[160];
   for (const sillon::DirectionZone& zone : zones.value().zones) {

@@ -300,6 +300,18 @@ TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles t
       partOf(zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value(),
              "Metadata/Slic3r_PE_model.config");
   CHECK(valuesOf(config, "key=\"fill_angle\" value=\"") == std::vector<std::string>{"20", "110"});
+  // A body whose triangles face inwards is printed all the same.
+  for (auto& triangle : steps.triangles) std::swap(triangle[1], triangle[2]);
+  CHECK(partOf(zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value(),
+               "Metadata/Slic3r_PE_model.config") == config);
+  // In the middle of a layer the highest top ends below it.
+  for (const auto& [height, angle] : {std::pair(1.9, "20"), {2.1, "110"}, {3.1, "20"}}) {
+    const Shape shape = makeRectangle({20, 10}).value();
+    const std::string told =
+        partOf(zones3mf(prismOf(shape, height).value(), zonesOf(shape, uniformDirection(20).value()), {}, {}).value(),
+               "Metadata/Slic3r_PE_model.config");
+    CHECK(valuesOf(told, "key=\"fill_angle\" value=\"") == std::vector<std::string>{angle});
+  }
 }
 
 TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
@@ -320,6 +332,15 @@ TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
   const Mesh told = readStl(text.str()).value();
   CHECK(told.points == read.points);
   CHECK(told.triangles == read.triangles);
+  // Programs begin with blanks, and name solids as they like.
+  CHECK(readStl("\n " + text.str()).value().points == read.points);
+  std::string named = text.str();
+  named.replace(0, 9, "solid a vertex cover");
+  CHECK(readStl(named).value().points == read.points);
+  CHECK(openEdges(read) == 0);
+  Mesh open = read;
+  open.triangles.pop_back();
+  CHECK(openEdges(open) == 3);
   Vec2 corner;
   const Shape seen = silhouetteOf(read, corner).value();
   CHECK(corner.x == Approx(1));

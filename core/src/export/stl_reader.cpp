@@ -47,7 +47,9 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
   constexpr std::string_view kVertex = "vertex";
   std::vector<Corner> corners;
   for (std::size_t at = text.find(kVertex); at != std::string_view::npos; at = text.find(kVertex, at)) {
+    const std::size_t before = text.find_last_not_of(" \t", at - 1);
     at += kVertex.size();
+    if (before != std::string_view::npos && text[before] != '\n' && text[before] != '\r') continue;  // in a name
     Corner& p = corners.emplace_back();
     for (double& value : p) {
       while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '+')) ++at;
@@ -66,8 +68,9 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
 Result<Mesh> readStl(std::string_view bytes) {
   const std::size_t facets = bytes.size() >= kHeader ? static_cast<std::size_t>(number(bytes, 80, 4)) : 0;
   const bool binary = bytes.size() >= kHeader && facets <= kMostFacets && bytes.size() == kHeader + kFacet * facets;
-  if (!binary && !bytes.starts_with("solid")) return broken("is cut off, or another kind of file");
-  const Result<std::vector<Corner>> read = binary ? cornersOfBytes(bytes, facets) : cornersOfText(bytes);
+  const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  if (!binary && !text.starts_with("solid")) return broken("is cut off, or another kind of file");
+  const Result<std::vector<Corner>> read = binary ? cornersOfBytes(bytes, facets) : cornersOfText(text);
   if (!read) return read.error();
   const std::vector<Corner>& corners = read.value();
   if (corners.size() > 3 * kMostFacets) {
@@ -103,6 +106,27 @@ Result<Mesh> readStl(std::string_view bytes) {
   }
   if (mesh.triangles.empty()) return broken("has no triangle with an area");
   return mesh;
+}
+
+std::size_t openEdges(const Mesh& mesh) {
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t a = triangle[k];
+      const std::uint64_t b = triangle[(k + 1) % 3];
+      edges.push_back(std::min(a, b) << 32 | std::max(a, b));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::size_t open = 0;
+  for (std::size_t begin = 0; begin < edges.size();) {
+    std::size_t end = begin;
+    while (end < edges.size() && edges[end] == edges[begin]) ++end;
+    open += (end - begin) % 2;
+    begin = end;
+  }
+  return open;
 }
 
 }  // namespace sillon

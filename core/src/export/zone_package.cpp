@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBeyond = 1;           // [mm] below and above the body
 constexpr double kLevelArea = 1;        // [mm²] of level tops that count
-constexpr std::size_t kMostSlabs = 16;  // else the highest top decides for all
+constexpr std::size_t kMostSlabs = 64;  // else the highest top decides for all
 
 using Corner3 = std::array<double, 3>;
 
@@ -28,20 +28,35 @@ struct Slab {
   bool turned = false;  ///< the slicer adds 90 degrees there
 };
 
-bool isTurned(double z, const ZoneLayers& layers) {
-  const auto index = std::llround((z - layers.firstHeight) / layers.height);  // of the layer, from 0
-  return index % 2 != 0;
+// \param z  of a top \param last  it is the highest: PrusaSlicer lays no layer whose middle it would be, others it does
+bool isTurned(double z, const ZoneLayers& layers, bool last) {
+  constexpr double kTie = 1e-4;
+  const double index = (z - layers.firstHeight) / layers.height;  // of the layer, from 0
+  return std::llround(last ? index - kTie : index + kTie) % 2 != 0;
+}
+
+// Below 0 where the triangles of a body face inwards.
+double volumeOf(const Mesh& body) {
+  double six = 0;
+  for (const auto& t : body.triangles) {
+    const Corner3& a = body.points[t[0]];
+    const Corner3& b = body.points[t[1]];
+    const Corner3& c = body.points[t[2]];
+    six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return six / 6;
 }
 
 // Upward faces by their height.
 std::vector<double> levelTops(const Mesh& body) {
+  const double outwards = volumeOf(body) < 0 ? -1 : 1;
   std::vector<std::pair<std::int64_t, double>> faces;  // [µm], [mm²]
   for (const auto& t : body.triangles) {
     const Corner3& a = body.points[t[0]];
     const Corner3& b = body.points[t[1]];
     const Corner3& c = body.points[t[2]];
     if (std::abs(a[2] - b[2]) > 1e-3 || std::abs(a[2] - c[2]) > 1e-3) continue;
-    const double area = ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    const double area = outwards * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
     if (area > 0) faces.emplace_back(std::llround(1000 * a[2]), area);
   }
   std::sort(faces.begin(), faces.end());
@@ -67,14 +82,14 @@ std::vector<Slab> slabsOf(const Mesh& body, const ZoneLayers& layers) {
   if (tops.empty() || tops.back() < high) tops.push_back(high);
   std::vector<Slab> slabs;
   for (const double z : tops) {
-    const bool turned = isTurned(z - low, layers);
+    const bool turned = isTurned(z - low, layers, z >= high);
     if (!slabs.empty() && slabs.back().turned == turned) {
       slabs.back().top = z;
     } else {
       slabs.push_back({slabs.empty() ? low - kBeyond : slabs.back().top, z, turned});
     }
   }
-  if (slabs.size() > kMostSlabs) slabs = {{low - kBeyond, high, isTurned(high - low, layers)}};
+  if (slabs.size() > kMostSlabs) slabs = {{low - kBeyond, high, isTurned(high - low, layers, true)}};
   slabs.back().top = high + kBeyond;
   return slabs;
 }

@@ -57,6 +57,9 @@ Result<Mesh> prismOf(const Shape& shape, double height);
 /// STL, as bytes or as text. \return InvalidFile; TooLarge for more than 10 million triangles.
 Result<Mesh> readStl(std::string_view bytes);
 
+/// Edges that an odd number of triangles share: 0 for closed bodies.
+std::size_t openEdges(const Mesh& mesh);
+
 /// The body as seen from above, on a page as large as its box. \param corner  receives the page's place on the bed.
 /// \return EmptyShape or TooLarge.
 Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner);
