@@ -234,7 +234,7 @@ Result<std::string> packedAs(const std::string& path, std::string gcode) {
 namespace {
 
 /// The G-code in the kind of file that its name asks for.
-Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
+Result<std::string> packed(std::string gcode, const OutputPaths& paths, sillon::GcodeFlavor flavor) {
   if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
   const bool package = endsWith(paths.gcode, ".gcode.3mf");
   const bool binary = endsWith(paths.gcode, ".bgcode");
@@ -249,6 +249,13 @@ Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
     return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
                                                  " must both be .gcode.3mf or both .bgcode"};
   }
+  if (container.value().plates > 1) return severalPlates(paths.container, container.value().plates);
+  if (package && flavor != sillon::GcodeFlavor::Bambu) {
+    return Error{ErrorCode::InvalidArgument,
+                 "--container " + paths.container +
+                     " is for a Bambu Lab printer, but the project's printer is not; take it from that file with "
+                     "sillon import"};
+  }
   return sillon::writeGcodeContainer(container.value(), std::move(gcode));
 }
 
@@ -260,7 +267,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     Result<std::string> text = gcodeText(job, run);
     if (!text) return text.error();
     if (const auto error = judgePictures(job, text.value(), run)) return *error;
-    text = packed(std::move(text).value(), paths);
+    text = packed(std::move(text).value(), paths, job.project.printer.flavor);
     if (!text) return text.error();
     files.push_back({paths.gcode, std::move(text).value()});
   } else if (const auto error = judgePictures(job, "", run)) {
@@ -340,6 +347,10 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
   }
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
   const std::vector<sillon::GcodeWarning> warnings = warningsOf(job);
+  const bool package =
+      std::any_of(files.begin(), files.end(), [](const OutputFile& file) { return endsWith(file.path, ".gcode.3mf"); });
+  if (package && job.project.printer.flavor != sillon::GcodeFlavor::Bambu)
+    out += "warning    .gcode.3mf is for Bambu Lab printers, which must not run the G-code of other printers\n";
   for (const sillon::GcodeWarning& warning : warnings) {
     out += "warning    " + sillon::warningSentence(warning) + "\n";
   }

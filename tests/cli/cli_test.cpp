@@ -503,6 +503,13 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   CAPTURE(body.err);
   REQUIRE(body.code == 0);
   CHECK(has(body.out, "30.0 degrees"));
+  CHECK_FALSE(has(body.out, "open edge"));
+  // Without its last triangle.
+  std::string open = readAll(folder.at("body.stl"));
+  const std::size_t triangles = (open.size() - 84) / 50 - 1;
+  for (int k = 0; k < 4; ++k) open[80 + static_cast<std::size_t>(k)] = static_cast<char>(triangles >> 8 * k);
+  folder.write("open.stl", open.substr(0, 84 + 50 * triangles));
+  CHECK(has(folder.run("zones --body open.stl --angle 30 -o body.3mf").out, "the body has 3 open edges"));
 
   const auto files = folder.files();
   const std::pair<const char*, const char*> refused[] = {
@@ -512,6 +519,8 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
       {"--shape disc --angle 3 --layer-height 9 -o a.3mf", "layer height is 9 mm"},
       {"--shape disc --angle 3 --height 0 -o a.3mf", "height is 0 mm"},
       {"--shape disc --angle 3", "--output"},
+      {"--shape disc --angle 3 --mode orthogonal -o a.3mf", "the mode must be constrained"},
+      {"--shape disc --angle 3 --modes two.png -o a.3mf", "the mode must be constrained"},
       {"--body body.stl --angle 3 -o nowhere/a.3mf", "is not a folder"},
   };
   for (const auto& one : refused) {
@@ -661,6 +670,8 @@ TEST_CASE("a name that ends in .gcode.3mf packs the G-code, and such files are r
   const std::string zip = readAll(folder.at("a.gcode.3mf"));
   CHECK(zip.starts_with("PK"));
   CHECK(has(zip, readAll(folder.at("a.gcode"))));
+  CHECK(has(folder.run(std::string(kDisc) + "--printer prusa-mini --gcode again.gcode.3mf").out,
+            ".gcode.3mf is for Bambu Lab printers"));
   CHECK(folder.run("check a.gcode.3mf").out == folder.run("check a.gcode").out);
   CHECK(folder.run("import a.gcode.3mf").out == folder.run("import a.gcode").out);
   folder.write("b.gcode.3mf", zip.substr(0, zip.size() / 2));
@@ -1311,6 +1322,9 @@ TEST_CASE("command lines that make no sense are refused") {
   checkRefused(folder, "generate --directions l.png --gcode l.png", "also an input");
   checkRefused(folder, "generate --shape disc --container keep.json --gcode keep.json", "also an input");
   checkRefused(folder, "generate --shape disc --container keep.json --svg x", "it must go with --gcode");
+  folder.write("part.gcode.3mf", sillon::packGcode(slicedBlock()).value());
+  checkRefused(folder, "generate --shape disc --size 9 --container part.gcode.3mf --gcode a.gcode.3mf",
+               "is for a Bambu Lab printer, but the project's printer is not");
   checkRefused(folder, "generate --picture l.png --smoothness ' 1' --svg x",
                "--smoothness is \" 1\"; it must be a number");
   checkRefused(folder, "generate --picture l.png --local-contrast 0,5 --svg x", "it must be a number");

@@ -907,7 +907,7 @@ TEST_CASE("warnings are a code with values, and the sentence made of them") {
   const GcodeWarning low{WarningCode::BlockMovesLow,
                          {{"block", std::string("endGcode")}, {"z", 0.3}, {"height", 5.25}}};
   CHECK(std::string(warningName(low.code)) == "BlockMovesLow");
-  CHECK(warningSentence(low) == "endGcode moves along the bed at Z 0.3; what stands there is 5.25 mm high");
+  CHECK(warningSentence(low) == "endGcode goes down to Z 0.3; what stands there is 5.25 mm high");
   REQUIRE(low.value("z") != nullptr);
   CHECK(low.value("z")->number == 0.3);
   CHECK(low.value("speed") == nullptr);

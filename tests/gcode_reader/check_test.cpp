@@ -371,6 +371,10 @@ TEST_CASE("a file of ours that begins above a print must not go below it") {
   CHECK(low.message == "moves below the print on the bed: Z 0.2");
   CHECK(low.error);
   CHECK(low.count == 5);
+  // Straight down between layers, too.
+  std::string plunge = high;
+  plunge.insert(plunge.find(kEnd), "G1 Z4\nG1 Z5.4\n");
+  CHECK(finding(checkGcode(head + plunge), "height").message == "moves below the print on the bed: Z 4");
   // In a start block, which is the machine's own, it is worth a look; as is the way down while moving along.
   const GcodeFinding block = finding(checkGcode(head + kStart + "G1 X9 F600\n" + high), "height");
   CHECK((block.count == 1 && !block.error));

@@ -239,6 +239,13 @@ bool setsPressureAdvance(std::string_view block) {
   return sets;
 }
 
+bool runsStartMacro(std::string_view block) {
+  while (!block.empty()) {
+    if (isStartMacro(commandOf(codeOf(nextLine(block))))) return true;
+  }
+  return false;
+}
+
 bool primesItself(const Printer& printer, const PrintParams& params, const Bounds& beads) {
   if (printer.startGcode.empty()) return false;
   if (printer.flavor == GcodeFlavor::Bambu) return true;

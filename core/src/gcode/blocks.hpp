@@ -13,6 +13,9 @@ namespace sillon {
 /// Whether the start block lays beads of its own: makers' and slicers' blocks fill the nozzle so.
 bool primesItself(const Printer& printer, const PrintParams& params, const Bounds& beads);
 
+/// Whether a start block has a macro that homes, heats and may fill the nozzle: PRINT_START and its kin.
+bool runsStartMacro(std::string_view block);
+
 /// Whether a start block sets pressure advance above 0 (M900 K, M572 S, SET_PRESSURE_ADVANCE).
 bool setsPressureAdvance(std::string_view block);
 

@@ -47,9 +47,11 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
 }
 
 // Nothing goes down to the bed where a print stands: no skirt, no purge line. Homing does, and is not ours to change.
-void warnAbovePrint(GcodeJob& job, const Printer& printer, double height) {
-  job.warn(WarningCode::PrintOnBed, {{"height", height}});
-  if (printer.startGcode.empty()) job.warn(WarningCode::NotPrimedAbovePrint);
+void warnAbovePrint(GcodeJob& job, const Printer& printer, const PrintParams& params, const Bounds& beads) {
+  job.warn(WarningCode::PrintOnBed, {{"height", params.startHeight}});
+  // What a macro does is not told.
+  if (!primesItself(printer, params, beads) && !runsStartMacro(printer.startGcode))
+    job.warn(WarningCode::NotPrimedAbovePrint);
 }
 
 // Of the bed, or near it: nothing is printed there.
@@ -155,7 +157,7 @@ std::optional<Error> addSurroundings(GcodeJob& job, const Bounds& box, const Pri
     addSkirt(job, box, printer, params.skirt);
     if (!primesItself(printer, params, box)) addPurge(job, box, printer, params);
   } else {
-    warnAbovePrint(job, printer, params.startHeight);
+    warnAbovePrint(job, printer, params, box);
   }
   job.aside = job.purge.points.empty() ? corner(printer) : job.purge.points.front();
   const Vec2 last = 0.5 * (job.firstPlate.min + job.firstPlate.max) + mm(job.copies.back());

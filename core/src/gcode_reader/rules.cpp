@@ -323,10 +323,10 @@ void Rules::move(const MachineMove& move) {
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
   const bool zTold = machine_.told(kAxisZ);
-  if (zTold && move.xy && !wipes) {  // from where is not told in a block by itself
+  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // from where is not told in a block by itself
     const double low = lastZTold_ ? std::min(move.zFrom, move.z) : move.z;
     check_.lowest = std::min(check_.lowest, low);
-    if (low < startHeight_) found("below-print", !block(), {{"mm", decimal(low, 3)}});
+    if (low < startHeight_ && (move.xy || startHeight_ > 0)) found("below-print", !block(), {{"mm", decimal(low, 3)}});
   }
   lastZTold_ = zTold;
   // Many blocks lift a little before they home, or between the axes: in the plane, and then in the middle of the bed.

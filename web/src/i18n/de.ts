@@ -1095,7 +1095,7 @@ export const de: Translation = {
   'rare.warning.NotPrimedAbovePrint':
     'Neben einem Druck, der auf dem Druckbett steht, wird nichts gedruckt; die Düse ist daher nicht gefüllt. Eine Grundschicht dieser Datei verdeckt das.',
   'rare.warning.BlockMovesLow':
-    '{block} fährt in einer Höhe von {z} mm über das Druckbett; was dort steht, ist {height} mm hoch.',
+    '{block} fährt bis auf {z} mm über das Druckbett hinab; was dort steht, ist {height} mm hoch.',
   'rare.warning.SkirtLeftOut': 'Der Skirt passt nicht auf das Druckbett und wurde weggelassen.',
   'rare.warning.BaseTooThin':
     'Die Grundschichten decken nur {percent} % der Form; schmalere Teile haben nichts unter sich.',

@@ -1107,7 +1107,7 @@ export const fr: Translation = {
   'rare.warning.NotPrimedAbovePrint':
     'Rien n’est imprimé à côté d’une pièce déjà sur le plateau : la buse n’est pas amorcée. Une couche de base de ce fichier le cache.',
   'rare.warning.BlockMovesLow':
-    '{block} : la buse passe à {z} mm au-dessus du plateau, où se dresse une pièce de {height} mm.',
+    '{block} : la buse descend à {z} mm au-dessus du plateau, où se dresse une pièce de {height} mm.',
   'rare.warning.SkirtLeftOut': 'La jupe ne tient pas sur le plateau et a été omise.',
   'rare.warning.BaseTooThin':
     'Les couches de base ne couvrent que {percent} % de la forme ; les parties plus fines n’ont rien au-dessous.',

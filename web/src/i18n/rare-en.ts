@@ -144,7 +144,7 @@ export const rareEn = {
   'rare.warning.NotPrimedAbovePrint':
     'Nothing is printed beside a print that stands on the bed, so the nozzle is not primed. A base layer of this file hides that.',
   'rare.warning.BlockMovesLow':
-    '{block} moves along the bed at a height of {z} mm; what stands there is {height} mm high.',
+    '{block} goes down to a height of {z} mm; what stands there is {height} mm high.',
   'rare.warning.SkirtLeftOut': 'The skirt does not fit the bed and was left out.',
   'rare.warning.BaseTooThin':
     'The base layers cover only {percent}% of the shape; thinner parts have nothing below them.',

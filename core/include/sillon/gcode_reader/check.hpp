@@ -28,7 +28,7 @@ struct GcodeCheck {
   std::int64_t retractions = 0;
   Bounds box;      ///< of those beads' middles; start and end blocks left out where they are marked
   double top = 0;  ///< highest bead
-  double lowest = std::numeric_limits<double>::infinity();  ///< move along the bed, where a Z was told since homing
+  double lowest = std::numeric_limits<double>::infinity();  ///< move along the bed or down, where a Z was told since homing
   double fastest = 0;                                       ///< of beads
   double slowedMm = 0;   ///< of oriented beads slower than the fastest of their layer
   double mostFlow = 0;   ///< [mm³/s]
