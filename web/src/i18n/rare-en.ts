@@ -143,8 +143,7 @@ export const rareEn = {
     'A print of {height} mm stands on the bed while the printer homes: homing and bed probing must not come down on it.',
   'rare.warning.NotPrimedAbovePrint':
     'Nothing is printed beside a print that stands on the bed, so the nozzle is not primed. A base layer of this file hides that.',
-  'rare.warning.BlockMovesLow':
-    '{block} goes down to a height of {z} mm; what stands there is {height} mm high.',
+  'rare.warning.BlockMovesLow': '{block} goes down to a height of {z} mm; what stands there is {height} mm high.',
   'rare.warning.SkirtLeftOut': 'The skirt does not fit the bed and was left out.',
   'rare.warning.BaseTooThin':
     'The base layers cover only {percent}% of the shape; thinner parts have nothing below them.',

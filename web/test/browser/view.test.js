@@ -311,11 +311,11 @@ test(
       'huge.png': [claiming(10_000, 10_000), /10000 x 10000 texels; at most 1048576/],
       'long.png': [claiming(4_000_000_000, 1), /at most 1048576/],
       'square.png': [claiming(1025, 1024), /1025 x 1024 texels/],
-      'header.png': [plate.subarray(0, 60), /no view of a plate/],
+      'header.png': [plate.subarray(0, 60), /not a view of a plate/],
       'stump.png': [plate.subarray(0, plate.length / 2), undefined], // browsers may show the part that is there
       'wrong.png': [claiming(65, 64), undefined],
       'padded.png': [Buffer.concat([plate, Buffer.alloc(600_000)]), /more than 500000 bytes/],
-      'empty.png': [Buffer.alloc(0), /no view of a plate/],
+      'empty.png': [Buffer.alloc(0), /not a view of a plate/],
     };
     let sent = 0;
     const closed = new Promise((resolve) => {
