@@ -138,7 +138,7 @@ void setField(const Setting& row, Project& project, const std::string& option, c
 }
 
 CLI::Option* Options::word(const std::string& name, const char* unit, const std::string& help,
-                           std::function<Change(const std::string&)> read) {
+                           const std::function<Change(const std::string&)>& read) {
   return app_
       .add_option_function<std::string>(
           name, [this, read](const std::string& text) { changes_.push_back(read(text)); }, help)

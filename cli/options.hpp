@@ -29,7 +29,7 @@ class Options {
 
   /// An option with a word of its own meaning. \param read  text to change; throws by refuse().
   CLI::Option* word(const std::string& name, const char* unit, const std::string& help,
-                    std::function<Change(const std::string&)> read);
+                    const std::function<Change(const std::string&)>& read);
 
   /// An option for one row of the table of settings; what is wrong with its value is found with the whole project.
   void setting(const sillon::Setting& row);
