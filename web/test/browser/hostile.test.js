@@ -66,6 +66,7 @@ test('a broken link is told, and the page begins as usual', { skip }, async () =
 
 test('no other plate is made while a link’s is on its way', { skip }, async () => {
   const visit = await bench.open({ small: true });
+  await stretchWaits(visit.page, 1500, 0); // then a page without a link begins (`restoreWithin`): at once
   await stretchWaits(visit.page, 10_000, 170_000); // then a page begins without its link's plate (`linkWithin`)
   let begun;
   await visit.page.route(/links-[^/]*\.js$/, async (route) => {
