@@ -423,8 +423,8 @@ void Rules::checkHot() {
 }
 
 // Noise is a zigzag: three turns in a row, left and right in turn. Its amplitude is half the middle's distance from the
-// line between its neighbours, so that curves and corners, which turn to one side, have none. Turns too
-// small to make a planner brake do not count; otherwise S-curves made of long moves would look noisy.
+// line between its neighbours, so that curves and corners, which turn to one side, have none. Turns too small to make a
+// planner brake do not count; otherwise S-curves made of long moves would look noisy.
 void Rules::follow(Vec2 p) {
   trail_.push_back(p);
   if (trail_.size() < 5) return;

@@ -31,9 +31,17 @@ void mark(std::vector<bool>& cells, const RegionField& field, double width, Vec2
   }
 }
 
-double share(std::int64_t some, std::int64_t whole) {
-  return whole > 0 ? static_cast<double>(some) / static_cast<double>(whole) : 1.0;
-}
+// Of the cells of a part.
+struct Cells {
+  std::int64_t all = 0;
+  std::int64_t marked = 0;
+
+  void add(bool mark) {
+    ++all;
+    marked += mark ? 1 : 0;
+  }
+  [[nodiscard]] double share() const { return all > 0 ? static_cast<double>(marked) / static_cast<double>(all) : 1.0; }
+};
 
 void leaveBecause(SurfaceBlock& block, LeftBecause why) {
   if (block.surface.left == LeftBecause::None) block.surface.left = why;
@@ -43,52 +51,59 @@ void leaveBecause(SurfaceBlock& block, LeftBecause why) {
 
 void Skins::bead(Vec2 from, Vec2 to) {
   beads_.emplace_back(from, to);
-  for (Skin& skin : waiting_) mark(skin.covered, *skin.field, skin.block.surface.width, from, to);
+  for (Stretch& stretch : waiting_) mark(stretch.covered, *stretch.field, stretch.width, from, to);
 }
 
-void Skins::add(SurfaceBlock block, std::shared_ptr<const RegionField> field, int part) {
-  std::vector<bool> carried(field->distance.size(), false);
-  for (const auto& [from, to] : below_) mark(carried, *field, block.surface.width, from, to);
-  std::int64_t all = 0;
-  std::int64_t some = 0;
-  for (std::size_t k = 0; k < carried.size(); ++k) {
-    if (field->part[k] != part) continue;
-    ++all;
-    some += carried[k] ? 1 : 0;
+void Skins::add(SurfaceBlock block, const std::shared_ptr<const RegionField>& field, int part) {
+  if (stretches_.empty() || stretches_.back().field != field) {
+    Stretch& stretch = stretches_.emplace_back();
+    stretch.field = field;
+    stretch.width = block.surface.width;
+    stretch.covered.resize(field->part.size());
+    std::vector<bool> carried(field->part.size());
+    for (const auto& [from, to] : below_) mark(carried, *field, stretch.width, from, to);
+    std::vector<Cells> cells(static_cast<std::size_t>(field->parts));
+    for (std::size_t k = 0; k < carried.size(); ++k) {
+      if (field->part[k] >= 0) cells[static_cast<std::size_t>(field->part[k])].add(carried[k]);
+    }
+    for (const Cells& of : cells) stretch.carried.push_back(of.share());
   }
-  if (share(some, all) < kCarried) leaveBecause(block, LeftBecause::Bridge);
-  std::vector<bool> covered(field->distance.size(), false);
-  skins_.push_back({std::move(block), std::move(field), part, std::move(covered)});
+  Stretch& stretch = stretches_.back();
+  if (stretch.carried[static_cast<std::size_t>(part)] < kCarried) leaveBecause(block, LeftBecause::Bridge);
+  stretch.skins.push_back({std::move(block), part});
 }
 
 void Skins::leave(LeftBecause why) {
-  for (Skin& skin : skins_) leaveBecause(skin.block, why);
+  for (Stretch& stretch : stretches_) {
+    for (Skin& skin : stretch.skins) leaveBecause(skin.block, why);
+  }
 }
 
 std::vector<SurfaceBlock> Skins::endLayer() {
   std::vector<SurfaceBlock> tops;
-  for (Skin& skin : waiting_) {
+  for (Stretch& stretch : waiting_) {
     // Skins reach a little under the walls of the next layer. Infill above would cover them all over.
-    const std::vector<float> depth = depths(*skin.field);
-    std::int64_t all = 0;
-    std::int64_t covered = 0;
-    std::int64_t deep = 0;
-    std::int64_t deepCovered = 0;
-    for (std::size_t k = 0; k < skin.covered.size(); ++k) {
-      if (skin.field->part[k] != skin.part) continue;
-      const bool inner = static_cast<double>(depth[k]) * skin.field->cell > kExpanded;
-      ++all;
-      deep += inner ? 1 : 0;
-      covered += skin.covered[k] ? 1 : 0;
-      deepCovered += inner && skin.covered[k] ? 1 : 0;
+    const RegionField& field = *stretch.field;
+    const std::vector<float> depth = depths(field);
+    std::vector<Cells> all(static_cast<std::size_t>(field.parts));
+    std::vector<Cells> deep(all.size());
+    for (std::size_t k = 0; k < stretch.covered.size(); ++k) {
+      if (field.part[k] < 0) continue;
+      const auto part = static_cast<std::size_t>(field.part[k]);
+      all[part].add(stretch.covered[k]);
+      if (static_cast<double>(depth[k]) * field.cell > kExpanded) deep[part].add(stretch.covered[k]);
     }
-    if (share(covered, all) > kInside) continue;
-    const bool rim = share(deepCovered, deep) <= kCovered && share(covered, all) <= kMostExpanded;
-    if (share(covered, all) > kCovered && !rim) leaveBecause(skin.block, LeftBecause::Covered);
-    tops.push_back(std::move(skin.block));
+    for (Skin& skin : stretch.skins) {
+      const auto part = static_cast<std::size_t>(skin.part);
+      const double covered = all[part].share();
+      if (covered > kInside) continue;
+      const bool rim = deep[part].share() <= kCovered && covered <= kMostExpanded;
+      if (covered > kCovered && !rim) leaveBecause(skin.block, LeftBecause::Covered);
+      tops.push_back(std::move(skin.block));
+    }
   }
-  waiting_ = std::move(skins_);
-  skins_.clear();
+  waiting_ = std::move(stretches_);
+  stretches_.clear();
   below_ = std::move(beads_);
   beads_.clear();
   return tops;

@@ -16,8 +16,8 @@ class Skins {
   /// Plastic of the layer that is being read.
   void bead(Vec2 from, Vec2 to);
 
-  /// A skin of that layer: a part of a region.
-  void add(SurfaceBlock block, std::shared_ptr<const RegionField> field, int part);
+  /// A skin of that layer: a part of a stretch's region, whose skins come one after the other.
+  void add(SurfaceBlock block, const std::shared_ptr<const RegionField>& field, int part);
 
   /// For the reason, every skin of that layer that was added so far is left.
   void leave(LeftBecause why);
@@ -29,16 +29,21 @@ class Skins {
  private:
   struct Skin {
     SurfaceBlock block;
-    std::shared_ptr<const RegionField> field;  // of its stretch
     int part = 0;
-    std::vector<bool> covered;  // by the next layer, for each cell
+  };
+  struct Stretch {
+    std::shared_ptr<const RegionField> field;
+    double width = 0;             // of its beads
+    std::vector<double> carried;  // share of each part that lies on plastic of the layer below
+    std::vector<bool> covered;    // cells below plastic of the next layer
+    std::vector<Skin> skins;
   };
   using Bead = std::pair<Vec2, Vec2>;
 
   std::vector<Bead> beads_;  // of this layer
   std::vector<Bead> below_;
-  std::vector<Skin> skins_;    // of this layer
-  std::vector<Skin> waiting_;  // of the layer below
+  std::vector<Stretch> stretches_;  // of this layer
+  std::vector<Stretch> waiting_;    // of the layer below
 };
 
 }  // namespace sillon

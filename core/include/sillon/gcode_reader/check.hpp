@@ -28,12 +28,13 @@ struct GcodeCheck {
   std::int64_t retractions = 0;
   Bounds box;      ///< of those beads' middles; start and end blocks left out where they are marked
   double top = 0;  ///< highest bead
-  double lowest = std::numeric_limits<double>::infinity();  ///< move along the bed or down, where a Z was told since homing
-  double fastest = 0;                                       ///< of beads
-  double slowedMm = 0;   ///< of oriented beads slower than the fastest of their layer
-  double mostFlow = 0;   ///< [mm³/s]
-  double mostMoves = 0;  ///< [1/s], over any 8 moves
-  double noise = -1;     ///< 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none
+  double lowest =
+      std::numeric_limits<double>::infinity();  ///< move along the bed or down, where a Z was told since homing
+  double fastest = 0;                           ///< of beads
+  double slowedMm = 0;                          ///< of oriented beads slower than the fastest of their layer
+  double mostFlow = 0;                          ///< [mm³/s]
+  double mostMoves = 0;                         ///< [1/s], over any 8 moves
+  double noise = -1;  ///< 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none
   /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no base. The outline is in
   /// no file; what the base layers fill is taken for it.
   std::vector<double> coverage;
