@@ -1,24 +1,15 @@
 // Workers of browsers. They are started only from addresses of their page's own origin, so scripts from elsewhere become
 // blobs first; so do those that a bundler has turned into data: addresses.
 import { SillonError, invalid, messageOf } from './errors.js';
-import type { Platform } from './platform.js';
+import { filesIn, type Platform } from './platform.js';
 import type { EngineFiles, FromWorker, ThreadScripts } from './protocol.js';
 
 const page = (): string => (typeof document === 'undefined' ? location.href : document.baseURI);
 
 function filesAt(assetBase: string | URL): EngineFiles {
   const text = String(assetBase);
-  const at = (name: string): string => new URL(`${text.replace(/\/$/, '')}/${name}`, page()).href;
   try {
-    return {
-      worker: at('worker.js'),
-      st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
-      mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
-      files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
-      rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
-      calibrate: { script: at('sillon-calibrate.js'), wasm: at('sillon-calibrate.wasm') },
-      photo: { script: at('sillon-photo.js'), wasm: at('sillon-photo.wasm') },
-    };
+    return filesIn((name) => new URL(`${text.replace(/\/$/, '')}/${name}`, page()).href);
   } catch {
     throw invalid(`assetBase is "${text}"; it must be a URL, or a path on this page's server`);
   }

@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 
 import { SillonError, invalid, messageOf } from './errors.js';
-import type { Platform } from './platform.js';
+import { filesIn, type Platform } from './platform.js';
 import type { Files, FromWorker } from './protocol.js';
 
 /** The engine's files, which a server's bundler leaves in the package. Written so that none takes it for a file that it is
@@ -54,16 +54,7 @@ async function withoutBlob<T>(file: T | Blob, name: string): Promise<T | Uint8Ar
 export const node: Platform = {
   files(assetBase) {
     const folder = assetBase === undefined ? ownFolder() : folderOf(assetBase);
-    const at = (name: string): string => new URL(name, folder).href;
-    return {
-      worker: at('worker.js'),
-      st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
-      mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
-      files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
-      rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
-      calibrate: { script: at('sillon-calibrate.js'), wasm: at('sillon-calibrate.wasm') },
-      photo: { script: at('sillon-photo.js'), wasm: at('sillon-photo.wasm') },
-    };
+    return filesIn((name) => new URL(name, folder).href);
   },
 
   cores: availableParallelism,

@@ -16,6 +16,17 @@ export interface Platform {
   startWorker(files: EngineFiles, threads: number, memory: number, events: WorkerEvents): Promise<EngineWorker>;
 }
 
+/** The engine's files in one folder. @param at  the address of a file there */
+export const filesIn = (at: (name: string) => string): EngineFiles => ({
+  worker: at('worker.js'),
+  st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
+  mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
+  files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
+  rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
+  calibrate: { script: at('sillon-calibrate.js'), wasm: at('sillon-calibrate.wasm') },
+  photo: { script: at('sillon-photo.js'), wasm: at('sillon-photo.wasm') },
+});
+
 export interface WorkerEvents {
   onMessage(message: FromWorker): void;
   /** The worker could not be started, or has ended by itself. @param code  where that is known */
