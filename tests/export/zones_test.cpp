@@ -23,6 +23,7 @@
 
 #include "export/bytes.hpp"
 #include "export/zip_reader.hpp"
+#include "export/zone_slabs.hpp"
 #include "sillon/geometry/outline.hpp"
 
 using namespace sillon;
@@ -314,6 +315,45 @@ TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles t
   }
 }
 
+TEST_CASE("zones reach as deep as solid layers below each level top, and no deeper") {
+  const Mesh tall = prismOf(makeDisc(20).value(), 10).value();
+  const std::vector<Slab> one = slabsOf(tall, {0.2, 0.2}, 100);
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].bottom == Approx(7.8));  // ten layers below the one of the top
+  CHECK(one[0].top == Approx(11));
+  CHECK(one[0].turned);  // its 50th layer
+  const std::vector<Slab> thick = slabsOf(tall, {0.4, 0.6}, 100);
+  REQUIRE(thick.size() == 1);
+  CHECK(thick[0].bottom == Approx(10 - 9 * 0.4).epsilon(0.03));  // eight
+  const std::vector<Slab> thin = slabsOf(prismOf(makeDisc(20).value(), 1).value(), {0.2, 0.2}, 100);
+  REQUIRE(thin.size() == 1);
+  CHECK(thin[0].bottom == Approx(-1));
+  CHECK_FALSE(thin[0].turned);
+}
+
+TEST_CASE("each layer of a gentle slope is turned by itself, walls are not seen") {
+  const auto wedge = [](double rise) {
+    Mesh mesh = boxMesh({0, 0, 0}, {40, 20, 3});
+    for (auto& point : mesh.points) point[2] += point[2] > 0 && point[0] > 0 ? rise : 0;
+    return mesh;
+  };
+  const ZoneLayers layers{0.2, 0.3};
+  const std::vector<Slab> slabs = slabsOf(wedge(4), layers, 1000);  // a layer each 2 mm
+  int seen = 0;
+  for (int layer = 14; layer < 34; ++layer) {
+    const double middle = 0.3 + 0.2 * (layer - 0.5);
+    for (const Slab& slab : slabs) {
+      if (!(middle > slab.bottom && middle < slab.top)) continue;
+      ++seen;
+      CHECK(slab.turned == (layer % 2 != 0));
+      if (layer > 14 && layer < 33) CHECK(slab.top - slab.bottom == Approx(0.2));
+    }
+  }
+  CHECK(seen == 20);
+  CHECK(slabsOf(wedge(4), layers, 1).size() == 1);
+  CHECK(slabsOf(wedge(30), layers, 1000).size() == 1);  // its steps are 0.27 mm wide
+}
+
 TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
   const Mesh box = boxMesh({1, 2, 0}, {11, 7, 3});
   const std::string bytes = writeStl(box);
@@ -365,8 +405,12 @@ TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
   fs::create_directories(folder);
   const Shape shape = makeDisc(60).value();
   const DirectionZones zones = zonesOf(shape, rings(), 6);
-  for (const double height : {1.0, 1.2}) {
-    const std::string package = zones3mf(prismOf(shape, height).value(), zones, {0, 0}, {0.2, 0.2}).value();
+  Mesh slope = boxMesh({0, 0, 0}, {60, 60, 3});
+  for (auto& point : slope.points) point[2] += point[2] > 0 && point[0] > 0 ? 2 : 0;
+  for (const auto& [name, body] : {std::pair("five layers", prismOf(shape, 1).value()),
+                                   {"six layers", prismOf(shape, 1.2).value()},
+                                   {"a slope", slope}}) {
+    const std::string package = zones3mf(body, zones, {0, 0}, {0.2, 0.2}).value();
     std::ofstream(folder / "zones.3mf", std::ios::binary) << package;
     const std::string command = "prusa-slicer --export-gcode --layer-height 0.2 --first-layer-height 0.2 --center " +
                                 std::string("100,100 --output ") + (folder / "zones.gcode").string() + " " +
@@ -397,8 +441,7 @@ TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
     CHECK(all > 5000);
     CHECK(wrong == 0);
     for (const double mm : laid) CHECK(mm > 500);
-    std::printf("prusa-slicer, %.1f mm high: %.0f mm of straight top lines, %.0f mm off their zone's angle\n", height,
-                all, wrong);
+    std::printf("prusa-slicer, %s: %.0f mm of straight top lines, %.0f mm off their zone's angle\n", name, all, wrong);
   }
   fs::remove_all(folder);
 }

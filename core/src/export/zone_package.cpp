@@ -10,89 +10,15 @@
 #include "export/mesh_xml.hpp"
 #include "export/prism.hpp"
 #include "export/zip.hpp"
+#include "export/zone_slabs.hpp"
 #include "sillon/export/zones.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kBeyond = 1;           // [mm] below and above the body
-constexpr double kLevelArea = 1;        // [mm²] of level tops that count
-constexpr std::size_t kMostSlabs = 64;  // else the highest top decides for all
-
 using Corner3 = std::array<double, 3>;
 
-/// Between two heights all tops have angles of one kind.
-struct Slab {
-  double bottom = 0;
-  double top = 0;
-  bool turned = false;  ///< the slicer adds 90 degrees there
-};
-
-// \param z  of a top \param last  it is the highest: PrusaSlicer lays no layer whose middle it would be, others it does
-bool isTurned(double z, const ZoneLayers& layers, bool last) {
-  constexpr double kTie = 1e-4;
-  const double index = (z - layers.firstHeight) / layers.height;  // of the layer, from 0
-  return std::llround(last ? index - kTie : index + kTie) % 2 != 0;
-}
-
-// Below 0 where the triangles of a body face inwards.
-double volumeOf(const Mesh& body) {
-  double six = 0;
-  for (const auto& t : body.triangles) {
-    const Corner3& a = body.points[t[0]];
-    const Corner3& b = body.points[t[1]];
-    const Corner3& c = body.points[t[2]];
-    six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-  return six / 6;
-}
-
-// Upward faces by their height.
-std::vector<double> levelTops(const Mesh& body) {
-  const double outwards = volumeOf(body) < 0 ? -1 : 1;
-  std::vector<std::pair<std::int64_t, double>> faces;  // [µm], [mm²]
-  for (const auto& t : body.triangles) {
-    const Corner3& a = body.points[t[0]];
-    const Corner3& b = body.points[t[1]];
-    const Corner3& c = body.points[t[2]];
-    if (std::abs(a[2] - b[2]) > 1e-3 || std::abs(a[2] - c[2]) > 1e-3) continue;
-    const double area = outwards * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-    if (area > 0) faces.emplace_back(std::llround(1000 * a[2]), area);
-  }
-  std::sort(faces.begin(), faces.end());
-  std::vector<double> tops;
-  double area = 0;
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    area += faces[k].second;
-    if (k + 1 < faces.size() && faces[k + 1].first <= faces[k].first + 1) continue;
-    if (area >= kLevelArea) tops.push_back(static_cast<double>(faces[k].first) / 1000);
-    area = 0;
-  }
-  return tops;
-}
-
-std::vector<Slab> slabsOf(const Mesh& body, const ZoneLayers& layers) {
-  double low = body.points.front()[2];
-  double high = low;
-  for (const Corner3& p : body.points) {
-    low = std::min(low, p[2]);
-    high = std::max(high, p[2]);
-  }
-  std::vector<double> tops = levelTops(body);
-  if (tops.empty() || tops.back() < high) tops.push_back(high);
-  std::vector<Slab> slabs;
-  for (const double z : tops) {
-    const bool turned = isTurned(z - low, layers, z >= high);
-    if (!slabs.empty() && slabs.back().turned == turned) {
-      slabs.back().top = z;
-    } else {
-      slabs.push_back({slabs.empty() ? low - kBeyond : slabs.back().top, z, turned});
-    }
-  }
-  if (slabs.size() > kMostSlabs) slabs = {{low - kBeyond, high, isTurned(high - low, layers, true)}};
-  slabs.back().top = high + kBeyond;
-  return slabs;
-}
+constexpr std::size_t kMostTriangles = 400'000;  // of the zones
 
 std::string metadata(const char* type, const char* key, const std::string& value) {
   return "   <metadata type=\"" + std::string(type) + "\" key=\"" + key + "\" value=\"" + value + "\"/>\n";
@@ -108,6 +34,20 @@ struct Volume {
   std::string settings;
   bool modifier = false;
 };
+
+FlatBody flatZone(const DirectionZone& zone) {
+  FlatBody flat;
+  PrismRings rings;
+  for (const Ring& ring : zone.rings) {
+    std::vector<std::uint32_t>& indices = rings.emplace_back();
+    for (const Vec2 p : ring) {
+      indices.push_back(static_cast<std::uint32_t>(flat.points.size()));
+      flat.points.push_back({std::llround(1000 * p.x), std::llround(1000 * p.y)});
+    }
+  }
+  flat.triangulation = triangulate(flat.points, rings);
+  return flat;
+}
 
 }  // namespace
 
@@ -185,30 +125,32 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
   Mesh mesh = body;
   std::vector<Volume> volumes{{"body", 0, body.triangles.size() - 1, {}, false}};
   const PrismPoint offset{std::llround(1000 * corner.x), std::llround(1000 * corner.y)};
-  for (const Slab& slab : slabsOf(body, layers)) {
-    for (const DirectionZone& zone : zones.zones) {
-      std::vector<PrismPoint> points;
-      PrismRings rings;
-      for (const Ring& ring : zone.rings) {
-        std::vector<std::uint32_t>& indices = rings.emplace_back();
-        for (const Vec2 p : ring) {
-          indices.push_back(static_cast<std::uint32_t>(points.size()));
-          points.push_back({std::llround(1000 * p.x), std::llround(1000 * p.y)});
-        }
+  std::vector<FlatBody> flats;
+  std::size_t triangles = 0;
+  for (const DirectionZone& zone : zones.zones) {
+    const FlatBody& flat = flats.emplace_back(flatZone(zone));
+    if (!flat.triangulation.complete || flat.triangulation.triangles.empty()) {
+      return Error{ErrorCode::TooLarge, "a zone is too entangled to cut into triangles; fewer or wider zones are not"};
+    }
+    triangles += 2 * (flat.triangulation.triangles.size() + flat.points.size());
+  }
+  const std::vector<Slab> slabs =
+      slabsOf(body, layers, std::max<std::size_t>(1, kMostTriangles / std::max<std::size_t>(1, triangles)));
+  for (std::size_t k = 0; k < flats.size(); ++k) {
+    const double degrees = zones.zones[k].degrees;
+    for (const bool turned : {false, true}) {
+      Volume volume{"zone " + decimal(degrees, 1), mesh.triangles.size(), 0, {}, true};
+      for (const Slab& slab : slabs) {
+        if (slab.turned == turned)
+          addPrism(flats[k].triangulation, flats[k].points, offset, slab.bottom, slab.top, mesh);
       }
-      const Triangulation flat = triangulate(points, rings);
-      if (!flat.complete || flat.triangles.empty()) {
-        return Error{ErrorCode::TooLarge,
-                     "a zone is too entangled to cut into triangles; fewer or wider zones are not"};
-      }
-      Volume volume{"zone " + decimal(zone.degrees, 1), mesh.triangles.size(), 0, {}, true};
-      addPrism(flat, points, offset, slab.bottom, slab.top, mesh);
+      if (mesh.triangles.size() == volume.first) continue;
       volume.last = mesh.triangles.size() - 1;
-      const double given = std::fmod(zone.degrees + (slab.turned ? 90 : 0), 180);
+      const double given = std::fmod(degrees + (turned ? 90 : 0), 180);
       for (const char* key : {"fill_angle", "infill_direction", "solid_infill_direction"}) {
         volume.settings += metadata("volume", key, decimal(given, 1));
       }
-      volume.settings += metadata("volume", "top_layer_direction", decimal(zone.degrees, 1));
+      volume.settings += metadata("volume", "top_layer_direction", decimal(degrees, 1));
       for (const char* key : {"top_fill_pattern", "top_surface_pattern"}) {
         volume.settings += metadata("volume", key, "monotonic");
       }
