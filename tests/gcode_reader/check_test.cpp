@@ -358,7 +358,12 @@ TEST_CASE("files of our own are held to more: closed cycles, plain lines, totals
   CHECK(rules(checkGcode(ours + "M117 hello\n" + kStart + kSquare + kEnd)) == "");  // start blocks are the user's
   CHECK(finding(checkGcode(ours + kStart + kSquare + kEnd + "; filament used [mm] = 1.40\n"), "totals").error);
   CHECK(rules(checkGcode(ours + kStart + kSquare + kEnd + "; filament used [mm] = 1.33\n")) == "");
-  CHECK(finding(checkGcode(ours + kStart + kSquare + "G1 X90 F6000\n" + kEnd), "retraction").error);
+  const std::string retracts = "G1 E-0.8 F2100\nG1 X60 F6000\nG1 E0.8 F2100\n";
+  CHECK(finding(checkGcode(ours + kStart + kSquare + retracts + "G1 X90 F6000\n" + kEnd), "retraction").error);
+  // Without a retraction anywhere, none was asked for.
+  const GcodeCheck never = checkGcode(ours + kStart + kSquare + "G1 X90 F6000\n" + kEnd);
+  CHECK(finding(never, "retraction").message == "travels without retraction over 40 mm");
+  CHECK_FALSE(finding(never, "retraction").error);
 }
 
 TEST_CASE("a file of ours that begins above a print must not go below it") {

@@ -51,7 +51,10 @@ bool beside(const FileSettings& settings, Vec2 p) {
   return beyond ? *beyond > 0.5 : p.y > kFarSheet;
 }
 
-std::string shownPlace(Vec2 p) { return "(" + decimal(p.x, 3) + ", " + decimal(p.y, 3) + ")"; }
+std::string shownPlace(Vec2 p) {
+  std::string place = "(";
+  return place.append(decimal(p.x, 3)).append(", ").append(decimal(p.y, 3)).append(")");
+}
 
 }  // namespace
 
@@ -569,6 +572,10 @@ GcodeCheck Rules::finish() {
   check_.layers = layers_;
   judgeLayers();
   judgeTotals();
+  // A file that never retracts was asked to: it oozes, and nothing is broken.
+  for (GcodeFinding& finding : check_.findings) {
+    if (finding.code == "travel-unretracted" && !retractsBetween_) finding.error = false;
+  }
   // Those of lines came in their order, those of the file as a whole behind them.
   std::vector<GcodeFinding> sorted;
   for (const bool error : {true, false}) {
