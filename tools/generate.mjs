@@ -135,18 +135,28 @@ function studioRow(setting) {
   if (low !== undefined) Object.assign(facts, { low, high: mostOf(setting) });
   if (nullable) facts.nullable = nullable;
   const text = Object.entries(facts).map(([name, value]) => `${name}: ${JSON.stringify(value).replaceAll('"', "'")}`);
-  return `    ${key}: { ${text.join(', ')} },`;
+  return `${key}: { ${text.join(', ')} },`;
 }
 
-const studioSection = (section) =>
-  `  ${section}: {\n${of(section)
-    .filter(({ type }) => type !== 'name')
-    .map(studioRow)
-    .join('\n')}\n  },`;
+/** Of the pictures, what the studio has fields for. */
+const isOfStudio = ({ section, type, key }) =>
+  section === 'pictures' ? ['lampSize', 'smoothness', 'localContrast'].includes(key) : type !== 'name';
+
+const studioRows = (section, indent) =>
+  of(section)
+    .filter(isOfStudio)
+    .map((setting) => indent + studioRow(setting))
+    .join('\n');
+
+const studioSection = (section) => `  ${section}: {\n${studioRows(section, '    ')}\n  },`;
 
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
 ${['toolpath', 'print', 'printer'].map(studioSection).join('\n')}
+} as const;
+
+export const pictureTable = {
+${studioRows('pictures', '  ')}
 } as const;
 `;
 

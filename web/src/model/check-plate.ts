@@ -23,6 +23,7 @@ import type {
   SourceFile,
   Stroke,
 } from './plate.js';
+import { pictureTable } from './setting-table.js';
 import { accepts, settings, type SectionName } from './settings.js';
 
 export type Fields = Record<string, unknown>;
@@ -185,9 +186,6 @@ const ranges: Readonly<Record<string, [number, number]>> = {
   contrast: [0.01, 100],
   smoothing: [0, 1],
   threshold: [0, 1],
-  lampSize: [0, 2],
-  smoothness: [0.001, 10],
-  localContrast: [0, 2],
 };
 const longestText = 2000;
 
@@ -203,6 +201,11 @@ function like(pattern: unknown, given: unknown, name: string): unknown {
   }
   const [min, max] = ranges[name] ?? [0, 0];
   return numberIn(given, where, min, max);
+}
+
+function pictureNumber(name: keyof typeof pictureTable, given: unknown): number {
+  const { low, high } = pictureTable[name];
+  return numberIn(given, `directions.${name}`, low, high);
 }
 
 const includes = <Kind extends string>(kinds: readonly Kind[], kind: string): kind is Kind =>
@@ -224,13 +227,12 @@ function lampFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
         : ([numberIn(lamp[0], `${where}.lamp`, -360, 360), numberIn(lamp[1], `${where}.lamp`, 1, 90)] as const);
     return { file: fileFrom(file, `${where}.file`), lamp: stands };
   });
-  const number = (name: 'lampSize' | 'smoothness' | 'localContrast'): number => like(0, fields[name], name) as number;
   return {
     kind: 'lamp',
     pictures: read,
-    lampSize: number('lampSize'),
-    smoothness: number('smoothness'),
-    localContrast: number('localContrast'),
+    lampSize: pictureNumber('lampSize', fields['lampSize']),
+    smoothness: pictureNumber('smoothness', fields['smoothness']),
+    localContrast: pictureNumber('localContrast', fields['localContrast']),
   };
 }
 

@@ -1,7 +1,7 @@
 // What a plate is before anybody changes it.
-import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
+import type { PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import type { DirectionSource, FlatColour, LampPicture, Plate, ShapeSource, SourceFile } from './plate.js';
-import { table } from './setting-table.js';
+import { pictureTable, table } from './setting-table.js';
 
 /** What the core's table of settings says. */
 const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
@@ -10,13 +10,14 @@ const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readon
 export const toolpathDefaults = defaultsOf<ToolpathParams>(table.toolpath);
 export const printDefaults = defaultsOf<Omit<PrintParams, 'date'>>(table.print);
 export const printerDefaults = defaultsOf<PrinterValues>(table.printer);
+const pictureDefaults = defaultsOf<Pick<PictureParams, keyof typeof pictureTable>>(pictureTable);
 
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
 
 /** Each kind of directions as it is first chosen. */
 const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'pictures' | 'colours'> } = {
   angle: { kind: 'angle', angle: 0 },
-  lamp: { kind: 'lamp', lampSize: 0.1, smoothness: 0.05, localContrast: 0 },
+  lamp: { kind: 'lamp', ...pictureDefaults },
   map: { kind: 'map', encoding: 'angle' },
   // Under the light from 60° that the appearance begins with, bright is bright.
   tone: { kind: 'tone', from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },

@@ -96,3 +96,9 @@ export const table = {
     screenSizes: { type: 'text', level: 'advanced', default: '32x32, 300x300' },
   },
 } as const;
+
+export const pictureTable = {
+  lampSize: { type: 'number', level: 'basic', default: 0.1, low: 0, high: 2 },
+  smoothness: { type: 'number', level: 'advanced', default: 0.02, low: 0.001, high: 10 },
+  localContrast: { type: 'number', level: 'advanced', default: 0, low: 0, high: 2 },
+} as const;

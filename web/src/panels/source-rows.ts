@@ -1,5 +1,6 @@
 // The rows of each kind of directions as data, from which the panel is drawn.
 import type { DirectionSource } from '../model/plate.js';
+import { pictureTable } from '../model/setting-table.js';
 
 interface Row {
   key: string;
@@ -107,8 +108,13 @@ const smoothing = number('smoothing', 'field.smoothing', {
 
 const rows: Record<DirectionSource['kind'], readonly SourceRow[]> = {
   lamp: [
-    number('smoothness', 'field.calm', { min: 0.001, max: 10, step: 0.01, usual: [0.01, 0.5] }),
-    percent('localContrast', 'field.localContrast', 200),
+    number('smoothness', 'field.calm', {
+      min: pictureTable.smoothness.low,
+      max: pictureTable.smoothness.high,
+      step: 0.01,
+      usual: [0.01, 0.5],
+    }),
+    percent('localContrast', 'field.localContrast', 100 * pictureTable.localContrast.high),
   ],
   angle: [angle('angle')],
   map: [

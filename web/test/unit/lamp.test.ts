@@ -63,7 +63,7 @@ test('the engine is asked for the pictures under the spool of the plate', () => 
     spool: 'bluePla',
     slopes: [2.36, 17.32],
     lampSize: 0.1,
-    smoothness: 0.05,
+    smoothness: 0.02,
     localContrast: 0,
     corrections: 0,
   });
