@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "base/decimal_text.hpp"
+#include "sillon/export/zones.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {
@@ -121,6 +123,18 @@ void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, 
     }
   }
   extrude(flat, static_cast<std::uint32_t>(points.size()), first, mesh);
+}
+
+Result<Mesh> prismOf(const Shape& shape, double height) {
+  constexpr double kLeast = 0.05;  // [mm]
+  constexpr double kMost = 5000;   // [mm]
+  if (!(height >= kLeast && height <= kMost))
+    return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "0.05 to 5000 mm")};
+  const Result<FlatBody> flat = flatBody(shape, {});
+  if (!flat) return flat.error();
+  Mesh mesh;
+  addPrism(flat.value().triangulation, flat.value().points, {}, 0, height, mesh);
+  return mesh;
 }
 
 }  // namespace sillon

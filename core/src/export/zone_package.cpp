@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,16 +15,11 @@
 namespace sillon {
 namespace {
 
-using Corner3 = std::array<double, 3>;
-
 constexpr std::size_t kMostTriangles = 400'000;  // of the zones
 
 std::string metadata(const char* type, const char* key, const std::string& value) {
   return "   <metadata type=\"" + std::string(type) + "\" key=\"" + key + "\" value=\"" + value + "\"/>\n";
 }
-
-constexpr double kLeastHeight = 0.05;  // [mm]
-constexpr double kMostHeight = 5000;   // [mm]
 
 struct Volume {
   std::string name;
@@ -50,70 +44,6 @@ FlatBody flatZone(const DirectionZone& zone) {
 }
 
 }  // namespace
-
-Result<Mesh> prismOf(const Shape& shape, double height) {
-  if (!(height >= kLeastHeight && height <= kMostHeight))
-    return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "0.05 to 5000 mm")};
-  const Result<FlatBody> flat = flatBody(shape, {});
-  if (!flat) return flat.error();
-  Mesh mesh;
-  addPrism(flat.value().triangulation, flat.value().points, {}, 0, height, mesh);
-  return mesh;
-}
-
-Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
-  constexpr double kCells = 4e6;
-  Bounds box;
-  for (const Corner3& p : body.points) box.add({p[0], p[1]});
-  const Vec2 size = box.size();
-  if (!(size.x > 0 && size.y > 0)) return Error{ErrorCode::EmptyShape, "the body is flat; there is nothing to see"};
-  const double cell = std::max(0.05, std::sqrt(size.x * size.y / kCells));
-  Image mask;
-  mask.width = static_cast<int>(std::ceil(size.x / cell));
-  mask.height = static_cast<int>(std::ceil(size.y / cell));
-  mask.channels = 1;
-  // How many triangles more than at the pixel to the left lie at each: one that is large takes no longer for it.
-  const auto stride = static_cast<std::size_t>(mask.width) + 1;
-  std::vector<std::int32_t> more(stride * static_cast<std::size_t>(mask.height), 0);
-  const double pitch = size.x / mask.width;
-  for (const auto& t : body.triangles) {
-    std::array<Vec2, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = Vec2{body.points[t[k]][0], body.points[t[k]][1]} - box.min;
-    const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
-    const int first = std::max(0, static_cast<int>(std::ceil(low / pitch - 0.5)));
-    const int last = std::min(mask.height - 1, static_cast<int>(std::floor(high / pitch - 0.5)));
-    for (int row = first; row <= last; ++row) {
-      const double y = (row + 0.5) * pitch;
-      double from = 1e30;
-      double to = -1e30;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2 a = p[k];
-        const Vec2 b = p[(k + 1) % 3];
-        if ((a.y > y) == (b.y > y)) continue;
-        const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
-        from = std::min(from, x);
-        to = std::max(to, x);
-      }
-      if (from > to) continue;  // a corner at most
-      const int left = std::max(0, static_cast<int>(std::ceil(from / pitch - 0.5)));
-      const int right = std::min(mask.width - 1, static_cast<int>(std::floor(to / pitch - 0.5)));
-      if (left > right) continue;
-      std::int32_t* const at = more.data() + static_cast<std::size_t>(mask.height - 1 - row) * stride;
-      ++at[left];
-      --at[right + 1];
-    }
-  }
-  mask.samples.reserve(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
-  for (std::size_t row = 0; row < more.size(); row += stride) {
-    std::int32_t here = 0;
-    for (std::size_t x = 0; x + 1 < stride; ++x) {
-      here += more[row + x];
-      mask.samples.push_back(here > 0 ? 65535 : 0);
-    }
-  }
-  corner = box.min;
-  return shapeFromMask(mask, size.x);
-}
 
 Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers) {
   for (const double height : {layers.height, layers.firstHeight}) {

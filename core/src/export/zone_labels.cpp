@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "export/zone_picture.hpp"
+#include "sillon/base/types.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kEven = 12;  // [degrees] of error that a place takes for as many neighbours as it has
+
+using Labels = std::vector<std::int32_t>;
+
+// Directions averaged over squares as wide as the narrowest zone: what is finer would only fray the borders.
+std::vector<float> smoothed(const DirectionPicture& picture, double least) {
+  const Grid& grid = picture.grid;
+  const int reach = static_cast<int>(least / 2 / grid.cell);
+  std::vector<Vec2> sums(grid.size());
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const double twice = static_cast<double>(picture.degrees[k]) * std::numbers::pi / 90;
+    if (picture.inside[k] != 0) sums[k] = {std::cos(twice), std::sin(twice)};
+  }
+  // Along rows, then along columns, by sums from the beginning.
+  for (const bool rows : {true, false}) {
+    const int lines = rows ? grid.ny : grid.nx;
+    const int size = rows ? grid.nx : grid.ny;
+    std::vector<Vec2> before(static_cast<std::size_t>(size) + 1);
+    for (int line = 0; line < lines; ++line) {
+      const auto at = [&](int k) -> Vec2& { return sums[rows ? grid.index(k, line) : grid.index(line, k)]; };
+      for (int k = 0; k < size; ++k)
+        before[static_cast<std::size_t>(k) + 1] = before[static_cast<std::size_t>(k)] + at(k);
+      for (int k = 0; k < size; ++k) {
+        at(k) = before[static_cast<std::size_t>(std::min(size, k + reach + 1))] -
+                before[static_cast<std::size_t>(std::max(0, k - reach))];
+      }
+    }
+  }
+  std::vector<float> out = picture.degrees;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (picture.inside[k] == 0 || !(length(sums[k]) > 1e-6)) continue;
+    const double angle = std::atan2(sums[k].y, sums[k].x) * 90 / std::numbers::pi;
+    out[k] = static_cast<float>(angle < 0 ? angle + 180 : angle);
+  }
+  return out;
+}
+
+Labels nearestDirections(const DirectionPicture& picture, const std::vector<double>& directions, double least) {
+  const std::vector<float> degrees = smoothed(picture, least);
+  const Grid& grid = picture.grid;
+  Labels label(grid.size(), -1);
+  const auto errorOf = [&](std::size_t k, std::int32_t zone) {
+    const double off =
+        angleBetween(static_cast<double>(degrees[k]), directions[static_cast<std::size_t>(zone)]) / kEven;
+    return off * off;
+  };
+  const auto count = static_cast<std::int32_t>(directions.size());
+  for (std::size_t k = 0; k < label.size(); ++k) {
+    if (picture.inside[k] == 0) continue;
+    label[k] = 0;
+    for (std::int32_t zone = 1; zone < count; ++zone) {
+      if (errorOf(k, zone) < errorOf(k, label[k])) label[k] = zone;
+    }
+  }
+  // Each place in turn takes what suits it and its neighbours best.
+  for (int round = 0; round < 12; ++round) {
+    for (int y = 1; y + 1 < grid.ny; ++y) {
+      for (int x = 1; x + 1 < grid.nx; ++x) {
+        const std::size_t k = grid.index(x, y);
+        if (label[k] < 0) continue;
+        std::array<int, 16> like{};
+        for (int v = y - 1; v <= y + 1; ++v) {
+          for (int u = x - 1; u <= x + 1; ++u) {
+            const std::int32_t other = label[grid.index(u, v)];
+            if (other >= 0 && (u != x || v != y)) ++like[static_cast<std::size_t>(other)];
+          }
+        }
+        const auto cost = [&](std::int32_t zone) {
+          return errorOf(k, zone) - like[static_cast<std::size_t>(zone)] / 8.0;
+        };
+        std::int32_t best = label[k];
+        for (std::int32_t zone = 0; zone < count; ++zone) {
+          if (like[static_cast<std::size_t>(zone)] > 0 && cost(zone) < cost(best) - 1e-12) best = zone;
+        }
+        label[k] = best;
+      }
+    }
+  }
+  return label;
+}
+
+// Distance of each cell to the nearest one that is not free, in cells; within 8 %.
+std::vector<float> distanceFrom(const std::vector<char>& wall, const Grid& grid) {
+  constexpr float kDiagonal = 1.4142136F;
+  std::vector<float> far(wall.size());
+  for (std::size_t k = 0; k < wall.size(); ++k) far[k] = wall[k] != 0 ? 0 : 1e9F;
+  const auto relax = [&](int x, int y, int dx, int dy) {
+    const int u = x + dx;
+    const int v = y + dy;
+    if (u < 0 || v < 0 || u >= grid.nx || v >= grid.ny) return;
+    float& here = far[grid.index(x, y)];
+    here = std::min(here, far[grid.index(u, v)] + (dx != 0 && dy != 0 ? kDiagonal : 1));
+  };
+  for (int y = 0; y < grid.ny; ++y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      for (const auto& [dx, dy] : {std::pair{-1, 0}, {0, -1}, {-1, -1}, {1, -1}}) relax(x, y, dx, dy);
+    }
+  }
+  for (int y = grid.ny - 1; y >= 0; --y) {
+    for (int x = grid.nx - 1; x >= 0; --x) {
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 1}}) relax(x, y, dx, dy);
+    }
+  }
+  return far;
+}
+
+// What no disc as wide as `least` gets into goes to the neighbours; the border of the shape bounds no disc.
+void widen(Labels& label, int count, const DirectionPicture& picture, double least) {
+  const Grid& grid = picture.grid;
+  const auto radius = static_cast<float>(least / 2 / grid.cell);
+  for (int round = 0; round < 6; ++round) {
+    Labels kept(label.size(), -1);
+    std::size_t lost = 0;
+    for (std::int32_t zone = 0; zone < count; ++zone) {
+      std::vector<char> foreign(label.size(), 0);
+      for (std::size_t k = 0; k < label.size(); ++k) foreign[k] = label[k] >= 0 && label[k] != zone ? 1 : 0;
+      const std::vector<float> depth = distanceFrom(foreign, grid);
+      std::vector<char> core(label.size(), 0);
+      for (std::size_t k = 0; k < label.size(); ++k) core[k] = label[k] == zone && depth[k] > radius ? 1 : 0;
+      const std::vector<float> off = distanceFrom(core, grid);
+      for (std::size_t k = 0; k < label.size(); ++k) {
+        if (label[k] != zone) continue;
+        if (off[k] <= radius) {
+          kept[k] = zone;
+        } else {
+          ++lost;
+        }
+      }
+    }
+    if (std::none_of(kept.begin(), kept.end(), [](std::int32_t zone) { return zone >= 0; })) {
+      // All is narrow: one zone, the one that has most.
+      std::array<std::size_t, 16> cells{};
+      for (const std::int32_t zone : label) cells[zone >= 0 ? static_cast<std::size_t>(zone) : 15] += zone >= 0 ? 1 : 0;
+      const auto most = static_cast<std::int32_t>(std::max_element(cells.begin(), cells.end()) - cells.begin());
+      for (std::int32_t& zone : label) zone = zone >= 0 ? most : zone;
+      return;
+    }
+    label = std::move(kept);
+    spreadLabels(label, picture.inside, grid);
+    if (lost == 0) break;
+  }
+}
+
+// Parts of a zone that are smaller than a square of the least width go to the zone they touch most.
+void dropSpecks(Labels& label, const DirectionPicture& picture, double least) {
+  const Grid& grid = picture.grid;
+  const double cells = least * least / (grid.cell * grid.cell);
+  std::vector<char> seen(label.size(), 0);
+  for (std::size_t seed = 0; seed < label.size(); ++seed) {
+    if (label[seed] < 0 || seen[seed] != 0) continue;
+    std::vector<std::size_t> part{seed};
+    seen[seed] = 1;
+    std::array<std::size_t, 16> touched{};
+    for (std::size_t at = 0; at < part.size(); ++at) {
+      const int x = static_cast<int>(part[at] % static_cast<std::size_t>(grid.nx));
+      const int y = static_cast<int>(part[at] / static_cast<std::size_t>(grid.nx));
+      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        const int u = x + dx;
+        const int v = y + dy;
+        if (u < 0 || v < 0 || u >= grid.nx || v >= grid.ny) continue;
+        const std::size_t other = grid.index(u, v);
+        if (label[other] < 0) continue;
+        if (label[other] != label[seed]) {
+          ++touched[static_cast<std::size_t>(label[other])];
+        } else if (seen[other] == 0) {
+          seen[other] = 1;
+          part.push_back(other);
+        }
+      }
+    }
+    const auto most = std::max_element(touched.begin(), touched.end());
+    if (static_cast<double>(part.size()) >= cells || *most == 0) continue;
+    for (const std::size_t k : part) label[k] = static_cast<std::int32_t>(most - touched.begin());
+  }
+}
+
+}  // namespace
+
+void spreadLabels(Labels& label, const std::vector<char>& where, const Grid& grid) {
+  std::vector<std::size_t> front;
+  for (std::size_t k = 0; k < label.size(); ++k) {
+    if (label[k] >= 0) front.push_back(k);
+  }
+  while (!front.empty()) {
+    std::vector<std::size_t> next;
+    for (const std::size_t k : front) {
+      const int x = static_cast<int>(k % static_cast<std::size_t>(grid.nx));
+      const int y = static_cast<int>(k / static_cast<std::size_t>(grid.nx));
+      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        const int u = x + dx;
+        const int v = y + dy;
+        if (u < 0 || v < 0 || u >= grid.nx || v >= grid.ny) continue;
+        const std::size_t other = grid.index(u, v);
+        if (label[other] >= 0 || where[other] == 0) continue;
+        label[other] = label[k];
+        next.push_back(other);
+      }
+    }
+    front = std::move(next);
+  }
+}
+
+std::vector<std::int32_t> zoneLabels(const DirectionPicture& picture, const std::vector<double>& directions,
+                                     double least) {
+  Labels label = nearestDirections(picture, directions, least);
+  widen(label, static_cast<int>(directions.size()), picture, least);
+  dropSpecks(label, picture, least);
+  return label;
+}
+
+}  // namespace sillon
