@@ -368,6 +368,7 @@ TEST_CASE("files of other programs are called by their names") {
   CHECK(kind("  0\r\nSECTION\r\n") == "a is a DXF drawing");
   CHECK(kind("solid cube\n") == "a is an STL body");
   CHECK(kind(std::string_view("\xff\xfe<\0s\0", 6)) == "a is text in UTF-16");
+  CHECK(kind(std::string_view("\xfe\xff\0<\0s", 6)) == "a is text in UTF-16");
   CHECK(kind("\x1f\x8b\x08") == "a is compressed");
 }
 

@@ -314,6 +314,7 @@ constexpr Foreign kForeign[] = {
     {0, "PK\x03\x04", "an archive, such as ZIP or 3MF"},
     {0, "solid ", "an STL body"},
     {0, "\xff\xfe", "text in UTF-16"},
+    {0, "\xfe\xff", "text in UTF-16"},
 };
 
 // Empty where it is none of these.
