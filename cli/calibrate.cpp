@@ -206,6 +206,8 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
     return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings), true};
   }
   std::string out = table(plate, summary.value());
+  const std::string package = packageWarning(arguments.out, plate.printer.flavor);
+  if (!package.empty()) out += "warning  " + package + "\n";
   for (const sillon::GcodeWarning& warning : summary.value().warnings) {
     out += "note     " + sillon::warningSentence(warning) + "\n";
   }

@@ -231,6 +231,11 @@ Result<std::string> packedAs(const std::string& path, std::string gcode) {
   return gcode;
 }
 
+std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor) {
+  if (!endsWith(path, ".gcode.3mf") || flavor == sillon::GcodeFlavor::Bambu) return {};
+  return ".gcode.3mf is for Bambu Lab printers, which must not run the G-code of other printers";
+}
+
 namespace {
 
 /// The G-code in the kind of file that its name asks for.
@@ -347,10 +352,10 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
   }
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
   const std::vector<sillon::GcodeWarning> warnings = warningsOf(job);
-  const bool package =
-      std::any_of(files.begin(), files.end(), [](const OutputFile& file) { return endsWith(file.path, ".gcode.3mf"); });
-  if (package && job.project.printer.flavor != sillon::GcodeFlavor::Bambu)
-    out += "warning    .gcode.3mf is for Bambu Lab printers, which must not run the G-code of other printers\n";
+  for (const OutputFile& file : files) {
+    const std::string warning = packageWarning(file.path, job.project.printer.flavor);
+    if (!warning.empty()) out += "warning    " + warning + "\n";
+  }
   for (const sillon::GcodeWarning& warning : warnings) {
     out += "warning    " + sillon::warningSentence(warning) + "\n";
   }

@@ -46,6 +46,9 @@ std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictu
 /// InvalidArgument for a .3mf that would be taken for a model; TooLarge as packing does.
 sillon::Result<std::string> packedAs(const std::string& path, std::string gcode);
 
+/// Why a file of this name should not be printed; empty if nothing speaks against it.
+std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor);
+
 /// Makes every output; fills job.gcode, job.pictureMeasures and job.bodyRefused.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
 

@@ -562,6 +562,8 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   // The project's printer, with options over it.
   folder.write("mine.json", R"({"sillon": 1, "printer": {"flavor": "klipper", "pressureAdvance": 0.06}})");
   const Run own = folder.run("calibrate advance mine.json --from 0.02 --to 0.1 -o advance.gcode.3mf");
+  CHECK(has(own.out, "warning  .gcode.3mf is for Bambu Lab printers"));
+  CHECK_FALSE(has(done.out, "Bambu Lab"));
   CAPTURE(own.err);
   REQUIRE(own.code == 0);
   CHECK(has(own.out, "pressure advance is 0.06 after the print"));
