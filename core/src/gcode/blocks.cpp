@@ -9,6 +9,7 @@
 #include "base/lines.hpp"
 #include "gcode/layout.hpp"
 #include "gcode/template.hpp"
+#include "gcode_reader/commands.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"
@@ -87,16 +88,6 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   return std::nullopt;
 }
 
-// Levels or measures the bed, and touches it here and there.
-bool probes(const GcodeCommand& command) {
-  for (const int code : {29, 30, 32, 34}) {
-    if (command.is('G', code)) return true;
-  }
-  const std::string name = command.letter == 0 ? upperCase(command.name) : std::string();
-  return name == "QUAD_GANTRY_LEVEL" || name == "Z_TILT_ADJUST" || name == "BED_MESH_CALIBRATE" || name == "PROBE" ||
-         name == "SCREWS_TILT_CALCULATE";
-}
-
 // What has been printed when the end block begins [mm].
 struct Standing {
   Bounds box;
@@ -137,7 +128,7 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
     if (command.is('G', 28) && machine.homed(kAxisZ) && !printer.roundBed) {
       warn("homes Z, for which most printers come down on the plate");
     }
-    if (probes(command)) warn("probes the bed, for which printers come down on the plate");
+    if (probesBed(command)) warn("probes the bed, for which printers come down on the plate");
     if (!move || !machine.told(kAxisZ) || !(move->z < plate.height)) return;
     constexpr int kPieces = 32;
     for (int k = 0; k <= kPieces; ++k) {

@@ -234,15 +234,6 @@ bool takesText(const GcodeCommand& command) {
   }
 }
 
-// The parameters that are numbers.
-template <class Take>
-void forEachNumber(std::string_view rest, Take&& take) {
-  forEachParameter(rest, [&](const std::string& key, std::string_view text) {
-    double value = 0;
-    if (readNumber(text, value) > 0) take(key, value);
-  });
-}
-
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 class Judge {
@@ -254,8 +245,9 @@ class Judge {
   std::vector<GcodeFinding> take() { return std::move(findings_); }
 
  private:
-  static constexpr int kMostCommands = 100;  // in one line
-  static constexpr double kLowest = 0.5;     // [mm] that a nozzle may be told to go lower: more than any first layer
+  static constexpr int kMostCommands = 100;    // in one line
+  static constexpr double kLowest = 0.5;       // [mm] that a nozzle may be told to go lower: more than any first layer
+  static constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
 
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
@@ -321,10 +313,13 @@ class Judge {
     if (degrees > limit) add("too-hot", true, {{"limit", decimal(limit, 0)}, {"degrees", decimal(degrees, 1)}});
   }
 
+  void beyond(const std::string& what, double value, std::string limits) {
+    add("out-of-range", true, {{"command", what + " " + decimal(value, 3)}, {"limits", std::move(limits)}});
+  }
+
   // Magnitudes above `most` are errors.
   void range(const std::string& what, double value, double most) {
-    if (std::abs(value) <= most) return;
-    add("out-of-range", true, {{"command", what + " " + decimal(value, 3)}, {"limits", decimal(most, 3)}});
+    if (std::abs(value) > most) beyond(what, value, decimal(most, 3));
   }
 
   void byValue(const GcodeCommand& head, const std::string& shown) {
@@ -375,6 +370,11 @@ class Judge {
         return;
       case 201:
       case 204:
+        for (const char letter : std::string_view("PRTS")) {
+          if (head.code == 204 && words.has(letter) && words.at(letter) <= 0) {
+            beyond(shown + " " + letter, words.at(letter), "0 to 200000");
+          }
+        }
         return all("XYZEPRTS", 200000);
       case 203:
         return all("XYZE", 60000);  // mm/s, or mm/min for RepRapFirmware
@@ -385,6 +385,8 @@ class Judge {
       case 428:
         if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? kLowest : 10);
         return;
+      case 572:
+        return all("S", kMostAdvance);
       case 851:
         return all("Z", 10);
       case 421:
@@ -394,7 +396,7 @@ class Judge {
       case 220:
       case 221:
         if (words.has('S') && (words.at('S') < 20 || words.at('S') > 200))
-          range(shown + " S", words.at('S'), words.at('S') < 20 ? -1 : 200);
+          beyond(shown + " S", words.at('S'), "20 to 200");
         return;
       case 302:
         if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)
@@ -416,6 +418,12 @@ class Judge {
     const std::string name = upperCase(head.name);
     if (name == "SET_VELOCITY_LIMIT") {
       forEachNumber(head.rest, [&](const std::string& key, double value) { range(shown + " " + key, value, 200000); });
+      return;
+    }
+    if (name == "SET_PRESSURE_ADVANCE") {
+      forEachNumber(head.rest, [&](const std::string& key, double value) {
+        if (key == "ADVANCE") range(shown + " " + key, value, kMostAdvance);
+      });
       return;
     }
     if (name == "SET_GCODE_OFFSET") {
@@ -477,6 +485,22 @@ class Judge {
 };
 
 }  // namespace
+
+bool probesBed(const GcodeCommand& command) {
+  for (const int code : {29, 30, 32, 34}) {
+    if (command.is('G', code)) return true;
+  }
+  const std::string name = command.letter == 0 ? upperCase(command.name) : std::string();
+  return name == "QUAD_GANTRY_LEVEL" || name == "Z_TILT_ADJUST" || name == "BED_MESH_CALIBRATE" || name == "PROBE" ||
+         name == "SCREWS_TILT_CALCULATE";
+}
+
+bool homesZ(const GcodeCommand& command) {
+  if (!command.is('G', 28)) return false;
+  const std::string words = upperCase(command.rest);
+  const auto names = [&](char axis) { return words.find(axis) != std::string::npos; };
+  return names('Z') || !(names('X') || names('Y'));
+}
 
 std::vector<GcodeFinding> judgeCommand(std::string_view code, GcodeFlavor flavor, double hottestNozzle,
                                        double hottestBed, bool strict) {

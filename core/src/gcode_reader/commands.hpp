@@ -17,4 +17,10 @@ namespace sillon {
 std::vector<GcodeFinding> judgeCommand(std::string_view code, GcodeFlavor flavor, double hottestNozzle,
                                        double hottestBed, bool strict);
 
+/// Whether it levels or measures the bed, and so touches it here and there.
+bool probesBed(const GcodeCommand& command);
+
+/// Whether it is a G28 that homes Z, alone or with others.
+bool homesZ(const GcodeCommand& command);
+
 }  // namespace sillon

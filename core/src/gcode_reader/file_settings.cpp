@@ -1,6 +1,11 @@
 #include "gcode_reader/file_settings.hpp"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <system_error>
 
 #include "base/lines.hpp"
 #include "gcode_reader/parser.hpp"
@@ -10,20 +15,24 @@ namespace sillon {
 namespace {
 
 // "0x0,220x0,220x220,0x220"
-Bounds readBed(std::string_view text) {
+void readBed(std::string_view text, FileSettings& settings) {
+  constexpr int kRound = 16;  // corners
   Bounds box;
-  while (!text.empty()) {
+  int corners = 0;
+  settings.bed = {};
+  for (; !text.empty(); ++corners) {
     Vec2 corner;
-    const std::size_t x = readNumber(text, corner.x);
-    if (x == 0 || x >= text.size() || text[x] != 'x') return {};
-    text.remove_prefix(x + 1);
-    const std::size_t y = readNumber(text, corner.y);
-    if (y == 0) return {};
-    text.remove_prefix(y);
+    const char* const end = text.data() + text.size();
+    const auto x = fast_float::from_chars(text.data(), end, corner.x);  // 1.2e-14, on round beds
+    if (x.ec != std::errc() || x.ptr == end || *x.ptr != 'x') return;
+    const auto y = fast_float::from_chars(x.ptr + 1, end, corner.y);
+    if (y.ec != std::errc() || !std::isfinite(corner.x) || !std::isfinite(corner.y)) return;
+    text.remove_prefix(static_cast<std::size_t>(y.ptr - text.data()));
     if (text.starts_with(',')) text.remove_prefix(1);
     box.add(corner);
   }
-  return box;
+  settings.bed = box;
+  settings.roundBed = corners >= kRound;
 }
 
 // "15,8": what no tool could have counts as unknown.
@@ -59,7 +68,7 @@ void readSetting(FileSettings& settings, std::string_view comment) {
   number("max_print_height =", 1, 5000, settings.maxZ);
   number("printable_height =", 1, 5000, settings.maxZ);
   for (const std::string_view key : {"bed_shape = ", "printable_area = "}) {
-    if (comment.starts_with(key)) settings.bed = readBed(comment.substr(key.size()));
+    if (comment.starts_with(key)) readBed(comment.substr(key.size()), settings);
   }
   if (comment.starts_with("gcode_flavor = klipper")) settings.flavor = GcodeFlavor::Klipper;
   if (comment.starts_with("gcode_flavor = reprapfirmware")) settings.flavor = GcodeFlavor::RepRap;
@@ -87,6 +96,7 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
   settings.printer = printer;
   if (printer) {
     settings.maxZ = printer->maxZ;
+    settings.roundBed = printer->roundBed;
     settings.nozzle = printer->nozzle;
     settings.filamentDiameter = printer->filamentDiameter;
     settings.diameterTold = true;
@@ -100,6 +110,7 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     const std::string_view comment = trimmed(line.substr(1));
     if (comment.starts_with("FLAVOR:UltiGCode")) settings.ultimaker = settings.volumetric = true;
     if (comment.starts_with("FLAVOR:Griffin")) settings.ultimaker = true;
+    if (const auto offset = numberAfter(comment, "z_offset =")) settings.zOffset = std::clamp(*offset, -5.0, 5.0);
     if (!printer) readSetting(settings, comment);
     constexpr std::string_view kModel = "printer_model = ";
     if (comment.starts_with(kModel)) model = comment.substr(kModel.size());

@@ -13,8 +13,10 @@ namespace sillon {
 struct FileSettings {
   std::optional<Printer> printer;     ///< bed and limits, if given by the caller
   Bounds bed;                         ///< else: the box of bed_shape
+  bool roundBed = false;              ///< a delta's
   double maxZ = 0;                    ///< [mm], 0: unknown
   double nozzle = 0;                  ///< [mm], 0: unknown
+  double zOffset = 0;                 ///< [mm] of all heights
   double filamentDiameter = 1.75;     ///< [mm]
   bool diameterTold = false;          ///< else it is only what most have
   std::vector<double> filamentFlows;  ///< [mm³/s] that each tool's filament may have, 0: unknown

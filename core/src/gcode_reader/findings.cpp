@@ -22,6 +22,7 @@ constexpr Sentence kSentences[] = {
     {"unfollowed", "commands", "{command} moves or heats in a way that nobody can follow"},
     {"runs", "commands", "{command} runs commands that are not in this file"},
     {"out-of-range", "commands", "{command} is beyond {limits}"},
+    {"offset", "commands", "offsets move {axis} by {mm} mm in all, beyond {limits}"},
     {"long-wait", "commands", "{command} waits for {minutes} minutes"},
     {"cold-extrusion", "commands", "{command} lets the printer push cold filament"},
     {"macro", "commands", "{command} is a macro of the printer; what it does is not in this file"},
@@ -33,7 +34,7 @@ constexpr Sentence kSentences[] = {
     {"not-a-word", "grammar", "not a word: {text}"},
     {"no-number", "grammar", "no number after a letter in {text}"},
     {"no-plain-number", "grammar", "no plain number: {text}"},
-    {"unread-arc", "grammar", "an arc without a centre, or whose radius cannot reach its end"},
+    {"unread-arc", "grammar", "an arc without a centre, or whose circle does not reach its end"},
     {"letter-twice", "grammar", "a letter given twice in {text}"},
     {"lower-case", "grammar", "lower case letters in {text}; some firmwares skip them"},
     {"crowded", "grammar", "words without spaces between them in {text}"},
@@ -59,10 +60,15 @@ constexpr Sentence kSentences[] = {
     {"too-high", "height", "above the printer's height: {mm} mm"},
     {"below-print", "height", "moves below the print on the bed: Z {mm}"},
     {"below-bed", "height", "moves below the bed: Z {mm}"},
+    {"in-print", "height", "moves {mm} mm below the top of what is printed there"},
+    {"in-air", "height", "a bead in the air: Z {z}, and nothing printed is higher than {top}"},
+    {"off-layer", "height", "a bead at Z {z} in a layer that ends at {top}"},
+    {"homes-on-print", "height", "{command} after the first layer: most printers come down on the print"},
     {"bead-in-bed", "height", "a bead at or below the bed: Z {mm}"},
 
     {"too-thick", "extrusion", "more plastic per mm than 4 nozzle diameters squared: {area} mm2"},
     {"long-prime", "extrusion", "more than 50 mm of filament in one move"},
+    {"blob", "extrusion", "pushes {mm} mm of filament without moving"},
     {"no-move", "extrusion", "there is no move in it"},
     {"no-bead", "extrusion", "it moves but lays no bead"},
 
@@ -95,6 +101,7 @@ constexpr Sentence kSentences[] = {
      "reach 10 "
      "mm over the bed's edge, and beads are not measured"},
 
+    {"cut-off", "end", "the file ends in the middle of its moves, with a hot nozzle"},
     {"hot-nozzle", "end", "the nozzle stays hot at the end"},
     {"hot-bed", "end", "the bed stays hot at the end"},
     {"hot-chamber", "end", "the chamber stays hot at the end"},

@@ -10,7 +10,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kInch = 25.4;  // [mm]
+constexpr double kInch = 25.4;     // [mm]
+constexpr double kArcSlack = 0.5;  // [mm] by which an arc's end may lie beside its circle
 constexpr std::pair<char, unsigned> kAxisLetters[] = {{'X', kAxisX}, {'Y', kAxisY}, {'Z', kAxisZ}};
 
 // Of an arc of radius |r| from one place to another: of the two the longer one where r is below 0.
@@ -34,6 +35,10 @@ void readArc(MachineMove& move, const GcodeWords& words, double unit) {
   }
   const Vec2 a = move.from - move.centre;
   const Vec2 b = move.to - move.centre;
+  if (std::abs(length(a) - length(b)) > kArcSlack + 0.02 * length(a)) {
+    move.readable = false;
+    return;
+  }
   double angle = std::atan2(cross(a, b), dot(a, b));
   if (move.code == 2) angle = -angle;
   if (angle <= 1e-9) angle += 2 * std::numbers::pi;

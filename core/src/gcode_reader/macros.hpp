@@ -26,6 +26,15 @@ void forEachParameter(std::string_view rest, Take&& take) {
   }
 }
 
+/// Those that are numbers.
+template <class Take>
+void forEachNumber(std::string_view rest, Take&& take) {
+  forEachParameter(rest, [&](const std::string& key, std::string_view text) {
+    double value = 0;
+    if (readNumber(text, value) > 0) take(key, value);
+  });
+}
+
 /// PRINT_START, START_PRINT, BEGIN_PRINT and their kin, which home and heat; G9111 of Anycubic's printers; M98 with a
 /// file that begins a print.
 bool isStartMacro(const GcodeCommand& command);

@@ -35,6 +35,12 @@ constexpr double kBelowBesideBed = 2;          // [mm], beside the sheet
 constexpr double kMostShift = 0.5;             // [mm] of X and Y
 constexpr double kMostRaised = 2;              // [mm] of Z
 constexpr double kFirstLift = 10;              // [mm]
+constexpr double kScratch = 0.1;               // [mm] that a nozzle may be lower than what it passes over
+constexpr double kOffLayer = 0.25;             // [mm] that calibration plates lift beads, at most
+constexpr double kMostGap = 2;                 // [mm] between a bead and what is highest before it: the thickest layer
+constexpr double kMostPushed = 5;              // [mm of filament] without a move
+constexpr double kMostOffset = 10;             // [mm] to any side but down
+constexpr double kMostLowered = 0.5;           // [mm], more than any first layer
 constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
 
 // How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
@@ -101,6 +107,7 @@ void Rules::line(const GcodeLine& line) {
     GcodeCommand move;
     move.letter = 'G';
     move.code = line.text[1] - '0';
+    lastMoves_ = true;
     return run(move, words);
   }
   if (line.end == "\r\n") found("cr-lf", ours_);
@@ -131,6 +138,7 @@ void Rules::comment(std::string_view text) {
     changesTool_ = false;
     ++layers_;
   }
+  if (const auto value = numberAfter(text, "Z:"); value && ours_) layerTop_ = *value;
   if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
     endPath();
     const std::string_view role = trimmed(text.substr(text.find(':') + 1));
@@ -173,7 +181,9 @@ void Rules::command(std::string_view text) {
       if (finding.code == "outlives" && ours_ && !block()) finding.error = true;
       found(std::move(finding));
     }
+    if (const auto sum = offsets_.run(command, settings_.flavor)) judgeOffsets(*sum);
   }
+  lastMoves_ = moves;
   if (isStartMacro(command)) return startMacro(command.rest);
   if (isEndMacro(command)) {
     endMacro_ = true;
@@ -187,7 +197,20 @@ void Rules::command(std::string_view text) {
   run(command, readsWords(command) ? this->words(command) : GcodeWords{});
 }
 
+void Rules::judgeOffsets(const Offsets::Axes& sum) {
+  for (const auto& [axis, mm] : {std::pair{"X", sum.x}, {"Y", sum.y}, {"Z", sum.z}}) {
+    const double least = *axis == 'Z' ? -kMostLowered : -kMostOffset;
+    if (mm >= least - 1e-9 && mm <= kMostOffset) continue;
+    found("offset", true,
+          {{"axis", axis}, {"mm", decimal(mm, 3)}, {"limits", decimal(least, 1) + " to " + decimal(kMostOffset, 0)}});
+  }
+}
+
 void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
+  // Deltas home at their top.
+  if (laid_.top() > 0 && (probesBed(command) || (homesZ(command) && !settings_.roundBed))) {
+    found("homes-on-print", !block(), {{"command", shownText(command.name)}});
+  }
   modes(command, words);
   const double retracted = machine_.retracted;
   const bool firmware = machine_.firmwareRetracted;
@@ -291,6 +314,20 @@ void Rules::checkPlace(Vec2 p, const char* what) {
   found("off-bed", true, {{"what", what}, {"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
 }
 
+// Whether the nozzle goes through what has been printed.
+void Rules::checkHeight(const MachineMove& move) {
+  const double depth = laid_.depthOf(move);
+  if (depth > kScratch) found("in-print", true, {{"mm", decimal(depth, 3)}});
+}
+
+void Rules::checkBeadHeight(double z) {
+  const double top = std::max(laid_.top(), startHeight_);
+  if (z > top + kMostGap) found("in-air", true, {{"z", decimal(z, 3)}, {"top", decimal(top, 3)}});
+  if (ours_ && layerTop_ >= 0 && std::abs(z - layerTop_ - settings_.zOffset) > kOffLayer) {
+    found("off-layer", true, {{"z", decimal(z, 3)}, {"top", decimal(layerTop_ + settings_.zOffset, 3)}});
+  }
+}
+
 void Rules::checkRate(double seconds) {
   window_[windowed_ % kWindow] = seconds;
   if (++windowed_ < kWindow) return;
@@ -338,7 +375,9 @@ void Rules::move(const MachineMove& move) {
   // From where it was switched on: makers' blocks lift so before they home.
   const bool first = block() && move.length == 0 && move.zFrom == 0 && move.z > 0 && move.z <= kFirstLift;
   if (!machine_.homed((move.length > 0 ? kPlane : 0) | (lowers ? heightAxis() : 0))) found("unhomed", !first);
+  if (laid_.top() > 0) checkHeight(move);
   if (move.length > 0) {
+    pushed_ = 0;
     if (machine_.speed <= 0) {
       found("no-speed", !block());  // firmware has a speed to begin with
       machine_.speed = 1;
@@ -396,6 +435,8 @@ void Rules::bead(const MachineMove& move, double e) {
   // One step of the last decimal of E is no fault of the path.
   const double sure = (e - 1e-5) * area_ / move.length;
   if (!block()) {
+    checkBeadHeight(move.z);
+    laid_.add(move);
     check_.box.add(from);
     check_.box.add(to);
     check_.top = std::max(check_.top, move.z);
@@ -508,6 +549,10 @@ void Rules::filament(double e, double retractedBefore) {
     return;
   }
   if (e > kLongestPrime) found("long-prime", klipper());
+  if (!block()) {
+    pushed_ += e - std::min(e, retractedBefore);
+    if (pushed_ > kMostPushed) found("blob", true, {{"mm", decimal(pushed_, 1)}});
+  }
   // Other programs, and makers' blocks, give back a little less on purpose (retract_restart_extra below 0).
   if ((!ours_ || block()) && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
   // Bambu's blocks push filament that is soft, no more, before they home.
@@ -553,7 +598,7 @@ void Rules::judgeTotals() {
   check_.firmwareRetracted = machine_.firmwareRetracted;
   const bool left = !endMacro_ && !settings_.ultimaker;
   const bool hotNozzle = check_.nozzleTarget > 0 || !check_.otherHotTools.empty();
-  if (moved_ && hotNozzle && left) whole("hot-nozzle", ours_);
+  if (moved_ && hotNozzle && left) whole(lastMoves_ && layers_ > 0 ? "cut-off" : "hot-nozzle", ours_ || lastMoves_);
   if (moved_ && check_.bedTarget > 0 && left) whole("hot-bed", false);
   if (moved_ && check_.chamberTarget > 0 && left) whole("hot-chamber", false);
   const double slack = ours_ ? kTotalSlack : kForeignTotalSlack * check_.filamentMm + kTotalSlack;

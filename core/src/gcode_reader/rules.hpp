@@ -10,8 +10,10 @@
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/findings.hpp"
 #include "gcode_reader/heaters.hpp"
+#include "gcode_reader/laid_heights.hpp"
 #include "gcode_reader/layer_mark.hpp"
 #include "gcode_reader/machine.hpp"
+#include "gcode_reader/offsets.hpp"
 #include "gcode_reader/parser.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
@@ -43,6 +45,7 @@ class Rules {
   void run(const GcodeCommand& command, const GcodeWords& words);  ///< a command with a letter
   GcodeWords words(const GcodeCommand& command);
   void modes(const GcodeCommand& command, const GcodeWords& words);
+  void judgeOffsets(const Offsets::Axes& sum);
   void noteHeat();
   void checkHot();
   void move(const MachineMove& move);
@@ -51,6 +54,8 @@ class Rules {
   void filament(double e, double retractedBefore);
   void endPath();
   void checkPlace(Vec2 p, const char* what);
+  void checkHeight(const MachineMove& move);
+  void checkBeadHeight(double z);
   void checkRate(double seconds);
   void follow(Vec2 p);
   void followOverlap(Vec2 to);
@@ -72,6 +77,8 @@ class Rules {
   GcodeCheck check_;
   MachineState machine_;
   Heaters heaters_;
+  Offsets offsets_;
+  LaidHeights laid_;        // by the layers
   double area_ = 0;         // of the filament [mm²]
   double startHeight_ = 0;  // of a print on the bed, in files of ours
   bool endMacro_ = false;
@@ -105,8 +112,11 @@ class Rules {
   double layerSlowedMm_ = 0;
   double layerAtFastestMm_ = 0;
   double layerHeight_ = 0;
-  double flow_ = 1;      // of oriented layers
-  double baseFlow_ = 1;  // not told by files: as it mostly is
+  double layerTop_ = -1;    // as a file of ours tells it; below 0: not told
+  double pushed_ = 0;       // [mm of filament] since the last move
+  bool lastMoves_ = false;  // the last command is a move
+  double flow_ = 1;         // of oriented layers
+  double baseFlow_ = 1;     // not told by files: as it mostly is
   double fileTotal_ = -1;
   int fileLayers_ = -1;
   double counted_ = 0;  // [mm of filament] outside start and end blocks

@@ -1,0 +1,67 @@
+#include "gcode_reader/laid_heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace sillon {
+namespace {
+
+constexpr int kTile = 64;      // [cells]
+constexpr int kTiles = 160;    // in a row, from -5120 to 5120 mm
+constexpr double kStep = 0.7;  // [mm], shorter than a cell is wide
+constexpr int kMostSteps = 4096;
+
+struct Cell {
+  std::size_t tile = 0;
+  std::size_t index = 0;
+  bool known = false;
+};
+
+Cell cellAt(Vec2 p) {
+  constexpr double kReach = kTile * kTiles / 2.0;
+  if (!(std::abs(p.x) < kReach && std::abs(p.y) < kReach)) return {};
+  const auto x = static_cast<std::size_t>(p.x + kReach);
+  const auto y = static_cast<std::size_t>(p.y + kReach);
+  return {y / kTile * kTiles + x / kTile, y % kTile * kTile + x % kTile, true};
+}
+
+// \param take  called with each place on the way and the height there.
+template <class Take>
+void follow(const MachineMove& move, Take&& take) {
+  const int steps = std::clamp(static_cast<int>(std::ceil(move.length / kStep)), 1, kMostSteps);
+  for (int k = 0; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
+    const Vec2 p = move.arc && move.readable ? onArc(move, share) : move.from + share * (move.to - move.from);
+    take(p, move.zFrom + share * (move.z - move.zFrom));
+  }
+}
+
+}  // namespace
+
+void LaidHeights::add(const MachineMove& bead) {
+  if (tiles_.empty()) tiles_.resize(std::size_t{kTiles} * kTiles);
+  follow(bead, [&](Vec2 p, double z) {
+    const Cell cell = cellAt(p);
+    if (!cell.known) return;
+    std::vector<float>& tile = tiles_[cell.tile];
+    if (tile.empty()) tile.resize(std::size_t{kTile} * kTile);
+    tile[cell.index] = std::max(tile[cell.index], static_cast<float>(z));
+  });
+  top_ = std::max({top_, bead.zFrom, bead.z});
+}
+
+double LaidHeights::depthOf(const MachineMove& move) const {
+  if (std::min(move.zFrom, move.z) >= top_) return 0;
+  double depth = 0;
+  follow(move, [&](Vec2 p, double z) {
+    const Cell cell = cellAt(p);
+    if (!cell.known) return;
+    const std::vector<float>& tile = tiles_[cell.tile];
+    if (tile.empty() || tile[cell.index] == 0) return;
+    depth = std::max(depth, static_cast<double>(tile[cell.index]) - z);
+  });
+  return depth;
+}
+
+}  // namespace sillon

@@ -1,0 +1,52 @@
+#include "gcode_reader/offsets.hpp"
+
+#include <utility>
+
+#include "gcode_reader/macros.hpp"
+
+namespace sillon {
+namespace {
+
+void add(Offsets::Axes& axes, const Offsets::Axes& more) { axes = {axes.x + more.x, axes.y + more.y, axes.z + more.z}; }
+
+// The axes that are told; the others keep what they have.
+void set(Offsets::Axes& axes, const GcodeWords& words) {
+  axes = {words.at('X', axes.x), words.at('Y', axes.y), words.at('Z', axes.z)};
+}
+
+void setByName(Offsets::Axes& axes, std::string_view rest) {
+  forEachNumber(rest, [&](const std::string& key, double value) {
+    for (const auto& [name, axis] : {std::pair{'X', &axes.x}, {'Y', &axes.y}, {'Z', &axes.z}}) {
+      if (key.empty() || key[0] != name) continue;
+      if (key.size() == 1) *axis = value;
+      if (key.substr(1) == "_ADJUST") *axis += value;
+    }
+  });
+}
+
+}  // namespace
+
+std::optional<Offsets::Axes> Offsets::run(const GcodeCommand& command, GcodeFlavor flavor) {
+  const bool duet = flavor == GcodeFlavor::RepRap;
+  if (command.letter == 0 && upperCase(command.name) == "SET_GCODE_OFFSET") {
+    setByName(code_, command.rest);
+  } else if (command.is('M', 290) && flavor != GcodeFlavor::Bambu) {  // theirs listens to the frame
+    const GcodeWords words = wordsOf(command.rest);
+    if (duet && words.has('R') && words.at('R') == 0) code_ = {};
+    add(code_, {words.at('X'), words.at('Y'), words.has('Z') ? words.at('Z') : words.at('S')});
+  } else if (command.is('M', 206)) {
+    set(home_, wordsOf(command.rest));
+  } else if (command.is('G', 10) && duet) {
+    const GcodeWords words = wordsOf(command.rest);
+    if (words.at('L', 2) != 2) return std::nullopt;
+    set(place_, words);
+  } else {
+    return std::nullopt;
+  }
+  Axes sum = code_;
+  add(sum, home_);
+  add(sum, place_);
+  return sum;
+}
+
+}  // namespace sillon
