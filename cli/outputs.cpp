@@ -303,7 +303,9 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     const auto mesh = sillon::baseBody(job.input.shape, job.project.printer, job.project.print);
     if (mesh) {
       const bool zipped = endsWith(paths.body, ".3mf");
-      files.push_back({paths.body, zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value())});
+      Result<std::string> bytes = zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value());
+      if (!bytes) return bytes.error();
+      files.push_back({paths.body, std::move(bytes).value()});
     } else {
       job.bodyRefused = Error{mesh.error().code, "\"" + paths.body + "\" is not written: " + mesh.error().message};
     }

@@ -76,7 +76,9 @@ val writeBaseBody(const val& shape, const std::string& projectJson, bool stl) {
     if (!project) return failure(project.error());
     const auto mesh = sillon::baseBody(convert::shapeFrom(shape), project.value().printer, project.value().print);
     if (!mesh) return failure(mesh.error());
-    return file(stl ? sillon::writeStl(mesh.value()) : sillon::write3mf(mesh.value()));
+    const auto bytes = stl ? sillon::writeStl(mesh.value()) : sillon::write3mf(mesh.value());
+    if (!bytes) return failure(bytes.error());
+    return file(bytes.value());
   });
 }
 

@@ -245,11 +245,43 @@ TEST_CASE("what makes no zones is refused") {
   CHECK_FALSE(directionZones(shape, map, {13, 3}, run));
   CHECK_FALSE(directionZones(shape, map, {6, 0}, run));
   CHECK_FALSE(directionZones(shape, {}, {}, run));
+  CHECK(directionZones(shape, {300, 300, {}}, {}, run).error().message ==
+        "direction map is 300 x 300 pixels with 0 values; it must have a pixel at least, and one value for each");
   CHECK(directionZones(Shape{{}, {10, 10}}, map, {}, run).error().code == ErrorCode::EmptyShape);
   for (const double height : {0.0, 0.04, 5001.0, HUGE_VAL, std::nan("")}) CHECK_FALSE(prismOf(shape, height));
   const DirectionZones zones = zonesOf(shape, map);
   CHECK_FALSE(zones3mf({}, zones, {}, {}));
+  CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {HUGE_VAL, 0}, {}));
+  Mesh torn = prismOf(shape, 1).value();
+  torn.triangles[3][1] = 99;
+  CHECK(zones3mf(torn, zones, {}, {}).error().message == "a triangle has corner 99; the mesh has 8 points");
+  CHECK_FALSE(writeStl(torn));
+  CHECK_FALSE(write3mf(torn));
+  torn.triangles[3][1] = 0;
+  torn.points[0][2] = std::nan("");
+  CHECK(writeStl(torn).error().message == "a point of the mesh is not finite");
   CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {}, {0, 0.2}));
+}
+
+TEST_CASE("zones can be cancelled at any time, and tell their progress") {
+  const Shape disc = makeDisc(60).value();
+  const DirectionMap map = rings();
+  std::vector<double> told;
+  RunContext whole(1);
+  whole.onProgress([&](std::string_view, double share) { told.push_back(share); });
+  REQUIRE(directionZones(disc, map, {}, whole));
+  REQUIRE(told.size() > 20);
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  for (const double share : {0.0, 0.2, 0.6, 0.9}) {
+    RunContext run(1);
+    run.onProgress([&](std::string_view, double now) {
+      if (now >= share) run.requestCancel();
+    });
+    const auto zones = directionZones(disc, map, {}, run);
+    CAPTURE(share);
+    REQUIRE_FALSE(zones);
+    CHECK(zones.error().code == ErrorCode::Cancelled);
+  }
 }
 
 TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles that slicers need") {
@@ -356,7 +388,7 @@ TEST_CASE("each layer of a gentle slope is turned by itself, walls are not seen"
 
 TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
   const Mesh box = boxMesh({1, 2, 0}, {11, 7, 3});
-  const std::string bytes = writeStl(box);
+  const std::string bytes = writeStl(box).value();
   const Mesh read = readStl(bytes).value();
   CHECK(read.points.size() == 8);
   CHECK(read.triangles.size() == 12);

@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& [edge, times] : sum) {
     if (times != 0) std::abort();
   }
-  if (writeStl(mesh.value()).size() != 84 + 50 * mesh.value().triangles.size()) std::abort();
-  if (write3mf(mesh.value()).empty()) std::abort();
+  if (writeStl(mesh.value()).value().size() != 84 + 50 * mesh.value().triangles.size()) std::abort();
+  if (write3mf(mesh.value()).value().empty()) std::abort();
   return 0;
 }

@@ -51,6 +51,8 @@ elseif(WAY STREQUAL "pkg-config")
   separate_arguments(flags UNIX_COMMAND "${printed}")
   file(MAKE_DIRECTORY ${folder}/build)
   run(${CXX} -std=c++20 ${folder}/project/plate.cpp ${flags} -o ${folder}/build/plate)
+  # A plugin: all of its code must be free to lie anywhere.
+  run(${CXX} -std=c++20 -shared -fPIC ${folder}/project/plate.cpp ${flags} -o ${folder}/build/plugin.so)
 endif()
 
 file(GLOB_RECURSE plate ${folder}/build/plate ${folder}/build/plate.exe)

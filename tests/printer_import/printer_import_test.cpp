@@ -325,6 +325,9 @@ TEST_CASE("our own projects give their printer back") {
   REQUIRE(applyProfile(ProfileKind::Printer, "creality-k1", printer).empty());
   const ImportedPrinter read = imported(writePrinter(printer));
   CHECK(read.source == "project");
+  const ImportedPrinter own = imported(R"({"sillon": 1, "printer": {"profile": "prusa-mk4s", "nozzle": 0.6}})");
+  CHECK(own.profile == "prusa-mk4s");
+  CHECK(own.read == std::vector<std::string>{"nozzle", "profile"});
   CHECK(writePrinter(read.printer) == writePrinter(printer));
   CHECK(problem(R"({"sillon": 1, "printer": {"nozzle": 7}})").find("printer.nozzle is 7") == 0);
 }

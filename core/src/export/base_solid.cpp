@@ -57,7 +57,25 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
   return mesh;
 }
 
-std::string writeStl(const Mesh& mesh) {
+std::string meshDefect(const Mesh& mesh) {
+  const auto isFinite = [](double value) { return std::isfinite(value); };
+  for (const auto& point : mesh.points) {
+    if (!std::all_of(point.begin(), point.end(), isFinite)) return "a point of the mesh is not finite";
+  }
+  for (const auto& triangle : mesh.triangles) {
+    const std::uint32_t last = *std::max_element(triangle.begin(), triangle.end());
+    if (last >= mesh.points.size()) {
+      return "a triangle has corner " + std::to_string(last) + "; the mesh has " + std::to_string(mesh.points.size()) +
+             " points";
+    }
+  }
+  return {};
+}
+
+Result<std::string> writeStl(const Mesh& mesh) {
+  if (std::string defect = meshDefect(mesh); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  }
   std::string out = "base body by Sillon, mm";  // must not begin with "solid", the other kind's first word
   out.resize(80, ' ');
   append(out, mesh.triangles.size(), 4);
@@ -77,7 +95,10 @@ std::string writeStl(const Mesh& mesh) {
   return out;
 }
 
-std::string write3mf(const Mesh& mesh) {
+Result<std::string> write3mf(const Mesh& mesh) {
+  if (std::string defect = meshDefect(mesh); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  }
   Zip zip;
   addPackageParts(zip);
   zip.add("3D/3dmodel.model",

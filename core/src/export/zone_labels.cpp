@@ -11,6 +11,10 @@
 namespace sillon {
 namespace {
 
+constexpr int kEvenRounds = 12;
+constexpr int kWideRounds = 6;
+constexpr double kEvenShare = 0.5;  // of the time
+constexpr int kPollRows = 32;
 constexpr double kEven = 12;  // [degrees] of error that a place takes for as many neighbours as it has
 
 using Labels = std::vector<std::int32_t>;
@@ -48,7 +52,8 @@ std::vector<float> smoothed(const DirectionPicture& picture, double least) {
   return out;
 }
 
-Labels nearestDirections(const DirectionPicture& picture, const std::vector<double>& directions, double least) {
+Labels nearestDirections(const DirectionPicture& picture, const std::vector<double>& directions, double least,
+                         const RunContext& run) {
   const std::vector<float> degrees = smoothed(picture, least);
   const Grid& grid = picture.grid;
   Labels label(grid.size(), -1);
@@ -66,8 +71,10 @@ Labels nearestDirections(const DirectionPicture& picture, const std::vector<doub
     }
   }
   // Each place in turn takes what suits it and its neighbours best.
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < kEvenRounds; ++round) {
+    run.report(kEvenShare * round / kEvenRounds);
     for (int y = 1; y + 1 < grid.ny; ++y) {
+      if (y % kPollRows == 0 && run.poll()) return label;
       for (int x = 1; x + 1 < grid.nx; ++x) {
         const std::size_t k = grid.index(x, y);
         if (label[k] < 0) continue;
@@ -118,13 +125,15 @@ std::vector<float> distanceFrom(const std::vector<char>& wall, const Grid& grid)
 }
 
 // What no disc as wide as `least` gets into goes to the neighbours; the border of the shape bounds no disc.
-void widen(Labels& label, int count, const DirectionPicture& picture, double least) {
+void widen(Labels& label, int count, const DirectionPicture& picture, double least, const RunContext& run) {
   const Grid& grid = picture.grid;
   const auto radius = static_cast<float>(least / 2 / grid.cell);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < kWideRounds; ++round) {
     Labels kept(label.size(), -1);
     std::size_t lost = 0;
     for (std::int32_t zone = 0; zone < count; ++zone) {
+      if (run.poll()) return;
+      run.report(kEvenShare + (1 - kEvenShare) * (round + static_cast<double>(zone) / count) / kWideRounds);
       std::vector<char> foreign(label.size(), 0);
       for (std::size_t k = 0; k < label.size(); ++k) foreign[k] = label[k] >= 0 && label[k] != zone ? 1 : 0;
       const std::vector<float> depth = distanceFrom(foreign, grid);
@@ -214,9 +223,9 @@ void spreadLabels(Labels& label, const std::vector<char>& where, const Grid& gri
 }
 
 std::vector<std::int32_t> zoneLabels(const DirectionPicture& picture, const std::vector<double>& directions,
-                                     double least) {
-  Labels label = nearestDirections(picture, directions, least);
-  widen(label, static_cast<int>(directions.size()), picture, least);
+                                     double least, const RunContext& run) {
+  Labels label = nearestDirections(picture, directions, least, run);
+  widen(label, static_cast<int>(directions.size()), picture, least, run);
   dropSpecks(label, picture, least);
   return label;
 }

@@ -15,6 +15,7 @@
 namespace sillon {
 namespace {
 
+constexpr double kFurthest = 10000;              // [mm]
 constexpr std::size_t kMostTriangles = 400'000;  // of the zones
 
 std::string metadata(const char* type, const char* key, const std::string& value) {
@@ -52,6 +53,12 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
     }
   }
   if (body.triangles.empty()) return Error{ErrorCode::InvalidArgument, "the body has no triangles"};
+  if (std::string defect = meshDefect(body); !defect.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(defect)};
+  }
+  if (!(std::abs(corner.x) <= kFurthest && std::abs(corner.y) <= kFurthest)) {
+    return Error{ErrorCode::InvalidArgument, "the corner of the page is not within 10000 mm of the origin"};
+  }
   Mesh mesh = body;
   std::vector<Volume> volumes{{"body", 0, body.triangles.size() - 1, {}, false}};
   const PrismPoint offset{std::llround(1000 * corner.x), std::llround(1000 * corner.y)};

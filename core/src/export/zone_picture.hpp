@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sillon/base/run_context.hpp"
 #include "sillon/geometry/grid.hpp"
 
 namespace sillon {
@@ -27,9 +28,9 @@ inline double angleBetween(double a, double b) {
 std::vector<double> zoneDirections(const DirectionPicture& picture, int most);
 
 /// Which of the directions each cell takes, -1 outside of the shape: the nearest ones, as even as their borders allow;
-/// what is narrower than `least` [mm] or smaller than its square goes to its neighbours.
+/// what is narrower than `least` [mm] or smaller than its square goes to its neighbours. Of a cancelled run of no use.
 std::vector<std::int32_t> zoneLabels(const DirectionPicture& picture, const std::vector<double>& directions,
-                                     double least);
+                                     double least, const RunContext& run);
 
 /// Cells without a label take that of the nearest ones, ring by ring. \param where  which may.
 void spreadLabels(std::vector<std::int32_t>& label, const std::vector<char>& where, const Grid& grid);

@@ -10,6 +10,7 @@
 #include "base/decimal_text.hpp"
 #include "export/zone_outlines.hpp"
 #include "export/zone_picture.hpp"
+#include "input/map_defect.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {
@@ -59,10 +60,13 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
   if (!(params.least >= 0.5 && params.least <= 100)) {
     return Error{ErrorCode::InvalidArgument, outOfRange("least zone", params.least, " mm", "0.5 to 100 mm")};
   }
-  if (directions.width < 1 || directions.height < 1) {
-    return Error{ErrorCode::InvalidArgument, "the map of directions has no texels"};
+  if (std::string bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
+      !bad.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(bad)};
   }
   if (!(shape.page.x > 0 && shape.page.y > 0)) return Error{ErrorCode::EmptyShape, "the shape has no page"};
+  run.beginJob();
+  run.beginStage("zones", 0, 1);
   const DirectionPicture picture = rastered(shape, directions);
   if (std::none_of(picture.inside.begin(), picture.inside.end(), [](char in) { return in != 0; })) {
     return Error{ErrorCode::EmptyShape,
@@ -70,7 +74,7 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
   }
   const std::vector<double> chosen = zoneDirections(picture, params.most);
   if (run.cancelled()) return cancelledRun();
-  std::vector<std::int32_t> label = zoneLabels(picture, chosen, params.least);
+  std::vector<std::int32_t> label = zoneLabels(picture, chosen, params.least, run);
   if (run.cancelled()) return cancelledRun();
   spreadLabels(label, std::vector<char>(label.size(), 1), picture.grid);
   DirectionZones out;

@@ -1,5 +1,7 @@
 #include "sillon/input/direction_map.hpp"
 
+#include "input/map_defect.hpp"
+
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -33,17 +35,6 @@ std::uint16_t fromTangent(std::uint16_t red, std::uint16_t green) {
   const int y = 2 * green - 65535;
   if (std::abs(x) <= kNeutral && std::abs(y) <= kNeutral) return stored(0);
   return stored(std::atan2(y, x) / std::numbers::pi);
-}
-
-std::string imageDefect(const Image& image) {
-  const bool consistent = image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4 &&
-                          image.samples.size() == static_cast<std::size_t>(image.width) *
-                                                      static_cast<std::size_t>(image.height) *
-                                                      static_cast<std::size_t>(image.channels);
-  if (consistent) return "";
-  return "picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels with " +
-         std::to_string(image.channels) + " channels and " + std::to_string(image.samples.size()) +
-         " samples; it must have pixels, 1 to 4 channels and a sample for each";
 }
 
 template <class Body>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "input/map_defect.hpp"
+
 namespace sillon {
 namespace {
 
@@ -24,6 +26,11 @@ const Tones& onRaster(const Tones& tones, int width, int height, Tones& made) {
 PictureConflict conflictOf(const DirectionMap& directions, std::span<const ShownPicture> shown,
                            const Roughness& roughness, double level) {
   PictureConflict conflict{directions.width, directions.height, {}};
+  if (!mapDefect("direction", directions.width, directions.height, directions.angle.size()).empty()) return {};
+  for (const ShownPicture& picture : shown) {
+    const Tones& tones = picture.tones;
+    if (!mapDefect("tone", tones.width, tones.height, tones.value.size()).empty()) return {};
+  }
   for (const ShownPicture& picture : shown) {
     std::vector<float> code = lightTable(lobeOf(picture.lamp, roughness), kSteps);
     for (float& v : code) v = codeOfLight(v);

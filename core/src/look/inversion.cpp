@@ -435,6 +435,9 @@ std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roug
         tones.value.size() != static_cast<std::size_t>(tones.width) * static_cast<std::size_t>(tones.height)) {
       return "a picture has no pixels";
     }
+    if (std::any_of(tones.value.begin(), tones.value.end(), [](float tone) { return !std::isfinite(tone); })) {
+      return "a picture has a tone that is not a number";
+    }
     if (std::string defect = invalidLamp(picture.lamp); !defect.empty()) return defect;
     if (contrastOf(lobeOf(picture.lamp, roughness)) < kLeastContrast) {
       return "the lamp makes no direction of this spool more than 1.5 times as bright as another; choose a lower or a "

@@ -1,9 +1,9 @@
 #include "sillon/pipeline/pipeline.hpp"
 
-#include <cstdint>
 #include <string>
 #include <utility>
 
+#include "input/map_defect.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/steps.hpp"
 #include "sillon/pipeline/stages.hpp"
@@ -11,18 +11,6 @@
 #include "toolpath/toolpath_check.hpp"
 
 namespace sillon {
-namespace {
-
-std::string mapDefect(const char* name, int width, int height, std::size_t values) {
-  if (width > 0 && height > 0 &&
-      std::uint64_t{values} == static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height))
-    return {};
-  return std::string(name) + " map is " + std::to_string(width) + " x " + std::to_string(height) + " pixels with " +
-         std::to_string(values) + " values; it must have a pixel at least, and one value for each";
-}
-
-}  // namespace
-
 std::optional<Error> wrongInput(const Shape& shape, const DirectionMap& directions, const ModeMap& modes,
                                 const ToolpathParams& params) {
   std::string bad = invalidSettings(params);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "base/json.hpp"
@@ -18,8 +19,13 @@ Result<ImportedPrinter> importJson(std::string_view text) {
   if (root.contains("sillon")) {
     Result<Project> project = readProject(text);
     if (!project) return project.error();
-    out.printer = std::move(project).value().printer;
+    out.printer = std::move(project.value().printer);
+    out.profile = std::move(project.value().printerProfile);
     out.source = "project";
+    if (root.contains("printer")) {
+      for (const auto& item : root["printer"].items()) out.read.push_back(item.key());
+      std::sort(out.read.begin(), out.read.end());
+    }
     judgeBlocks(out);
     return out;
   }

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/words.hpp"
+#include "input/map_defect.hpp"
 #include "project/input_file.hpp"
 #include "sillon/geometry/keep_thin.hpp"
 #include "sillon/input/image_io.hpp"
@@ -24,7 +26,12 @@ bool looksLikeSvg(std::string_view bytes, std::string_view name) {
 }
 
 Result<Image> picture(InputFile file, const std::string& name) {
-  if (auto* decoded = std::get_if<Image>(&file)) return std::move(*decoded);
+  if (auto* decoded = std::get_if<Image>(&file)) {
+    if (const std::string defect = imageDefect(*decoded); !defect.empty()) {
+      return Error{ErrorCode::InvalidArgument, inQuotes(name) + " is a " + defect};
+    }
+    return std::move(*decoded);
+  }
   const std::string& bytes = std::get<std::string>(file);
   return decodeImage(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
 }

@@ -11,6 +11,7 @@
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
+#include "input/map_defect.hpp"
 #include "sillon/input/image_io.hpp"
 #include "toolpath/toolpath_check.hpp"
 
@@ -195,6 +196,11 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   if (!(toolpath.spacing >= 1e-3 && toolpath.spacing <= 1e3)) {
     return Error{ErrorCode::InvalidArgument, "spacing is outside its range of 0.001 to 1000 mm"};
   }
+  std::string defect = invalidRoughness(roughness);
+  for (const Lamp& lamp : lamps) {
+    if (defect.empty()) defect = invalidLamp(lamp);
+  }
+  if (!defect.empty()) return Error{ErrorCode::InvalidArgument, std::move(defect)};
   // Whole cells, as near to 2 tau as the page allows.
   const auto cellsAlong = [&](double side) {
     return std::max(1.0, std::round(side / (kCellSpacings * toolpath.spacing)));
@@ -255,7 +261,13 @@ Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, V
                                                      std::span<const ShownPicture> pictures, const Roughness& roughness,
                                                      const RunContext& run) {
   std::vector<Lamp> lamps;
-  for (const ShownPicture& picture : pictures) lamps.push_back(picture.lamp);
+  for (const ShownPicture& picture : pictures) {
+    const Tones& tones = picture.tones;
+    if (std::string bad = mapDefect("tone", tones.width, tones.height, tones.value.size()); !bad.empty()) {
+      return Error{ErrorCode::InvalidArgument, std::move(bad)};
+    }
+    lamps.push_back(picture.lamp);
+  }
   const auto seen = seePlate(toolpath, page, lamps, roughness, run);
   if (!seen) return seen.error();
   const auto& [width, height, lights] = seen.value();

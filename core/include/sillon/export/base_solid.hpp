@@ -25,10 +25,14 @@ struct Mesh {
 /// \return InvalidArgument (also for a plate without a base), DoesNotFit (in height), EmptyShape, TooLarge.
 Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
 
-/// Binary STL.
-std::string writeStl(const Mesh& mesh);
+/// What is wrong with a mesh, in one sentence: a corner that is not a point of it, or a point that is not finite.
+/// Empty: nothing.
+[[nodiscard]] std::string meshDefect(const Mesh& mesh);
 
-/// 3MF with one object, uncompressed. The same bytes for the same mesh.
-std::string write3mf(const Mesh& mesh);
+/// Binary STL. \return InvalidArgument as meshDefect tells.
+Result<std::string> writeStl(const Mesh& mesh);
+
+/// 3MF with one object, uncompressed. The same bytes for the same mesh. \return InvalidArgument as meshDefect tells.
+Result<std::string> write3mf(const Mesh& mesh);
 
 }  // namespace sillon

@@ -41,8 +41,9 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
 /// The same in pieces: of a text and of a .gcode.3mf neither the new text nor the new file is held. \param gcode  in
 /// parts of whole lines. \param take  is given the file in pieces of any size; nothing of one that is refused. \return
 /// the error, if any.
-std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const std::vector<std::string_view>& gcode,
-                                         const std::function<void(std::string_view)>& take);
+[[nodiscard]] std::optional<Error> writeGcodeContainer(const GcodeContainer& container,
+                                                       const std::vector<std::string_view>& gcode,
+                                                       const std::function<void(std::string_view)>& take);
 
 /// A new .gcode.3mf, uncompressed, with Metadata/plate_1.gcode, its MD5 that the firmware checks, its box, the file's
 /// PNG thumbnails and what its own comments say of time and filament. The same bytes for the same file. Not tried on a

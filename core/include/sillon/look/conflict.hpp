@@ -23,6 +23,7 @@ struct PictureConflict {
 
 /// Of directions alone, without what beads and their ends change. \param shown  at least one; stretched over the page
 /// of the directions. \param roughness  in range. \param level  light of white, as solveDirections returned it.
+/// \return nothing where the sizes of maps and their values do not fit each other.
 PictureConflict conflictOf(const DirectionMap& directions, std::span<const ShownPicture> shown,
                            const Roughness& roughness, double level);
 

@@ -29,7 +29,7 @@ std::vector<PrinterProfile> profiles(ProfileKind kind);
 std::optional<PrinterProfile> profileOf(std::string_view model);
 
 /// Lays a profile's values over a printer. \return what is wrong: an unknown id, with those near it. Empty: nothing.
-std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer);
+[[nodiscard]] std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer);
 
 /// Sets pressure advance to what the maker's own slicer sets for this machine, the printer's filamentType and its
 /// nozzle; off where it tells none. applyProfile does it for the filament and nozzle that it finds; after a change of
@@ -44,7 +44,7 @@ void followAdvance(const Project& before, Project& changed);
 std::vector<std::string> presets();
 
 /// Lays a preset's values over those of a toolpath. \return what is wrong, as applyProfile.
-std::string applyPreset(const std::string& id, ToolpathParams& params);
+[[nodiscard]] std::string applyPreset(const std::string& id, ToolpathParams& params);
 
 /// A project file with this printer only; readProject reads it back.
 std::string writePrinter(const Printer& printer);

@@ -101,9 +101,9 @@ std::string settingText(const Setting& setting, const Project& project);
 
 /// Holds every setting of a view against its range and against the rules that hold between settings of one section.
 /// \return the first that is wrong, in one sentence: name, value, range. Empty: nothing.
-std::string invalidSettings(const Project& project);
-std::string invalidSettings(const ToolpathParams& toolpath);
-std::string invalidSettings(const Printer& printer, const PrintParams& print);
+[[nodiscard]] std::string invalidSettings(const Project& project);
+[[nodiscard]] std::string invalidSettings(const ToolpathParams& toolpath);
+[[nodiscard]] std::string invalidSettings(const Printer& printer, const PrintParams& print);
 
 /// The table as JSON: `sillon settings --json`, from which docs and types are made.
 std::string settingsJson();
