@@ -119,7 +119,7 @@ export interface Engine {
   readShape(shape: ShapeInput, directions?: DirectionInput, options?: RunOptions): Promise<Shape>;
   /** PNG, JPEG, BMP or TGA to the stored values, without colour management; EXIF orientation applied.
    * Other formats: draw them to a canvas and hand over its pixels as a Picture. */
-  decodePicture(file: InputFile, options?: RunOptions): Promise<Picture>;
+  decodePicture(file: Bytes, options?: RunOptions): Promise<Picture>;
   /** Reads and checks a project file (docs/reference/project.md) or a published scene, and completes it with all defaults. */
   readProject(json: string, options?: RunOptions): Promise<Project>;
   /** Checks a project and returns it as the text of a file that readProject and the command line read. */
@@ -179,7 +179,7 @@ export interface RunOptions {
    * whose Content-Security-Policy forbids `connect-src blob:`. */
   signal?: AbortSignal;
   /** At most every 30 ms, and with 1 at the end. @param fraction of the whole job, in [0, 1], never falling. */
-  onProgress?: (progress: { stage: string; fraction: number }) => void;
+  onProgress?: (progress: { stage: string; fraction: number }) => void | PromiseLike<void>;
 }
 
 export interface GenerateOptions extends RunOptions {
@@ -191,8 +191,9 @@ export interface GenerateOptions extends RunOptions {
 }
 
 export interface GcodeOptions extends RunOptions {
-  /** Receives the file in pieces of UTF-8, in order, as they are written; then `blob` is empty. */
-  onChunk?: (chunk: Uint8Array) => void;
+  /** Receives the file in pieces of UTF-8, in order, as they are written; then `blob` is empty. The call ends after the
+   * promises that it returns, and rejects as they do; the next pieces do not wait for them. */
+  onChunk?: (chunk: Uint8Array) => void | PromiseLike<void>;
   /** The path of the layer below, from generateToolpath with `across`; needed where `print.basePattern` is 'across'. */
   below?: Toolpath;
 }
@@ -422,17 +423,17 @@ export interface PlateInput {
 /** Up to four pictures, each with its lamp as [azimuth, elevation]; without one it is chosen. The slopes are those of the spool
  * from the nozzle of `printer` unless `slopes` says others. */
 export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
-  files: { file: InputFile; lamp?: [number, number] | null }[];
+  files: readonly { file: InputFile; lamp?: readonly [number, number] | null }[];
 };
 
 export type ShapeInput =
-  | { builtin: 'rectangle' | 'rounded' | 'disc'; size?: [number, number]; radius?: number }
+  | { builtin: 'rectangle' | 'rounded' | 'disc'; size?: readonly [number, number]; radius?: number }
   /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
    * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint.
    * `keepThin`: places of half a bead to one are widened to one. */
   | { file: InputFile; pageWidth?: number; unitless?: 'px' | 'mm'; paint?: 'shown' | 'ignore'; keepThin?: boolean }
   /** A rectangle of the direction picture's proportions. */
-  | { size?: [number, number] };
+  | { size?: readonly [number, number] };
 
 export type DirectionInput = { angle: number } | { file: InputFile; encoding?: DirectionEncoding };
 

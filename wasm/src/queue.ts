@@ -23,6 +23,8 @@ interface Job {
   stage: string;
   fraction: number;
   pieces: number;
+  /** What callbacks returned and did not finish yet. */
+  pending: Promise<void>[];
 }
 
 /** How many threads compute, and why not more. */
@@ -85,6 +87,7 @@ export class Queue {
         stage: call.name,
         fraction: 0,
         pieces: 0,
+        pending: [],
       };
       signal?.addEventListener('abort', onAbort);
       this.#waiting.push(job);
@@ -125,7 +128,10 @@ export class Queue {
         this.#tell(job, message);
       });
       if (job.fraction < 1) this.#tell(job, { type: 'progress', stage: job.stage, fraction: 1 });
-      job.resolve(value);
+      // The next call does not wait for them.
+      void Promise.all(job.pending).then(() => {
+        if (!job.settled) job.resolve(value);
+      });
     } catch (problem) {
       const error = problem instanceof SillonError ? problem : new SillonError('Internal', messageOf(problem));
       if (fatal.includes(error.code)) this.#closeSession();
@@ -146,14 +152,27 @@ export class Queue {
       if (message.type === 'progress' && message.fraction >= job.fraction) {
         job.stage = message.stage;
         job.fraction = message.fraction;
-        job.options.onProgress?.({ stage: message.stage, fraction: message.fraction });
+        this.#await(job, job.options.onProgress?.({ stage: message.stage, fraction: message.fraction }));
       } else if (message.type === 'piece') {
         ++job.pieces;
-        job.options.onChunk?.(message.bytes);
+        this.#await(job, job.options.onChunk?.(message.bytes));
       }
     } catch (thrown) {
       this.#giveUp(job, thrown);
     }
+  }
+
+  /** The call ends after what an asynchronous callback does, and as that ends. */
+  #await(job: Job, returned: unknown): void {
+    if (typeof (returned as PromiseLike<unknown> | undefined)?.then !== 'function') return;
+    job.pending.push(
+      Promise.resolve(returned).then(
+        () => undefined,
+        (thrown: unknown) => {
+          this.#giveUp(job, thrown);
+        },
+      ),
+    );
   }
 
   #giveUp(job: Job, reason: unknown): void {

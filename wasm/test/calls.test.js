@@ -152,6 +152,32 @@ for (const threads of [1, 2]) {
       await stillWorks();
     });
 
+    test('what a callback promises is waited for, and ends its call if it fails', async () => {
+      const thrown = new Error('the disk is full');
+      const { toolpath } = await engine.generateToolpath(...small);
+      const failing = async () => {
+        await wait(1);
+        throw thrown;
+      };
+      assert.equal(await engine.writeGcode(toolpath, {}, {}, { onChunk: failing }).catch((error) => error), thrown);
+      assert.equal(await engine.readProject('{"sillon": 1}', { onProgress: failing }).catch((error) => error), thrown);
+      let written = 0;
+      let release;
+      const open = new Promise((resolve) => (release = resolve));
+      const onChunk = async (chunk) => {
+        await open;
+        written += chunk.length;
+      };
+      const call = engine.writeGcode(toolpath, {}, {}, { onChunk });
+      let ended = false;
+      void call.then(() => (ended = true));
+      await stillWorks(); // others go on
+      assert.equal(ended, false);
+      release();
+      await call;
+      assert.ok(written > 1000);
+    });
+
     test('dispose rejects what runs and what waits, ends the worker, and is final', async () => {
       const workers = countWorkers();
       const own = await createEngine({ threads });
