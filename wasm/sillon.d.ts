@@ -565,6 +565,8 @@ export interface PrinterValues {
   excludedMax: [number, number];
   /** Highest Z the printer can reach while printing. 0.05..5000 mm, default 200. */
   maxZ: number;
+  /** Added to each Z position between the start block and the end block, for printers whose Z is 0 above or below the bed; slicers call it z_offset. -2..2 mm, default 0. */
+  zOffset: number;
   /** Nozzle diameter; 0.4 mm on most printers. 0.05..2 mm, default 0.4. */
   nozzle: number;
   /** Filament diameter: 1.75 mm, or 2.85 mm on some printers. 0.5..5 mm, default 1.75. */

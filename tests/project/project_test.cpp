@@ -114,6 +114,7 @@ Project unusualProject() {
   p.printer.bedMin = {-110, -105};
   p.printer.bedMax = {110, 115};
   p.printer.maxZ = 250;
+  p.printer.zOffset = -0.02;
   p.printer.nozzle = 0.6;
   p.printer.filamentDiameter = 2.85;
   p.printer.filamentDensity = 1.27;

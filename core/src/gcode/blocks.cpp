@@ -77,7 +77,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     job.warn(WarningCode::StartTemperature,
              {{"hot", check.nozzleTarget}, {"meant", printer.firstLayerNozzleTemperature}});
   }
-  warnLow(job, "startGcode", check, params.startHeight);
+  warnLow(job, "startGcode", check, params.startHeight > 0 ? params.startHeight + printer.zOffset : 0);
   for (const GcodeFinding& finding : check.findings) {
     if (finding.line == 0) continue;  // of whole files
     const GcodeWarning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
@@ -252,7 +252,8 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
         "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
         "which can be imported");
   }
-  const Standing plate{beads, layerTop(params, layerCount(params) - 1)};
+  // Where blocks meet it: they are written in the printer's own Z.
+  const Standing plate{beads, layerTop(params, layerCount(params) - 1) + printer.zOffset};
   for (const BeadPath& path : job.skirt) addBeads(beads, path);
   if (auto error = checkBreaks(printer.startGcode, "startGcode")) return error;
   if (auto error = checkBreaks(printer.endGcode, "endGcode")) return error;

@@ -95,7 +95,7 @@ void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer
   }
   for (const std::string& note : params.notes) out << "; " << plain(note) << "\n";
   if (!beginsOnBed(params)) {
-    out << "; start height = " << decimal(params.startHeight, 3)
+    out << "; start height = " << decimal(params.startHeight + printer.zOffset, 3)
         << " mm, of a print on the bed that homing and probing (G28, G29) must not touch\n";
   }
   out << "; external perimeters extrusion width = " << fixed(shown, 2) << "mm\n";
@@ -140,6 +140,7 @@ void writeFooter(ChunkedOutput& out, const FileTotals& totals, const GcodeJob& j
       {"gcode_flavor", dialectName(printer.flavor)},
   };
   for (const auto& [key, value] : settings) out << "; " << key << " = " << value << "\n";
+  if (printer.zOffset != 0) out << "; z_offset = " << decimal(printer.zOffset, 3) << "\n";
 }
 
 }  // namespace sillon

@@ -21,9 +21,12 @@ inline constexpr double kWidestBead = 1.6;  ///< [nozzle], wider beads do not re
 
 constexpr double kParkLift = 10;  ///< [mm], above the finished plate, before the end block
 
+/// The highest place above the bed that the printer reaches: its Z is there maxZ [mm].
+inline double highest(const Printer& printer) { return printer.maxZ - printer.zOffset; }
+
 /// Above clips and screws of the bed, and above what stands there: no travel to or from its edge is lower [mm].
 inline double safeHeight(const Printer& printer, const PrintParams& params) {
-  return std::min(params.startHeight + 10, printer.maxZ);
+  return std::min(params.startHeight + 10, highest(printer));
 }
 
 /// What a patch prints, and how: sillon/gcode/patches.hpp.

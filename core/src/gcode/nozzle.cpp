@@ -22,7 +22,7 @@ void Nozzle::moveZ(double z) {
   if (z_ >= 0) seconds_ += std::abs(static_cast<double>(target - z_)) / 1000 / kLiftSpeed;
   z_ = target;
   out_ << "G1 Z";
-  out_.scaled(target, 3);
+  out_.scaled(target + zOffset_, 3);
   feedrate(static_cast<std::int64_t>(kLiftSpeed * 60));
 }
 

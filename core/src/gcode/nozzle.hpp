@@ -1,6 +1,7 @@
 // Follows the nozzle from move to move: text, place, filament and time. All times are from rest to rest between paths.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace sillon {
 class Nozzle {
  public:
   /// \param sink  null: only the time counts, and nothing is written.
-  Nozzle(const Printer& printer, const GcodeSink* sink) : printer_(printer), out_(sink), silent_(sink == nullptr) {}
+  Nozzle(const Printer& printer, const GcodeSink* sink)
+      : printer_(printer), out_(sink), silent_(sink == nullptr), zOffset_(std::llround(printer.zOffset * 1000)) {}
 
   /// For commands that move nothing.
   ChunkedOutput& out() { return out_; }
@@ -24,7 +26,7 @@ class Nozzle {
   /// M73. Beads tell it by themselves, at each percent.
   void progress();
 
-  /// Straight up or down, to a height above the bed [mm].
+  /// Straight up or down, to a height above the bed [mm]. The printer's zOffset is added only to what is written.
   void moveZ(double z);
   void travel(PointUm target, double speed);
   /// Over what stands in the way, down to a layer, with filament at the tip.
@@ -70,7 +72,8 @@ class Nozzle {
   const Printer& printer_;
   ChunkedOutput out_;
   bool silent_;
-  int fan_ = -1;  // [0..255] as written
+  std::int64_t zOffset_;  // [µm]
+  int fan_ = -1;          // [0..255] as written
   double expectedSeconds_ = 0;
   double seconds_ = 0;
   double nextProgress_ = 0;  // [s]

@@ -84,7 +84,7 @@ void writeEnd(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const
   // Some hosts read only the last MiB, and would take the lift for the height of the plate.
   nozzle.out() << ";BEFORE_LAYER_CHANGE\n;" << decimal(layerTop(params, layerCount(params) - 1), 3) << "\n";
   writeRole(nozzle.out(), kCustomRole);
-  nozzle.moveZ(std::min(printer.maxZ, nozzle.z() + kParkLift));
+  nozzle.moveZ(std::min(highest(printer), nozzle.z() + kParkLift));
   restoreMachine(nozzle.out(), job, printer);
   if (!job.endBlock.empty()) {
     if (printer.absoluteE) nozzle.out() << "G92 E0\n";  // a block's "G1 E-2" draws back 2 mm, wherever the axis stood

@@ -198,7 +198,7 @@ std::vector<TemplateValue> templateValues(const Printer& printer, const PrintPar
       {{"print_bed_max"}, pair(printer.bedMax), false},
       {{"print_bed_size"}, pair(printer.bedMax - printer.bedMin), false},
       {{"travel_speed"}, number(printer.travelSpeed), false},
-      {{"z_offset"}, {"0.0"}},
+      {{"z_offset"}, number(printer.zOffset), false},
   };
 }
 

@@ -14,6 +14,8 @@ namespace sillon {
 namespace {
 
 constexpr double kMaxCoordinate = 1e5;               // [mm], far from any overflow in µm
+constexpr double kLowest = 0.05;                     // [mm], Z of a nozzle that lays a bead
+constexpr double kHighestFirst = 2;                  // [mm], its Z on the bed: more is in the air
 constexpr double kTallestCopy = 3;                   // [mm], less than any nozzle stands out of its print head
 constexpr std::size_t kMaxThumbnailBytes = 700'000;  // of all; hosts read the first MiB of a file only
 
@@ -51,14 +53,14 @@ std::optional<Error> checkText(const Printer& printer, const PrintParams& params
 
 // What has to hold between the settings of a whole print.
 std::optional<Error> checkPrint(const Printer& printer, const PrintParams& params) {
-  const double highest = 0.8 * printer.nozzle;
-  if (params.layerHeight > highest) {
+  const double thickest = 0.8 * printer.nozzle;
+  if (params.layerHeight > thickest) {
     return invalid("print.layerHeight is " + decimal(params.layerHeight, 6) + " mm; it must be 0.05 to " +
-                   decimal(highest, 6) + ", 0.8 of the nozzle");
+                   decimal(thickest, 6) + ", 0.8 of the nozzle");
   }
-  if (params.firstLayerHeight > highest) {
+  if (params.firstLayerHeight > thickest) {
     return invalid("print.firstLayerHeight is " + decimal(params.firstLayerHeight, 6) + " mm; it must be 0.05 to " +
-                   decimal(highest, 6) + ", 0.8 of the nozzle, or 0 for the height of the others");
+                   decimal(thickest, 6) + ", 0.8 of the nozzle, or 0 for the height of the others");
   }
   if (params.scarf > 0 && params.coast > 0) {
     return invalid("print.scarf is " + decimal(params.scarf, 3) + " mm beside a print.coast of " +
@@ -68,15 +70,24 @@ std::optional<Error> checkPrint(const Printer& printer, const PrintParams& param
     return invalid("print.startHeight is " + decimal(params.startHeight, 6) + " mm; it must be 0 to " +
                    decimal(printer.maxZ, 6) + ", the printer's maxZ");
   }
+  const double first = layerTop(params, 0);
+  const double firstZ = first + printer.zOffset;
+  if (firstZ < kLowest - 1e-9 || (beginsOnBed(params) && firstZ > kHighestFirst + 1e-9)) {
+    return invalid("printer.zOffset is " + decimal(printer.zOffset, 6) +
+                   " mm, by which the first layer would lie at Z " + decimal(firstZ, 6) + "; it must be " +
+                   decimal(kLowest - first, 6) + " to " + decimal(kHighestFirst - first, 6) + " for a first layer of " +
+                   decimal(first, 6));
+  }
   if (!beginsOnBed(params) && params.showSide != ShowSide::Up) {
     return invalid("print.startHeight is " + decimal(params.startHeight, 3) +
                    " mm; it must be 0 where showSide is not up, as that side lies on the bed");
   }
   const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
-  if (top > printer.maxZ) {
+  if (top > highest(printer)) {
+    const std::string offset = printer.zOffset == 0 ? "" : " and its zOffset " + decimal(printer.zOffset, 3) + " mm";
     return Error{ErrorCode::DoesNotFit, "the job is " + decimal(top, 3) +
                                             " mm high with the lift; the printer's maxZ is " +
-                                            decimal(printer.maxZ, 3) + " mm"};
+                                            decimal(printer.maxZ, 3) + " mm" + offset};
   }
   const double stack = top - printer.lift - params.startHeight;
   if (params.copies.x * params.copies.y > 1 && stack > kTallestCopy) {
@@ -203,7 +214,7 @@ std::optional<Error> checkPatch(const Patch& patch, const std::string& name, con
     if (auto error = within(patch.advance, 0, 2, "advance", " s", "0 to 2, or below 0 to leave it")) return error;
   }
   const double height = patch.layer == 0 ? firstLayerHeight(params) : params.layerHeight;
-  if (layerTop(params, patch.layer) + patch.lift < 0.05) {
+  if (layerTop(params, patch.layer) + std::min(printer.zOffset, 0.0) + patch.lift < kLowest) {
     return invalid(name + ": lift is " + decimal(patch.lift, 3) + " mm on a layer of " + decimal(height, 3) +
                    " mm; the nozzle must stay 0.05 mm above the bed");
   }

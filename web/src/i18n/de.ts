@@ -412,6 +412,9 @@ export const de: Translation = {
   'help.printer.bedMax': 'Wie weit die Düse fahren kann.',
   'setting.printer.maxZ': 'Höhe',
   'help.printer.maxZ': 'Wie hoch der Drucker drucken kann.',
+  'setting.printer.zOffset': 'Z-Versatz',
+  'help.printer.zOffset':
+    'Wird zu jeder Höhe des Drucks addiert. Slicer nennen ihn z_offset; 0, wenn der Drucker ohne ihn gut druckt.',
   'setting.printer.filamentType': 'Filamentart',
   'help.printer.filamentType': 'Steht im G-Code.',
   'setting.printer.filamentDiameter': 'Filamentdurchmesser',

@@ -387,6 +387,9 @@ export const en = {
   'help.printer.bedMax': 'How far the nozzle can go.',
   'setting.printer.maxZ': 'Height',
   'help.printer.maxZ': 'How high the printer can print.',
+  'setting.printer.zOffset': 'Z offset',
+  'help.printer.zOffset':
+    'Is added to every height of the print. Slicers call it z_offset; 0 if the printer prints well without one.',
   'setting.printer.filamentType': 'Filament type',
   'help.printer.filamentType': 'Written into the G-code.',
   'setting.printer.filamentDiameter': 'Filament diameter',

@@ -414,6 +414,9 @@ export const fr: Translation = {
   'help.printer.bedMax': 'Jusqu’où va la buse.',
   'setting.printer.maxZ': 'Hauteur',
   'help.printer.maxZ': 'Jusqu’à quelle hauteur l’imprimante imprime.',
+  'setting.printer.zOffset': 'Décalage Z',
+  'help.printer.zOffset':
+    'S’ajoute à chaque hauteur de l’impression. Les slicers l’appellent z_offset ; 0 si l’imprimante imprime bien sans lui.',
   'setting.printer.filamentType': 'Type de filament',
   'help.printer.filamentType': 'Inscrit dans le G-code.',
   'setting.printer.filamentDiameter': 'Diamètre du filament',

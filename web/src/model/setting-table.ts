@@ -59,6 +59,7 @@ export const table = {
     excludedMin: { type: 'pair', level: 'advanced', default: [0,0], unit: 'mm', low: -5000, high: 5000 },
     excludedMax: { type: 'pair', level: 'advanced', default: [0,0], unit: 'mm', low: -5000, high: 5000 },
     maxZ: { type: 'number', level: 'advanced', default: 200, unit: 'mm', low: 0.05, high: 5000 },
+    zOffset: { type: 'number', level: 'advanced', default: 0, unit: 'mm', low: -2, high: 2 },
     nozzle: { type: 'number', level: 'basic', default: 0.4, unit: 'mm', low: 0.05, high: 2 },
     filamentDiameter: { type: 'number', level: 'advanced', default: 1.75, unit: 'mm', low: 0.5, high: 5 },
     filamentDensity: { type: 'number', level: 'advanced', default: 1.24, unit: 'g/cm³', low: 0.1, high: 25 },

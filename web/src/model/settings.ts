@@ -131,6 +131,7 @@ const controls: Record<
   'printer.bedTemperature': { step: 1, usual: [0, 100] },
   'printer.speed': { step: 1, usual: [10, 150] },
   'printer.maxZ': { step: 1, usual: [50, 500] },
+  'printer.zOffset': { step: 0.01, usual: [-0.3, 0.3] },
   'printer.filamentDiameter': { step: 0.01, usual: [1.5, 3] },
   'printer.filamentDensity': { step: 0.01, usual: [0.8, 2] },
   'printer.firstLayerNozzleTemperature': { step: 1, usual: [190, 260] },

@@ -21,6 +21,7 @@ struct Printer {
   Vec2 excludedMin;       ///< box on the bed that nothing may touch; of no size: none
   Vec2 excludedMax;
   double maxZ = 200;
+  double zOffset = 0;   ///< added to each Z that is written, but those of startGcode and endGcode; -2..2
   double nozzle = 0.4;  ///< 0.05..2
   double filamentDiameter = 1.75;
   double filamentDensity = 1.24;  ///< [g/cm³]
