@@ -148,6 +148,29 @@ TEST_CASE("printers of UltiGCode take filament of 2.85 mm, which their files do 
   CHECK(imported(";FLAVOR:Marlin\n" + rest).printer.filamentDiameter == 1.75);
 }
 
+TEST_CASE("a Z offset is read wherever slicers tell it, and one that is out of range is noted") {
+  CHECK(imported(kDonor).printer.zOffset == 0);
+  CHECK(imported(kDonor + "; z_offset = 0.3\n").printer.zOffset == 0.3);
+  CHECK(imported("nozzle_diameter = 0.4\nz_offset = -0.05\n").printer.zOffset == -0.05);
+  CHECK(imported(R"({"name": "Bambu Lab A1 0.4 nozzle", "nozzle_diameter": ["0.4"], "z_offset": "0.12"})")
+            .printer.zOffset == 0.12);
+  const std::string cura =
+      ";FLAVOR:Marlin\nG28\nM190 S60\nM109 S205\n;LAYER:0\nG1 Z0.5\nG92 Z0.2\nG1 X5 Y5 E1\nM104 S0\n"
+      ";SETTING_3 {\"global_quality\": \"[values]\\\\nadhesion_z_offset = 0.3\\\\n\"}\n";
+  CHECK(imported(cura).printer.zOffset == 0.3);  // as its plugin of fieldOfView calls it
+  const ImportedPrinter far = imported("nozzle_diameter = 0.4\nz_offset = 3\n");
+  CHECK(far.printer.zOffset == 0);
+  CHECK(notes(far, "z_offset is \"3\"; taken are -2 to 2"));
+  // Our own files tell it, too; the blocks of others are given it.
+  const std::string asks = "; start_gcode = G28\\nM190 S65\\nM109 S225\\nG1 Z{z_offset + 1} F720\n";
+  const std::string fits =
+      "G28\nM190 S65\nM109 S225\nG1 Z1.3 F720\n;LAYER_CHANGE\n;Z:0.2\nG1 Z0.5\nG1 X10 Y10 F6000\nG1 X20 E0.4\n"
+      ";TYPE:Custom\nM104 S0\n; printer_model = MK4S\n; z_offset = 0.3\n";
+  const ImportedPrinter own = imported(fits + asks);
+  CHECK(own.printer.zOffset == 0.3);
+  CHECK(own.printer.startGcode.find("G1 Z{z_offset + 1} F720") != std::string::npos);
+}
+
 TEST_CASE("a bundle gives its active printer and filament with all they inherit") {
   const ImportedPrinter read = imported(kBundle);
   const Printer& p = read.printer;

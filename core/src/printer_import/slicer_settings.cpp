@@ -179,6 +179,7 @@ void SettingsReader::bed() {
 
 void SettingsReader::numbers() {
   number({"max_print_height", "printable_height"}, 1, 5000, p_.maxZ);
+  number({"z_offset", "adhesion_z_offset"}, -2, 2, p_.zOffset);  // the second one is of Cura's Z offset plugin
   number({"nozzle_diameter", "machine_nozzle_size"}, 0.05, 2, p_.nozzle);
   number({"filament_diameter", "material_diameter"}, 0.5, 5, p_.filamentDiameter);
   number({"filament_density", "material_density"}, 0.1, 25, p_.filamentDensity);
