@@ -171,6 +171,65 @@ TEST_CASE("a Z offset is read wherever slicers tell it, and one that is out of r
   CHECK(own.printer.startGcode.find("G1 Z{z_offset + 1} F720") != std::string::npos);
 }
 
+namespace {
+
+/// What Cura writes of a square, which does not tell its filament.
+std::string curaSquare(double perMm, double height, const std::string& settings = "") {
+  std::string text =
+      ";FLAVOR:Marlin\n;Layer height: 0.2\n;Generated with Cura_SteamEngine 5.6.0\nM140 S60\nM190 S60\nM104 S205\n"
+      "M109 S205\nM82\nG28\nG92 E0\nG1 Z2.0 F3000\nG1 X10.1 Y20 Z0.28 F5000.0\nG1 X10.1 Y200.0 Z0.28 F1500.0 E15\n"
+      "G92 E0\nG92 E0\nG1 F2700 E-5\n;LAYER_COUNT:3\n";
+  double e = -5;
+  for (int layer = 0; layer < 3; ++layer) {
+    text += ";LAYER:" + std::to_string(layer) + "\n";
+    if (layer == 0) text += "M107\n";
+    text += "G0 F6000 X90 Y90 Z" + std::to_string(height * (layer + 1)) + "\n;TYPE:WALL-OUTER\nG1 F2700 E" +
+            std::to_string(e += 5) + "\n";
+    for (const char* corner : {"X110 Y90", "X110 Y110", "X90 Y110", "X90 Y90"}) {
+      text += "G1 F1200 " + std::string(corner) + " E" + std::to_string(e += 20 * perMm) + "\n";
+    }
+    text += "G1 F2700 E" + std::to_string(e -= 5) + "\n";
+  }
+  return text + "M140 S0\nM104 S0\nM84\n;End of Gcode\n" + settings;
+}
+
+/// Filament for a mm of bead [mm].
+double perMm(double width, double height, double diameter) {
+  return width * height / (3.14159265358979 * diameter * diameter / 4);
+}
+
+}  // namespace
+
+TEST_CASE("where a file does not tell the filament, it is the one that its beads are made of") {
+  for (const double width : {0.35, 0.4, 0.45, 0.6}) {
+    for (const double height : {0.1, 0.2, 0.28}) {
+      CAPTURE(width);
+      CAPTURE(height);
+      const ImportedPrinter thin = imported(curaSquare(perMm(width, height, 1.75), height));
+      CHECK(thin.printer.filamentDiameter == 1.75);
+      CHECK_FALSE(notes(thin, "filament's diameter"));
+      const ImportedPrinter wide = imported(curaSquare(perMm(width, height, 2.85), height));
+      CHECK(wide.printer.filamentDiameter == 2.85);
+      CHECK(notes(wide, "the file does not tell the filament's diameter; its beads fit 2.85 mm, which is taken"));
+    }
+  }
+  // Told: as the file says, whatever its beads are.
+  const auto told = [](const std::string& key) {
+    return ";SETTING_3 {\"extruder_quality\": [\"[values]\\\\n" + key + "\\\\n\"]}\n";
+  };
+  const ImportedPrinter other = imported(curaSquare(perMm(0.4, 0.2, 1.75), 0.2, told("material_diameter = 2.85")));
+  CHECK(other.printer.filamentDiameter == 2.85);
+  CHECK_FALSE(notes(other, "filament's diameter"));
+  // Beads are as wide as the nozzle that is told.
+  const ImportedPrinter large = imported(curaSquare(perMm(0.8, 0.4, 2.85), 0.4, told("machine_nozzle_size = 0.8")));
+  CHECK(large.printer.filamentDiameter == 2.85);
+  CHECK(large.printer.nozzle == 0.8);
+  // Neither fits.
+  const ImportedPrinter odd = imported(curaSquare(perMm(0.1, 0.2, 1.75), 0.2));
+  CHECK(odd.printer.filamentDiameter == 1.75);
+  CHECK(notes(odd, "with the 1.75 mm that is taken its beads would be 0.1 mm wide, from a nozzle of 0.4 mm"));
+}
+
 TEST_CASE("a bundle gives its active printer and filament with all they inherit") {
   const ImportedPrinter read = imported(kBundle);
   const Printer& p = read.printer;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
+#include "printer_import/filament_diameter.hpp"
 #include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
@@ -26,6 +28,7 @@
 namespace sillon {
 namespace {
 
+constexpr std::pair<double, double> kBeads{0.755, 1.99};  // [nozzle], widths; of one of both filaments alone
 constexpr double kMostAdvance = 2;  // [s]; linear advance 1.0 counted in units of its own, from 10 on
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
@@ -200,6 +203,7 @@ class Donor {
   void comment(std::string_view line);
   void takeOwnSettings();
   std::optional<Error> guessBed();
+  void guessFilament(std::string_view text);
   std::optional<Error> endBlock(std::string_view rest);
   void startBlock(std::string_view block);
   void startLine(std::string_view whole);
@@ -493,6 +497,28 @@ std::optional<Error> Donor::guessBed() {
   return std::nullopt;
 }
 
+// Where nothing tells the filament, as in Cura's files, it is the one of which the beads are as wide as beads are.
+void Donor::guessFilament(std::string_view text) {
+  Printer& p = out_.printer;
+  const bool told = settings_.contains("filament_diameter") || settings_.contains("material_diameter");
+  if (told || p.filamentDiameter != kThinFilament) return;
+  const auto perFace = filamentPerFace(text, p.flavor);
+  if (!perFace) return;
+  const auto width = [&](double diameter) { return *perFace * std::numbers::pi * diameter * diameter / 4; };
+  const auto fits = [&](double diameter) {
+    return width(diameter) >= kBeads.first * p.nozzle && width(diameter) <= kBeads.second * p.nozzle;
+  };
+  if (fits(kThinFilament)) return;
+  if (fits(kWideFilament)) {
+    p.filamentDiameter = kWideFilament;
+    note("FilamentGuessed", {{"diameter", decimal(kWideFilament, 2)}});
+  } else {
+    note("FilamentUnclear", {{"diameter", decimal(kThinFilament, 2)},
+                             {"width", decimal(width(kThinFilament), 2)},
+                             {"nozzle", decimal(p.nozzle, 2)}});
+  }
+}
+
 std::optional<Error> Donor::endBlock(std::string_view rest) {
   bool begun =
       rest.find(";TYPE:Custom") == std::string_view::npos && rest.find("; FEATURE: Custom") == std::string_view::npos;
@@ -531,6 +557,7 @@ std::optional<Error> Donor::read(std::string_view text) {
 
   takeOwnSettings();
   if (auto error = guessBed()) return error;
+  guessFilament(text);
   startBlock(text.substr(0, firstLayer_));
   Printer& p = out_.printer;
   if (p.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");

@@ -21,6 +21,10 @@ constexpr Sentence kSentences[] = {
     {"BedShape", "{key} is {value}; it must be corners such as \"0x0,220x0,220x220,0x220\""},
     {"BedUnknown", "the file does not tell the bed; {width} x {depth} mm is taken"},
     {"BedCorners", "the bed has {count} corners; the box around them is taken"},
+    {"FilamentGuessed", "the file does not tell the filament's diameter; its beads fit {diameter} mm, which is taken"},
+    {"FilamentUnclear",
+     "the file does not tell the filament's diameter; with the {diameter} mm that is taken its beads would be {width} "
+     "mm wide, from a nozzle of {nozzle} mm; check both"},
     {"ExcludedArea", "{key} is {value}; it must be one box of corners"},
     {"Flavor", "{key} is {value}; known are Marlin, Klipper and RepRapFirmware; Marlin is taken"},
     {"BlockTooLong", "{key} is {value}; a block may have 65536 bytes"},

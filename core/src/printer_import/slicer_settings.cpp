@@ -12,6 +12,7 @@
 #include "gcode/template.hpp"
 #include "gcode_reader/parser.hpp"
 #include "printer_import/bed_area.hpp"
+#include "printer_import/filament_diameter.hpp"
 #include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
@@ -26,7 +27,6 @@ namespace {
 using Keys = std::initializer_list<std::string_view>;  // of one setting, the first that is there counts
 
 constexpr double kFastBoard = 1000;     // [moves/s]
-constexpr double kWideFilament = 2.85;  // [mm], Cura's ultimaker2.def.json and its extruders
 constexpr double kAcceleration = 1500;  // [mm/s²], of beads; U-turns show what lies above
 
 class SettingsReader {

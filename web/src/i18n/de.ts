@@ -1026,6 +1026,10 @@ export const de: Translation = {
   'rare.note.BedShape': '{key} ist {value}, das ist keine Liste von Ecken.',
   'rare.note.BedUnknown': 'Die Datei enthält die Größe des Druckbetts nicht; {width} × {depth} mm wird angenommen.',
   'rare.note.BedCorners': 'Das Druckbett hat {count} Ecken; das Rechteck um sie wird verwendet.',
+  'rare.note.FilamentGuessed':
+    'Die Datei nennt den Filamentdurchmesser nicht; ihre Bahnen passen zu {diameter} mm, was angenommen wird.',
+  'rare.note.FilamentUnclear':
+    'Die Datei nennt den Filamentdurchmesser nicht. Mit den angenommenen {diameter} mm wären ihre Bahnen {width} mm breit, aus einer Düse von {nozzle} mm; beides prüfen.',
   'rare.note.ExcludedArea': '{key} ist {value}; nur ein Rechteck kann ausgespart werden.',
   'rare.note.Flavor': '{key} ist {value}; Marlin wird angenommen.',
   'rare.note.BlockTooLong': '{key} ist länger als 65536 Zeichen.',

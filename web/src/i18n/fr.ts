@@ -1039,6 +1039,10 @@ export const fr: Translation = {
   'rare.note.BedShape': '{key} vaut {value}, qui n’est pas une liste de coins.',
   'rare.note.BedUnknown': 'Le fichier ne contient pas la taille du plateau ; {width} × {depth} mm est supposé.',
   'rare.note.BedCorners': 'Le plateau a {count} coins ; le rectangle qui les entoure est utilisé.',
+  'rare.note.FilamentGuessed':
+    'Le fichier ne dit pas le diamètre du filament ; ses cordons sont ceux d’un filament de {diameter} mm, qui est supposé.',
+  'rare.note.FilamentUnclear':
+    'Le fichier ne dit pas le diamètre du filament. Avec les {diameter} mm supposés, ses cordons auraient {width} mm de large, d’une buse de {nozzle} mm ; vérifiez les deux.',
   'rare.note.ExcludedArea': '{key} vaut {value} ; un seul rectangle peut être exclu.',
   'rare.note.Flavor': '{key} vaut {value} ; Marlin est supposé.',
   'rare.note.BlockTooLong': '{key} dépasse 65536 caractères.',

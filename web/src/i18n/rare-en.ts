@@ -75,6 +75,10 @@ export const rareEn = {
   'rare.note.BedShape': '{key} is {value}, which is not a list of corners.',
   'rare.note.BedUnknown': 'The file does not contain the bed’s size; {width} × {depth} mm is assumed.',
   'rare.note.BedCorners': 'The bed has {count} corners; the box around them is used.',
+  'rare.note.FilamentGuessed':
+    'The file does not contain the filament’s diameter; its beads fit {diameter} mm, which is assumed.',
+  'rare.note.FilamentUnclear':
+    'The file does not contain the filament’s diameter. With the {diameter} mm that is assumed its beads would be {width} mm wide, from a nozzle of {nozzle} mm; check both.',
   'rare.note.ExcludedArea': '{key} is {value}; only one box can be excluded.',
   'rare.note.Flavor': '{key} is {value}; Marlin is assumed.',
   'rare.note.BlockTooLong': '{key} is longer than 65536 characters.',
