@@ -42,10 +42,12 @@ std::string printerLine(const PrinterProfile& preset) {
   char bed[64];
   std::snprintf(bed, sizeof bed, "%gx%gx%g%s%s", size.x, size.y, p.maxZ, p.roundBed ? " round" : "",
                 centred ? " centred" : "");
+  char heat[32];
+  std::snprintf(heat, sizeof heat, "%g/%g", p.maxNozzleTemperature, p.maxBedTemperature);
   char line[256];
   const char* start = !p.startGcode.empty() ? "own" : p.flavor == GcodeFlavor::Bambu ? "yours is needed" : "plain";
-  std::snprintf(line, sizeof line, "%-28s %-8s %-26s %g    %s\n", preset.id.c_str(), flavor(p).c_str(), bed, p.nozzle,
-                start);
+  std::snprintf(line, sizeof line, "%-28s %-8s %-26s %g    %-9s %s\n", preset.id.c_str(), flavor(p).c_str(), bed,
+                p.nozzle, heat, start);
   return line;
 }
 
@@ -61,8 +63,9 @@ std::string filamentLine(const PrinterProfile& preset) {
 
 std::string presetTable(ProfileKind kind) {
   const bool printers = kind == ProfileKind::Printer;
-  std::string out = printers ? "id                           dialect  bed [mm]                   nozzle start block\n"
-                             : "id           type   nozzle [C]      bed [C]  g/cm3\n";
+  std::string out =
+      printers ? "id                           dialect  bed [mm]                   nozzle most [C]  start block\n"
+               : "id           type   nozzle [C]      bed [C]  g/cm3\n";
   for (const PrinterProfile& preset : sillon::profiles(kind))
     out += printers ? printerLine(preset) : filamentLine(preset);
   return out;

@@ -575,13 +575,17 @@ export interface PrinterValues {
   filamentDensity: number;
   /** Filament type, written into the G-code. Default "PLA". */
   filamentType: string;
-  /** For experts: allows nozzle temperatures of 0 to 500 °C and bed temperatures of up to 200. Default false. */
+  /** Highest nozzle temperature that the hot end is made for, such as 240 with a PTFE tube down to the nozzle. 170..300 °C, default 300. */
+  maxNozzleTemperature: number;
+  /** Highest bed temperature that the printer is made for. 0..120 °C, default 120. */
+  maxBedTemperature: number;
+  /** For experts: allows nozzle temperatures of 0 to 500 °C and bed temperatures of up to 200, whatever the limits are. Default false. */
   anyTemperature: boolean;
-  /** Nozzle temperature; 170 to 300 unless any temperature is allowed. 0..500 °C, default 215. */
+  /** Nozzle temperature; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 215. */
   nozzleTemperature: number;
-  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to 300 unless any temperature is allowed. 0..500 °C, default 220. */
+  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 220. */
   firstLayerNozzleTemperature: number;
-  /** Bed temperature; at most 120 unless any temperature is allowed. 0..200 °C, default 60. */
+  /** Bed temperature; at most the printer’s limit unless any temperature is allowed. 0..200 °C, default 60. */
   bedTemperature: number;
   /** Printing speed; slow and constant gives the cleanest reflection. 5..1000 mm/s, default 50. */
   speed: number;

@@ -262,6 +262,7 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
   CHECK(list.code == 0);
   CHECK(has(list.out, "\nprusa-mk4s "));
   CHECK(has(list.out, "230x230x300 round centred"));
+  CHECK(has(list.out, "220x220x250                0.4    255/100   plain\n"));  // Ender-3 V2
   CHECK(has(folder.run("filaments").out, "\npetg "));
   const Run one = folder.run("printers creality-k1");
   CHECK(one.code == 0);
@@ -284,6 +285,11 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
               .code == 0);
   CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
   checkRefused(folder, "printers k2", "printers: \"k2\" is not a printer profile");
+  folder.write("hot.json", R"({"sillon": 1, "printer": {"profile": "creality-ender-3", "nozzleTemperature": 300}})");
+  for (const char* command :
+       {"generate hot.json --shape disc --size 12 --gcode a.gcode", "calibrate speed hot.json -o b.gcode"}) {
+    checkRefused(folder, command, "printer.nozzleTemperature is 300 degrees Celsius; it must be 170 to 255, or");
+  }
 }
 
 TEST_CASE("check reads G-code as a printer would") {

@@ -82,6 +82,20 @@ TEST_CASE("after a patch with its own fan and heat the next one has the layer's 
   CHECK(highest == about(safeHeight(job.printer, job.params), 1e-6));
 }
 
+TEST_CASE("a patch that is hotter than the printer bears is refused") {
+  const auto hot = [](double degrees) {
+    return [degrees](PatchJob& job) {
+      job.printer.maxNozzleTemperature = 240;
+      job.plate.patches[0].temperature = degrees;
+    };
+  };
+  CHECK(refused(hot(241)).find("temperature is 241 degrees; it must be 170 to 240") != std::string::npos);
+  PatchJob job;
+  hot(240)(job);
+  std::string text;
+  CHECK(job.write(text).ok());
+}
+
 TEST_CASE("patches that cannot be printed as they say are refused before a byte is written") {
   const auto first = [](PatchJob& job) -> Patch& { return job.plate.patches[0]; };
   CHECK(refused([&](PatchJob& job) { first(job).layer = 0; }).find("layer is 0; it must be 1 to 1") !=

@@ -230,6 +230,21 @@ TEST_CASE("where a file does not tell the filament, it is the one that its beads
   CHECK(notes(odd, "with the 1.75 mm that is taken its beads would be 0.1 mm wide, from a nozzle of 0.4 mm"));
 }
 
+TEST_CASE("a donor that is hotter than its printer bears is noted, and its heat is not taken") {
+  const std::string start = "; printer_model = ENDER3\nM140 S60\nG28\nM190 S60\nM109 S";
+  const std::string rest = "\n;LAYER_CHANGE\nG1 X5 Y5 E1\nG1 X6 E1\n;TYPE:Custom\nM104 S0\n; temperature = ";
+  const ImportedPrinter hot = imported(start + "270" + rest + "265\n");
+  CHECK(hot.profile == "creality-ender-3");
+  CHECK(hot.printer.maxNozzleTemperature == 255);
+  CHECK(hot.printer.nozzleTemperature == Printer().nozzleTemperature);
+  CHECK(hot.printer.firstLayerNozzleTemperature <= 255);
+  CHECK(notes(hot, "temperature is \"265\"; taken are 170 to 255"));
+  CHECK(notes(hot, "the start block heats for purposes of its own (M109 S270)"));
+  const ImportedPrinter fine = imported(start + "250" + rest + "245\n");
+  CHECK(fine.printer.nozzleTemperature == 245);
+  CHECK(fine.printer.firstLayerNozzleTemperature == 250);
+}
+
 TEST_CASE("a bundle gives its active printer and filament with all they inherit") {
   const ImportedPrinter read = imported(kBundle);
   const Printer& p = read.printer;

@@ -119,6 +119,8 @@ Project unusualProject() {
   p.printer.filamentDiameter = 2.85;
   p.printer.filamentDensity = 1.27;
   p.printer.filamentType = "PETG";
+  p.printer.maxNozzleTemperature = 280;
+  p.printer.maxBedTemperature = 100;
   p.printer.nozzleTemperature = 235;
   p.printer.firstLayerNozzleTemperature = 240;
   p.printer.bedTemperature = 80;

@@ -205,6 +205,35 @@ TEST_CASE("what temperatures are allowed depends on anyTemperature") {
   CHECK(has(invalidSettings(printer, {}), "it must be 0 to 200"));
 }
 
+TEST_CASE("a printer's own limits of temperature hold below the general ones, unless any is allowed") {
+  Printer printer;
+  printer.maxNozzleTemperature = 240;
+  printer.maxBedTemperature = 80;
+  CHECK(invalidSettings(printer, {}) == "");
+  for (const auto& [field, key] : {std::pair{&Printer::nozzleTemperature, "nozzleTemperature"},
+                                   {&Printer::firstLayerNozzleTemperature, "firstLayerNozzleTemperature"}}) {
+    Printer hot = printer;
+    hot.*field = 240;
+    CHECK(invalidSettings(hot, {}) == "");
+    hot.*field = 241;
+    CHECK(invalidSettings(hot, {}) ==
+          "printer." + std::string(key) +
+              " is 241 degrees Celsius; it must be 170 to 240, or maxNozzleTemperature higher for another hot end");
+    hot.anyTemperature = true;
+    CHECK(invalidSettings(hot, {}) == "");
+  }
+  printer.bedTemperature = 81;
+  CHECK(
+      invalidSettings(printer, {}) ==
+      "printer.bedTemperature is 81 degrees Celsius; it must be 0 to 80, or maxBedTemperature higher for another bed");
+  printer.anyTemperature = true;
+  CHECK(invalidSettings(printer, {}) == "");
+  CHECK(has(problem({{"sillon", 1}, {"printer", {{"profile", "creality-ender-3"}, {"nozzleTemperature", 256}}}}),
+            "it must be 170 to 255, or maxNozzleTemperature"));
+  CHECK(has(problem({{"sillon", 1}, {"printer", {{"profile", "bambu-a1-mini"}, {"bedTemperature", 81}}}}),
+            "it must be 0 to 80, or maxBedTemperature"));
+}
+
 TEST_CASE("rules between settings of a section hold wherever they are read") {
   Printer printer;
   printer.bedMin = {215, 0};

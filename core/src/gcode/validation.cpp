@@ -202,8 +202,9 @@ std::optional<Error> checkPatch(const Patch& patch, const std::string& name, con
   if (auto error = within(patch.speed, 0, 1000, "speed", " mm/s", "0 to 1000")) return error;
   if (auto error = within(patch.lift, -0.1, 0.1, "lift", " mm", "-0.1 to 0.1")) return error;
   if (patch.temperature != 0) {
-    if (auto error = within(patch.temperature, any ? 0 : 170, any ? 500 : 300, "temperature", " degrees",
-                            any ? "0 to 500" : "170 to 300")) {
+    const double high = any ? 500 : printer.maxNozzleTemperature;
+    const std::string range = (any ? "0 to " : "170 to ") + decimal(high, 3);
+    if (auto error = within(patch.temperature, any ? 0 : 170, high, "temperature", " degrees", range.c_str())) {
       return error;
     }
   }

@@ -336,8 +336,9 @@ void Donor::lookAt(std::string_view code) {
 // probing or cleaning, are the printer's and stay.
 void Donor::templateFilament(const GcodeCheck& check) {
   Printer& p = out_.printer;
-  const double nozzle = check.nozzleTarget >= kColdest && check.nozzleTarget <= 300 ? check.nozzleTarget : 0;
-  double bed = check.bedTarget > 0 && check.bedTarget <= 120 ? check.bedTarget : 0;
+  const bool bears = check.nozzleTarget >= kColdest && check.nozzleTarget <= p.maxNozzleTemperature;
+  const double nozzle = bears ? check.nozzleTarget : 0;
+  double bed = check.bedTarget > 0 && check.bedTarget <= p.maxBedTemperature ? check.bedTarget : 0;
   std::string kept;
   std::string block;
   const auto keep = [&kept](const std::string& line) {
@@ -365,7 +366,7 @@ void Donor::templateFilament(const GcodeCheck& check) {
     if (chamberOf(line) > 0) keep(line);
     if (isStartMacro(commandOf(codeOf(line)))) {  // PRINT_START BED=60 EXTRUDER=215
       const MacroTargets targets = macroTargets(line);
-      if (targets.bed > 0) bed = targets.bed;
+      if (targets.bed > 0 && targets.bed <= p.maxBedTemperature) bed = targets.bed;
       if (targets.nozzle > 0 && targets.nozzle != nozzle) keep(line);
       insertMacroTargets(line, nozzle, bed, p.filamentType);
     }

@@ -183,13 +183,14 @@ void SettingsReader::numbers() {
   number({"nozzle_diameter", "machine_nozzle_size"}, 0.05, 2, p_.nozzle);
   number({"filament_diameter", "material_diameter"}, 0.5, 5, p_.filamentDiameter);
   number({"filament_density", "material_density"}, 0.1, 25, p_.filamentDensity);
-  number({"temperature", "nozzle_temperature", "material_print_temperature"}, 170, 300, p_.nozzleTemperature);
-  p_.firstLayerNozzleTemperature = std::clamp(p_.nozzleTemperature + 5, 170.0, 300.0);
+  const double hottest = p_.maxNozzleTemperature;
+  number({"temperature", "nozzle_temperature", "material_print_temperature"}, 170, hottest, p_.nozzleTemperature);
+  p_.firstLayerNozzleTemperature = std::clamp(p_.nozzleTemperature + 5, 170.0, hottest);
   number({"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0"}, 170,
-         300, p_.firstLayerNozzleTemperature);
+         hottest, p_.firstLayerNozzleTemperature);
   number({"first_layer_bed_temperature", "hot_plate_temp_initial_layer", "bed_temperature_initial_layer_single",
           "bed_temperature", "hot_plate_temp", "material_bed_temperature_layer_0", "material_bed_temperature"},
-         0, 120, p_.bedTemperature);
+         0, p_.maxBedTemperature, p_.bedTemperature);
   number({"retract_length", "retraction_length", "retraction_amount"}, 0, 20, p_.retractLength);
   number({"retract_speed", "retraction_speed"}, 1, 200, p_.retractSpeed);
   number({"travel_speed", "speed_travel"}, 5, 1000, p_.travelSpeed);

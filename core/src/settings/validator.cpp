@@ -19,14 +19,24 @@ constexpr double kLine = 1024;  // [bytes], of a file's name
 struct Range {
   double low;
   double high;
+  const char* wayOut = "";  ///< of what is too high
 };
 
-/// Most ranges are the table's; what a printer may heat to depends on anyTemperature.
+/// Most ranges are the table's; what a printer may heat to depends on its own limits and anyTemperature.
 Range rangeOf(const Setting& setting, const SettingsView& view) {
   if (setting.section == Section::Printer && view.printer != nullptr && !view.printer->anyTemperature) {
+    const Printer& printer = *view.printer;
+    const Printer usual;
     const std::string_view key = setting.key;
-    if (key == "nozzleTemperature" || key == "firstLayerNozzleTemperature") return {170, 300};
-    if (key == "bedTemperature") return {0, 120};
+    if (key == "nozzleTemperature" || key == "firstLayerNozzleTemperature") {
+      const double high = printer.maxNozzleTemperature;
+      return {170, high,
+              high < usual.maxNozzleTemperature ? ", or maxNozzleTemperature higher for another hot end" : ""};
+    }
+    if (key == "bedTemperature") {
+      const double high = printer.maxBedTemperature;
+      return {0, high, high < usual.maxBedTemperature ? ", or maxBedTemperature higher for another bed" : ""};
+    }
   }
   return {setting.low, setting.high};
 }
@@ -36,7 +46,7 @@ std::string unitOf(const Setting& setting) { return *setting.unit == '\0' ? "" :
 std::string wrongNumber(const Setting& setting, const char* part, double value, Range range) {
   if (value >= range.low && value <= range.high) return "";  // false for NaN
   return fullName(setting) + part + " is " + numberText(value) + unitOf(setting) + "; it must be " +
-         numberText(range.low) + " to " + numberText(range.high);
+         numberText(range.low) + " to " + numberText(range.high) + (value > range.high ? range.wayOut : "");
 }
 
 std::string wrongPair(const Setting& setting, Vec2 value, Range range) {

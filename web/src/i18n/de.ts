@@ -415,6 +415,10 @@ export const de: Translation = {
   'setting.printer.zOffset': 'Z-Versatz',
   'help.printer.zOffset':
     'Wird zu jeder Höhe des Drucks addiert. Slicer nennen ihn z_offset; 0, wenn der Drucker ohne ihn gut druckt.',
+  'setting.printer.maxNozzleTemperature': 'Düsengrenze',
+  'help.printer.maxNozzleTemperature': 'Das Heißeste, was das Hotend verträgt.',
+  'setting.printer.maxBedTemperature': 'Druckbettgrenze',
+  'help.printer.maxBedTemperature': 'Das Heißeste, was das Druckbett verträgt.',
   'setting.printer.filamentType': 'Filamentart',
   'help.printer.filamentType': 'Steht im G-Code.',
   'setting.printer.filamentDiameter': 'Filamentdurchmesser',

@@ -390,6 +390,10 @@ export const en = {
   'setting.printer.zOffset': 'Z offset',
   'help.printer.zOffset':
     'Is added to every height of the print. Slicers call it z_offset; 0 if the printer prints well without one.',
+  'setting.printer.maxNozzleTemperature': 'Nozzle limit',
+  'help.printer.maxNozzleTemperature': 'The hottest the hot end bears.',
+  'setting.printer.maxBedTemperature': 'Bed limit',
+  'help.printer.maxBedTemperature': 'The hottest the bed bears.',
   'setting.printer.filamentType': 'Filament type',
   'help.printer.filamentType': 'Written into the G-code.',
   'setting.printer.filamentDiameter': 'Filament diameter',

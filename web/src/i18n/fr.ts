@@ -417,6 +417,10 @@ export const fr: Translation = {
   'setting.printer.zOffset': 'Décalage Z',
   'help.printer.zOffset':
     'S’ajoute à chaque hauteur de l’impression. Les slicers l’appellent z_offset ; 0 si l’imprimante imprime bien sans lui.',
+  'setting.printer.maxNozzleTemperature': 'Limite de la buse',
+  'help.printer.maxNozzleTemperature': 'La plus haute température que supporte la tête.',
+  'setting.printer.maxBedTemperature': 'Limite du plateau',
+  'help.printer.maxBedTemperature': 'La plus haute température que supporte le plateau.',
   'setting.printer.filamentType': 'Type de filament',
   'help.printer.filamentType': 'Inscrit dans le G-code.',
   'setting.printer.filamentDiameter': 'Diamètre du filament',

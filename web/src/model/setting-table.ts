@@ -64,6 +64,8 @@ export const table = {
     filamentDiameter: { type: 'number', level: 'advanced', default: 1.75, unit: 'mm', low: 0.5, high: 5 },
     filamentDensity: { type: 'number', level: 'advanced', default: 1.24, unit: 'g/cm³', low: 0.1, high: 25 },
     filamentType: { type: 'text', level: 'advanced', default: 'PLA' },
+    maxNozzleTemperature: { type: 'number', level: 'advanced', default: 300, unit: '°C', low: 170, high: 300 },
+    maxBedTemperature: { type: 'number', level: 'advanced', default: 120, unit: '°C', low: 0, high: 120 },
     anyTemperature: { type: 'flag', level: 'advanced', default: false },
     nozzleTemperature: { type: 'number', level: 'basic', default: 215, unit: '°C', low: 0, high: 500 },
     firstLayerNozzleTemperature: { type: 'number', level: 'advanced', default: 220, unit: '°C', low: 0, high: 500 },

@@ -132,6 +132,8 @@ const controls: Record<
   'printer.speed': { step: 1, usual: [10, 150] },
   'printer.maxZ': { step: 1, usual: [50, 500] },
   'printer.zOffset': { step: 0.01, usual: [-0.3, 0.3] },
+  'printer.maxNozzleTemperature': { step: 1, usual: [230, 300] },
+  'printer.maxBedTemperature': { step: 1, usual: [60, 120] },
   'printer.filamentDiameter': { step: 0.01, usual: [1.5, 3] },
   'printer.filamentDensity': { step: 0.01, usual: [0.8, 2] },
   'printer.firstLayerNozzleTemperature': { step: 1, usual: [190, 260] },

@@ -26,10 +26,12 @@ struct Printer {
   double filamentDiameter = 1.75;
   double filamentDensity = 1.24;  ///< [g/cm³]
   std::string filamentType = "PLA";
-  bool anyTemperature = false;     ///< for those who know why: temperatures up to 500 and 200, and cold nozzles
-  double nozzleTemperature = 215;  ///< 170..300; 0..500 with anyTemperature
+  double maxNozzleTemperature = 300;  ///< what the hot end bears, 170..300
+  double maxBedTemperature = 120;     ///< 0..120
+  bool anyTemperature = false;        ///< for those who know why: temperatures up to 500 and 200, and cold nozzles
+  double nozzleTemperature = 215;     ///< 170..maxNozzleTemperature; 0..500 with anyTemperature
   double firstLayerNozzleTemperature = 220;
-  double bedTemperature = 60;  ///< 0..120; 0..200 with anyTemperature
+  double bedTemperature = 60;  ///< 0..maxBedTemperature; 0..200 with anyTemperature
   double speed = 50;
   double firstLayerSpeed = 20;
   double baseSpeed = 0;  ///< of base layers above the first; 0: `speed`
