@@ -613,9 +613,9 @@ export interface PrinterValues {
   curveAcceleration: number;
   /** Fan speed on the first layer. 0..100 %, default 0. */
   firstLayerFan: number;
-  /** Fan speed on base layers above the first; negative values choose 100 for PLA and 50 for other filaments. -1..100 %, default -1. */
+  /** Fan speed on base layers above the first; negative values choose what the filament usually gets, such as 100 for PLA, 50 for PETG and 10 for ABS. -1..100 %, default -1. */
   baseFan: number;
-  /** Fan speed on oriented layers above the first; negative values choose 100 for PLA and 50 for other filaments. -1..100 %, default -1. */
+  /** Fan speed on oriented layers above the first; negative values choose what the filament usually gets, such as 100 for PLA, 50 for PETG and 10 for ABS. -1..100 %, default -1. */
   showFan: number;
   /** Layers that would take less time are slowed down, but not below 5 mm/s; 0 means no minimum. 0..300 s, default 8. */
   minLayerTime: number;

@@ -923,8 +923,9 @@ TEST_CASE("warnings are a code with values, and the sentence made of them") {
   CHECK(flow->value("value")->number == 0.5);
 }
 
-TEST_CASE("the fan runs at full for PLA, at half for the rest, and not at all on the bed") {
-  for (const auto& [type, fan] : {std::pair{"PLA", 255}, std::pair{"PETG", 128}, std::pair{"ABS", 128}}) {
+TEST_CASE("the fan follows the family of the filament, and does not run on the bed") {
+  for (const auto& [type, fan] :
+       {std::pair{"PLA", 255}, {"PLA Silk", 255}, {"PETG-CF", 128}, {"ABS", 26}, {"Wood", 128}}) {
     Job job = plate();
     job.printer.filamentType = type;
     const std::string text = job.write().text;

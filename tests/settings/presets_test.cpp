@@ -29,6 +29,27 @@ TEST_CASE("pressure advance is the maker's for filament and nozzle, and off wher
   }
 }
 
+TEST_CASE("filaments belong to the family that their type begins with") {
+  for (const char* type : {"PLA", "PLA Silk", "PLA+", "PLA-CF", "pla_matte", "PLA2"}) {
+    CAPTURE(type);
+    CHECK(filamentFamily(type) == "PLA");
+    CHECK(usualFan(type) == 100);
+    CHECK(mk4(type, 0.4).printer.pressureAdvance == 0.036);
+    CHECK(mk4(type, 0.4).printer.setPressureAdvance);
+  }
+  CHECK(filamentFamily("PA6-GF") == "PA");
+  CHECK(filamentFamily("") == "");
+  for (const char* type : {"ABS", "ASA", "PC", "PA12-CF", "Nylon", "HIPS", "PP"}) {
+    CAPTURE(type);
+    CHECK(usualFan(type) <= 20);
+  }
+  for (const char* type : {"PETG", "PET-CF", "TPU 95A", "Wood", ""}) {
+    CAPTURE(type);
+    CHECK(usualFan(type) == 50);
+  }
+  CHECK(!mk4("PLASTIC", 0.4).printer.setPressureAdvance);
+}
+
 TEST_CASE("pressure advance follows filament, nozzle and printer, unless it was a person's own") {
   const Project before = mk4("PLA", 0.4);
   Project changed = before;

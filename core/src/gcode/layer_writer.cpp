@@ -6,6 +6,7 @@
 #include "base/decimal_text.hpp"
 #include "gcode/objects.hpp"
 #include "printer/dialect.hpp"
+#include "sillon/settings/presets.hpp"
 
 namespace sillon {
 namespace {
@@ -70,10 +71,8 @@ void LayerWriter::setMachine(const FileLayer& layer) {
     if (layer.copy > 0) nozzle_.out() << "M104 S" << fixed(printer_.firstLayerNozzleTemperature, 0) << "\n";
   }
   if (!layer.first) {
-    // PLA wants all the air it can get, PETG and its kin lose their bond between layers then.
-    const double usual = printer_.filamentType == "PLA" ? 100 : 50;
     const double asked = layer.oriented ? printer_.showFan : printer_.baseFan;
-    nozzle_.fan(asked < 0 ? usual : asked);
+    nozzle_.fan(asked < 0 ? usualFan(printer_.filamentType) : asked);
   }
   if (layer.index == (beginsOnBed(params_) ? 1 : 0)) {
     if (beginsOnBed(params_) && printer_.machineAcceleration > 0 && firstAcceleration() != printer_.acceleration) {

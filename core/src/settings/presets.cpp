@@ -107,12 +107,27 @@ std::string applyProfile(ProfileKind kind, const std::string& id, Printer& print
   return wrong;
 }
 
+std::string filamentFamily(std::string_view filamentType) {
+  std::string family;
+  for (const char c : filamentType) {
+    const bool small = c >= 'a' && c <= 'z';
+    if (!small && !(c >= 'A' && c <= 'Z')) break;
+    family += small ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+  return family;
+}
+
+double usualFan(std::string_view filamentType) {
+  static const Json families = parseJson(kFilamentsJson)["families"];
+  return families["fan"].value(filamentFamily(filamentType), families["otherFan"].get<double>());
+}
+
 void applyAdvance(const std::string& profile, Printer& printer) {
   const Json& rows = rowsOf(kPrinters);
   const auto row = rows.find(profile);
   if (row == rows.end()) return;
   const Json byFilament = row->value("advance", Json::object());
-  const Json byNozzle = byFilament.value(printer.filamentType, Json::object());
+  const Json byNozzle = byFilament.value(filamentFamily(printer.filamentType), Json::object());
   const auto found = byNozzle.find(decimal(printer.nozzle, 3));
   printer.setPressureAdvance = found != byNozzle.end();
   printer.pressureAdvance = printer.setPressureAdvance ? found->get<double>() : Printer().pressureAdvance;

@@ -1035,7 +1035,8 @@ constexpr Setting kSettings[] = {
      .low = -1,
      .high = 100,
      .label = "Fan, base layers",
-     .help = "Fan speed on base layers above the first; negative values choose 100 for PLA and 50 for other filaments"},
+     .help = "Fan speed on base layers above the first; negative values choose what the filament usually gets, such as "
+             "100 for PLA, 50 for PETG and 10 for ABS"},
     {.section = Section::Printer,
      .key = "showFan",
      .type = Number,
@@ -1045,7 +1046,8 @@ constexpr Setting kSettings[] = {
      .high = 100,
      .label = "Fan, oriented layers",
      .help =
-         "Fan speed on oriented layers above the first; negative values choose 100 for PLA and 50 for other filaments"},
+         "Fan speed on oriented layers above the first; negative values choose what the filament usually gets, such "
+         "as 100 for PLA, 50 for PETG and 10 for ABS"},
     {.section = Section::Printer,
      .key = "minLayerTime",
      .type = Number,

@@ -448,9 +448,9 @@ export const de: Translation = {
     '0 ist das Drucktempo, aber höchstens 20 mm/s, wenn nichts Pressure Advance einstellt: Langsam und konstant ist gleichmäßig.',
   'help.printer.firstLayerAcceleration': 'Sanftere Starts haften besser; 0 ist wie in anderen Schichten.',
   'help.printer.firstLayerFan': 'Luft hindert die erste Schicht am Haften.',
-  'help.printer.baseFan': '−1 richtet sich nach dem Material: 100 % für PLA, 50 % für andere.',
+  'help.printer.baseFan': '−1 richtet sich nach dem Material: 100 % für PLA, 50 % für PETG, 10 % für ABS.',
   'help.printer.showFan':
-    'Viel Luft macht Silk-PLA matt. −1 richtet sich nach dem Material: 100 % für PLA, 50 % für andere.',
+    'Viel Luft macht Silk-PLA matt. −1 richtet sich nach dem Material: 100 % für PLA, 50 % für PETG, 10 % für ABS.',
   'help.printer.minLayerTime': 'Schnellere Schichten werden gebremst, damit der Kunststoff fest wird.',
   'help.printer.firstLayerSpeed': 'Langsam haftet besser.',
   'setting.printer.travelSpeed': 'Tempo der Leerfahrten',

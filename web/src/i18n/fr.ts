@@ -450,9 +450,9 @@ export const fr: Translation = {
     '0 est la vitesse ci-dessus, mais 20 mm/s au plus si rien ne règle l’avance de pression : lent et constant, c’est régulier.',
   'help.printer.firstLayerAcceleration': 'Des départs plus doux collent mieux ; 0 : comme les autres couches.',
   'help.printer.firstLayerFan': 'L’air empêche la première couche de coller.',
-  'help.printer.baseFan': '−1 choisit selon la matière : 100 % pour le PLA, 50 % pour les autres.',
+  'help.printer.baseFan': '−1 choisit selon la matière : 100 % pour le PLA, 50 % pour le PETG, 10 % pour l’ABS.',
   'help.printer.showFan':
-    'Trop d’air ternit le PLA soyeux. −1 choisit selon la matière : 100 % pour le PLA, 50 % pour les autres.',
+    'Trop d’air ternit le PLA soyeux. −1 choisit selon la matière : 100 % pour le PLA, 50 % pour le PETG, 10 % pour l’ABS.',
   'help.printer.minLayerTime': 'Les couches plus rapides sont ralenties, pour que le plastique prenne.',
   'help.printer.firstLayerSpeed': 'Lente, elle adhère mieux.',
   'setting.printer.travelSpeed': 'Vitesse des déplacements',

@@ -23,7 +23,7 @@ export interface PrinterChoice {
   /** Maker and model; the dictionary may have a better one (`printer.KEY`). */
   label: string;
   machine: Machine;
-  /** Pressure advance as the maker's own slicer sets it, by filament type and nozzle. */
+  /** Pressure advance as the maker's own slicer sets it, by filament family and nozzle. */
   advance: Advance;
 }
 
@@ -57,9 +57,12 @@ export const printers: readonly PrinterChoice[] = Object.entries(table.printers 
   .filter(({ machine }) => machine.flavor !== 'bambu')
   .sort((a, b) => Number(isGeneric(b)) - Number(isGeneric(a)) || a.label.localeCompare(b.label, 'en'));
 
+/** As the core's `filamentFamily`: "PLA" for "PLA Silk" and "pla-cf". */
+const filamentFamily = (type: string): string => /^[A-Za-z]*/.exec(type)?.[0].toUpperCase() ?? '';
+
 /** Pressure advance as the printer's maker sets it for the filament and the nozzle; off where none is known. */
 function makersAdvance(printer: PrinterValues): Pick<PrinterValues, 'pressureAdvance' | 'setPressureAdvance'> {
-  const value = profileOf(printer)?.advance[printer.filamentType]?.[printer.nozzle];
+  const value = profileOf(printer)?.advance[filamentFamily(printer.filamentType)]?.[printer.nozzle];
   return { setPressureAdvance: value !== undefined, pressureAdvance: value ?? printerDefaults.pressureAdvance };
 }
 

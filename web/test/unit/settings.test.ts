@@ -205,6 +205,17 @@ test('every printer has values that the engine takes, a bed, and a name of its o
   assert.equal(profileOf({ ...printerDefaults, name: 'Mine' }), undefined);
 });
 
+test('pressure advance follows the family of the filament, as in the core', () => {
+  const advance = (filamentType: string): number | undefined => {
+    const plate = newPlate();
+    const { printer } = withPrinter({ ...plate, printer: { ...plate.printer, filamentType } }, 'prusa-mk4s');
+    return printer.setPressureAdvance ? printer.pressureAdvance : undefined;
+  };
+  for (const type of ['PLA', 'PLA Silk', 'PLA+', 'pla-cf']) assert.equal(advance(type), 0.036, type);
+  assert.equal(advance('PETG-CF'), 0.053);
+  for (const type of ['TPU', 'PLASTIC', '']) assert.equal(advance(type), undefined, type);
+});
+
 test('pressure advance is the maker’s for printer, filament and nozzle, unless it is one’s own', () => {
   const of = (plate: Plate): number | undefined =>
     plate.printer.setPressureAdvance ? plate.printer.pressureAdvance : undefined;

@@ -31,7 +31,14 @@ std::optional<PrinterProfile> profileOf(std::string_view model);
 /// Lays a profile's values over a printer. \return what is wrong: an unknown id, with those near it. Empty: nothing.
 [[nodiscard]] std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer);
 
-/// Sets pressure advance to what the maker's own slicer sets for this machine, the printer's filamentType and its
+/// The family that a type of filament belongs to, by the letters that its name begins with, in capitals: "PLA" for
+/// "PLA Silk", "PLA+" and "pla-cf", "PA" for "PA6-GF".
+std::string filamentFamily(std::string_view filamentType);
+
+/// The fan that filaments of this type usually get above the first layer [%]: core/data/filaments.json, `families`.
+double usualFan(std::string_view filamentType);
+
+/// Sets pressure advance to what the maker's own slicer sets for this machine, the family of its filamentType and its
 /// nozzle; off where it tells none. applyProfile does it for the filament and nozzle that it finds; after a change of
 /// either, followAdvance does. An unknown profile changes nothing.
 void applyAdvance(const std::string& profile, Printer& printer);

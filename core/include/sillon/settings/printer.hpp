@@ -45,7 +45,7 @@ struct Printer {
   double machineCornerSpeed = 0;      ///< put back at the end; 0: `cornerSpeed` is only estimated with, not set
   double curveAcceleration = 1000;    ///< curves of radius r go at most at √(this · r); 0: as fast as straights
   double firstLayerFan = 0;           ///< [%]
-  double baseFan = -1;                ///< of base layers above the first [%]; below 0: 100 for PLA, 50 for others
+  double baseFan = -1;                ///< of base layers above the first [%]; below 0: what the filament usually gets
   double showFan = -1;                ///< of oriented layers above the first [%], likewise
   double minLayerTime = 8;            ///< layers that would take less are slowed, not below 5 mm/s [s]; 0: none
   double maxFlow = 10;                ///< [mm³/s]
