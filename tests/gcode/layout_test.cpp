@@ -140,6 +140,17 @@ TEST_CASE("copies are printed one after the other, and travels pass above those 
   CHECK(named.find("\nEXCLUDE_OBJECT_DEFINE NAME=PLATE_5 CENTER=") <
         named.find("\nEXCLUDE_OBJECT_START NAME=PLATE_0\n"));
   CHECK(objectsOf(named, "EXCLUDE_OBJECT_START", "EXCLUDE_OBJECT_END") == byName);
+  // The skirt is around all of them, and stays where one is left out; a brim is the plate's own.
+  klipper.params.brim = 2;
+  for (const GcodeFlavor flavor : {GcodeFlavor::Klipper, GcodeFlavor::Marlin}) {
+    klipper.printer.flavor = flavor;
+    const std::string text = klipper.write().text;
+    const std::size_t skirt = text.find(";TYPE:Skirt/Brim");
+    const std::size_t object = text.find(flavor == GcodeFlavor::Klipper ? "\nEXCLUDE_OBJECT_START" : "\nM486 S0");
+    CHECK(skirt < object);
+    CHECK(object < text.find(";TYPE:Skirt/Brim", skirt + 1));
+    CHECK(text.find(" E", skirt) < object);
+  }
   Job single = plate(30, 20, 1.3);
   single.params.skirt = 0;
   CHECK(file.filament > 6 * readGcode(single.write().text).filament * 0.95);

@@ -204,9 +204,9 @@ SET_PRESSURE_ADVANCE ADVANCE=0.0400
 ;Z:0.2
 ;HEIGHT:0.2
 SET_PRINT_STATS_INFO CURRENT_LAYER=1
-EXCLUDE_OBJECT_START NAME=PLATE_0
 M106 S0
 M204 S600
+EXCLUDE_OBJECT_START NAME=PLATE_0
 ;TYPE:Solid infill
 ; FEATURE: Internal solid infill
 G1 X51.000 Y51.000 F7200
@@ -248,10 +248,10 @@ G1 Z0.800 F600
 ;HEIGHT:0.2
 SET_PRINT_STATS_INFO CURRENT_LAYER=3
 EXCLUDE_OBJECT_END NAME=PLATE_0
-EXCLUDE_OBJECT_START NAME=PLATE_1
 M106 S0
 M204 S600
 M104 S220
+EXCLUDE_OBJECT_START NAME=PLATE_1
 ;TYPE:Solid infill
 ; FEATURE: Internal solid infill
 G1 X73.000 Y51.000 F7200
@@ -326,8 +326,9 @@ TEST_CASE("two plates of both sides on a round bed with absolute E, line by line
     const std::string name = std::to_string(copy);
     expected += ";BEFORE_LAYER_CHANGE\n;0.2\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\nG92 E0\n";
     if (copy > 0) expected += "M486 S-1\n";
-    expected += "M486 S" + name + "\nM106 S26\n";
+    expected += "M106 S26\n";
     if (copy > 0) expected += "M104 S220\n";
+    expected += "M486 S" + name + "\n";
     expected += ";TYPE:Top solid infill\n; FEATURE: Top surface\n";
     expected += x(61) + " Y51.000 F7200\nG1 Z0.200 F600\nG1 E0.80000 F2100\n";
     expected += x(51) + " Y51.000 E! F1200\n" + x(51) + " Y61.000 E!\n" + x(61) + " Y61.000 E!\n";

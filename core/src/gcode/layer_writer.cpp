@@ -20,15 +20,17 @@ constexpr double kSeamStep = 0.382;  // golden section: seams of neighbouring la
 void LayerWriter::write(const FileLayer& layer) {
   announce(layer);
   nozzle_.restartAxis();
-  if (layer.index == 0) {
+  const bool begins = layer.index == 0;
+  if (begins) {
     if (layer.copy > 0) endObject(nozzle_.out(), job_, printer_.flavor, layer.copy - 1);
-    beginObject(nozzle_.out(), job_, printer_.flavor, layer.copy);
     nozzle_.standAt(job_.copies[static_cast<std::size_t>(layer.copy)]);
     if (layer.copy > 0) nozzle_.passOver(layerTop(params_, layerCount(params_) - 1));
   }
   setMachine(layer);
-  if (layer.index == 0) {
+  if (begins) {
+    // The skirt is around all copies, and is there whichever of them is left out.
     if (layer.copy == 0) paths(job_.skirt, kSkirtRole, params_.baseFlow, layer);
+    beginObject(nozzle_.out(), job_, printer_.flavor, layer.copy);
     paths(job_.brim, kBrimRole, params_.baseFlow, layer);
   }
   if (layer.oriented && !job_.patches.empty()) {
