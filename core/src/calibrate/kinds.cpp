@@ -48,7 +48,7 @@ std::pair<double, double> usualRange(const CalibrationRequest& request) {
     }
     case CalibrationKind::Temperature: {
       const double low = printer.anyTemperature ? 0 : 170;
-      const double high = printer.anyTemperature ? 500 : 300;
+      const double high = printer.anyTemperature ? 500 : printer.maxNozzleTemperature;
       return {std::max(low, printer.nozzleTemperature + kind.from),
               std::min(high, printer.nozzleTemperature + kind.to)};
     }
@@ -123,7 +123,7 @@ std::optional<Error> checkValues(const CalibrationRequest& request, const std::v
     case CalibrationKind::Speed:
       return within(1, 1000);
     case CalibrationKind::Temperature:
-      return within(printer.anyTemperature ? 1 : 170, printer.anyTemperature ? 500 : 300);
+      return within(printer.anyTemperature ? 1 : 170, printer.anyTemperature ? 500 : printer.maxNozzleTemperature);
     case CalibrationKind::Fan:
       return within(0, 100);
     case CalibrationKind::Width:
