@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include "files.hpp"
 #include "sillon/input/image_io.hpp"
@@ -111,7 +115,16 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
 
 bool looksLikePicture(const std::string& path) {
   constexpr std::array<std::string_view, 5> kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tga"};
-  return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return endsWith(path, end); });
+  if (std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return endsWith(path, end); })) {
+    return true;
+  }
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;  // what a pipe has told is gone
+  std::array<char, 32> head{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), head.size());
+  return sillon::beginsLikePicture(
+      {reinterpret_cast<const std::uint8_t*>(head.data()), static_cast<std::size_t>(in.gcount())});
 }
 
 sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
@@ -153,6 +166,14 @@ std::string pictureLines(const sillon::PlatePictures& pictures, const std::vecto
       out += text;
     }
     out += "\n";
+    constexpr double kToldCut = 0.03;
+    if (pictures.leftOut[k] < kToldCut) continue;
+    std::snprintf(
+        text, sizeof text,
+        "note       %.0f %% of it stick out of the plate and are cut off; pictures.proportions in a project can "
+        "stretch it\n",
+        100 * pictures.leftOut[k]);
+    out += text;
   }
   if (!pictures.shown.empty() && pictures.contrast < kWeakContrast) {
     char text[160];

@@ -48,7 +48,7 @@ const sillon::Spool* ownSpool(const PictureOptions& options);
 /// \return what is wrong; empty: nothing.
 std::string applyPictures(const PictureOptions& options, sillon::Project& project);
 
-/// Whether a file is a picture, by its name, and not a scene.
+/// Whether a file is a picture, by its name or by how it begins, and not a scene.
 bool looksLikePicture(const std::string& path);
 
 /// How the preview looks at the plate: as lookOf, but under the first lamp that was given, where there is no picture.

@@ -1013,7 +1013,14 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate logo.svg" + kOutputs,
                "scene \"logo.svg\" is a drawing and not a project; give it as --shape");
   checkRefused(folder, "generate moving.gif" + kOutputs,
-               "\"moving.gif\" is neither a project nor a picture that can be read; PNG, JPEG, BMP and TGA can");
+               "moving.gif is a GIF picture; pictures must be PNG, JPEG, BMP or TGA");
+  // A picture by how it begins, also a large one, and behind another.
+  folder.write("large", std::string(4, '\0') + "ftypheic" + std::string(2 << 20, 'x'));
+  checkRefused(folder, "generate tiny.png large" + kOutputs, "large is a HEIC or AVIF picture, or a video");
+  folder.write("tiny.jfif", readAll(folder.at("tiny.png")));
+  CHECK(folder.run("generate tiny.jfif --size 10 --spacing 1 --svg named.svg").code == 0);
+  folder.write("noise.bin", std::string(64, '\x01'));
+  checkRefused(folder, "generate noise.bin" + kOutputs, "neither a project nor a picture that can be read");
   checkRefused(folder, "generate tiny.png --directions tiny.png" + kOutputs, "--directions cannot be given beside it");
   folder.write("scene.json", R"({"sillon": 1})");
   checkRefused(folder, "generate scene.json tiny.png --angle 3" + kOutputs, "--angle cannot be given beside it");

@@ -221,6 +221,34 @@ std::uint32_t hashed(std::uint32_t k) {
 
 }  // namespace
 
+TEST_CASE("the fourth byte of a TGA is alpha only where its header says so") {
+  for (const int alphaBits : {0, 8}) {
+    Bytes file(18, 0);
+    file[2] = 2;  // colour
+    file[12] = file[14] = 1;
+    file[16] = 32;
+    file[17] = static_cast<std::uint8_t>(0x20 | alphaBits);
+    append(file, {10, 20, 30, 0});
+    const auto image = decodeImage(file, "tga");
+    REQUIRE(image.ok());
+    REQUIRE(image.value().channels == 4);
+    CHECK(image.value().samples == std::vector<std::uint16_t>{30 * 257, 20 * 257, 10 * 257,
+                                                              static_cast<std::uint16_t>(alphaBits == 0 ? 65535 : 0)});
+  }
+}
+
+TEST_CASE("pictures are known by how they begin, readable or not") {
+  const auto begins = [](std::string_view text) {
+    return beginsLikePicture({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  for (const std::string_view text : {std::string_view("\x89PNG\r\n\x1a\n"), std::string_view("\xff\xd8\xff\xe0"),
+                                      std::string_view("GIF89a"), std::string_view("RIFF....WEBPVP8 ")}) {
+    CHECK(begins(text));
+  }
+  for (const std::string_view text : {"", "{\"sillon\": 1}", "<svg", "%PDF-1.4", "solid x", "GI"})
+    CHECK_FALSE(begins(text));
+}
+
 TEST_CASE("a picture that was encoded decodes to the same pixels") {
   const int width = 37, height = 21;
   Bytes rgb;

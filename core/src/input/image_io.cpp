@@ -380,6 +380,10 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
     std::transform(stored, stored + samples, image.samples.begin(),
                    [](std::uint8_t s) { return static_cast<std::uint16_t>(s * 257); });
   }
+  // The fourth byte of such pixels means nothing.
+  if (format == Format::Tga && image.channels == 4 && (bytes[17] & 15u) == 0) {
+    for (std::size_t k = 3; k < image.samples.size(); k += 4) image.samples[k] = 65535;
+  }
   return uprighted(std::move(image), orientation);
 }
 
@@ -492,6 +496,12 @@ std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::
   } catch (const std::bad_alloc&) {
     return {};
   }
+}
+
+bool beginsLikePicture(std::span<const std::uint8_t> bytes) {
+  const Format format = formatOf(bytes);
+  if (format != Format::Unknown && format != Format::Tga) return true;  // which has no mark
+  return foreignKind(bytes).find("picture") != std::string::npos;
 }
 
 std::optional<std::string> inflated(std::string_view data, std::size_t size) {
