@@ -34,6 +34,7 @@ sillon::Session session;
 std::optional<sillon::KeptPictures> keptPictures;
 
 constexpr double kMakingShare = 0.4;  // of making and measuring; wave, one thread
+constexpr double kTrialShare = 0.4;   // of making a plate whose lamp is chosen by three
 constexpr double kShownShare = 0.8;   // of a plate with pictures and the path across it
 
 /// \param across  the path of the layer below instead, which nothing measures.
@@ -46,14 +47,20 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     const sillon::ToolpathParams& params = project.value().toolpath;
     auto input = sillon::readPlateInput(project.value(), convert::reader(files), run);
     if (!input) return failure(input.error());
+    const double making = measure ? kMakingShare : across ? kShownShare : 1;
+    double tried = 0;  // of the making
+    const auto onTrial = [&](int trial, int trials) {
+      tried = kTrialShare;
+      tell(run, onProgress, making * tried * trial / trials, making * tried * (trial + 1) / trials);
+    };
     const auto pictures =
-        sillon::solvePictures(project.value(), convert::reader(files), input.value(), run, &keptPictures);
+        sillon::solvePictures(project.value(), convert::reader(files), input.value(), run, &keptPictures, onTrial);
     if (!pictures) return failure(pictures.error());
     const sillon::PlateInput& plateInput = input.value();
-    const double making = measure ? kMakingShare : across ? kShownShare : 1;
-    const auto make = [&](const sillon::PlateInput& tried, int round, int rounds) {
-      tell(run, onProgress, making * round / rounds, making * (round + 1) / rounds);
-      return session.generateToolpath(tried, params, run, measure);
+    const auto make = [&](const sillon::PlateInput& wanted, int round, int rounds) {
+      const double share = making * (1 - tried) / rounds;
+      tell(run, onProgress, making * tried + share * round, making * tried + share * (round + 1));
+      return session.generateToolpath(wanted, params, run, measure);
     };
     const auto generate = [&]() -> sillon::Result<sillon::ToolpathResult> {
       // Corrections of pictures turn the directions that a path across lies across.

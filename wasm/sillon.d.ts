@@ -478,6 +478,8 @@ export interface LampPicture {
 export interface PictureParams {
   /** Pictures to show instead of directions, one per lamp: {"file", "lamp"}; lamp is [azimuth, elevation] in degrees, or null to let the solver choose. Default []. */
   files: LampPicture[];
+  /** Keep cuts off what sticks out of a page of other proportions, as much on either side; stretch covers the page with all of the picture. Default "keep". */
+  proportions: 'keep' | 'stretch';
   /** The filament whose reflection the pictures are solved for. Default "bluePla". */
   spool: 'bluePla' | 'clearPetg' | 'goldPla' | 'greyPla' | 'redPetg';
   /** RMS surface slopes of your own spool, along and across the bead; null uses the named spool’s. 0.1..45 °, default null. */

@@ -2,10 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sillon/gcode/warning.hpp"
 #include "sillon/input/image_io.hpp"
@@ -187,6 +191,123 @@ TEST_CASE("of pictures the one that is shown least is told, and those with one t
   CHECK(told({{false, 0.9, 0.6}, {false, 0.8, 0.5}, {false, 0.9, 0.8}}) == "PictureLost 2 ");
   CHECK(told({{false, 0.6, 0.2}, {false, 0.5, 0.5}}) == "PicturesCrowded 2 ");
   CHECK(told({{true, 0, 0}, {false, 0.9, 0.9}, {true, 0, 0}}) == "PictureOneTone 1 PictureOneTone 3 ");
+}
+
+TEST_CASE("pictures keep their proportions: what sticks out of the page is cut off, unless they shall be stretched") {
+  // Twice as wide as high: a gradient in the middle, black and white beside it.
+  const auto wide = [](const std::string&, const std::string&) -> Result<InputFile> {
+    Image image{80, 40, 1, {}};
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 80; ++x) {
+        const double tone = x < 20 ? 0 : x >= 60 ? 1 : 0.3 + 0.01 * (x - 20);
+        image.samples.push_back(static_cast<std::uint16_t>(65535 * tone));
+      }
+    }
+    return InputFile(image);
+  };
+  Project project = projectOf({{"wide.png", Vec2{60, 45}}});
+  project.builtin = BuiltinShape::Rectangle;
+  project.builtinSize = {20, 20};
+  const auto solved = [&] {
+    PlateInput input = readPlateInput(project, wide).value();
+    return solvePictures(project, wide, input, RunContext(1)).value();
+  };
+  const PlatePictures kept = solved();
+  CHECK(kept.leftOut[0] == doctest::Approx(0.5));
+  const Tones& middle = kept.shown[0].tones;
+  for (int x = 0; x < middle.width; ++x) {  // all of the gradient, from black to white
+    const double share = (x + 0.5) / middle.width;
+    CHECK(std::abs(static_cast<double>(middle.at(x, 5)) - share) < 0.04);
+  }
+  project.pictures.proportions = PictureProportions::Stretch;
+  const PlatePictures stretched = solved();
+  CHECK(stretched.leftOut[0] == 0);
+  const Tones& all = stretched.shown[0].tones;
+  CHECK(all.at(all.width / 8, 5) == 0);
+  CHECK(all.at(all.width * 7 / 8, 5) == 1);
+  // On a page of their own proportions nothing is cut off.
+  project.pictures.proportions = PictureProportions::Keep;
+  project.builtinSize = {20, 10};
+  CHECK(solved().leftOut[0] == 0);
+}
+
+TEST_CASE("levels are those of what is printed") {
+  // A ball of few tones in a disc; its corners are black and white.
+  const auto corners = [](const std::string&, const std::string&) -> Result<InputFile> {
+    Image image = ball();
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 60; ++x) {
+        std::uint16_t& sample = image.samples[static_cast<std::size_t>(60 * y + x)];
+        const bool outside = std::hypot(x - 29.5, y - 29.5) > 31;
+        sample = outside ? (x < 30 ? 0 : 65535) : static_cast<std::uint16_t>(20000 + sample / 4);
+      }
+    }
+    return InputFile(image);
+  };
+  Project project = projectOf({{"corners.png", Vec2{60, 45}}});
+  project.builtin = BuiltinShape::Disc;
+  project.builtinSize = {30, 30};
+  PlateInput input = readPlateInput(project, corners).value();
+  const PlatePictures pictures = solvePictures(project, corners, input, RunContext(1)).value();
+  const Tones& shown = pictures.shown[0].tones;
+  float low = 1, high = 0;
+  for (int y = 0; y < shown.height; ++y) {
+    for (int x = 0; x < shown.width; ++x) {
+      if (std::hypot(x + 0.5 - shown.width / 2.0, y + 0.5 - shown.height / 2.0) > 0.45 * shown.width) continue;
+      low = std::min(low, shown.at(x, y));
+      high = std::max(high, shown.at(x, y));
+    }
+  }
+  CHECK(low < 0.1f);
+  CHECK(high > 0.9f);
+}
+
+TEST_CASE("a lamp that nobody chose is the one of three whose plate shows the picture best") {
+  Project project = projectOf({{"ball.png", std::nullopt}});
+  project.builtinSize.x = 32;
+  const RunContext run(1);
+  int trials = 0;
+  PlateInput input = readPlateInput(project, readBall).value();
+  const auto count = [&](int trial, int all) {
+    CHECK(trial == trials++);
+    CHECK(all == 3);
+  };
+  const PlatePictures chosen = solvePictures(project, readBall, input, run, nullptr, count).value();
+  CHECK(trials == 3);
+  constexpr double kSpacing = 32.0 / 100;  // as all plates that are made to choose
+  const auto worth = [&](double azimuth) {
+    Project other = project;
+    other.toolpath = {};
+    other.toolpath.spacing = kSpacing;
+    other.pictures.files[0].lamp = Vec2{azimuth, 45};
+    PlateInput tried = readPlateInput(other, readBall).value();
+    const PlatePictures pictures = solvePictures(other, readBall, tried, run).value();
+    const auto plate = generateToolpath(tried, other.toolpath, run).value();
+    const auto seen =
+        measurePictures(plate.toolpath, tried.shape.page, pictures.shown, pictures.roughness, run).value();
+    return seen[0].r + seen[0].ssim;
+  };
+  const std::vector<LitPicture> lit = readPictures(project.pictures, readBall).value();
+  const auto first =
+      solveDirections(lit, chosen.roughness, input.shape.page, kSpacing, inversionOf(project.pictures), run).value();
+  REQUIRE(first.azimuths.size() == 2);
+  const double best = worth(chosen.shown[0].lamp.azimuth);
+  for (const double azimuth : {first.lamps[0].azimuth, first.azimuths[0], first.azimuths[1]}) {
+    CHECK(best >= worth(azimuth));
+  }
+  // Toolpath settings leave it where it is, whether pictures are kept or not; where they are, nothing is tried again.
+  std::optional<KeptPictures> kept;
+  REQUIRE(solvePictures(project, readBall, input, run, &kept).ok());
+  for (const double spacing : {0.4, 0.5}) {
+    project.toolpath.maxWidth = 1.5;
+    project.toolpath.spacing = spacing;
+    PlateInput again = input, anew = input;
+    const auto got = solvePictures(project, readBall, again, run, &kept, count).value();
+    CHECK(got.shown[0].lamp == chosen.shown[0].lamp);
+    CHECK(solvePictures(project, readBall, anew, run).value().shown[0].lamp == chosen.shown[0].lamp);
+    CHECK(again.directions == anew.directions);
+  }
+  CHECK(trials == 3);
 }
 
 TEST_CASE("without pictures directions stay as they were read") {

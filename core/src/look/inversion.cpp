@@ -3,6 +3,7 @@
 #include "sillon/look/inversion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,13 +30,15 @@ constexpr float kIsotropy = 0.25f;  // of the gradient against the divergence
 constexpr double kLeastContrast = 1.5;
 constexpr int kTrialCells = 96;  // on the longer side, where lamps and levels are tried
 constexpr int kAzimuths = 12;
-constexpr double kQuarrel = 3;  // several pictures ask for many more turns
+constexpr std::size_t kOthers = 2;  // azimuths besides the chosen one
+constexpr double kQuarrel = 3;      // several pictures ask for many more turns
 
 /// One level of the hierarchy.
 struct Grid {
   int width = 0;
   int height = 0;
   std::vector<std::vector<float>> asked;  // per picture: code of the light asked for
+  std::vector<float> weight;              // share of each cell that is shape; empty: all of it
   std::vector<Vec2f> z;                   // e^{2i angle}
 
   [[nodiscard]] std::size_t at(int x, int y) const {
@@ -142,6 +145,7 @@ int energiesOf(const Grid& grid, const Tables& t, int x, int y, float toneWeight
     const auto asked = static_cast<int>(grid.asked[p][here] * (kCodes - 1) + 0.5f);
     error[p] = &t.error[p][static_cast<std::size_t>(std::clamp(asked, 0, kCodes - 1)) * kLabels];
   }
+  if (!grid.weight.empty()) toneWeight *= grid.weight[here];
   const F4 a1 = splat(h.a1), b1 = splat(h.b1), a2 = splat(h.a2), b2 = splat(h.b2), weight = splat(toneWeight);
   F4 least = splat(std::numeric_limits<float>::infinity());
   I4 labels{0, 1, 2, 3}, best = labels;
@@ -179,18 +183,36 @@ void sweep(Grid& grid, const Tables& t, float toneWeight, const RunContext& run)
 }
 
 Grid coarser(const Grid& fine) {
-  Grid coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}};
-  for (const std::vector<float>& asked : fine.asked) {
-    std::vector<float> mean;
+  Grid coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}, {}};
+  // Calls take(the four cells of each coarse one).
+  const auto forEachFour = [&](auto&& take) {
     for (int y = 0; y < coarse.height; ++y) {
       const int below = std::min(2 * y + 1, fine.height - 1);
       for (int x = 0; x < coarse.width; ++x) {
         const int right = std::min(2 * x + 1, fine.width - 1);
-        mean.push_back((asked[fine.at(2 * x, 2 * y)] + asked[fine.at(right, 2 * y)] + asked[fine.at(2 * x, below)] +
-                        asked[fine.at(right, below)]) /
-                       4);
+        take(std::array{fine.at(2 * x, 2 * y), fine.at(right, 2 * y), fine.at(2 * x, below), fine.at(right, below)});
       }
     }
+  };
+  if (!fine.weight.empty()) {
+    forEachFour([&](const std::array<std::size_t, 4>& four) {
+      float sum = 0;
+      for (const std::size_t k : four) sum += fine.weight[k];
+      coarse.weight.push_back(sum / 4);
+    });
+  }
+  for (const std::vector<float>& asked : fine.asked) {
+    std::vector<float> mean;
+    forEachFour([&](const std::array<std::size_t, 4>& four) {
+      float sum = 0, weighted = 0, weights = 0;
+      for (const std::size_t k : four) {
+        const float weight = fine.weight.empty() ? 1 : fine.weight[k];
+        sum += asked[k];
+        weighted += weight * asked[k];
+        weights += weight;
+      }
+      mean.push_back(weights > 0 && !fine.weight.empty() ? weighted / weights : sum / 4);
+    });
     coarse.asked.push_back(std::move(mean));
   }
   return coarse;
@@ -271,8 +293,9 @@ void raiseDetails(std::vector<float>& values, int width, int height, double amou
 }
 
 /// Codes to ask for, per picture: its tones between the darkest direction and white at `level`.
-Grid gridOf(const std::vector<Tones>& shown, const Tables& tables, double level) {
-  Grid grid{shown[0].width, shown[0].height, {}, {}};
+Grid gridOf(const std::vector<Tones>& shown, const std::vector<char>& inside, const Tables& tables, double level) {
+  Grid grid{shown[0].width, shown[0].height, {}, {}, {}};
+  for (const char in : inside) grid.weight.push_back(in != 0 ? 1.0f : 0.0f);
   for (std::size_t p = 0; p < shown.size(); ++p) {
     const float low = *std::min_element(tables.code[p].begin(), tables.code[p].end());
     const float high = std::max(low, codeOfLight(static_cast<float>(level)));
@@ -285,12 +308,19 @@ Grid gridOf(const std::vector<Tones>& shown, const Tables& tables, double level)
 
 // ---- what was not given
 
-std::vector<Tones> trialTones(const std::vector<Tones>& tones) {
+/// Pictures as small as is enough to try lamps and levels.
+struct Trial {
+  std::vector<Tones> tones;
+  std::vector<char> inside;
+};
+
+Trial trialOf(const std::vector<Tones>& tones, const InsideCells& inside) {
   const int longer = std::max(tones[0].width, tones[0].height);
   const auto side = [&](int cells) { return std::max(1, cells * std::min(kTrialCells, longer) / longer); };
-  std::vector<Tones> small;
-  for (const Tones& t : tones) small.push_back(resampled(t, side(t.width), side(t.height)));
-  return small;
+  Trial trial;
+  for (const Tones& t : tones) trial.tones.push_back(resampled(t, side(t.width), side(t.height)));
+  if (inside) trial.inside = inside(trial.tones[0].width, trial.tones[0].height);
+  return trial;
 }
 
 /// How many beads the directions force to end, in cells: the sum of |divergence|.
@@ -298,6 +328,7 @@ double forcedEnds(const Grid& grid) {
   double sum = 0;
   for (int y = 1; y < grid.height; ++y) {
     for (int x = 0; x + 1 < grid.width; ++x) {
+      if (!grid.weight.empty() && grid.weight[grid.at(x, y)] == 0) continue;
       const Vec2f z = grid.z[grid.at(x, y)];
       const auto turned = [&](std::size_t to) { return atan2Approx(cross(z, grid.z[to]), dot(z, grid.z[to])) / 2; };
       const float across = turned(grid.at(x + 1, y)), up = turned(grid.at(x, y - 1));
@@ -309,18 +340,23 @@ double forcedEnds(const Grid& grid) {
   return sum;
 }
 
+/// The forced ends of a single picture on a side of its lamp.
+double endsOf(const Trial& trial, const std::vector<Lamp>& lamps, Side side, const Roughness& roughness, double level,
+              double smoothness, const RunContext& run) {
+  const Tables tables = tablesOf(lamps, roughness, side);
+  Grid grid = gridOf(trial.tones, trial.inside, tables, level);
+  solve(grid, tables, smoothness, run);
+  return forcedEnds(grid);
+}
+
 /// The side on which the directions of a single picture force the fewest beads to end.
-Side sideOf(const std::vector<Lamp>& lamps, const std::vector<Tones>& shown, const Roughness& roughness, double level,
+Side sideOf(const Trial& trial, const std::vector<Lamp>& lamps, const Roughness& roughness, double level,
             double smoothness, const RunContext& run) {
   if (lamps.size() > 1) return Side::Both;
-  const std::vector<Tones> small = trialTones(shown);
   double least = 1e300;
   Side best = Side::Both;
   for (const Side side : {Side::Both, Side::Left, Side::Right}) {
-    const Tables tables = tablesOf(lamps, roughness, side);
-    Grid grid = gridOf(small, tables, level);
-    solve(grid, tables, smoothness, run);
-    const double ends = forcedEnds(grid);
+    const double ends = endsOf(trial, lamps, side, roughness, level, smoothness, run);
     if (ends < 0.99 * least) {
       least = ends;
       best = side;
@@ -334,55 +370,66 @@ Side sideOf(const std::vector<Lamp>& lamps, const std::vector<Tones>& shown, con
 double errorOf(const Grid& grid, const Tables& tables, const std::vector<Tones>& shown) {
   double worst = 0;
   for (std::size_t p = 0; p < shown.size(); ++p) {
-    std::vector<double> seen;
+    std::vector<double> seen, wanted;
     double sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
-    const auto count = static_cast<double>(grid.z.size());
     for (std::size_t k = 0; k < grid.z.size(); ++k) {
+      if (!grid.weight.empty() && grid.weight[k] == 0) continue;
       const float turn = atan2Approx(grid.z[k].y, grid.z[k].x) / (2 * kPi) + 1;
       const auto label = static_cast<std::size_t>(turn * kLabels + 0.5f) % kLabels;
       seen.push_back(static_cast<double>(tables.code[p][label]));
       const double asked = static_cast<double>(shown[p].value[k]);
+      wanted.push_back(asked);
       sx += seen.back();
       sy += asked;
       sxx += seen.back() * seen.back();
       syy += asked * asked;
       sxy += seen.back() * asked;
     }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, seen.size()));
     const double vx = sxx / count - sx / count * (sx / count), vy = syy / count - sy / count * (sy / count);
     if (!(vy > 1e-9)) continue;
     const double slope = vx > 1e-9 ? (sxy / count - sx / count * (sy / count)) / vx : 0;
     const double offset = (sy - slope * sx) / count;
     double error = 0;
     for (std::size_t k = 0; k < seen.size(); ++k) {
-      error += std::abs(offset + slope * seen[k] - static_cast<double>(shown[p].value[k]));
+      error += std::abs(offset + slope * seen[k] - wanted[k]);
     }
     worst = std::max(worst, error / count / std::sqrt(vy));
   }
   return worst;
 }
 
-/// Sets azimuths and level that were left open.
-double choose(std::vector<Lamp>& lamps, const std::vector<bool>& open, const std::vector<Tones>& shown,
+/// Of the azimuths of a single lamp the one that forces the fewest beads to end, both sides of the lamp being used.
+/// \param others  receives those with the fewest ends on their better side.
+void chooseAzimuth(Lamp& lamp, std::vector<double>& others, const Trial& trial, const Roughness& roughness,
+                   double level, double smoothness, const RunContext& run) {
+  double least = 1e300;
+  Lamp best = lamp;
+  std::vector<std::pair<double, double>> ends;  // of either side, azimuth
+  for (int k = 0; k < kAzimuths; ++k) {
+    // 60 degrees, from the upper right as in the previews, unless another azimuth is better.
+    lamp.azimuth = (60 + 180 / kAzimuths * k) % 180;
+    const auto endsOn = [&](Side side) { return endsOf(trial, {lamp}, side, roughness, level, smoothness, run); };
+    const double both = endsOn(Side::Both);
+    ends.emplace_back(std::min({both, endsOn(Side::Left), endsOn(Side::Right)}), lamp.azimuth);
+    if (both < 0.99 * least) {
+      least = both;
+      best = lamp;
+    }
+  }
+  lamp = best;
+  std::sort(ends.begin(), ends.end());
+  for (const auto& [sum, azimuth] : ends) {
+    if (azimuth != lamp.azimuth && others.size() < kOthers) others.push_back(azimuth);
+  }
+}
+
+/// Sets azimuths and level that were left open. \param others  as chooseAzimuth.
+double choose(std::vector<Lamp>& lamps, const std::vector<bool>& open, std::vector<double>& others, const Trial& trial,
               const Roughness& roughness, const InversionParams& params, const RunContext& run) {
-  const std::vector<Tones> small = trialTones(shown);
   if (lamps.size() == 1) {
     const double level = params.level > 0 ? params.level : 1;
-    if (!open[0]) return level;
-    double least = 1e300;
-    Lamp best = lamps[0];
-    for (int k = 0; k < kAzimuths; ++k) {
-      // 60 degrees, from the upper right as in the previews, unless another azimuth is better.
-      lamps[0].azimuth = (60 + 180 / kAzimuths * k) % 180;
-      const Tables tables = tablesOf(lamps, roughness);
-      Grid grid = gridOf(small, tables, level);
-      solve(grid, tables, params.smoothness, run);
-      const double ends = forcedEnds(grid);
-      if (ends < 0.99 * least) {
-        least = ends;
-        best = lamps[0];
-      }
-    }
-    lamps[0] = best;
+    if (open[0]) chooseAzimuth(lamps[0], others, trial, roughness, level, params.smoothness, run);
     return level;
   }
   const bool anyOpen = std::find(open.begin(), open.end(), true) != open.end();
@@ -402,9 +449,9 @@ double choose(std::vector<Lamp>& lamps, const std::vector<bool>& open, const std
     }
     const Tables tables = tablesOf(lamps, roughness);
     for (const double white : whites) {
-      Grid grid = gridOf(small, tables, white);
+      Grid grid = gridOf(trial.tones, trial.inside, tables, white);
       solve(grid, tables, params.smoothness, run);
-      const double error = errorOf(grid, tables, small);
+      const double error = errorOf(grid, tables, trial.tones);
       if (error < 0.99 * least) {
         least = error;
         level = white;
@@ -450,7 +497,8 @@ std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roug
 }  // namespace
 
 Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, const Roughness& roughness, Vec2 page,
-                                         double spacing, const InversionParams& params, const RunContext& run) {
+                                         double spacing, const InversionParams& params, const RunContext& run,
+                                         const InsideCells& inside) {
   if (std::string defect = defectOf(pictures, roughness, page, spacing, params); !defect.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(defect)};
   }
@@ -459,12 +507,13 @@ Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, c
   const int width = cells(page.x), height = cells(page.y);
 
   SolvedDirections solved;
+  const std::vector<char> shape = inside ? inside(width, height) : std::vector<char>();
   std::vector<Tones> raised;
   std::vector<bool> open;
   for (const LitPicture& picture : pictures) {
     solved.lamps.push_back(picture.lamp);
     open.push_back(picture.chooseAzimuth);
-    solved.shown.push_back(levelled(resampled(picture.tones, width, height)));
+    solved.shown.push_back(levelled(resampled(picture.tones, width, height), shape));
     raised.push_back(solved.shown.back());
     raiseDetails(raised.back().value, width, height, params.localContrast, 0.05 * std::max(width, height));
     // Several pictures quarrel over details already.
@@ -472,10 +521,11 @@ Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, c
   }
   InversionParams smoothed = params;
   if (pictures.size() > 1) smoothed.smoothness *= kQuarrel;
-  solved.level = choose(solved.lamps, open, raised, roughness, smoothed, run);
-  const Side side = sideOf(solved.lamps, raised, roughness, solved.level, smoothed.smoothness, run);
+  const Trial trial = trialOf(raised, inside);
+  solved.level = choose(solved.lamps, open, solved.azimuths, trial, roughness, smoothed, run);
+  const Side side = sideOf(trial, solved.lamps, roughness, solved.level, smoothed.smoothness, run);
   const Tables tables = tablesOf(solved.lamps, roughness, side);
-  Grid grid = gridOf(raised, tables, solved.level);
+  Grid grid = gridOf(raised, shape, tables, solved.level);
   solve(grid, tables, smoothed.smoothness, run);
   solved.directions = refined(grid, tables, smoothed.smoothness, run);
   if (run.cancelled()) return cancelledRun();

@@ -159,10 +159,14 @@ Tones resampled(const Tones& tones, int width, int height) {
 /// Half a step of 8 bits: means of one grey differ in their last digits, and stretched they would be a picture.
 constexpr float kRounding = 0.5f / 255;
 
-Tones levelled(const Tones& tones) {
+Tones levelled(const Tones& tones, const std::vector<char>& inside) {
   Tones out = tones;
   if (out.value.empty()) return out;
-  std::vector<float> sorted = out.value;
+  std::vector<float> sorted;
+  for (std::size_t k = 0; k < out.value.size(); ++k) {
+    if (inside.empty() || inside[k] != 0) sorted.push_back(out.value[k]);
+  }
+  if (sorted.empty()) sorted = out.value;
   const auto percentile = [&](std::size_t percent) {
     const std::size_t k = (sorted.size() - 1) * percent / 100;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(k), sorted.end());
@@ -170,9 +174,9 @@ Tones levelled(const Tones& tones) {
   };
   const float low = percentile(1), high = percentile(99);
   if (!(high - low > kRounding)) {
-    const auto [least, most] = std::minmax_element(out.value.begin(), out.value.end());
+    const auto [least, most] = std::minmax_element(sorted.begin(), sorted.end());
     const float from = *least, to = *most;
-    for (float& v : out.value) v = to - from > kRounding ? (v - from) / (to - from) : 0.5f;
+    for (float& v : out.value) v = to - from > kRounding ? std::clamp((v - from) / (to - from), 0.0f, 1.0f) : 0.5f;
     return out;
   }
   for (float& v : out.value) v = std::clamp((v - low) / (high - low), 0.0f, 1.0f);

@@ -9,6 +9,8 @@
 
 #include "project/input_file.hpp"
 #include "project/missing_tones.hpp"
+#include "project/page_tones.hpp"
+#include "sillon/geometry/outline.hpp"
 #include "sillon/look/conflict.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/quality/picture_measures.hpp"
@@ -19,6 +21,10 @@ namespace {
 
 /// Of larger pictures nothing is kept: 16 MB of tones.
 constexpr std::size_t kMostKeptTones = 4'000'000;
+
+constexpr double kTrialBeads = 100;   // on the page's longer side
+constexpr double kFinestTrial = 0.1;  // [mm]
+constexpr double kCoarsestTrial = 2;
 
 /// What the directions alone show of each picture, on another raster. What pictures take from each other is missing
 /// from it: no correction brings that back.
@@ -47,6 +53,63 @@ std::vector<double> fieldR(const PlatePictures& pictures, const DirectionMap& di
     r.push_back(compareTones(light, resampled(pictures.shown[k].tones, width, height)).r);
   }
   return r;
+}
+
+InsideCells insideOf(const Shape& shape) {
+  return [&shape](int width, int height) {
+    const double stepX = shape.page.x / width, stepY = shape.page.y / height;
+    std::vector<char> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    const auto rows = insideIntervals(shape, 0.5 * stepY, stepY, height);
+    for (int y = 0; y < height; ++y) {
+      char* const row = &inside[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width)];
+      for (const Interval& span : rows[static_cast<std::size_t>(y)]) {
+        const int first = std::max(0, static_cast<int>(std::ceil(span.begin / stepX - 0.5)));
+        const int end = std::min(width, static_cast<int>(std::ceil(span.end / stepX - 0.5)));
+        std::fill(row + first, row + std::max(first, end), char{1});
+      }
+    }
+    const bool none = std::find(inside.begin(), inside.end(), 1) == inside.end();
+    const bool all = std::find(inside.begin(), inside.end(), 0) == inside.end();
+    return none || all ? std::vector<char>() : inside;
+  };
+}
+
+// Of three azimuths that force few beads to end the one whose plate shows the picture best: forced ends say little of
+// what they spoil. Plates for this have the usual settings and as many beads on any page, so that whoever changes a
+// setting keeps the lamp.
+Result<double> chosenAzimuth(std::vector<LitPicture> lit, const Roughness& roughness, const Shape& shape,
+                             const InversionParams& inversion, const RunContext& run, const OnTrial& onTrial) {
+  ToolpathParams params;
+  params.spacing = std::clamp(std::max(shape.page.x, shape.page.y) / kTrialBeads, kFinestTrial, kCoarsestTrial);
+  const auto solve = [&] {
+    return solveDirections(lit, roughness, shape.page, params.spacing, inversion, run, insideOf(shape));
+  };
+  Result<SolvedDirections> solved = solve();
+  if (!solved) return solved.error();
+  std::vector<double> azimuths{solved.value().lamps[0].azimuth};
+  azimuths.insert(azimuths.end(), solved.value().azimuths.begin(), solved.value().azimuths.end());
+  double best = azimuths[0];
+  double highest = -1e9;
+  for (std::size_t trial = 0; trial < azimuths.size(); ++trial) {
+    if (onTrial) onTrial(static_cast<int>(trial), static_cast<int>(azimuths.size()));
+    if (trial > 0) {
+      lit[0].lamp.azimuth = azimuths[trial];
+      lit[0].chooseAzimuth = false;
+      solved = solve();
+      if (!solved) return solved.error();
+    }
+    const PlateInput input{shape, solved.value().directions, uniformMode(DirectionMode::Constrained), true};
+    const auto plate = generateToolpath(input, params, run);
+    if (!plate) return plate.error().code == ErrorCode::Cancelled ? plate.error() : Result<double>(best);
+    const auto seen = seePlate(plate.value().toolpath, shape.page, solved.value().lamps, roughness, run);
+    if (!seen) return seen.error();
+    const auto& [width, height, light] = seen.value();
+    const PictureMeasures shows = compareTones(light[0], resampled(solved.value().shown[0], width, height));
+    if (shows.r + shows.ssim <= highest) continue;
+    highest = shows.r + shows.ssim;
+    best = azimuths[trial];
+  }
+  return best;
 }
 
 }  // namespace
@@ -95,7 +158,7 @@ Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const 
 }
 
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run, std::optional<KeptPictures>* kept) {
+                                    const RunContext& run, std::optional<KeptPictures>* kept, const OnTrial& onTrial) {
   const PictureParams& params = project.pictures;
   PlatePictures pictures;
   pictures.roughness = roughnessOf(project);
@@ -106,19 +169,38 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   const Vec2 page = input.shape.page;
   const double spacing = project.toolpath.spacing;
   const InversionParams inversion = inversionOf(params);
+  for (LitPicture& picture : lit) {
+    pictures.leftOut.push_back(0);
+    picture.tones = pageTones(std::move(picture.tones), page, params.proportions, pictures.leftOut.back());
+  }
+  std::optional<double> azimuth;  // of a lamp that is to be chosen
   if (kept != nullptr && *kept) {
     const KeptPictures& before = **kept;
-    if (before.lit == lit && before.pictures.roughness == pictures.roughness && before.page == page &&
-        before.spacing == spacing && before.inversion == inversion) {
-      PlatePictures again = before.pictures;
-      for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = params.files[k].file;
-      input.directions = before.directions;
-      input.showsPictures = true;
-      return again;
+    if (before.lit == lit && before.pictures.roughness == pictures.roughness && before.shape == input.shape &&
+        before.inversion == inversion) {
+      if (before.spacing == spacing) {
+        PlatePictures again = before.pictures;
+        again.leftOut = pictures.leftOut;
+        for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = params.files[k].file;
+        input.directions = before.directions;
+        input.showsPictures = true;
+        return again;
+      }
+      if (lit.size() == 1) azimuth = before.pictures.shown[0].lamp.azimuth;
     }
     kept->reset();  // its memory is of use now
   }
-  auto solved = solveDirections(lit, pictures.roughness, page, spacing, inversion, run);
+  std::vector<LitPicture> placed = lit;
+  if (lit.size() == 1 && lit[0].chooseAzimuth) {
+    if (!azimuth) {
+      const auto chosen = chosenAzimuth(lit, pictures.roughness, input.shape, inversion, run, onTrial);
+      if (!chosen) return chosen.error();
+      azimuth = chosen.value();
+    }
+    placed[0].lamp.azimuth = *azimuth;
+    placed[0].chooseAzimuth = false;
+  }
+  auto solved = solveDirections(placed, pictures.roughness, page, spacing, inversion, run, insideOf(input.shape));
   if (!solved) return solved.error();
   std::size_t tones = 0;
   for (std::size_t k = 0; k < lit.size(); ++k) {
@@ -132,7 +214,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   input.showsPictures = true;
   pictures.fieldR = fieldR(pictures, input.directions);
   if (kept != nullptr && tones <= kMostKeptTones) {
-    kept->emplace(KeptPictures{std::move(lit), page, spacing, inversion, pictures, input.directions});
+    kept->emplace(KeptPictures{std::move(lit), input.shape, spacing, inversion, pictures, input.directions});
   }
   return pictures;
 }
@@ -176,7 +258,8 @@ Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePicture
     for (std::size_t k = 0; k < lit.size(); ++k) {
       addMissingTones(light[k], asked[k], lobeOf(lamps[k], pictures.roughness), pictures.level, lit[k].tones);
     }
-    auto solved = solveDirections(lit, pictures.roughness, input.shape.page, project.toolpath.spacing, inversion, run);
+    auto solved = solveDirections(lit, pictures.roughness, input.shape.page, project.toolpath.spacing, inversion, run,
+                                  insideOf(input.shape));
     if (!solved) return solved.error();
     tried.directions = std::move(solved.value().directions);
     plate = make(tried, round, rounds);

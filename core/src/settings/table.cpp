@@ -195,6 +195,14 @@ constexpr Setting kSettings[] = {
      .help = "Pictures to show instead of directions, one per lamp: {\"file\", \"lamp\"}; lamp is [azimuth, elevation] "
              "in degrees, or null to let the solver choose"},
     {.section = Section::Pictures,
+     .key = "proportions",
+     .type = Choice,
+     .field = at<&PictureParams::proportions>,
+     .label = "Proportions",
+     .help = "Keep cuts off what sticks out of a page of other proportions, as much on either side; stretch covers the "
+             "page with all of the picture",
+     .choices = "keep stretch"},
+    {.section = Section::Pictures,
      .key = "spool",
      .type = Choice,
      .field = at<&PictureParams::spool>,

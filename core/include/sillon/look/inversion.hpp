@@ -2,6 +2,7 @@
 // docs/internals/pictures.md.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,19 +48,26 @@ struct InversionParams {
   friend bool operator==(const InversionParams&, const InversionParams&) = default;
 };
 
+/// Which cells of a raster of this size lie in the shape, row 0 on top; of a raster without any outside: nothing.
+using InsideCells = std::function<std::vector<char>(int width, int height)>;
+
 struct SolvedDirections {
-  DirectionMap directions;   ///< cells of half a spacing, at most 4096 on a side
-  std::vector<Lamp> lamps;   ///< one per picture, as given or chosen
-  double level = 1;          ///< as given or chosen
-  std::vector<Tones> shown;  ///< the pictures after levels, on the raster of the directions: what is to be seen
+  DirectionMap directions;       ///< cells of half a spacing, at most 4096 on a side
+  std::vector<Lamp> lamps;       ///< one per picture, as given or chosen
+  std::vector<double> azimuths;  ///< of a single lamp that was chosen: others that may suit the picture as well
+                                 ///< [degrees], best first; plates tell
+  double level = 1;              ///< as given or chosen
+  std::vector<Tones> shown;      ///< the pictures after levels, on the raster of the directions: what is to be seen
 };
 
 /// Minimises, over directions on a hierarchy of grids, the squared errors of the tones (sRGB codes of lightOf, levels
 /// at the 1st and 99th percentile, laid between the darkest and the brightest direction) plus `smoothness` times the
 /// squared divergence of the beads' direction, which forces U-turns, and a little of its squared gradient. \param page
 /// [mm]. \param spacing  tau [mm]. \return InvalidArgument (no pictures or too many, a lamp or parameter out of range,
-/// a lamp that tells no directions apart) or Cancelled. The same bytes for any number of threads.
+/// a lamp that tells no directions apart) or Cancelled. The same bytes for any number of threads. \param inside  cells
+/// outside of the shape count neither for levels nor for tones; unset: the whole page is shape.
 Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, const Roughness& roughness, Vec2 page,
-                                         double spacing, const InversionParams& params, const RunContext& run);
+                                         double spacing, const InversionParams& params, const RunContext& run,
+                                         const InsideCells& inside = {});
 
 }  // namespace sillon

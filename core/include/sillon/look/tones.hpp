@@ -35,7 +35,7 @@ Tones lumaOf(const Image& image);
 Tones resampled(const Tones& tones, int width, int height);
 
 /// Stretched so that the 1st and 99th percentile become 0 and 1; a picture of one tone, within half a step of 8 bits,
-/// becomes 0.5.
-Tones levelled(const Tones& tones);
+/// becomes 0.5. \param inside  of each value whether it counts; empty: all do. Others are clamped.
+Tones levelled(const Tones& tones, const std::vector<char>& inside = {});
 
 }  // namespace sillon

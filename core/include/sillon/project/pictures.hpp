@@ -20,17 +20,18 @@ namespace sillon {
 /// A project's pictures as solved for. All lists have one entry per picture.
 struct PlatePictures {
   std::vector<ShownPicture> shown;
-  std::vector<bool> chosen;    ///< whether its lamp was
-  Roughness roughness;         ///< of the spool, on the side that is seen
-  double level = 1;            ///< SolvedDirections::level
-  double contrast = 1;         ///< of the first lamp's brightest and darkest direction
-  std::vector<double> fieldR;  ///< of what the directions alone show and what is asked for; beads only lower it
+  std::vector<bool> chosen;     ///< whether its lamp was
+  std::vector<double> leftOut;  ///< share of it that sticks out of the page, 0..1
+  Roughness roughness;          ///< of the spool, on the side that is seen
+  double level = 1;             ///< SolvedDirections::level
+  double contrast = 1;          ///< of the first lamp's brightest and darkest direction
+  std::vector<double> fieldR;   ///< of what the directions alone show and what is asked for; beads only lower it
 };
 
 /// What solvePictures found last, and what it had been asked for.
 struct KeptPictures {
   std::vector<LitPicture> lit;
-  Vec2 page;
+  Shape shape;
   double spacing = 0;
   InversionParams inversion;
   PlatePictures pictures;
@@ -50,12 +51,17 @@ std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures, const std:
 /// How the pictures are solved for.
 InversionParams inversionOf(const PictureParams& params);
 
+/// Called before each plate that is made to choose a lamp. \param trial  0, 1, ... of `trials`.
+using OnTrial = std::function<void(int trial, int trials)>;
+
 /// Reads the pictures and puts the directions that show them into the input. A project without pictures: nothing is
-/// read and none are shown. \param kept  of the plate before, as while somebody edits: what is asked for once more is
-/// taken from there; none after pictures of more than 4 million pixels. \return what reading, decodeImage and
-/// solveDirections return.
+/// read and none are shown. The lamp of a single picture that is left open is the one of three whose plate, made with
+/// the usual toolpath settings, shows it best. \param kept  of the plate before, as while somebody edits: what is asked
+/// for once more is taken from there; none after pictures of more than 4 million pixels. \return what reading,
+/// decodeImage and solveDirections return.
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run, std::optional<KeptPictures>* kept = nullptr);
+                                    const RunContext& run, std::optional<KeptPictures>* kept = nullptr,
+                                    const OnTrial& onTrial = {});
 
 /// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
 using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;

@@ -21,8 +21,15 @@ struct LampPicture {
 /// The measured spools, in the order of their keys: look/spools.hpp says what they look like.
 enum class SpoolName { BluePla, ClearPetg, GoldPla, GreyPla, RedPetg };
 
+/// What becomes of pictures whose proportions are not the page's.
+enum class PictureProportions {
+  Keep,     ///< what sticks out is cut off, as much on either side
+  Stretch,  ///< they are stretched over the page
+};
+
 struct PictureParams {
-  std::vector<LampPicture> files;        ///< 0..4; none: the directions decide
+  std::vector<LampPicture> files;  ///< 0..4; none: the directions decide
+  PictureProportions proportions = PictureProportions::Keep;
   SpoolName spool = SpoolName::BluePla;  ///< whose colour and slopes count
   std::optional<Vec2> slopes;            ///< along and across the bead of a spool of one's own, 0.1..45 [degrees]
   double lampSize = 0.1;                 ///< of all lamps, as a slope, 0..2

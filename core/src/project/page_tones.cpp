@@ -1,0 +1,33 @@
+#include "project/page_tones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace sillon {
+namespace {
+
+/// The middle `wanted` of `count`: the first of them.
+int middle(int count, int wanted) { return (count - wanted) / 2; }
+
+int clamped(double wanted, int count) { return std::clamp(static_cast<int>(std::lround(wanted)), 1, count); }
+
+}  // namespace
+
+Tones pageTones(Tones tones, Vec2 page, PictureProportions proportions, double& leftOut) {
+  leftOut = 0;
+  if (proportions == PictureProportions::Stretch || !(page.x > 0 && page.y > 0)) return tones;
+  const int width = clamped(std::min<double>(tones.width, tones.height * page.x / page.y), tones.width);
+  const int height = clamped(std::min<double>(tones.height, tones.width * page.y / page.x), tones.height);
+  if (width == tones.width && height == tones.height) return tones;
+  Tones cut{width, height, {}};
+  cut.value.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const int left = middle(tones.width, width), top = middle(tones.height, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) cut.value.push_back(tones.at(left + x, top + y));
+  }
+  leftOut = 1 - static_cast<double>(cut.value.size()) / static_cast<double>(tones.value.size());
+  return cut;
+}
+
+}  // namespace sillon
