@@ -187,6 +187,34 @@ TEST_CASE("squares of the first layer have equal plastic and their own heights")
   CHECK(squares == 7);
 }
 
+TEST_CASE("rows of U-turns try an advance around the printer's own, and more where a tube bends") {
+  const auto range = [](double advance, bool set, double retract) {
+    Project project;
+    project.printer.pressureAdvance = advance;
+    project.printer.setPressureAdvance = set;
+    project.printer.retractLength = retract;
+    const CalibrationPlate plate = made(CalibrationKind::Advance, project);
+    CHECK(plate.values.front().value == 0);
+    for (std::size_t k = 1; k < plate.values.size(); ++k) {  // even, so that no label is rounded
+      CHECK(plate.values[k].value == doctest::Approx(static_cast<double>(k) * plate.values[1].value));
+    }
+    return plate.values.back().value;
+  };
+  const double unknown = Printer().pressureAdvance;
+  CHECK(range(unknown, false, 0.8) == doctest::Approx(0.08));
+  CHECK(range(unknown, false, 1.9) == doctest::Approx(0.08));
+  CHECK(range(unknown, false, 2) == doctest::Approx(0.8));
+  CHECK(range(unknown, false, 5) == doctest::Approx(0.8));
+  CHECK(range(unknown, true, 5) == doctest::Approx(0.08));
+  CHECK(range(0.18, true, 0.8) == doctest::Approx(0.36));
+  CHECK(range(0.18, false, 0.8) == doctest::Approx(0.36));  // somebody has said so
+  CHECK(range(0.36, true, 2.5) == doctest::Approx(0.72));
+  CHECK(range(0.053, true, 0.7) == doctest::Approx(0.112));  // steps are whole thousandths
+  CHECK(range(0.001, true, 0.7) == doctest::Approx(0.008));
+  CHECK(range(0, true, 0.7) == doctest::Approx(0.08));
+  CHECK(range(1.5, true, 0.7) == doctest::Approx(2));
+}
+
 TEST_CASE("every row of U-turns has its own advance, in the dialect's words, and the last one does not stay") {
   for (const Project& project : dialects()) {
     CAPTURE(project.printer.name);

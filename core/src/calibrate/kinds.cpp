@@ -56,6 +56,15 @@ std::pair<double, double> usualRange(const CalibrationRequest& request) {
       const double most = std::min(kind.to, fastest(printer, print, 1.25));
       return {std::min(kind.from, most / 2), most};
     }
+    case CalibrationKind::Advance: {
+      // Around what is known; else a long retraction tells a tube between extruder and nozzle, which needs more.
+      constexpr double kTube = 2, kWithTube = 0.8, kMostAdvance = 2;
+      const double advance = printer.pressureAdvance;
+      const bool known = advance > 0 && (printer.setPressureAdvance || advance != Printer().pressureAdvance);
+      if (!known) return {kind.from, printer.retractLength >= kTube ? kWithTube : kind.to};
+      const double steps = kind.count - 1, unit = std::pow(10.0, kind.digits);
+      return {kind.from, std::min(kMostAdvance, steps * std::ceil(unit * 2 * advance / steps - 1e-9) / unit)};
+    }
     case CalibrationKind::Width:
       return {kind.from * printer.nozzle, kind.to * printer.nozzle};
     default:
