@@ -202,6 +202,75 @@ TEST_CASE("readings of one coupon are joined by their error bars") {
   CHECK(!joinReadings({}, {}).ok());
 }
 
+TEST_CASE("stray light and sharpening are told from the surface") {
+  std::vector<Truth> ways(7, good());
+  ways[1].veil = 0.05;
+  ways[2].veil = 0.2;
+  ways[3].veilRight = 0.15;
+  ways[4].sharpen = 1;
+  ways[5].sharpen = 0.8, ways[5].mask = 1.5;
+  ways[6].sharpen = 1.5, ways[6].mask = 2;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    CAPTURE(k);
+    const auto read = readCouponPhoto(goodOne(ways[k]), {}, RunContext(1));
+    if (!read) {
+      FAIL_CHECK(read.error().message);
+      continue;
+    }
+    const CouponReading& r = read.value();
+    MESSAGE(k << ": along " << r.along.value << " +- " << r.along.error << ", across " << r.across.value << " +- "
+              << r.across.error << ", flow " << (r.flow ? r.flow->value : -1) << ", lamp " << r.elevation.value
+              << " +- " << r.elevation.error << ", veil " << r.veil << ", sharpening " << r.sharpening);
+    CHECK(std::abs(r.along.value - good().slopes.along) < 2 * r.along.error);
+    CHECK(std::abs(r.across.value / good().slopes.across - 1) < 0.05);
+    REQUIRE(r.flow.has_value());
+    CHECK(std::abs(r.flow->value - 1) < 0.008);
+    CHECK(std::abs(r.elevation.value - good().lamp.elevation) < 4);
+    const bool veiled = k >= 1 && k <= 3, sharpened = k >= 4;
+    CHECK((veiled ? r.veil > 0.05 : std::abs(r.veil) < 0.01));
+    CHECK((sharpened ? r.sharpening > 0.3 : std::abs(r.sharpening) < 0.1));
+  }
+}
+
+TEST_CASE("an elevation that the photograph contradicts is refused with both values") {
+  const Image image = goodOne(good());
+  for (const double wrong : {20.0, 34.0, 65.0}) {
+    CAPTURE(wrong);
+    PhotoRequest request;
+    request.lampElevation = wrong;
+    const auto read = readCouponPhoto(image, request, RunContext(1));
+    REQUIRE(!read.ok());
+    CHECK(read.error().code == ErrorCode::InvalidArgument);
+    CAPTURE(read.error().message);
+    CHECK(read.error().message.find("lamp elevation is " + std::to_string(static_cast<int>(wrong)) + " degrees") == 0);
+    CHECK(read.error().message.find("shows the lamp at 4") != std::string::npos);
+  }
+  for (const double right : {41.0, 45.0, 50.0}) {
+    PhotoRequest request;
+    request.lampElevation = right;
+    CHECK(refused(image, request) == "read");
+  }
+}
+
+TEST_CASE("whether all discs are closed or none is told only where it is sure") {
+  const auto with = [](double extrusion) {
+    Truth truth = good();
+    truth.extrusion = extrusion;
+    const auto read = readBack(truth);
+    REQUIRE(read.ok());
+    return read.value();
+  };
+  // The discs reach to 1, and a flow is told up to 1.03.
+  const CouponReading thin = with(1 / 1.08);
+  CHECK(!thin.flow.has_value());
+  CHECK(thin.flowIsHigher);
+  CHECK(!thin.flowIsLower);
+  const CouponReading beside = with(1 / 1.045);
+  CHECK(!beside.flow.has_value());
+  CHECK(!beside.flowIsHigher);
+  CHECK(!beside.flowIsLower);
+}
+
 TEST_CASE("what was read is a file of spools that can be read") {
   CouponReading read;
   read.along = {2.345, 0.1};
@@ -234,7 +303,7 @@ TEST_CASE("photographs that nothing can be read from are refused, each with its 
   developed([](Truth& t) { t.blur = 6; }, "the photograph is blurred, or it shows something else");
   developed([](Truth& t) { t.exposure = 6; }, "the photograph is burnt");
   developed([](Truth& t) { t.noise = 0.3; }, "not what one lamp would make shine");
-  developed([](Truth& t) { t.quality = 5; }, "not what one lamp would make shine");
+  developed([](Truth& t) { t.quality = 5; }, "the photograph is blurred by");
   PhotoRequest other;
   other.project.printer.nozzle = 0.6;
   because(readCouponPhoto(goodOne(good()), other, RunContext(1)), "no beads of a coupon are seen on it");
@@ -277,6 +346,31 @@ TEST_CASE("a coupon is read either way up, and refused where it is mirrored, cut
   // Without its right third, and with a sheet over its upper half.
   CHECK(refused(turned([&](int x, int y, int c) { return image.at(std::min(x + w / 3, w - 1), y, c); })) != "read");
   CHECK(refused(turned([&](int x, int y, int c) { return y < h / 2 ? ground(c) : image.at(x, y, c); })) != "read");
+  // Of another shape, as if its pixels were not square.
+  for (const double stretch : {1.1, 1.3}) {
+    CAPTURE(stretch);
+    Image wide{static_cast<int>(w * stretch), h, 3, {}};
+    for (int y = 0; y < h; ++y) {
+      for (int x = 0; x < wide.width; ++x) {
+        const double u = std::clamp((x + 0.5) / stretch - 0.5, 0.0, w - 1.001);
+        const int i = static_cast<int>(u);
+        for (int c = 0; c < 3; ++c) {
+          wide.samples.push_back(
+              static_cast<std::uint16_t>((1 - (u - i)) * image.at(i, y, c) + (u - i) * image.at(i + 1, y, c)));
+        }
+      }
+    }
+    CHECK(refused(wide).find("no camera sees a square like that") == 0);
+  }
+  // Without a fifth on one side the camera looks past the middle: the lamp's direction is less sure, and says so.
+  Image cut{w * 4 / 5, h, 3, {}};
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < 3 * cut.width; ++x) cut.samples.push_back(image.at(x / 3, y, x % 3));
+  }
+  const auto part = readCouponPhoto(cut, {}, RunContext(1));
+  REQUIRE(part.ok());
+  CHECK(std::abs(part.value().azimuth.value - good().lamp.azimuth) < 2 * part.value().azimuth.error);
+  CHECK(part.value().azimuth.error > 1.5 * upright.value().azimuth.error);
   // Two coupons: one is read, or neither; never something between.
   const auto two = readCouponPhoto(turned([&](int x, int y, int c) {
                                      const int u = 2 * (x % (w / 2)), v = 2 * y - h / 2;

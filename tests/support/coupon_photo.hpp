@@ -79,6 +79,10 @@ struct Truth {
   double noise = 0.01;               ///< of full scale, at half of it
   ToneCurve curve = ToneCurve::Srgb;
   double exposure = 0.8;  ///< of the brightest beads, 1: full scale
+  double veil = 0;        ///< stray light, 1: full scale
+  double veilRight = 0;   ///< what it grows by from the left to the right
+  double sharpen = 0;     ///< amount of an unsharp mask over the codes,
+  double mask = 1;        ///< and its standard deviation [pixels]
   std::array<double, 3> filament{0.35, 0.5, 0.75};
   std::array<double, 3> ground{0.55, 0.54, 0.5};
   double groundTexture = 0.03;
@@ -420,19 +424,31 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
   return out;
 }
 
-/// As bytes of a PNG or a JPEG. Of the truth, exposure, blur, noise, tone curve and quality count.
+/// As bytes of a PNG or a JPEG. Of the truth, exposure, blur, stray light, noise, tone curve, sharpening and quality
+/// count.
 inline std::vector<std::uint8_t> developed(Exposed film, const Truth& truth) {
   Random& random = film.random;
   const auto count = static_cast<std::size_t>(truth.width) * static_cast<std::size_t>(truth.height);
   const double brighter = truth.exposure / film.exposure;
   std::vector<std::uint8_t> pixels(3 * count);
   for (std::size_t c = 0; c < 3; ++c) {
-    blurred(film.planes[c], truth.width, truth.height, truth.blur);
+    std::vector<float>& plane = film.planes[c];
+    blurred(plane, truth.width, truth.height, truth.blur);
     for (std::size_t k = 0; k < count; ++k) {
-      const double light = brighter * static_cast<double>(film.planes[c][k]);
+      const double x = static_cast<double>(k % static_cast<std::size_t>(truth.width)) / truth.width;
+      const double light = brighter * static_cast<double>(plane[k]) + truth.veil + truth.veilRight * x;
       const double noise = truth.noise * std::sqrt(0.1 + 1.8 * std::max(0.0, light)) * gauss(random);
-      const double code = toneCurve(truth.curve, light + noise);
-      pixels[3 * k + c] = static_cast<std::uint8_t>(std::lround(255 * code));
+      plane[k] = static_cast<float>(toneCurve(truth.curve, light + noise));
+    }
+    std::vector<float> soft;
+    if (truth.sharpen > 0) {
+      soft = plane;
+      blurred(soft, truth.width, truth.height, truth.mask);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      auto code = static_cast<double>(plane[k]);
+      if (truth.sharpen > 0) code += truth.sharpen * (code - static_cast<double>(soft[k]));
+      pixels[3 * k + c] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(code, 0.0, 1.0)));
     }
   }
   if (truth.quality == 0) return sillon::encodePng(truth.width, truth.height, pixels);

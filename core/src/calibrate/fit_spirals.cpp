@@ -12,10 +12,11 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kNumeric = 10;  // of the globals, the derivatives that are differences
-constexpr double kUsualCurve = 0.1;   // of telephones
+constexpr std::size_t kCamera = 9;   // of the globals, the first that is no light's: contrast, and then sharpening
+constexpr double kUsualCurve = 0.1;  // of telephones
 constexpr std::size_t kTerms = 2;  // of the light over the coupon: even, and by the distance from the picture's middle
-constexpr std::size_t kLight = 2 * kTerms;
+constexpr std::size_t kVeil = 2 * kTerms;  // where the veil's terms begin: even, to the right, down
+constexpr std::size_t kLight = kVeil + 3;
 constexpr std::size_t kShared = kGlobals + kLight;  // unknowns,
 constexpr std::size_t kOwn = 3;                     // and of each spiral
 constexpr int kRounds = 30;
@@ -25,11 +26,13 @@ constexpr int kFirstRounds = 5;       // for each beginning, to see which is the
 constexpr double kDoubt = 4;          // bins off by so many medians count half,
 constexpr double kLeastDoubt = 0.05;  // or by this of the brightest, or in closed spirals, whose highlights may be
 constexpr double kDoubtShare = 0.1;   // narrower than a bin, by this of their own brightness, which is the most
-constexpr double kUsualLobe = 0.15;   // [radians]
+constexpr double kFaintVeil = 0.0025, kClearVeil = 0.01;            // by the brightest beads
+constexpr double kFaintSharpening = 0.05, kClearSharpening = 0.15;  // share of what a blur takes off
+constexpr double kUsualLobe = 0.15;                                 // [radians]
 
 struct State {
   Globals globals;
-  std::array<double, kLight> light{};  // of highlights, of what is sent in all directions
+  std::array<double, kLight> light{};  // of highlights, of what is sent in all directions, of the veil
   std::vector<Vec2> offsets;           // of the spirals from where the map has them [mm]
   std::vector<double> bases;           // light of what shows between a spiral's turns
 };
@@ -43,11 +46,25 @@ class Fitter {
         model_(spirals, camera),
         trust_(spirals.size(), evenly()) {}
 
+  [[nodiscard]] double brightest(double contrast) const { return model_.brightest(contrast); }
+
   /// Lets spirals move by themselves, by about so much [mm].
   void loosen(double reach) { together_ = kPriorWeight / (reach * reach); }
 
   /// Holds the tone curve to a telephone's: about wrong middles, it would bend to what does not fit.
   void holdCurve() { curveError_ = 0.02; }
+
+  /// Most photographs have no veil and are not sharpened, others strongly: what is clearly found is held less.
+  void expectAsFound(const State& state) {
+    const auto held = [](double faint, double clear, double found) {
+      return faint * (1 + (found / clear) * (found / clear));
+    };
+    const double brightest = model_.brightest(kUsualCurve);
+    for (std::size_t k = 0; k < veilErrors_.size(); ++k) {
+      veilErrors_[k] = held(kFaintVeil, kClearVeil, state.light[kVeil + k] / brightest);
+    }
+    sharpError_ = held(kFaintSharpening, kClearSharpening, state.globals[10]);
+  }
 
   /// Lets bins count less that are off by far: base between loose turns, dirt, whatever the model does not know.
   void doubt(const State& state) {
@@ -56,11 +73,10 @@ class Fitter {
     std::vector<Rows> off, bright;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, state.globals[9]);
-      const Basis basis = basisOf(k, state.globals, state.offsets[k], weight);
-      const Vec3 gains = gainsOf(k, state);
+      const Rows shown = shownBy(k, state);
       off.emplace_back(), bright.emplace_back();
       for (std::size_t row = 0; row < kRows; ++row) {
-        const double model = dot(basis[row], gains);
+        const double model = weight[row] * shown[row];
         off[k][row] = std::abs(model - seen[row]);
         bright[k][row] = std::max(model, seen[row]);
         if (weight[row] > 0) all.push_back(off[k][row]);
@@ -112,9 +128,9 @@ class Fitter {
     for (std::size_t k = 0; k < 3; ++k) normal.at(k, k) = 1e-6;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, globals[9]);
-      const Basis basis = basisOf(k, globals, state.offsets[k], weight);
+      const Basis basis = basisOf(k, globals, state.offsets[k]);
       for (std::size_t row = 0; row < kRows; ++row) {
-        const double terms[] = {basis[row].x, basis[row].y, basis[row].z};
+        const double terms[] = {weight[row] * basis[row].x, weight[row] * basis[row].y, weight[row] * basis[row].z};
         normal.add(terms, seen[row], 1);
       }
     }
@@ -131,44 +147,65 @@ class Fitter {
     NormalEquations normal{kShared + kOwn * spirals_.size()};
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const LitSpiral& s = spirals_[k];
-      const Vec3 gains = gainsOf(k, state);
-      const auto [weight, seen] = lightOf(k, state.globals[9]);
+      const auto light = lightOf(k, state.globals[9]);
       const SpiralModel::Shape shape = model_.shapeOf(k, state.globals);
-      const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k], weight);
-      std::vector<std::array<double, kColumns>> jacobian(kRows);
-      Rows base{};
+      const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k]);
+      const Vec3 gains = gainsOf(k, state);
+      std::vector<std::array<double, kColumns>> jacobian(kRows);  // first of the light on the camera
+      Rows sent{};
+      const double r = dot(s.fromAxis, s.fromAxis), veil = veilOf(k, state);
       for (std::size_t row = 0; row < kRows; ++row) {
         auto& of = jacobian[row];
-        base[row] = dot(basis[row], gains) - seen[row];
+        sent[row] = dot(basis[row], gains) + veil;
         of.fill(0);
-        of[kGlobals] = basis[row].x, of[kGlobals + 1] = s.fromAxis * basis[row].x;
-        of[kGlobals + kTerms] = basis[row].y, of[kGlobals + kTerms + 1] = s.fromAxis * basis[row].y;
+        of[kGlobals] = basis[row].x, of[kGlobals + 1] = r * basis[row].x;
+        of[kGlobals + kTerms] = basis[row].y, of[kGlobals + kTerms + 1] = r * basis[row].y;
+        of[kGlobals + kVeil] = 1, of[kGlobals + kVeil + 1] = s.fromAxis.x, of[kGlobals + kVeil + 2] = s.fromAxis.y;
         of[kShared + 2] = basis[row].z;
       }
-      const auto differ = [&](std::size_t column, const Basis& then, const Rows& seenThen) {
+      const auto differ = [&](std::size_t column, const Basis& then) {
         for (std::size_t row = 0; row < kRows; ++row) {
-          jacobian[row][column] = (dot(then[row], gains) - seenThen[row] - base[row]) / kStep;
+          jacobian[row][column] = (dot(then[row], gains) + veil - sent[row]) / kStep;
         }
       };
-      for (std::size_t p = 0; p < kNumeric; ++p) {
+      for (std::size_t p = 0; p < kCamera; ++p) {
         if (p == (s.kind == SpiralKind::Loose ? 5 : 6)) continue;  // the others' width
         Globals other = state.globals;
         other[p] += kStep;
-        if (p == 9) {  // as the weights know it, too
-          const auto [weightThen, seenThen] = lightOf(k, other[p]);
-          differ(p, model_.basisOf(k, shape, other, state.offsets[k], weightThen), seenThen);
-        } else {
-          differ(p, model_.basisOf(k, p == 4 ? shape : model_.shapeOf(k, other), other, state.offsets[k], weight),
-                 seen);
-        }
+        differ(p, model_.basisOf(k, p == 4 ? shape : model_.shapeOf(k, other), other, state.offsets[k]));
       }
       for (std::size_t p = 0; p < 2; ++p) {
         const Vec2 off = state.offsets[k] + (p == 0 ? Vec2{kStep, 0} : Vec2{0, kStep});
-        differ(kShared + p, model_.basisOf(k, shape, state.globals, off, weight), seen);
-        for (auto& of : jacobian) of[kNumeric + p] = of[kShared + p];
+        differ(kShared + p, model_.basisOf(k, shape, state.globals, off));
+        for (auto& of : jacobian) of[kGlobals - 2 + p] = of[kShared + p];
+      }
+      // Then of what the camera shows of it.
+      const SpiralModel::Sharpened shown = model_.sharpened(k, sent, state.globals[9], state.globals[10]);
+      Rows base{};
+      std::vector<std::array<double, kColumns>> ofShown(kRows);
+      for (std::size_t row = 0; row < kRows; ++row) {
+        base[row] = light.weight[row] * shown.light[row] - light.seen[row];
+        ofShown[row].fill(0);
+        if (!(light.weight[row] > 0)) continue;
+        const std::size_t first = row - row % kPhases;
+        for (std::size_t q = 0; q < kPhases; ++q) {
+          const double by = light.weight[row] * shown.by[row / kPhases][row % kPhases * kPhases + q];
+          for (std::size_t column = 0; column < kColumns; ++column) {
+            ofShown[row][column] += by * jacobian[first + q][column];
+          }
+        }
+      }
+      for (std::size_t p = kCamera; p < kCamera + 2; ++p) {  // as the weights know it, too
+        Globals other = state.globals;
+        other[p] += kStep;
+        const auto then = lightOf(k, other[9]);
+        const SpiralModel::Sharpened shownThen = model_.sharpened(k, sent, other[9], other[10]);
+        for (std::size_t row = 0; row < kRows; ++row) {
+          ofShown[row][p] = (then.weight[row] * shownThen.light[row] - then.seen[row] - base[row]) / kStep;
+        }
       }
       NormalEquations own{kColumns};
-      for (std::size_t row = 0; row < kRows; ++row) own.add(jacobian[row].data(), -base[row], 1);
+      for (std::size_t row = 0; row < kRows; ++row) own.add(ofShown[row].data(), -base[row], 1);
       const auto place = [&](std::size_t column) { return column < kShared ? column : column + kOwn * k; };
       for (std::size_t i = 0; i < kColumns; ++i) {
         for (std::size_t j = 0; j < kColumns; ++j) normal.at(place(i), place(j)) += own.at(i, j);
@@ -188,6 +225,10 @@ class Fitter {
       normal.add(terms.data(), -off, weight);
       std::fill(terms.begin(), terms.end(), 0);
     };
+    for (std::size_t p = kVeil; p < kLight; ++p) {
+      terms[kGlobals + p] = 1;
+      know(state.light[p], veilWeight(p));
+    }
     for (std::size_t p = 2; p < kGlobals; ++p) {
       terms[p] = 1;
       know(state.globals[p] - usual[p], kPriorWeight / (width[p] * width[p]));
@@ -204,7 +245,7 @@ class Fitter {
     return normal;
   }
 
-  static Globals usualOnes() { return {0, 0, std::log(0.01), std::log(0.08), 0, 1, 1, 0, 1, kUsualCurve, 0, 0}; }
+  static Globals usualOnes() { return {0, 0, std::log(0.01), std::log(0.08), 0, 1, 1, 0, 1, kUsualCurve, 0, 0, 0}; }
 
  private:
   static constexpr std::size_t kRows = SpiralModel::kRows;
@@ -214,6 +255,12 @@ class Fitter {
   static constexpr double kAlike = 0.01;               // lone beads and those side by side are laid alike
   using Rows = SpiralModel::Rows;
   using Basis = SpiralModel::Basis;
+
+  /// Of what is known before: a veil is faint, by the brightest beads.
+  [[nodiscard]] double veilWeight(std::size_t term) const {
+    const double usual = veilErrors_[term - kVeil] * model_.brightest(kUsualCurve);
+    return kPriorWeight / (usual * usual);
+  }
 
   static Rows evenly() {
     Rows ones{};
@@ -229,7 +276,7 @@ class Fitter {
   }
 
   [[nodiscard]] Globals priorWidths() const {
-    return {1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, curveError_, 0.15, 0.15};
+    return {1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, curveError_, sharpError_, 0.15, 0.15};
   }
 
   [[nodiscard]] SpiralModel::Light lightOf(std::size_t which, double contrast) const {
@@ -241,12 +288,28 @@ class Fitter {
     return light;
   }
 
-  Basis basisOf(std::size_t which, const Globals& g, Vec2 off, const Rows& weight) const {
-    return model_.basisOf(which, model_.shapeOf(which, g), g, off, weight);
+  Basis basisOf(std::size_t which, const Globals& g, Vec2 off) const {
+    return model_.basisOf(which, model_.shapeOf(which, g), g, off);
+  }
+
+  [[nodiscard]] double veilOf(std::size_t which, const State& state) const {
+    const Vec2 axis = spirals_[which].fromAxis;
+    const double* terms = state.light.data() + kVeil;
+    return terms[0] + axis.x * terms[1] + axis.y * terms[2];
+  }
+
+  /// What the camera shows of a spiral.
+  [[nodiscard]] Rows shownBy(std::size_t which, const State& state) const {
+    const Basis basis = basisOf(which, state.globals, state.offsets[which]);
+    const Vec3 gains = gainsOf(which, state);
+    const double veil = veilOf(which, state);
+    Rows sent{};
+    for (std::size_t row = 0; row < kRows; ++row) sent[row] = dot(basis[row], gains) + veil;
+    return model_.sharpened(which, sent, state.globals[9], state.globals[10]).light;
   }
 
   [[nodiscard]] Vec3 gainsOf(std::size_t which, const State& state) const {
-    const double r = spirals_[which].fromAxis;
+    const double r = dot(spirals_[which].fromAxis, spirals_[which].fromAxis);
     return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1], state.bases[which]};
   }
 
@@ -254,10 +317,9 @@ class Fitter {
     double sum = 0;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, state.globals[9]);
-      const Basis basis = basisOf(k, state.globals, state.offsets[k], weight);
-      const Vec3 gains = gainsOf(k, state);
+      const Rows shown = shownBy(k, state);
       for (std::size_t row = 0; row < kRows; ++row) {
-        const double off = dot(basis[row], gains) - seen[row];
+        const double off = weight[row] * shown[row] - seen[row];
         sum += off * off;
       }
       sum += together_ * dot(state.offsets[k], state.offsets[k]) + kBaseWeight * state.bases[k] * state.bases[k];
@@ -265,6 +327,7 @@ class Fitter {
     const Globals usual = usualOnes(), width = priorWidths();
     const auto known = [](double off) { return kPriorWeight * off * off; };
     for (std::size_t k = 2; k < kGlobals; ++k) sum += known((state.globals[k] - usual[k]) / width[k]);
+    for (std::size_t k = kVeil; k < kLight; ++k) sum += veilWeight(k) * state.light[k] * state.light[k];
     return sum + known(offElevation(state.globals)) + known((state.globals[6] - state.globals[5]) / kAlike);
   }
 
@@ -291,6 +354,7 @@ class Fitter {
     g[7] = std::clamp(g[7], -1.5, 1.5);
     g[8] = std::clamp(g[8], 0.0, 5.0);
     g[9] = std::clamp(g[9], -0.3, 0.6);
+    g[10] = std::clamp(g[10], -0.5, 4.0);
     return to;
   }
 
@@ -300,6 +364,9 @@ class Fitter {
   SpiralModel model_;
   std::vector<Rows> trust_;  // in each bin
   double curveError_ = 0.15;
+  // A veil and its terms by the brightest beads, and sharpening, as long as nobody has seen how strong they are.
+  double sharpError_ = 0.5;
+  std::array<double, kLight - kVeil> veilErrors_{0.1, 0.05, 0.05};
   double together_ = kPriorWeight / (0.05 * 0.05);  // what holds spirals where the map has them [1/mm²]
 };
 
@@ -336,8 +403,10 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   State best;
   if (before != nullptr) {
     Globals g = before->globals;
-    g[7] = g[10] = g[11] = 0;  // camera and middles are known better now
+    g[7] = g[11] = g[12] = 0;  // camera and middles are known better now
     best = fitter.begin(g);
+    for (std::size_t k = 0; k < 3; ++k) best.light[kVeil + k] = before->veilTerms[k];
+    fitter.expectAsFound(best);
   } else {
     fitter.holdCurve();
     fitter.loosen(0.002);
@@ -356,11 +425,12 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   least = fitter.descend(best, before == nullptr ? kRounds : kLaterRounds, run);
   for (int k = 0; before != nullptr && k < 2; ++k) {
     fitter.doubt(best);
+    fitter.expectAsFound(best);
     least = fitter.descend(best, kLaterRounds, run);
   }
   const Globals& found = best.globals;
   fit.globals = found;
-  for (const Vec2 off : best.offsets) fit.offsets.push_back(off + Vec2{found[10], found[11]});
+  for (const Vec2 off : best.offsets) fit.offsets.push_back(off + Vec2{found[11], found[12]});
   fit.tilt = {found[0], found[1]};
   fit.alongVariance = std::exp(found[2]);
   fit.acrossVariance = std::exp(found[3]);
@@ -385,6 +455,9 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   const std::vector<double> variances = normal.variances(fit.variances.size());
   for (std::size_t k = 0; k < variances.size(); ++k) fit.variances[k] = variance * variances[k];
   fit.diffuse = best.light[kTerms];
+  for (std::size_t k = 0; k < 3; ++k) fit.veilTerms[k] = best.light[kVeil + k];
+  fit.veil = best.light[kVeil] / fitter.brightest(found[9]);
+  fit.sharpening = found[10];
   return fit;
 }
 

@@ -19,7 +19,7 @@ struct LitSpiral {
   double width = 0;   ///< of a bead of flow 1 [mm]
   double height = 0;  ///< of a bead [mm]
   FoldedSpiral seen;
-  double fromAxis = 0;            ///< square of its distance from the picture's middle, in half widths
+  Vec2 fromAxis;                  ///< from the picture's middle, in half widths and half heights
   Vec2 blurX{1, 0}, blurY{0, 1};  ///< steps of one pixel on the plate [mm]
 };
 
@@ -27,6 +27,7 @@ struct SeenFrom {
   Vec3 place{0, 0, 1};         ///< of the camera, from the coupon's middle [mm]
   double distanceError = 0.5;  ///< of the log of its distance
   double directionError = 0;   ///< [radians]
+  double strange = 0;          ///< how far the map is from any that a whole picture has, by the map's error
 };
 
 /// What is known of the lamp's elevation before [degrees].
@@ -36,9 +37,9 @@ struct Elevation {
 };
 
 // Tilt x, tilt y, log of both variances, log blur, closing, lone, log of the camera's distance by the given one,
-// inverse distance of the lamp [1/m], contrast of the camera's tone curve, and how far all spirals seem to lie off, as
-// they shine on their lamp's side [mm].
-inline constexpr std::size_t kGlobals = 12;
+// inverse distance of the lamp [1/m], contrast of the camera's tone curve, sharpening, and how far all spirals seem to
+// lie off, as they shine on their lamp's side [mm].
+inline constexpr std::size_t kGlobals = 13;
 using Globals = std::array<double, kGlobals>;
 
 struct SpiralFit {
@@ -52,12 +53,15 @@ struct SpiralFit {
   struct Surety {
     double xx = 0, xy = 0, yy = 0;
   };
-  std::vector<Surety> surety;  ///< of the offsets: inverse variances, up to a factor
-  std::vector<Vec2> offsets;   ///< of the spirals from where they were folded about [mm]
-  double misfit = 0;           ///< RMS of what is left, by the brightest direction's light
-  double contrast = 0;         ///< brightest direction's light by the darkest's, of what was seen
-  Globals globals{};           ///< to begin with again
-  double diffuse = 0;          ///< mean light of what every direction sends [photograph's]
+  std::vector<Surety> surety;         ///< of the offsets: inverse variances, up to a factor
+  std::vector<Vec2> offsets;          ///< of the spirals from where they were folded about [mm]
+  double misfit = 0;                  ///< RMS of what is left, by the brightest direction's light
+  double contrast = 0;                ///< brightest direction's light by the darkest's, of what was seen
+  Globals globals{};                  ///< to begin with again
+  double diffuse = 0;                 ///< mean light of what every direction sends [photograph's]
+  double veil = 0;                    ///< light that lies evenly over the picture, by the brightest beads'
+  std::array<double, 3> veilTerms{};  ///< [photograph's]: even, and by fromAxis
+  double sharpening = 0;              ///< share that an unsharp mask adds of what a blur takes off
 };
 
 /// \param before  a fit of the same spirals, folded about nearby places, to begin with; nullptr: none.

@@ -30,15 +30,22 @@ constexpr double kUsualFocal = 1.2;   // [longer side], of a phone between no zo
 constexpr double kFocalSpread = 0.6;  // of its log
 constexpr double kLeastFocal = 0.4, kMostFocal = 6;
 constexpr double kMapError = 0.0015;          // of lengths and right angles
+constexpr double kUsuallyStrange = 4;         // such errors of a map, of whole pictures,
+constexpr double kMostStrange = 15;           // and what is no picture that a camera takes
+constexpr double kStrangeTurn = 0.005;        // [radians], what such an error turns the camera by: it is a cut
 constexpr double kLeastDistanceError = 0.04;  // of its log
 constexpr int kRefolds = 3;                   // about where the spirals were found
 constexpr double kMostBlur = 0.3;             // [nozzle]
 constexpr double kMostBurnt = 0.02;           // of the spirals' pixels
 constexpr double kLeastContrast = 1.5;
-constexpr double kMostMisfit = 0.07;
-constexpr double kMostOff = 0.1;    // of beads, by their width
-constexpr double kMostError = 0.4;  // of a slope
-constexpr double kBentTilt = 1.6;   // the elevation's error by that of the fit, as rendered photographs have it
+constexpr double kMostMisfit = 0.05;
+constexpr double kMostOff = 0.1;       // of beads, by their width
+constexpr double kMostError = 0.4;     // of a slope
+constexpr double kBentTilt = 1.6;      // the elevation's error by that of the fit, as rendered photographs have it
+constexpr double kElevationError = 2;  // [degrees], of one that was measured
+constexpr double kMostLampOff = 10;    // [degrees], of what was measured by what the photograph shows,
+constexpr double kMostBars = 3;        // if not by that many error bars
+constexpr double kSureBars = 2;
 constexpr Vec2 kMiddle{kCouponSide / 2, kCouponSide / 2};
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
@@ -105,11 +112,13 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
   mean /= weights;
   SeenFrom camera;
   camera.place = placeOf(h, side * std::exp(mean));
+  camera.strange = std::sqrt(least);
   camera.distanceError = std::max(kLeastDistanceError, std::sqrt(std::max(0.0, square / weights - mean * mean)));
   const auto directionAt = [&](double sign) {
     return unit(placeOf(h, side * std::exp(mean + sign * camera.distanceError)));
   };
-  camera.directionError = 0.5 * length(directionAt(1) - directionAt(-1));
+  camera.directionError = std::hypot(0.5 * length(directionAt(1) - directionAt(-1)),
+                                     kStrangeTurn * std::max(0.0, camera.strange - kUsuallyStrange));
   return camera;
 }
 
@@ -151,6 +160,11 @@ std::optional<Error> unfit(const Image& photograph, const PhotoRequest& request)
 
 // Whether what shines on the coupon is the coupon, in one light and in focus.
 std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) {
+  if (fit.misfit > kMostMisfit) {
+    return unreadable(
+        "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
+        "curtains");
+  }
   if (blur > kMostBlur * nozzle) {
     return unreadable("the photograph is blurred by " + fixed(blur, 2) + " mm; it may be by " +
                       fixed(kMostBlur * nozzle, 2) + ": hold the camera still and let it focus on the coupon");
@@ -160,19 +174,12 @@ std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) 
                       " times as bright as the darkest, and must be 1.5 times; use one small lamp, low over the "
                       "coupon, in a dark room");
   }
-  if (fit.misfit > kMostMisfit) {
-    return unreadable(
-        "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
-        "curtains");
-  }
-
   if (std::abs(fit.lone - 1) > kMostOff || std::abs(fit.closing - 1) > kMostOff) {
     return unreadable(
         "beads would be " + fixed(100 * fit.lone, 0) +
         " % as wide as they were asked for, and must be 90 to 110 %; the coupon is of other settings, or the "
         "light shows the beads too poorly: move the lamp around the coupon");
   }
-
   return std::nullopt;
 }
 
@@ -189,6 +196,16 @@ void tellLamp(const SpiralFit& fit, const SeenFrom& camera, CouponReading& out) 
                    std::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
 }
 
+// What was measured of the lamp is what the photograph shows, or it is another's.
+std::optional<Error> otherLamp(double measured, const Measured& shown) {
+  const double off = std::abs(measured - shown.value);
+  if (off <= std::max(kMostLampOff, kMostBars * std::hypot(shown.error, kElevationError))) return std::nullopt;
+  return Error{ErrorCode::InvalidArgument, "lamp elevation is " + decimal(measured, 1) +
+                                               " degrees, and the photograph shows the lamp at " +
+                                               fixed(shown.value, 0) + " +- " + fixed(shown.error, 0) +
+                                               "; measure it again at the coupon, over the table, or leave it out"};
+}
+
 // The flow whose beads close, if the coupon has tried it.
 void tellFlow(const SpiralFit& fit, const std::vector<CalibrationValue>& tried, CouponReading& out) {
   double lowest = 1e9, highest = 0;
@@ -196,12 +213,15 @@ void tellFlow(const SpiralFit& fit, const std::vector<CalibrationValue>& tried, 
     lowest = std::min(lowest, value.value);
     highest = std::max(highest, value.value);
   }
-  const double closing = 1 / fit.closing;
-  if (closing < lowest) {
-    out.flowIsLower = true;
-  } else if (closing <= highest + (highest - lowest) / 3) {
-    out.flow = Measured{closing, closing * closing * errorOf(fit.variances[5])};
+  const double closing = 1 / fit.closing, error = closing * closing * errorOf(fit.variances[5]);
+  highest += (highest - lowest) / 3;
+  if (closing >= lowest && closing <= highest) {
+    out.flow = Measured{closing, error};
+    return;
   }
+  // Whoever prints another coupon should do so for a reason.
+  out.flowIsLower = closing + kSureBars * error < lowest;
+  out.flowIsHigher = closing - kSureBars * error > highest;
 }
 
 // Of the darkest tenth, as bright as a colour gets.
@@ -254,9 +274,8 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   const auto lookAt = [&](LitSpiral& s) {
     s.seen = foldSpiral(s.spiral, coupon, photograph, tones);
     const Vec2 pixel = coupon.pixelOf(s.spiral.centre);
-    const Vec2 axis{(2 * pixel.x - photograph.width) / photograph.width,
-                    (2 * pixel.y - photograph.height) / photograph.width};
-    s.fromAxis = dot(axis, axis);
+    s.fromAxis = {(2 * pixel.x - photograph.width) / photograph.width,
+                  (2 * pixel.y - photograph.height) / photograph.width};
     const FoundCoupon::Steps steps = coupon.stepsAt(s.spiral.centre);
     const double by = 1 / cross(steps.x, steps.y);
     s.blurX = by * Vec2{steps.y.y, -steps.x.y}, s.blurY = by * Vec2{-steps.y.x, steps.x.x};
@@ -272,7 +291,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
     return unreadable("the photograph is burnt: " + fixed(100.0 * burnt / all, 0) +
                       " % of the spirals' pixels are at full scale, and 2 % may be; expose it less");
   }
-  const Elevation elevation = request.lampElevation ? Elevation{*request.lampElevation, 2} : Elevation{};
+  const Elevation elevation = request.lampElevation ? Elevation{*request.lampElevation, kElevationError} : Elevation{};
   SpiralFit fit = fitSpirals(spirals, camera, elevation, nullptr, run);
   // The map is good to a fraction of a bead. Directions about the true middles are better.
   for (int round = 0; round < kRefolds && !run.cancelled(); ++round) {
@@ -287,6 +306,11 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   out.pixelsPerMm = coupon.scaleAt(kMiddle);
   out.blur = fit.blur / out.pixelsPerMm;
   out.tilt = std::acos(std::clamp(unit(camera.place).z, -1.0, 1.0)) * kDegrees;
+  if (camera.strange > kMostStrange) {
+    return unreadable(
+        "no camera sees a square like that; the photograph is stretched, or cut out of one side of a larger one: give "
+        "the whole picture as it was taken");
+  }
   if (auto problem = doubtful(fit, out.blur, nozzle)) return *problem;
   const LampPart lamp = lampPartOf(request.lampSlope);
   out.along = slopeOf(fit.alongVariance, errorOf(fit.variances[2]), lamp);
@@ -298,7 +322,15 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
                       " the beads cannot be told in this light: " + fixed(slope->value, 1) + " degrees within " +
                       fixed(slope->error, 1) + "; use a smaller lamp, or one that is farther away");
   }
+  if (request.lampElevation) {
+    CouponReading free;
+    tellLamp(fitSpirals(spirals, camera, Elevation{}, &fit, run), camera, free);
+    if (run.cancelled()) return cancelledRun();
+    if (auto problem = otherLamp(*request.lampElevation, free.elevation)) return *problem;
+  }
   tellLamp(fit, camera, out);
+  out.veil = fit.veil;
+  out.sharpening = fit.sharpening;
   out.width = {nozzle * plate.value().print.flow * fit.lone,
                nozzle * plate.value().print.flow * errorOf(fit.variances[6])};
   tellFlow(fit, plate.value().values, out);

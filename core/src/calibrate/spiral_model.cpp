@@ -17,6 +17,7 @@ constexpr int kFine = 24;  // places across a pitch
 constexpr double kGauss = 0.28867513459481287;
 constexpr double kInGap = 0.3;        // light of a place in shadow, by what beads send in all directions
 constexpr double kLeadSpread = 0.15;  // variance of 1 / r over a spiral, by its mean's square
+constexpr double kSharp = 1.5;        // [pixels], standard deviation of an unsharp mask's blur
 constexpr double kEdge = 0.9;         // height of what casts a bead's shadow, by the layer's: its edges are round
 
 using Wave = SpiralModel::Wave;
@@ -34,6 +35,7 @@ struct Waves {
   std::array<Pattern, kFine> fine;      // of place k
   std::array<Pattern, kPhases> phase;   // at phase k, averaged over its bin
   std::array<Vec2, kPoints> outward{};  // Gauss's two points of each angle
+  std::array<double, kPhases> turn{};   // cosine of phase k's
 };
 
 const Waves& waves() {
@@ -47,6 +49,9 @@ const Waves& waves() {
       for (int k = 0; k < kPhases; ++k) {
         w.phase[static_cast<std::size_t>(k)][h] = waveOf(mean, turns * (k + 0.5) / kPhases);
       }
+    }
+    for (std::size_t k = 0; k < kPhases; ++k) {
+      w.turn[k] = std::cos(2 * std::numbers::pi * static_cast<double>(k) / kPhases);
     }
     for (std::size_t k = 0; k < kPoints; ++k) {
       const double in = k % 2 == 0 ? 0.5 - kGauss : 0.5 + kGauss;
@@ -71,15 +76,35 @@ Pattern patternOf(const std::array<double, kFine>& values) {
   return out;
 }
 
-/// Undoes code + contrast (3 code² - 2 code³ - code), by Newton's method. \return light.
-double straightened(double code, double contrast) {
+/// A code, and how the light grows with it.
+struct Point {
+  double code, light, slope;
+};
+
+double bent(double x, double contrast) { return x + contrast * (x * x * (3 - 2 * x) - x); }
+
+/// sRGB's, straight on below black.
+double slopeOf(double x, double light) { return x > 0.04045 ? 2.4 * light / (x + 0.055) : 1 / 12.92; }
+
+/// The camera's code of light.
+Point codeAt(double light, double contrast) {
+  const double x =
+      light > 0.0031308 ? static_cast<double>(codeOfLight(static_cast<float>(std::min(1.0, light)))) : 12.92 * light;
+  return {bent(x, contrast), light, slopeOf(x, light) / (1 + contrast * (6 * x * (1 - x) - 1))};
+}
+
+/// The other way round, by Newton's method.
+Point lightAt(double code, double contrast) {
   double x = code;
   for (int k = 0; k < 4; ++k) {
-    const double off = x + contrast * (x * x * (3 - 2 * x) - x) - code;
-    x = std::clamp(x - off / (1 + contrast * (6 * x * (1 - x) - 1)), 0.0, 1.0);
+    x = std::clamp(x - (bent(x, contrast) - code) / (1 + contrast * (6 * x * (1 - x) - 1)), 0.0, 1.0);
   }
-  return static_cast<double>(lightOfCode(static_cast<float>(x)));
+  const auto light = static_cast<double>(lightOfCode(static_cast<float>(x)));
+  const double slope = code > 0 && code < 1 ? slopeOf(x, light) / (1 + contrast * (6 * x * (1 - x) - 1)) : 0;
+  return {code, light, slope};
 }
+
+double straightened(double code, double contrast) { return lightAt(code, contrast).light; }
 
 }  // namespace
 
@@ -107,14 +132,48 @@ SpiralModel::SpiralModel(const std::vector<LitSpiral>& spirals, const SeenFrom& 
   }
 }
 
+double SpiralModel::brightest(double contrast) const { return straightened(brightest_, contrast); }
+
 SpiralModel::Light SpiralModel::lightOf(std::size_t which, double contrast) const {
-  const double most = straightened(brightest_, contrast);
+  const double most = brightest(contrast);
   Light out{};
   for (std::size_t k = 0; k < kRows; ++k) {
     const double code = codes_[which][k];
     const double light = code < 0 ? 0 : straightened(code, contrast);
     out.weight[k] = code < 0 ? 0 : 1 / std::sqrt(most * (light + 0.02 * most));
     out.seen[k] = out.weight[k] * light;
+  }
+  return out;
+}
+
+SpiralModel::Sharpened SpiralModel::sharpened(std::size_t which, const Rows& light, double contrast,
+                                              double amount) const {
+  const LitSpiral& s = spirals_[which];
+  const double w = 2 * std::numbers::pi / s.spiral.pitch;
+  Sharpened out;
+  for (std::size_t k = 0; k < kAngles; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kAngles;
+    const Vec2 n{std::cos(angle), std::sin(angle)};
+    const double x = dot(n, s.blurX), y = dot(n, s.blurY);
+    const double rate = 0.5 * w * w * kSharp * kSharp * (x * x + y * y);
+    std::array<double, kPhases> kernel{};  // by the phases between
+    for (int h = 0; h < kPhases; ++h) {
+      const int turns = std::min(h, kPhases - h);
+      const double factor = 1 + amount * (1 - std::exp(-rate * turns * turns));
+      for (std::size_t d = 0; d < kPhases; ++d)
+        kernel[d] += factor * waves().turn[(static_cast<std::size_t>(h) * d) % kPhases] / kPhases;
+    }
+    std::array<Point, kPhases> points;
+    for (std::size_t p = 0; p < kPhases; ++p) points[p] = codeAt(light[k * kPhases + p], contrast);
+    for (std::size_t p = 0; p < kPhases; ++p) {
+      double code = 0;
+      for (std::size_t q = 0; q < kPhases; ++q) code += kernel[(p + kPhases - q) % kPhases] * points[q].code;
+      const Point there = lightAt(code, contrast);
+      out.light[k * kPhases + p] = there.light;
+      for (std::size_t q = 0; q < kPhases; ++q) {
+        out.by[k][p * kPhases + q] = there.slope * kernel[(p + kPhases - q) % kPhases] / points[q].slope;
+      }
+    }
   }
   return out;
 }
@@ -188,11 +247,10 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   return shape;
 }
 
-SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off,
-                                        const Rows& weights) const {
+SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const {
   const LitSpiral& s = spirals_[which];
   const double pitch = s.spiral.pitch, blur = std::exp(g[4]);
-  const Vec2 shifted = off + Vec2{g[10], g[11]};
+  const Vec2 shifted = off + Vec2{g[11], g[12]};
   const auto add = [](Wave& sum, Wave by) { sum.re += by.re, sum.im += by.im; };
   const Waves& waving = waves();
   Basis basis;
@@ -224,8 +282,7 @@ SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, c
         open += floor[h].re * wave.re - floor[h].im * wave.im;
       }
       const std::size_t row = k * kPhases + p;
-      const double weight = shape.light * weights[row];
-      basis[row] = weight * Vec3{lit, covered + kInGap * (1 - covered), open};
+      basis[row] = shape.light * Vec3{lit, covered + kInGap * (1 - covered), open};
     }
   }
   return basis;

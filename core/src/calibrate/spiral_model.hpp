@@ -28,6 +28,8 @@ class SpiralModel {
 
   /// The light that a camera of this contrast has seen, weighted so that equal steps of codes count alike.
   [[nodiscard]] Light lightOf(std::size_t which, double contrast) const;
+  /// That of the brightest bin.
+  [[nodiscard]] double brightest(double contrast) const;
 
   static constexpr std::size_t kHarmonics = 6;  ///< of the pattern across a pitch; lenses leave no more
   struct Wave {
@@ -35,7 +37,8 @@ class SpiralModel {
   };
   using Pattern = std::array<Wave, kHarmonics>;
 
-  /// What a spiral sends, before lens and shift. The globals for blur, contrast and offset do not matter to it.
+  /// What a spiral sends, before lens and shift. The globals for blur, contrast, sharpening and offset do not matter
+  /// to it.
   struct Shape {
     double light = 1;                                       ///< by the distance of the lamp
     Pattern body{};                                         ///< at every angle
@@ -46,9 +49,17 @@ class SpiralModel {
 
   /// What a spiral shows for a highlight of 1, for a body of 1, and for gaps of 1 between loose turns where
   /// no bead stands before the lamp or the camera.
-  /// \param off  of the spiral from where it was folded about [mm]. \param weights  that rows are multiplied by.
-  [[nodiscard]] Basis basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off,
-                              const Rows& weights) const;
+  /// \param off  of the spiral from where it was folded about [mm].
+  [[nodiscard]] Basis basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const;
+
+  /// An unsharp mask over codes: it adds what a blur takes off them.
+  struct Sharpened {
+    Rows light;
+    std::array<std::array<double, std::size_t{kPhases} * kPhases>, kAngles>
+        by;  ///< derivatives, of each angle's phases
+  };
+  /// \param light  that falls onto the camera.
+  [[nodiscard]] Sharpened sharpened(std::size_t which, const Rows& light, double contrast, double amount) const;
 
  private:
   const std::vector<LitSpiral>& spirals_;

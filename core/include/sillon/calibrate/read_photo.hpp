@@ -36,14 +36,18 @@ inline constexpr double kUnknownLampSlope = 0.03;
 struct CouponReading {
   Measured along;                        ///< RMS slope of the side that the nozzle passed over [degrees]
   Measured across;                       ///< [degrees]
-  std::optional<Measured> flow;          ///< the lowest that closes the surface; none: all discs are closed, or none is
-  bool flowIsLower = false;              ///< without `flow`: all discs are closed
+  std::optional<Measured> flow;          ///< the lowest that closes the surface; none: out of range, or cannot be told
+  bool flowIsLower = false;              ///< without `flow`: all discs are closed, surely
+  bool flowIsHigher = false;             ///< without `flow`: no disc is closed, surely
   Measured width;                        ///< of a bead of one nozzle at the project's flow [mm]
   Measured azimuth;                      ///< of the lamp, in the coupon's own directions [degrees], 0..360
   Measured elevation;                    ///< [degrees]
   double tilt = 0;                       ///< of the camera off the coupon's normal [degrees]
   double pixelsPerMm = 0;                ///< in the middle of the coupon
   double blur = 0;                       ///< standard deviation [mm]
+  double veil = 0;                       ///< stray light over the picture, by the light of the brightest beads
+  double sharpening = 0;                 ///< amount of an unsharp mask of 1.5 pixels that looks like it; 0: none
+  int lamps = 1;                         ///< places of the lamp that it was read under; see joinReadings
   std::array<std::uint8_t, 3> colour{};  ///< sRGB, of the beads that do not shine, as bright as it gets
 };
 
@@ -54,6 +58,7 @@ struct CouponReading {
 Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request, const RunContext& run);
 
 /// What several photographs of one coupon say together, weighted by their error bars. Lamp and camera are of the first.
+/// Photographs whose lamps stand within 10 degrees of each other are wrong alike, or are copies, and count as one.
 /// \param request  they were read with. \return InvalidFile where one differs so much that it shows another spool.
 Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, const PhotoRequest& request);
 
