@@ -15,6 +15,8 @@ constexpr double kLeastShare = 0.01;  // of a slope
 constexpr double kMostApart = 0.4;    // of logs of slopes: what no two photographs of one spool differ by,
 constexpr double kMostBars = 4;       // unless their bars say so
 
+constexpr double kSameLamp = 10;  // [degrees], in either direction
+
 struct Figure {
   double value = 0, error = 0;
 };
@@ -43,12 +45,53 @@ Figure meanOf(const std::vector<Figure>& figures) {
   return {mean, std::sqrt(std::max(1.0, apart) / weights)};
 }
 
+/// For each reading, the first one under the same lamp.
+std::vector<std::size_t> lampsOf(const std::vector<CouponReading>& readings) {
+  std::vector<std::size_t> first;
+  for (const CouponReading& r : readings) {
+    std::size_t k = 0;
+    for (; k < first.size(); ++k) {
+      const CouponReading& other = readings[k];
+      const double turn = std::remainder(r.azimuth.value - other.azimuth.value, 360);
+      const bool same = std::abs(turn) < kSameLamp && std::abs(r.elevation.value - other.elevation.value) < kSameLamp;
+      if (first[k] == k && same) break;
+    }
+    first.push_back(k);
+  }
+  return first;
+}
+
+/// Those under one lamp count as one: no surer than the surest of them.
+/// \param lamps  for each figure, which other one has the same; any numbers.
+Figure joined(const std::vector<Figure>& figures, const std::vector<std::size_t>& lamps) {
+  std::vector<Figure> each;
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    if (std::find(lamps.begin(), lamps.begin() + static_cast<std::ptrdiff_t>(k), lamps[k]) !=
+        lamps.begin() + static_cast<std::ptrdiff_t>(k)) {
+      continue;
+    }
+    std::vector<Figure> alike;
+    double least = figures[k].error;
+    for (std::size_t j = k; j < figures.size(); ++j) {
+      if (lamps[j] != lamps[k]) continue;
+      alike.push_back(figures[j]);
+      least = std::min(least, figures[j].error);
+    }
+    const Figure mean = meanOf(alike);
+    each.push_back({mean.value, std::max(mean.error, least)});
+  }
+  return meanOf(each);
+}
+
 }  // namespace
 
 Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, const PhotoRequest& request) {
   if (readings.empty()) return Error{ErrorCode::InvalidArgument, "there is no reading to join"};
   if (readings.size() == 1) return readings.front();
   CouponReading out = readings.front();
+  const std::vector<std::size_t> lamps = lampsOf(readings);
+  out.lamps = 0;
+  for (std::size_t k = 0; k < lamps.size(); ++k) out.lamps += lamps[k] == k ? 1 : 0;
   const double lamp = lampPartOf(request.lampSlope).error;
   for (const auto slope : {&CouponReading::along, &CouponReading::across}) {
     std::vector<Figure> logs;  // errors are shares of slopes
@@ -60,7 +103,7 @@ Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, c
       logs.push_back({std::log(m.value), std::max(kLeastShare, own / m.value)});
       values.push_back(logs.back().value);
     }
-    const Figure mean = meanOf(logs);
+    const Figure mean = joined(logs, lamps);
     const double value = std::exp(mean.value), common = commonErrorOf(value, lamp), middle = middleOf(values);
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const double off = std::abs(logs[k].value - middle);
@@ -74,17 +117,25 @@ Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, c
     out.*slope = {value, std::hypot(value * mean.error, common)};
   }
   std::vector<Figure> widths, flows;
-  out.flow.reset();
-  for (const CouponReading& r : readings) {
+  std::vector<std::size_t> lampsOfFlows;
+  std::size_t lower = 0, higher = 0;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const CouponReading& r = readings[k];
     widths.push_back({r.width.value, std::max(1e-4, r.width.error)});
-    if (r.flow) flows.push_back({r.flow->value, std::max(1e-4, r.flow->error)});
+    lower += r.flowIsLower ? 1 : 0, higher += r.flowIsHigher ? 1 : 0;
+    if (!r.flow) continue;
+    flows.push_back({r.flow->value, std::max(1e-4, r.flow->error)});
+    lampsOfFlows.push_back(lamps[k]);
   }
-  const Figure width = meanOf(widths);
+  const Figure width = joined(widths, lamps);
   out.width = {width.value, width.error};
+  out.flow.reset();
   if (flows.size() * 2 >= readings.size()) {
-    const Figure flow = meanOf(flows);
+    const Figure flow = joined(flows, lampsOfFlows);
     out.flow = Measured{flow.value, flow.error};
   }
+  out.flowIsLower = !out.flow && lower * 2 > readings.size();
+  out.flowIsHigher = !out.flow && higher * 2 > readings.size();
   return out;
 }
 
