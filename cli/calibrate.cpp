@@ -106,8 +106,10 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
     add("flow     %.3f +- %.3f is the lowest that closes the surface\n", r.flow->value, r.flow->error);
   } else if (r.flowIsLower) {
     out += "flow     all discs are closed; print a coupon with lower values (--from, --to)\n";
-  } else {
+  } else if (r.flowIsHigher) {
     out += "flow     no disc is closed; print a coupon with higher values (--from, --to)\n";
+  } else {
+    out += "flow     cannot be told: the light shows the gaps too poorly; move the lamp, and take another photograph\n";
   }
   add("width    %.3f +- %.3f mm for a bead of %.3f mm\n", r.width.value, r.width.error, closest);
   for (const sillon::CouponReading& one : each) {
@@ -115,6 +117,24 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
         one.elevation.value, one.elevation.error);
     add("picture  %.1f pixels per mm, blurred by %.2f mm, camera tilted by %.0f degrees\n", one.pixelsPerMm, one.blur,
         one.tilt);
+  }
+  constexpr double kSharpened = 0.2, kVeiled = 0.03;  // what changes figures by more than they are unsure without it
+  const auto any = [&](double sillon::CouponReading::*field, double most) {
+    return std::any_of(each.begin(), each.end(), [&](const sillon::CouponReading& one) { return one.*field > most; });
+  };
+  if (any(&sillon::CouponReading::sharpening, kSharpened)) {
+    out +=
+        "note     the photograph is sharpened, which hides how sharp the highlights are; switch sharpening and HDR "
+        "off, "
+        "or develop a raw file without them\n";
+  }
+  if (any(&sillon::CouponReading::veil, kVeiled)) {
+    out += "note     stray light lies over the photograph; shade the lens from the lamp, and darken the room\n";
+  }
+  if (each.size() > 1 && r.lamps < static_cast<int>(each.size())) {
+    add("note     the lamp stands in %d %s in these photographs, and those under one count as one; move it between "
+        "photographs\n",
+        r.lamps, r.lamps == 1 ? "place" : "places");
   }
   for (const std::string& sentence : refused) out += "refused  " + sentence + "\n";
   if (!lampKnown && r.along.error > kUnsure * r.along.value) {
@@ -135,14 +155,19 @@ std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon
   root["across"] = measured(r.across, hundredths);
   root["flow"] = r.flow ? measured(*r.flow, thousandths) : nlohmann::ordered_json(nullptr);
   root["allDiscsClosed"] = r.flowIsLower;
+  root["noDiscClosed"] = r.flowIsHigher;
   root["width"] = measured(r.width, thousandths);
   root["width"]["asked"] = thousandths(asked);
   root["lamp"] = {{"azimuth", measured(r.azimuth, hundredths)}, {"elevation", measured(r.elevation, hundredths)}};
   root["photographs"] = each.size();
+  root["lamps"] = r.lamps;
   root["refused"] = refused;
   root["colour"] = r.colour;
-  root["camera"] = {
-      {"tilt", hundredths(r.tilt)}, {"pixelsPerMm", hundredths(r.pixelsPerMm)}, {"blur", thousandths(r.blur)}};
+  root["camera"] = {{"tilt", hundredths(r.tilt)},
+                    {"pixelsPerMm", hundredths(r.pixelsPerMm)},
+                    {"blur", thousandths(r.blur)},
+                    {"sharpening", hundredths(r.sharpening)},
+                    {"veil", thousandths(r.veil)}};
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -35,6 +35,7 @@ val readingOf(const sillon::CouponReading& read, double widthAsked) {
   out.set("across", measuredOf(read.across));
   out.set("flow", read.flow ? measuredOf(*read.flow) : val::null());
   out.set("allDiscsClosed", read.flowIsLower);
+  out.set("noDiscClosed", read.flowIsHigher);
   out.set("width", measuredOf(read.width));
   out.set("widthAsked", widthAsked);
   out.set("azimuth", measuredOf(read.azimuth));
@@ -54,6 +55,7 @@ sillon::CouponReading readingFrom(const val& js) {
   read.across = measuredFrom(js["across"]);
   if (!js["flow"].isNull()) read.flow = measuredFrom(js["flow"]);
   read.flowIsLower = js["allDiscsClosed"].as<bool>();
+  read.flowIsHigher = js["noDiscClosed"].as<bool>();
   read.width = measuredFrom(js["width"]);
   read.azimuth = measuredFrom(js["azimuth"]);
   read.elevation = measuredFrom(js["elevation"]);

@@ -265,8 +265,9 @@ export interface CouponReading {
   across: Measured;
   /** The lowest that closes the surface; null: none of the discs tells it. */
   flow: Measured | null;
-  /** Without `flow`: all discs are closed, else none is. */
+  /** Without `flow`: all discs are closed, or none is; neither: the photograph does not tell. */
   allDiscsClosed: boolean;
+  noDiscClosed: boolean;
   /** Of a bead, and what was asked for. */
   width: Measured;
   widthAsked: number;

@@ -413,6 +413,7 @@ export function couponReadings(value: unknown): ReadingFields[] {
       across: bar('across'),
       flow: given['flow'] === null ? null : bar('flow'),
       allDiscsClosed: given['allDiscsClosed'] === true,
+      noDiscClosed: given['noDiscClosed'] === true,
       width: bar('width'),
       widthAsked: number('widthAsked'),
       azimuth: bar('azimuth'),

@@ -105,6 +105,7 @@ export const calibrateEn = {
   'calibrate.photo.flow': 'Flow that closes the surface',
   'calibrate.photo.flow.lower': 'below the coupon’s: all discs are closed',
   'calibrate.photo.flow.higher': 'above the coupon’s: no disc is closed',
+  'calibrate.photo.flow.unknown': 'cannot be told: move the lamp, and take another photograph',
   'calibrate.photo.width': 'Bead width ({asked} mm requested)',
   'calibrate.photo.lamp': 'lamp at {azimuth}°, {elevation} ± {error}° high',
   'calibrate.photo.bars': '± is one standard deviation.',

@@ -1266,6 +1266,7 @@ export const de: Translation = {
   'calibrate.photo.flow': 'Fluss, der die Fläche schließt',
   'calibrate.photo.flow.lower': 'unter denen des Prüfstücks: Alle Scheiben sind geschlossen',
   'calibrate.photo.flow.higher': 'über denen des Prüfstücks: Keine Scheibe ist geschlossen',
+  'calibrate.photo.flow.unknown': 'nicht zu erkennen: Lampe versetzen und noch einmal fotografieren',
   'calibrate.photo.width': 'Bahnbreite, verlangt sind {asked}\u00a0mm',
   'calibrate.photo.lamp': 'Lampe bei {azimuth}°, {elevation} ± {error}° hoch',
   'calibrate.photo.bars': '± ist eine Standardabweichung.',

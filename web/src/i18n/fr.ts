@@ -1281,6 +1281,7 @@ export const fr: Translation = {
   'calibrate.photo.flow': 'Débit qui ferme la surface',
   'calibrate.photo.flow.lower': 'inférieur à ceux de l’éprouvette\u00a0: tous les disques sont fermés',
   'calibrate.photo.flow.higher': 'supérieur à ceux de l’éprouvette\u00a0: aucun disque n’est fermé',
+  'calibrate.photo.flow.unknown': 'indéterminé\u00a0: déplacez la lampe et reprenez une photo',
   'calibrate.photo.width': 'Largeur du cordon, {asked}\u00a0mm demandés',
   'calibrate.photo.lamp': 'lampe à {azimuth}°, {elevation} ± {error}° de hauteur',
   'calibrate.photo.bars': '± est un écart type.',

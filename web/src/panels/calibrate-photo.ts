@@ -28,6 +28,12 @@ interface Shot {
   readonly problem?: Problem | undefined;
 }
 
+/** What is told of a flow that has no figure. */
+function flowBeyond(read: CouponReading): 'photo.flow.lower' | 'photo.flow.higher' | 'photo.flow.unknown' {
+  if (read.allDiscsClosed) return 'photo.flow.lower';
+  return read.noDiscClosed ? 'photo.flow.higher' : 'photo.flow.unknown';
+}
+
 @customElement('sillon-calibrate-photo')
 export class CalibratePhoto extends StudioElement {
   static override reads = ['plate', 'spools'] as const;
@@ -253,10 +259,7 @@ export class CalibratePhoto extends StudioElement {
     return html`<h2>${c('photo.read', { n })}</h2>
       <dl>
         ${row(c('photo.along'), barred(read.along, 2, '°'))} ${row(c('photo.across'), barred(read.across, 1, '°'))}
-        ${row(
-          c('photo.flow'),
-          flow === null ? c(read.allDiscsClosed ? 'photo.flow.lower' : 'photo.flow.higher') : barred(flow, 3),
-        )}
+        ${row(c('photo.flow'), flow === null ? c(flowBeyond(read)) : barred(flow, 3))}
         ${row(c('photo.width', { asked: formatNumber(read.widthAsked, 3) }), barred(read.width, 3, '\u00a0mm'))}
       </dl>
       <p class="note">${c('photo.bars')} ${n < enough ? c('photo.more') : nothing}</p>
