@@ -638,7 +638,11 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   REQUIRE(together["refused"].size() == 1);
   CHECK(has(together["refused"][0].get<std::string>(), "grey.png"));
   CHECK(together["across"]["value"] == read["across"]["value"]);
-  CHECK(together["across"]["error"].get<double>() < read["across"]["error"].get<double>());
+  CHECK(together["across"]["error"] == read["across"]["error"]);  // the same one twice tells no more
+  CHECK(together["lamps"] == 1);
+  CHECK(has(folder.run("calibrate read photo.jpg photo.jpg --lamp-elevation 45").out, "the lamp stands in 1 place"));
+  checkRefused(folder, "calibrate read photo.jpg --lamp-elevation 20",
+               "\"photo.jpg\": lamp elevation is 20 degrees, and the photograph shows the lamp at 45");
   checkRefused(folder, "calibrate read photo.jpg none.jpg", "none.jpg");
   checkRefused(folder, "calibrate read grey.png grey.png", "\"grey.png\": the photograph shows no coupon");
   folder.write("plain.json", R"({"sillon": 1})");
