@@ -8,8 +8,7 @@ import { loadEngine } from './engine/load.js';
 import { StudioEngine } from './engine/studio-engine.js';
 import type { Autosave, Kept } from './files/autosave.js';
 import type { PrinterValues } from 'sillon';
-import { onOwnPrinter, withoutBrought } from './model/brought.js';
-import { newPlate } from './model/defaults.js';
+import { newPlateOn, onOwnPrinter, withoutBrought } from './model/brought.js';
 import type { Plate } from './model/plate.js';
 import { homeLight, pictureOf } from './model/lamp.js';
 import { problemOf, StudioError } from './model/problem.js';
@@ -162,7 +161,7 @@ studio.services = {
     for (const words of told) studio.notify(words);
   },
   newPlate: () => {
-    show(newPlate(), true);
+    show(newPlateOn(store.state.plate.printer), true);
   },
   welcomed: () => {
     remember('welcomed', 'yes');

@@ -1,7 +1,7 @@
 // Files and examples become plates: what each file is for is guessed, used at once, and can be changed afterwards.
-import type { Engine } from 'sillon';
+import type { Engine, PrinterValues } from 'sillon';
 import { t } from './i18n/text.js';
-import { onOwnPrinter } from './model/brought.js';
+import { newPlateOn, onOwnPrinter } from './model/brought.js';
 import { newGenerator, newLampDirections, newPlate } from './model/defaults.js';
 import { withFilament } from './model/filaments.js';
 import { homeLight } from './model/lamp.js';
@@ -33,7 +33,9 @@ export function createOpener(
   engine: () => Promise<Engine>,
   show: (plate: Plate, fresh?: boolean) => void,
 ): Opener {
-  /** @param before  what they are put into @param step  while the plate is made of them */
+  const own = (): PrinterValues => studio.store.state.plate.printer;
+
+  /** @param without  of the plate on the screen, what they are put into @param step  while the plate is made of them */
   async function use(
     before: Plate,
     files: readonly Opened[],
@@ -93,7 +95,7 @@ export function createOpener(
       engine().then((running) => identify(pictures, plate, running)),
     );
     if (found.project !== undefined) {
-      show(onOwnPrinter(found.project, plate.printer));
+      show(onOwnPrinter(found.project, own()));
       if (sliced !== undefined && files.length === 1) studio.services.openedFrom(sliced);
       return;
     }
@@ -130,23 +132,22 @@ export function createOpener(
 
     async load(openings, trusted = false) {
       const { identify, readable, withFiles } = await import('./files/open.js');
-      const plate = newPlate();
+      const plate = trusted ? newPlate() : newPlateOn(own());
       const files = await Promise.all(openings.map(({ file }) => readable(file)));
       const found = await identify(files, plate, await engine());
       const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
-      const own = studio.store.state.plate.printer;
-      const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own);
+      const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own());
       show(project ?? (await withFiles(plate, opened, await engine())));
       studio.store.forgetSteps();
     },
 
     async openExample(example) {
-      show(await plateOf(example), true);
+      show(await plateOf(example, own), true);
     },
 
     async first() {
       const { opening } = await import('./panels/examples.js');
-      return plateOf(opening);
+      return plateOf(opening, own);
     },
 
     async openOwn(path) {
@@ -201,30 +202,25 @@ async function directionsOf(directions: Example['directions']): Promise<Directio
   );
 }
 
-async function plateOf(example: Example): Promise<Plate> {
-  const { directions, modes = {}, width, height, filament, spacing, nozzle, nearest } = example;
+/** @param own  the visitor's printer, once all is there */
+async function plateOf(example: Example, own: () => PrinterValues): Promise<Plate> {
+  const { modes = {}, width, height, filament, nearest } = example;
   const shape: ShapeSource =
     typeof example.shape === 'string'
       ? { kind: 'file', file: await fetched(example.shape), unitless: 'px' }
       : example.shape;
-  const plate = newPlate();
+  const directions = await directionsOf(example.directions);
+  const file = modes.file === undefined ? {} : { file: await fetched(modes.file) };
+  const plate = newPlateOn(own());
   const made: Plate = {
     ...plate,
     name: t(`example.${example.id}`),
     shape,
     width,
     height,
-    directions: await directionsOf(directions),
-    modes: {
-      base: modes.base ?? plate.modes.base,
-      ...(modes.file === undefined ? {} : { file: await fetched(modes.file) }),
-    },
-    toolpath: {
-      ...plate.toolpath,
-      spacing: spacing ?? plate.toolpath.spacing,
-      mapFilter: nearest === true ? 'nearest' : 'average',
-    },
-    printer: { ...plate.printer, nozzle: nozzle ?? plate.printer.nozzle },
+    directions,
+    modes: { base: modes.base ?? plate.modes.base, ...file },
+    toolpath: { ...plate.toolpath, mapFilter: nearest === true ? 'nearest' : 'average' },
   };
   return withFilament(made, filament);
 }

@@ -1,10 +1,11 @@
 // A design from elsewhere - a link, a project, a page around this one - may bring a printer of its own: G-code that moves and
 // heats a machine, temperatures, limits. None of it is used before the visitor has said so.
 import type { PrinterValues } from 'sillon';
-import { printerDefaults } from './defaults.js';
+import { newPlate, printerDefaults } from './defaults.js';
 import { filaments } from './filaments.js';
 import type { Plate } from './plate.js';
-import { ofFilament, profileOf, sameMachine } from './printers.js';
+import { ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
+import { withNozzle } from './settings.js';
 
 type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
@@ -32,14 +33,24 @@ function harmless(printer: PrinterValues, own: PrinterValues): boolean {
   return known && (!isHot(printer) || sameHeat);
 }
 
+const filamentIn = (printer: PrinterValues): Pick<PrinterValues, (typeof ofFilament)[number]> =>
+  Object.fromEntries(ofFilament.map((key) => [key, printer[key]])) as Pick<PrinterValues, (typeof ofFilament)[number]>;
+
 /** A design from elsewhere on the visitor's own printer; what it brings waits in `brought`. The nozzle stays the design's,
  * and so does what its filament asks for, unless that is hotter than usual. */
 export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
   const { printer } = plate;
   if (harmless(printer, own)) return withoutBrought(plate);
-  const filament = isHot(printer) ? own : printer;
-  const kept = Object.fromEntries(ofFilament.map((key) => [key, filament[key]])) as unknown as PrinterValues;
+  const kept = filamentIn(isHot(printer) ? own : printer);
   return { ...plate, printer: { ...structuredClone(own), ...kept, nozzle: printer.nozzle }, brought: printer };
+}
+
+/** A new plate on the visitor's own printer, with the beads that suit its nozzle. */
+export function newPlateOn(own: PrinterValues): Plate {
+  const plate = newPlate();
+  const { pressureAdvance, setPressureAdvance } = own;
+  const printer = { ...structuredClone(own), ...filamentIn(plate.printer), pressureAdvance, setPressureAdvance };
+  return withNozzle(withAdvance({ ...plate, printer }, { ...plate, printer: own }), own.nozzle);
 }
 
 export const useBrought = (plate: Plate): Plate =>

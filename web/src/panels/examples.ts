@@ -17,8 +17,6 @@ export interface Example {
     | { file: string; encoding: DirectionEncoding }
     | { pictures: readonly { file: string; lamp: readonly [number, number] }[] };
   modes?: { base?: DirectionMode; file?: string };
-  nozzle?: number;
-  spacing?: number;
   nearest?: boolean;
 }
 

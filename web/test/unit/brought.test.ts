@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
+  newPlateOn,
   onOwnPrinter,
   toReview,
   unusualHeat,
@@ -13,7 +14,7 @@ import { newPlate, printerDefaults } from '../../src/model/defaults.js';
 import { withFilament } from '../../src/model/filaments.js';
 import type { Plate } from '../../src/model/plate.js';
 import { printers, profileOf, withPrinter } from '../../src/model/printers.js';
-import { accepts, settings, valueOf } from '../../src/model/settings.js';
+import { accepts, settings, valueOf, withNozzle } from '../../src/model/settings.js';
 
 const own = withPrinter(newPlate(), 'prusa-mini').printer;
 const foreign = (printer: Partial<Plate['printer']>): Plate => ({
@@ -134,4 +135,15 @@ test('what is to be seen before a download changes with every line and every deg
   const plate = foreign({ startGcode: 'G28', endGcode: 'M112', anyTemperature: true, nozzleTemperature: 480 });
   assert.equal(toReview(withoutBlocks(plate).printer), '');
   assert.deepEqual(unusualHeat(withoutBlocks(plate).printer), { nozzle: 0, bed: 0 });
+});
+
+test('a new plate is as before on the usual printer, and elsewhere on the visitor’s own with beads for its nozzle', () => {
+  assert.deepEqual(newPlateOn(printerDefaults), newPlate());
+  const wide = withFilament(withNozzle({ ...newPlate(), printer: own }, 0.8), 'redPetg').printer;
+  const plate = newPlateOn(wide);
+  assert.equal(profileOf(plate.printer)?.key, 'prusa-mini');
+  assert.deepEqual([plate.printer.nozzle, plate.toolpath.spacing, plate.print.layerHeight], [0.8, 0.8, 0.4]);
+  assert.deepEqual([plate.filament, plate.printer.filamentType], ['goldPla', 'PLA']);
+  const imported = { ...own, name: 'Mine', startGcode: 'G28' };
+  assert.equal(newPlateOn(imported).printer.startGcode, 'G28');
 });
