@@ -37,18 +37,23 @@ export function createOpener(
 
   /** @param without  of the plate on the screen, what they are put into @param step  while the plate is made of them */
   async function use(
-    before: Plate,
+    without: (plate: Plate) => Plate,
     files: readonly Opened[],
     step: (work: Promise<Plate>) => Promise<Plate> = (work) => work,
   ): Promise<void> {
     const { withFiles } = await import('./files/open.js');
-    const { light, lightMode, result } = studio.store.state;
     const tell = (problem: Problem): void => {
       studio.fail(problem);
     };
-    // That on the screen: where a hand has put it, else where it comes back to.
-    const lamp = lightMode === 'fixed' ? light : homeLight(before, result?.toolpath.look);
-    const made = await step(withFiles(before, files, await engine(), tell, lamp));
+    let from, before, made: Plate;
+    do {
+      const { plate, light, lightMode, result } = studio.store.state;
+      from = plate;
+      before = without(plate);
+      // That on the screen: where a hand has put it, else where it comes back to.
+      const lamp = lightMode === 'fixed' ? light : homeLight(before, result?.toolpath.look);
+      made = await step(withFiles(before, files, await engine(), tell, lamp));
+    } while (studio.store.state.plate !== from); // what a hand changes meanwhile stays
     // One step of undo, however often the roles are changed.
     studio.store.change(() => made, gesture);
     studio.setOpened({ before, made, files });
@@ -76,7 +81,6 @@ export function createOpener(
     };
     const { identify, isSliced, readable } = await step(0.05, import('./files/open.js'));
     const { mode, host } = studio.store.state;
-    const plate = withoutExample(studio.store.state.plate);
     const [sliced] = files;
     // What somebody dropped for their printer is not for a page that shows this one.
     if (
@@ -92,7 +96,7 @@ export function createOpener(
     const pictures = await step(0.15, Promise.all(files.map(readable)));
     const found = await step(
       0.4,
-      engine().then((running) => identify(pictures, plate, running)),
+      engine().then((running) => identify(pictures, withoutExample(studio.store.state.plate), running)),
     );
     if (found.project !== undefined) {
       show(onOwnPrinter(found.project, own()));
@@ -103,7 +107,7 @@ export function createOpener(
     if (role !== undefined) {
       found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
     }
-    await use(plate, found.opened, (work) => step(0.7, work));
+    await use(withoutExample, found.opened, (work) => step(0.7, work));
     if (found.opened.length > 1) {
       studio.show('files');
       return;
@@ -123,11 +127,11 @@ export function createOpener(
     },
 
     async setRole(index, role) {
-      const { opened, plate } = studio.store.state;
+      const { opened } = studio.store.state;
       if (opened === undefined) return;
       const { withoutFiles } = await import('./files/open.js');
       const files = opened.files.map((file, k) => (k === index ? { ...file, role } : file));
-      await use(withoutFiles(plate, opened), files);
+      await use((plate) => withoutFiles(plate, opened), files);
     },
 
     async load(openings, trusted = false) {

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 
 import { sharedBench } from './support/shared.js';
-import { fileAt, inputs, skip, start } from './support/studio.js';
+import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
 
 const bench = sharedBench(skip, start);
 const photo = (name) => ({ ...fileAt(join(inputs, 'photo.png')), name });
@@ -61,4 +61,26 @@ test('a second picture is lit at once, names the plate, and can take the place o
   await visit.button('Use it instead').click();
   await visit.until(({ plate, lamp }) => plate.directions.pictures.length === 1 && lamp === 0);
   assert.deepEqual(await visit.state(names), ['second', 'second.png']);
+});
+
+test('what is changed while a file is being read stays', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  // A hand that is there at each step, the last of which makes the plate.
+  await visit.page.evaluate(() => {
+    const { store } = document.querySelector('sillon-app').studio;
+    globalThis.steps = [];
+    store.subscribe(({ reading }) => {
+      if (reading === undefined || globalThis.steps.includes(reading.fraction)) return;
+      globalThis.steps.push(reading.fraction);
+      store.change((plate) => ({ ...plate, print: { ...plate.print, base: plate.print.base + 1 } }));
+    });
+  });
+  const base = await visit.state(({ plate }) => plate.print.base);
+  const drawing = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><rect width="40" height="20"/></svg>';
+  await visit.drop([fileOf('wide.svg', Buffer.from(drawing), 'image/svg+xml')]);
+  await visit.until(({ plate, reading }) => plate.shape.kind === 'file' && reading === undefined);
+  const steps = await visit.page.evaluate(() => globalThis.steps);
+  assert.ok(steps.length >= 4, String(steps));
+  assert.equal(await visit.state(({ plate }) => plate.print.base), base + steps.length);
 });
