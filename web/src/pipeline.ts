@@ -38,6 +38,8 @@ export class Pipeline {
   #drawn: Drawn | undefined;
   #drawing: { plate: Plate; coarse: boolean; done: Promise<Problem | undefined> } | undefined;
   #written: Written | undefined;
+  /** What went wrong and is told, until it goes well. */
+  readonly #told: { drawing?: Problem | undefined; file?: Problem | undefined } = {};
   #cancels = 0;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
@@ -86,6 +88,7 @@ export class Pipeline {
     clearTimeout(this.#summaryTimer);
     const written = { plate, ...(await this.engine.gcode(plate)) };
     this.#written = written;
+    this.#tell('file', undefined);
     if (sameFile(written, this.store.state.plate, this.store.state.result))
       this.store.set({ summary: written.gcode.summary, check: written.check });
     return written.gcode;
@@ -133,8 +136,10 @@ export class Pipeline {
     this.#summarise();
     const drawn = this.#drawn;
     const fresh = drawn !== undefined && sameDirections(drawn.plate, plate) && (live || !drawn.coarse);
-    if (fresh) this.engine.update(plate, drawn.raster, { live });
-    else void this.#draw(plate, live);
+    if (fresh) {
+      this.#tell('drawing', undefined);
+      this.engine.update(plate, drawn.raster, { live });
+    } else void this.#draw(plate, live);
   }
 
   /** @returns what went wrong; another plate that came first is no problem. */
@@ -169,7 +174,7 @@ export class Pipeline {
       this.store.set({ directions: raster });
     } catch (error) {
       const problem = problemOf(error);
-      if (!isAbort(error)) this.store.set({ problem });
+      if (!isAbort(error)) this.#tell('drawing', problem);
       return problem;
     }
     const now = this.store.state;
@@ -193,6 +198,7 @@ export class Pipeline {
     clearTimeout(this.#summaryTimer);
     const { plate, result, summary } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, result)) {
+      this.#tell('file', undefined);
       this.store.set({ summary: this.#written.gcode.summary, check: this.#written.check });
       return;
     }
@@ -202,8 +208,16 @@ export class Pipeline {
       const { state } = this.store;
       if (state.live || state.cancelled || state.result?.toolpath.cycles !== result.toolpath.cycles) return;
       this.gcode().catch((error: unknown) => {
-        if (!isAbort(error)) this.store.set({ problem: problemOf(error) });
+        if (!isAbort(error)) this.#tell('file', problemOf(error));
       });
     }, summaryAfter);
+  }
+
+  /** @param problem  undefined: it went well, and what was told of it is over */
+  #tell(of: 'drawing' | 'file', problem: Problem | undefined): void {
+    const before = this.#told[of];
+    this.#told[of] = problem;
+    if (problem !== undefined || (before !== undefined && before === this.store.state.problem))
+      this.store.set({ problem });
   }
 }

@@ -102,6 +102,36 @@ test('long work tells its progress, is cancelled, and begins again', { skip }, a
   assert.equal(await visit.state((state) => state.plate.width), 24);
 });
 
+test('what cannot be made is told for as long as it cannot, whatever mends it', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const alarms = visit.page.locator('sillon-notices .problem');
+  const change = (section, values) =>
+    visit.page.evaluate(
+      ([section, values]) =>
+        document.querySelector('sillon-app').studio.change((plate) => ({
+          ...plate,
+          [section]: { ...plate[section], ...values },
+        })),
+      [section, values],
+    );
+  // No file can be written: mended by hand, and by the alarm's own button.
+  await change('printer', { nozzleTemperature: 450 });
+  await alarms.waitFor();
+  await change('printer', { nozzleTemperature: 215 });
+  await alarms.waitFor({ state: 'detached' });
+  await change('printer', { bedMax: [20, 20] });
+  await alarms.waitFor();
+  await alarms.getByRole('button', { name: 'Undo' }).click();
+  await alarms.waitFor({ state: 'detached' });
+  // No directions can be drawn.
+  await change('directions', { kind: 'qr', text: 'x'.repeat(5000), dark: 0, light: 90, margin: 2 });
+  await alarms.waitFor();
+  await alarms.getByRole('button', { name: 'Undo' }).click();
+  await alarms.waitFor({ state: 'detached' });
+  await visit.idle();
+});
+
 test('the page’s thread goes on while a plate is made', { skip }, async (t) => {
   const visit = await bench.open({ small: true });
   await visit.idle();
