@@ -61,6 +61,8 @@ export class PlateCanvas extends StudioElement implements Stage {
   #cursor: Cursor | undefined;
   /** What is being drawn, page units. */
   #points: number[] | undefined;
+  /** The same, as it lies in the plate. */
+  #stroke: Stroke | undefined;
   #observer: ResizeObserver | undefined;
   #motion!: MovingLight;
   #flipTimer: ReturnType<typeof setTimeout> | undefined;
@@ -128,8 +130,7 @@ export class PlateCanvas extends StudioElement implements Stage {
         this.#addStroke();
       },
       end: () => {
-        this.#points = undefined;
-        this.studio.settle();
+        this.#lift();
       },
       abandon: () => {
         if (this.#points === undefined) return;
@@ -181,6 +182,8 @@ export class PlateCanvas extends StudioElement implements Stage {
   }
 
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
+    // Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke.
+    if (this.#points !== undefined && (plate.strokes.at(-1) !== this.#stroke || now.tool !== before.tool)) this.#lift();
     const { plate } = now;
     const resized = plate.width !== before.plate.width || plate.height !== before.plate.height;
     const compared = this.#compares(now) !== this.#compares(before);
@@ -521,12 +524,18 @@ export class PlateCanvas extends StudioElement implements Stage {
       softness: brush.softness,
       ...(tool === 'mode' ? { mode: brush.mode } : {}),
     };
+    this.#stroke = stroke;
     const first = points.length === 2;
     this.studio.change(
       (plate) => ({ ...plate, strokes: [...(first ? plate.strokes : plate.strokes.slice(0, -1)), stroke] }),
       'stroke',
     );
   }
+  #lift(): void {
+    this.#points = undefined;
+    this.studio.settle();
+  }
+
 
   // --- Keys ---------------------------------------------------------------------------------------------------------------
 
@@ -544,6 +553,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     const drawing = this.state.tool !== 'pan';
     if (arrow !== undefined && drawing) this.#moveCursor(-arrow[0], arrow[1]);
     else if (arrow !== undefined) this.#move(arrow[0], arrow[1]);
+    else if (key === 'Escape' && this.#points !== undefined) this.#lift();
     else if (drawing && (key === ' ' || key === 'Enter')) this.#togglePen();
     else if (key === '+' || key === '=') this.zoom(1.25);
     else if (key === '-') this.zoom(0.8);
@@ -571,8 +581,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #togglePen(): void {
     if (this.#points !== undefined) {
-      this.#points = undefined;
-      this.studio.settle();
+      this.#lift();
       return;
     }
     const { page } = this.#page();
