@@ -25,6 +25,8 @@ export class Store<State extends HasPlate> {
   #past: Plate[] = [];
   #future: Plate[] = [];
   #gesture: string | undefined;
+  /** Before the gesture. */
+  #before: Steps | undefined;
 
   constructor(state: State) {
     this.#state = state;
@@ -55,7 +57,10 @@ export class Store<State extends HasPlate> {
     const next = change(plate);
     if (next === plate) return;
     const goesOn = gesture !== undefined && gesture === this.#gesture;
-    if (!goesOn) this.#past = [...this.#past, plate].slice(-mostSteps);
+    if (!goesOn) {
+      this.#before = { past: this.#past, plate, future: this.#future };
+      this.#past = [...this.#past, plate].slice(-mostSteps);
+    }
     this.#gesture = gesture;
     this.#future = [];
     this.#become({ ...this.#state, plate: next });
@@ -64,6 +69,11 @@ export class Store<State extends HasPlate> {
   /** Ends a gesture: what comes next is another step. */
   settle(): void {
     this.#gesture = undefined;
+  }
+
+  /** Takes back the gesture that goes on, as if it had never begun: what could be redone still can. */
+  abandon(): void {
+    if (this.#gesture !== undefined && this.#before !== undefined) this.restore(this.#before);
   }
 
   get steps(): Steps {

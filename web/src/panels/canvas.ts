@@ -134,9 +134,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       },
       abandon: () => {
         if (this.#points === undefined) return;
-        this.#points = undefined;
-        this.studio.settle();
-        this.studio.store.undo();
+        this.studio.store.abandon();
+        this.#lift();
       },
     });
     this.overlay.addEventListener('keydown', this.#onKey);
@@ -182,9 +181,9 @@ export class PlateCanvas extends StudioElement implements Stage {
   }
 
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
+    const { plate } = now;
     // Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke.
     if (this.#points !== undefined && (plate.strokes.at(-1) !== this.#stroke || now.tool !== before.tool)) this.#lift();
-    const { plate } = now;
     const resized = plate.width !== before.plate.width || plate.height !== before.plate.height;
     const compared = this.#compares(now) !== this.#compares(before);
     if (now.sizing !== before.sizing && now.sizing !== 'free') this.#fitted = true;
@@ -524,18 +523,18 @@ export class PlateCanvas extends StudioElement implements Stage {
       softness: brush.softness,
       ...(tool === 'mode' ? { mode: brush.mode } : {}),
     };
-    this.#stroke = stroke;
     const first = points.length === 2;
+    this.#stroke = stroke;
     this.studio.change(
       (plate) => ({ ...plate, strokes: [...(first ? plate.strokes : plate.strokes.slice(0, -1)), stroke] }),
       'stroke',
     );
   }
+
   #lift(): void {
     this.#points = undefined;
     this.studio.settle();
   }
-
 
   // --- Keys ---------------------------------------------------------------------------------------------------------------
 
@@ -553,8 +552,8 @@ export class PlateCanvas extends StudioElement implements Stage {
     const drawing = this.state.tool !== 'pan';
     if (arrow !== undefined && drawing) this.#moveCursor(-arrow[0], arrow[1]);
     else if (arrow !== undefined) this.#move(arrow[0], arrow[1]);
-    else if (key === 'Escape' && this.#points !== undefined) this.#lift();
     else if (drawing && (key === ' ' || key === 'Enter')) this.#togglePen();
+    else if (key === 'Escape' && this.#points !== undefined) this.#lift();
     else if (key === '+' || key === '=') this.zoom(1.25);
     else if (key === '-') this.zoom(0.8);
     else if (key === '0') this.fit();

@@ -103,6 +103,22 @@ test('the depth is bounded', () => {
   assert.equal(store.state.plate.width, 800);
 });
 
+test('a drag that is abandoned has never been: what could be redone still can, as deep as before', () => {
+  const store = newStore();
+  for (let k = 1; k <= 300; ++k) store.change(wide(k));
+  store.undo();
+  const { past, plate, future } = store.steps;
+  for (const width of [11, 12]) store.change(wide(width), 'width');
+  store.abandon();
+  assert.deepEqual(store.steps, { past, plate, future });
+  assert.equal(store.state.plate, plate);
+  store.abandon(); // nothing goes on
+  store.change(wide(13), 'width');
+  store.settle();
+  store.abandon();
+  assert.equal(store.state.plate.width, 13);
+});
+
 test('random changes, drags, undos and redos agree with plain lists of plates', () => {
   // Numerical Recipes' generator: the same sequences on every run.
   let seed = 1;
