@@ -934,6 +934,8 @@ export const de: Translation = {
   'rebrush.untried': 'Noch auf keinem Drucker erprobt. Bei den ersten Schichten davon zusehen.',
   'rebrush.download': '{name} herunterladen',
   'rebrush.saved': '{name} liegt bei den Downloads.',
+  'rebrush.kept': 'Die Striche auf {name} bleiben erhalten, solange diese Seite offen ist.',
+  'rebrush.goOn': 'Weitermachen',
   'rebrush.unreadable': '{name} kann nicht neu gebürstet werden.',
   'rebrush.unreadableHelp':
     'Es muss G-Code, .gcode.3mf oder .bgcode sein, wie PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio oder Cura sie schreiben. Um stattdessen Druckereinstellungen zu übernehmen, unter Druck mit „Aus einer Datei des Slicers …“ öffnen.',

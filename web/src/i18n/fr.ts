@@ -945,6 +945,8 @@ export const fr: Translation = {
   'rebrush.untried': 'Pas encore essayé sur une imprimante. Surveillez-en les premières couches.',
   'rebrush.download': 'Télécharger {name}',
   'rebrush.saved': '{name} est dans vos téléchargements.',
+  'rebrush.kept': 'Vos traits sur {name} sont gardés tant que cette page est ouverte.',
+  'rebrush.goOn': 'Continuer',
 
   'rebrush.unreadable': '{name} ne peut pas être rebrossé.',
   'rebrush.unreadableHelp':

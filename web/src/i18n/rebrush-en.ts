@@ -72,6 +72,8 @@ export const rebrushEn = {
   'rebrush.untried': 'Not tried on a printer yet. Watch the new beads as they are printed.',
   'rebrush.download': 'Download {name}',
   'rebrush.saved': '{name} was handed to your downloads.',
+  'rebrush.kept': 'Your strokes on {name} are kept until you close this page.',
+  'rebrush.goOn': 'Go on',
 
   'rebrush.unreadable': '{name} cannot be re-brushed.',
   'rebrush.unreadableHelp':

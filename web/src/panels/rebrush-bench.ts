@@ -306,6 +306,11 @@ export class RebrushBench extends PrintBench {
           this.#togglePen();
         },
       }),
+      ...(this.#points !== undefined && {
+        Escape: () => {
+          this.#endStroke();
+        },
+      }),
     };
   }
 

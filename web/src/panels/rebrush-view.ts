@@ -37,11 +37,15 @@ import { directionFields } from './rebrush-directions.js';
 import { faceList } from './rebrush-faces.js';
 import { foot, noWork, progressBar, type Progress } from './rebrush-foot.js';
 import { rebrushStyle } from './rebrush-style.js';
+import { typesText } from './shortcuts.js';
 
 const mostBytes = 256e6; // as the engine reads of text
 const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
 const restAfter = 350; // [ms] without a change, after which beads are laid
 const pictureFiles = 'image/*,.tga';
+
+/** What was wanted of prints that were left with strokes of a hand on them. */
+const left = new WeakMap<File, Wish>();
 
 @customElement('sillon-rebrush')
 export class RebrushView extends StudioElement {
@@ -124,6 +128,7 @@ export class RebrushView extends StudioElement {
   override updated(_changed: PropertyValues): void {
     const { sliced } = this.state;
     if (sliced === undefined || sliced === this.#file) return;
+    this.#leave();
     this.#file = sliced;
     void this.#read(sliced);
   }
@@ -166,6 +171,28 @@ export class RebrushView extends StudioElement {
     }
   }
 
+  /** Strokes take long: they are kept, and one may go on. */
+  #leave(): void {
+    const file = this.#file;
+    if (file === undefined || this.wish.strokes.length === 0) return;
+    left.set(file, this.wish);
+    const goOn = {
+      label: r('goOn'),
+      run: () => {
+        this.studio.store.set({ sliced: file, dialog: 'rebrush' });
+      },
+    };
+    this.studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
+  }
+
+  #onKey = (event: KeyboardEvent): void => {
+    const { way, strokes } = this.wish;
+    const undoes = (event.ctrlKey || event.metaKey) && !event.shiftKey && event.key.toLowerCase() === 'z';
+    if (!undoes || way !== 'hand' || strokes.length === 0 || typesText(event)) return;
+    event.preventDefault();
+    this.#want({ strokes: strokes.slice(0, -1) });
+  };
+
   // --- The print ------------------------------------------------------------------------------------------------------------
 
   async #read(file: File): Promise<void> {
@@ -203,8 +230,9 @@ export class RebrushView extends StudioElement {
       if (signal.aborted as boolean) return;
       this.print = print;
       const free = (side: Side): boolean => facesOf(print.surfaces, side).some(({ left }) => left === '');
-      const side = !free('top') && free('bottom') ? 'bottom' : 'top';
-      this.wish = { ...this.wish, ...this.#all(side) };
+      const kept = left.get(file);
+      const side = kept?.side ?? (!free('top') && free('bottom') ? 'bottom' : 'top');
+      this.wish = { ...this.wish, ...this.#all(side), ...kept };
       this.progress = undefined;
       if (this.wish.chosen.size > 0) void this.#lay();
     } catch (error) {
@@ -331,7 +359,9 @@ export class RebrushView extends StudioElement {
     const name = this.state.sliced?.name ?? '';
     return html`<dialog
       aria-labelledby="title"
+      @keydown=${this.#onKey}
       @close=${() => {
+        this.#leave();
         if (this.isConnected) this.studio.store.set({ dialog: undefined, sliced: undefined });
       }}
     >

@@ -509,6 +509,35 @@ test('faces are combed by hand: beads follow the stroke, and lie at the angle el
   assert.deepEqual(visit.problems, []);
 });
 
+test('strokes are undone by keys, and Escape loses none: one goes on with them', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.drop([fileOf('part.gcode', sliced())]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await view(visit).getByRole('radio', { name: 'By hand' }).check();
+  await view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input')).fill('75');
+  await view(visit).getByRole('checkbox').nth(1).uncheck();
+  const overlay = view(visit).locator('sillon-rebrush-bench .overlay');
+  const strokes = () => view(visit).evaluate(({ wish }) => wish.strokes.map(({ points }) => points.length));
+  await overlay.focus();
+  for (const end of ['Space', 'Escape', 'Space']) {
+    await page.keyboard.press('Space');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press(end); // which takes the pen up, and no more
+  }
+  assert.deepEqual(await strokes(), [4, 4, 4]);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await strokes(), [4, 4]);
+  await page.keyboard.press('Escape');
+  await view(visit).waitFor({ state: 'detached' });
+  await page.getByText('Your strokes on part.gcode are kept').waitFor();
+  await visit.button('Go on').click();
+  await until(() => saves(visit).isEnabled(), 'beads are laid again');
+  assert.deepEqual(await strokes(), [4, 4]);
+  assert.deepEqual(await view(visit).evaluate(({ wish }) => [wish.way, wish.angle, wish.chosen.size]), ['hand', 75, 1]);
+  assert.equal(await page.getByText('Your strokes on part.gcode are kept').count(), 0);
+});
+
 test('faces are chosen on the print itself, by pointer, and everything by keys', { skip }, async () => {
   const visit = await bench.open({ small: true });
   const { page } = visit;
