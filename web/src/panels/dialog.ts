@@ -1,16 +1,36 @@
-// A sheet above the page. It closes with Escape, with its cross, and with a click beside it.
-import { html, type TemplateResult } from 'lit';
+// A sheet above the page. It closes with Escape, with its cross, and with a click beside it. What is told while it is open is
+// told in it, by the element that the page has anyway: nothing behind it can be reached.
+import { css, html, type TemplateResult } from 'lit';
 import { query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
+import type { Shown } from './shown.js';
 
 export abstract class DialogElement extends StudioElement {
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      dialog > sillon-notices {
+        flex: none;
+        width: 100%;
+        max-height: 40%;
+      }
+    `,
+  ];
+
   @query('dialog') private dialog!: HTMLDialogElement;
   #afterwards?: () => void;
+  /** What was told before. */
+  #known: Pick<Shown, 'notices' | 'problem'> | undefined;
 
   protected abstract heading(): string;
   protected abstract body(): TemplateResult;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#known = this.state;
+  }
 
   override render(): TemplateResult {
     return html`<dialog
@@ -37,6 +57,7 @@ export abstract class DialogElement extends StudioElement {
           ${icon('close')}
         </button>
       </div>
+      <sillon-notices .studio=${this.studio} .known=${this.#known}></sillon-notices>
       <div class="body" tabindex="0">${this.body()}</div>
     </dialog>`;
   }

@@ -1,12 +1,12 @@
 // What has happened, in passing; what went wrong, until it is read.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { customElement } from 'lit/decorators.js';
+import { customElement, property } from 'lit/decorators.js';
 import { problemWords } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { same } from '../model/problem.js';
-import type { Notice } from './shown.js';
+import type { Notice, Shown } from './shown.js';
 
 @customElement('sillon-notices')
 export class Notices extends StudioElement {
@@ -91,8 +91,13 @@ export class Notices extends StudioElement {
     `,
   ];
 
+  /** Is told elsewhere. */
+  @property({ attribute: false }) known: Partial<Pick<Shown, 'notices' | 'problem'>> = {};
+
   override render(): TemplateResult {
-    const { notices, problem } = this.state;
+    const { known } = this;
+    const notices = this.state.notices.filter((notice) => !known.notices?.includes(notice));
+    const problem = this.state.problem === known.problem ? undefined : this.state.problem;
     return html`<div role="alert">
         ${
           problem === undefined
@@ -122,13 +127,19 @@ export class Notices extends StudioElement {
       </div>`;
   }
 
+  /** Where a button goes that had the focus: to the sheet that this is told in, or to the plate. */
+  #refocus(): void {
+    const sheet = this.closest('dialog')?.querySelector<HTMLElement>('.body');
+    (sheet ?? this.studio.stage)?.focus();
+  }
+
   #close(close: () => void): TemplateResult {
     return html`<button
       type="button"
       class="plain close"
       aria-label=${t('verb.dismiss')}
       @click=${() => {
-        this.studio.stage?.focus();
+        this.#refocus();
         close();
       }}
     >
@@ -147,7 +158,7 @@ export class Notices extends StudioElement {
               type="button"
               class="link"
               @click=${() => {
-                this.studio.stage?.focus(); // to which it comes back from what this opens
+                this.#refocus(); // to which it comes back from what this opens
                 this.studio.dismiss(id);
                 run();
               }}

@@ -197,7 +197,7 @@ test(
       await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(content) });
     };
     await pick('wrong.json', text.replace('14', '140'));
-    await page.getByText('wrong.json is not a spool file').waitFor();
+    await page.locator('sillon-calibrate').getByText('wrong.json is not a spool file').waitFor();
     await pick('mine.json', text);
     await page.getByRole('button', { name: 'Use green' }).click();
     await visit.until((state) => state.plate.spool?.key === 'green');

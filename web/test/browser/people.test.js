@@ -176,6 +176,35 @@ test('what opens while a sheet closes stays open', { skip }, async () => {
   await page.getByRole('dialog', { name: 'Share' }).waitFor();
 });
 
+test('what goes wrong behind a sheet is told in it, and can be reached', { skip }, async () => {
+  const visit = await bench.open({
+    small: true,
+    viewport: { width: 360, height: 640 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await visit.idle();
+  const { page } = visit;
+  await page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    studio.notify('Before.', { label: 'Stays a while', run: () => undefined });
+    studio.show('first');
+  });
+  const sheet = page.locator('sillon-first dialog');
+  const [chooser] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    sheet.getByRole('button', { name: 'From your slicer’s file…' }).tap(),
+  ]);
+  await chooser.setFiles({ name: 'bare.gcode', mimeType: '', buffer: Buffer.from('G28\nG1 X1\n') });
+  const told = sheet.getByRole('alert').locator('.problem');
+  await told.waitFor();
+  assert.match(await told.innerText(), /bare\.gcode/);
+  assert.equal(await sheet.getByText('Before.').count(), 0); // and nothing else is
+  await told.getByRole('button', { name: 'Dismiss' }).tap();
+  await told.waitFor({ state: 'detached' });
+  assert.equal(await sheet.locator('.body').evaluate((one) => one.matches(':focus')), true);
+});
+
 test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, async () => {
   const visit = await bench.open({
     small: true,
