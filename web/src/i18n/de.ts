@@ -982,6 +982,7 @@ export const de: Translation = {
   'rare.plates.taken': 'Ein anderer Tab arbeitet an dieser Platte weiter. Hier geht es mit einer Kopie weiter.',
   'rare.plates.gone': 'Diese Platte gibt es nicht mehr.',
   'rare.plates.savedTo': 'In {name} gesichert.',
+  'rare.address': 'Von {host} wird nichts geladen. Das Bild zuerst speichern, dann die Datei hier ablegen.',
   'rare.link.missing':
     'Dieser Link konnte nicht alles mitnehmen: {parts}. Dafür steht etwas Schlichtes; die Projektdatei hat alles.',
   'rare.link.complete': 'Er enthält die ganze Platte.',

@@ -995,6 +995,7 @@ export const fr: Translation = {
   'rare.plates.taken': 'Un autre onglet continue avec cette plaque. Ici, vous continuez avec une copie.',
   'rare.plates.gone': 'Cette plaque n’est plus là.',
   'rare.plates.savedTo': 'Enregistré dans {name}.',
+  'rare.address': 'Rien n’est chargé depuis {host}. Enregistrez d’abord l’image, puis déposez son fichier ici.',
   'rare.link.missing':
     'Ce lien n’a pas pu emporter : {parts}. Quelque chose de simple en tient lieu ; demandez le fichier de projet.',
   'rare.link.complete': 'Il contient toute la plaque.',

@@ -25,6 +25,7 @@ export const rareEn = {
   'rare.plates.taken': 'Another tab goes on with this plate. Here you go on with a copy.',
   'rare.plates.gone': 'That plate is no longer there.',
   'rare.plates.savedTo': 'Saved to {name}.',
+  'rare.address': 'Nothing is fetched from {host}. Save the picture first, then drop its file here.',
   'rare.link.missing':
     'This link could not carry {parts}; something plain stands in their place. Ask for the project file.',
   'rare.link.complete': 'It holds the whole plate.',

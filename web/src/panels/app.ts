@@ -9,7 +9,7 @@ import { StudioElement } from './element.js';
 import './header.js';
 import { icon, type IconName } from './icons.js';
 import { offers, ownControls, type Dialog } from './shown.js';
-import { onShortcut } from './shortcuts.js';
+import { onShortcut, typesText } from './shortcuts.js';
 import './stage.js';
 import './welcome.js';
 
@@ -44,6 +44,8 @@ const loadPanel: Record<string, () => Promise<unknown>> = {
   toolpath: () => import('./toolpath-panel.js'),
   quality: () => import('./quality-panel.js'),
 };
+
+const addresses = 'text/uri-list';
 
 /** Chromium's. */
 interface Handing {
@@ -353,9 +355,11 @@ export class App extends StudioElement {
   }
 
   #onDragOver = (event: DragEvent): void => {
-    if (!event.dataTransfer?.types.includes('Files')) return;
+    const { types } = event.dataTransfer ?? {};
+    const files = types?.includes('Files');
+    if (!files && (!types?.includes(addresses) || typesText(event))) return;
     event.preventDefault(); // else the browser would leave the page for the file
-    if (!this.#takesFiles()) return;
+    if (!files || !this.#takesFiles()) return;
     // Leaving and entering come for every element; no news for a moment means that the files are gone.
     clearTimeout(this.#leaving);
     this.#leaving = setTimeout(() => {
@@ -365,10 +369,15 @@ export class App extends StudioElement {
   };
 
   #onDrop = (event: DragEvent): void => {
-    if (event.dataTransfer === null || event.dataTransfer.files.length === 0) return;
+    if (event.dataTransfer === null) return;
+    const address = typesText(event) ? '' : event.dataTransfer.getData(addresses);
+    const files = event.dataTransfer.files.length > 0;
+    if (!files && address === '') return;
     event.preventDefault();
     this.studio.store.set({ dropping: false });
-    if (this.#takesFiles()) void this.#openDropped(event.dataTransfer);
+    if (!this.#takesFiles()) return;
+    if (files) void this.#openDropped(event.dataTransfer);
+    else this.#openAddress(address);
   };
 
   /** Of a project, the browser may lend what it takes to save it back in its place; it is gone with the event. */
@@ -378,7 +387,19 @@ export class App extends StudioElement {
     const handle = dropped.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;
     const [found, [file]] = [await handle, dropped];
     if (file !== undefined && found?.kind === 'file') this.studio.handles.set(file, found);
-    await this.studio.open(dropped);
+    await this.#open(dropped);
+  }
+
+  /** No plate changes behind a sheet. */
+  async #open(files: readonly File[]): Promise<void> {
+    this.studio.show(undefined);
+    await this.studio.open(files);
+  }
+
+  #openAddress(address: string): void {
+    void this.studio.attempt(async () => {
+      (await import('./addresses.js')).openAddress(this.studio, address);
+    });
   }
 
   #takesFiles = (): boolean => offers(this.state, 'shape') || offers(this.state, 'directions');
@@ -390,9 +411,12 @@ export class App extends StudioElement {
     if (files.length === 0 && /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text)) {
       files.push(new File([text], 'pasted.svg', { type: 'image/svg+xml' }));
     }
-    if (files.length === 0) return;
+    if (files.length === 0) {
+      if (!typesText(event)) this.#openAddress(text);
+      return;
+    }
     event.preventDefault();
-    void this.studio.open(files);
+    void this.#open(files);
   };
 
   #onKey = (event: KeyboardEvent): void => {

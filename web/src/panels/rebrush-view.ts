@@ -116,6 +116,7 @@ export class RebrushView extends StudioElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.#leave();
     clearTimeout(this.#rest);
     this.#job?.abort();
     this.#end.abort();
@@ -361,7 +362,6 @@ export class RebrushView extends StudioElement {
       aria-labelledby="title"
       @keydown=${this.#onKey}
       @close=${() => {
-        this.#leave();
         if (this.isConnected) this.studio.store.set({ dialog: undefined, sliced: undefined });
       }}
     >

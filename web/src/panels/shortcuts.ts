@@ -10,7 +10,7 @@ const lightKeys = [',', '.'];
 const radiusStep = 1.2;
 const lightStep = 5; // degrees
 
-export function typesText(event: KeyboardEvent): boolean {
+export function typesText(event: Event): boolean {
   const target = event.composedPath()[0];
   if (target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
   return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type);

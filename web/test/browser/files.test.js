@@ -84,3 +84,16 @@ test('what is changed while a file is being read stays', { skip }, async () => {
   assert.ok(steps.length >= 4, String(steps));
   assert.equal(await visit.state(({ plate }) => plate.print.base), base + steps.length);
 });
+
+for (const way of ['drop', 'paste']) {
+  test(`no plate changes behind a sheet: it closes for a file, ${way}`, { skip }, async () => {
+    const visit = await bench.open({ small: true });
+    await visit.until(({ plate }) => plate.width === 24);
+    await visit.button('Share').click();
+    await visit.page.getByRole('dialog').waitFor();
+    await visit[way]([photo('first.png')]);
+    await visit.page.getByText('first.png: Picture under a lamp').waitFor();
+    assert.equal(await visit.state(({ dialog }) => dialog), undefined);
+    assert.equal(await visit.page.getByRole('dialog').count(), 0);
+  });
+}

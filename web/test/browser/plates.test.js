@@ -224,3 +224,40 @@ test('a new plate and an example stay on the visitor’s printer', { skip }, asy
   await visit.until(({ plate }) => plate.directions.kind === 'radial');
   assert.equal(await visit.state(printer), mk4s);
 });
+
+test('a link that is pasted or dropped is opened; of another address it is said what to do', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until((state) => state.result !== undefined);
+  const { page } = visit;
+  await visit.button('Help').click();
+  await page.getByRole('dialog').waitFor();
+  await visit.paste([], ` https://sillon.example/${linkOf({ width: 22, name: 'Pasted' })}\n`);
+  await visit.until(({ plate, dialog }) => plate.name === 'Pasted' && dialog === undefined);
+  assert.equal(await page.evaluate(() => location.hash), '');
+  /** As if it had been dragged from another page. @returns whether the browser would have gone there */
+  const dropped = (address) =>
+    page.evaluate((address) => {
+      const app = document.querySelector('sillon-app');
+      const dataTransfer = new DataTransfer();
+      dataTransfer.setData('text/uri-list', address);
+      const events = ['dragover', 'drop'].map(
+        (type) => new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }),
+      );
+      return events.map((event) => app.dispatchEvent(event));
+    }, address);
+  assert.deepEqual(await dropped(`https://sillon.example/${linkOf({ width: 21, name: 'Dropped' })}`), [false, false]);
+  await visit.until(({ plate }) => plate.name === 'Dropped');
+  assert.deepEqual(await dropped('https://pictures.example/cat.jpg'), [false, false]);
+  await page.getByText('Nothing is fetched from pictures.example. Save the picture first').waitFor();
+  assert.equal(await visit.state(({ plate }) => plate.name), 'Dropped');
+  // What is pasted into a field is text.
+  const name = page.getByRole('textbox', { name: 'Plate' });
+  await name.evaluate((one) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', 'https://field.example/');
+    one.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, composed: true, cancelable: true }));
+  });
+  await visit.paste([], 'https://other.example/');
+  await page.getByText('Nothing is fetched from other.example.').waitFor();
+  assert.equal(await page.getByText('field.example').count(), 0);
+});
