@@ -5,6 +5,7 @@ import { rare } from '../i18n/rare.js';
 import { t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
 import { icon } from './icons.js';
+import type { Shown } from './shown.js';
 
 @customElement('sillon-share')
 export class Share extends DialogElement {
@@ -39,8 +40,20 @@ export class Share extends DialogElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#make();
+  }
+
+  protected override onState({ plate }: Readonly<Shown>, { plate: before }: Readonly<Shown>): void {
+    if (plate !== before) this.#make();
+  }
+
+  #make(): void {
+    const { plate } = this.state;
+    this.url = '';
+    this.copied = false;
     void this.studio.attempt(async () => {
-      const { url, told } = await this.studio.services.link(this.state.plate);
+      const { url, told } = await this.studio.services.link(plate);
+      if (plate !== this.state.plate) return; // another is on its way
       this.url = url;
       this.told = told;
     });

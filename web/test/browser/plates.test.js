@@ -225,6 +225,21 @@ test('a new plate and an example stay on the visitor’s printer', { skip }, asy
   assert.equal(await visit.state(printer), mk4s);
 });
 
+test('the link on show is that of the plate as it is now', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until((state) => state.result !== undefined);
+  await visit.button('Share').click();
+  const link = visit.page.getByRole('dialog').getByRole('textbox', { name: 'Share' });
+  const first = await until(() => link.inputValue(), 'the link');
+  await rename(visit, 'Another');
+  const next = await until(async () => {
+    const value = await link.inputValue();
+    return value !== first && value;
+  }, 'another link');
+  const other = await bench.open({ path: `/${new URL(next).hash}` });
+  await other.until(({ plate }) => plate.name === 'Another');
+});
+
 test('a link that is pasted or dropped is opened; of another address it is said what to do', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.until((state) => state.result !== undefined);
