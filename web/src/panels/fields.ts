@@ -5,6 +5,10 @@ import { live } from 'lit/directives/live.js';
 import { language, t } from '../i18n/text.js';
 import { icon, type IconName } from './icons.js';
 
+/** Fields whose text was not taken over yet: to undo what is typed there is the browser's, all else is the plate's. */
+export const typing = new WeakSet<EventTarget>();
+export const isTyping = (event: Event): boolean => typing.has(event.composedPath()[0] as EventTarget);
+
 type Content = TemplateResult | typeof nothing;
 
 /** As the page's language writes it, to be typed over: without marks between thousands. */
@@ -111,13 +115,16 @@ function settleSoon({ onSettle }: { onSettle: () => void }): void {
 export function numberInput(field: NumberField, name = true): TemplateResult {
   const { id, label, unit = '', min, max, step } = field;
   const onInput = (event: Event): void => {
-    const value = readNumber(field, event.currentTarget as HTMLInputElement);
+    const input = event.currentTarget as HTMLInputElement;
+    if (event.type === 'input') typing.add(input);
+    const value = readNumber(field, input);
     if (value === undefined) return;
     field.onInput(value);
     settleSoon(field);
   };
   const onChange = (event: Event): void => {
     const input = event.currentTarget as HTMLInputElement;
+    typing.delete(input);
     const value = readNumber(field, input);
     // What cannot be used does not stay; the sentence about it does, until the next change.
     input.value = inputText(value ?? shortNumber(field.value, step));
@@ -332,8 +339,14 @@ export interface TextField {
 export function textField(field: TextField): TemplateResult {
   const { id, label, value, maxLength, help = '' } = field;
   const onInput = (event: Event): void => {
-    field.onInput((event.currentTarget as HTMLInputElement | HTMLTextAreaElement).value);
+    const input = event.currentTarget as HTMLInputElement | HTMLTextAreaElement;
+    typing.add(input);
+    field.onInput(input.value);
     settleSoon(field);
+  };
+  const onChange = (event: Event): void => {
+    typing.delete(event.currentTarget as EventTarget);
+    field.onSettle();
   };
   return html`<div class="field">
     <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
@@ -346,7 +359,7 @@ export function textField(field: TextField): TemplateResult {
             maxlength=${maxLength}
             .value=${live(value)}
             @input=${onInput}
-            @change=${field.onSettle}
+            @change=${onChange}
           ></textarea>`
         : html`<input
             type="text"
@@ -356,7 +369,7 @@ export function textField(field: TextField): TemplateResult {
             spellcheck="false"
             .value=${live(value)}
             @input=${onInput}
-            @change=${field.onSettle}
+            @change=${onChange}
           />`
     }
     ${helpText(id, help)}

@@ -31,13 +31,13 @@ import {
 import { TimeLeft } from '../model/time-left.js';
 import type { Light } from '../model/view.js';
 import { StudioElement } from './element.js';
+import { isTyping } from './fields.js';
 import { icon } from './icons.js';
 import './rebrush-bench.js';
 import { directionFields } from './rebrush-directions.js';
 import { faceList } from './rebrush-faces.js';
 import { foot, noWork, progressBar, type Progress } from './rebrush-foot.js';
 import { rebrushStyle } from './rebrush-style.js';
-import { typesText } from './shortcuts.js';
 
 const mostBytes = 256e6; // as the engine reads of text
 const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
@@ -189,7 +189,7 @@ export class RebrushView extends StudioElement {
   #onKey = (event: KeyboardEvent): void => {
     const { way, strokes } = this.wish;
     const undoes = (event.ctrlKey || event.metaKey) && !event.shiftKey && event.key.toLowerCase() === 'z';
-    if (!undoes || way !== 'hand' || strokes.length === 0 || typesText(event)) return;
+    if (!undoes || way !== 'hand' || strokes.length === 0 || isTyping(event)) return;
     event.preventDefault();
     this.#want({ strokes: strokes.slice(0, -1) });
   };

@@ -1,6 +1,7 @@
 // Keys that work anywhere on the page; shortcut-list.ts has the same.
 import type { Tool } from '../model/state.js';
 import type { ViewName } from '../model/view.js';
+import { isTyping } from './fields.js';
 import { offers } from './shown.js';
 import type { Studio } from './studio.js';
 
@@ -52,7 +53,7 @@ function onCommand(studio: Studio, key: string, event: KeyboardEvent): boolean {
   if (key === 'k' && store.state.mode === 'edit') studio.show('palette');
   else if (key === 'o') void studio.pick().then((files) => studio.open(files));
   else if (key === 's') void studio.save(event.shiftKey ? 'gcode' : 'project');
-  else if (typesText(event)) return false;
+  else if (isTyping(event)) return false;
   else if (key === 'z' && event.shiftKey) store.redo();
   else if (key === 'z') store.undo();
   else if (key === 'y') store.redo();

@@ -140,6 +140,33 @@ test(
   },
 );
 
+test('undo in a field whose number was taken over is the plate’s; before, it is the text’s', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const { page } = visit;
+  await visit.section('Shape');
+  const field = page.getByRole('spinbutton', { name: 'Diameter' });
+  await field.selectText();
+  await page.keyboard.type('33');
+  await visit.until((state) => state.plate.width === 33);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Control+z');
+  await visit.until((state) => state.plate.width === 24);
+  assert.equal(await field.inputValue(), '24');
+  await page.keyboard.press('Control+Shift+z');
+  await visit.until((state) => state.plate.width === 33);
+  const before = await visit.state((state) => state.plate.name);
+  await page.evaluate(() => {
+    document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name: 'Named' }));
+  });
+  await field.selectText();
+  await page.keyboard.type('40');
+  await visit.until((state) => state.plate.width === 40);
+  await page.keyboard.press('Control+z'); // of a letter, or of all that was typed
+  await visit.until((state) => state.plate.width !== 40);
+  assert.notEqual(await visit.state((state) => state.plate.name), before);
+});
+
 test('two fingers that zoom leave no trace of a brush: redo is as it was', { skip }, async () => {
   const visit = await bench.open({ small: true, hasTouch: true });
   await visit.idle();
