@@ -6,6 +6,7 @@ import { t } from '../i18n/text.js';
 import type { Plate } from '../model/plate.js';
 import type { Theme } from '../model/state.js';
 import { StudioElement } from './element.js';
+import { typing } from './fields.js';
 import { icon, mark, type IconName } from './icons.js';
 import { menuStyle } from './menu-style.js';
 import { offers } from './shown.js';
@@ -181,11 +182,29 @@ export class Header extends StudioElement {
       maxlength="80"
       spellcheck="false"
       .value=${plate.name}
-      @change=${(event: Event) => {
-        const name = (event.currentTarget as HTMLInputElement).value.trim();
-        this.studio.change((now) => (now.name === name ? now : { ...now, name }));
+      @input=${({ currentTarget }: Event) => {
+        const input = currentTarget as HTMLInputElement;
+        typing.add(input);
+        this.#rename(input.value); // what is saved meanwhile has it already
+      }}
+      @change=${({ currentTarget }: Event) => {
+        const input = currentTarget as HTMLInputElement;
+        typing.delete(input);
+        this.#rename(input.value.trim());
+        this.studio.settle();
+      }}
+      @keydown=${({ key, currentTarget }: KeyboardEvent) => {
+        if (key !== 'Escape') return;
+        const input = currentTarget as HTMLInputElement;
+        typing.delete(input);
+        this.studio.store.abandon();
+        input.value = this.state.plate.name;
       }}
     />`;
+  }
+
+  #rename(name: string): void {
+    this.studio.store.change((now) => (now.name === name ? now : { ...now, name }), 'name');
   }
 
   /** What only those who may change everything need. */
