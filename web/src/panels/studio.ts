@@ -1,6 +1,7 @@
 // What the elements can do. They know the state and this; what it takes stands in main.ts.
 import type { Autosave } from '../files/autosave.js';
 import { download } from '../files/download.js';
+import { plainName } from '../files/file-name.js';
 import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
@@ -102,15 +103,14 @@ const endings: Record<Product, string> = {
   project: '.sillon.zip',
 };
 
-const plain = (text: string): string => text.replace(/[^\p{L}\p{N}._ -]+/gu, '').trim();
-const fileName = (plate: Plate, product: string): string => `${plain(plate.name) || 'plate'}${product}`;
+const fileName = (plate: Plate, product: string): string => `${plainName(plate.name) || 'plate'}${product}`;
 
 /** What tells one G-code file from another on a printer's screen: `_0.4mm_PLA_1h05m`. */
 export function gcodeMark({ printer }: Plate, seconds: number): string {
   const minutes = Math.max(1, Math.round(seconds / 60));
   const hours = Math.floor(minutes / 60);
   const time = hours > 0 ? `${hours}h${String(minutes % 60).padStart(2, '0')}m` : `${minutes}m`;
-  const words = [`${Number(printer.nozzle.toFixed(2))}mm`, plain(printer.filamentType), time];
+  const words = [`${Number(printer.nozzle.toFixed(2))}mm`, plainName(printer.filamentType), time];
   return words.map((word) => (word === '' ? '' : `_${word}`)).join('');
 }
 
