@@ -14,6 +14,7 @@ import { homeLight, pictureOf } from './model/lamp.js';
 import { problemOf, StudioError } from './model/problem.js';
 import { addressed } from './embed/address.js';
 import { guestSettings, type GuestSettings } from './model/guest.js';
+import type { OpenedFiles } from './model/file-role.js';
 import { withPrinter, type PrinterKey } from './model/printers.js';
 import { fineResolution } from './model/raster.js';
 import type { PlateResult, Theme } from './model/state.js';
@@ -362,6 +363,12 @@ async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
   });
 }
 
+/** Whether what was made of files has been undone, or something of another kind stands in its place. */
+const isGone = ({ before, made }: OpenedFiles, plate: Plate): boolean =>
+  store.steps.future.includes(made) ||
+  (made.directions !== before.directions && made.directions.kind !== plate.directions.kind) ||
+  (made.shape !== before.shape && made.shape.kind === 'file' && plate.shape.kind !== 'file');
+
 function keepUp(): void {
   store.subscribe((state, before) => {
     if (state.theme !== before.theme) applyTheme(state.theme);
@@ -379,7 +386,7 @@ function keepUp(): void {
       autosave?.save(store.steps);
       if (state.welcome) studio.endWelcome();
     }
-    if (state.opened !== undefined && store.steps.future.includes(state.opened.made)) studio.setOpened(undefined);
+    if (state.opened !== undefined && isGone(state.opened, state.plate)) studio.setOpened(undefined);
     if (state.shimmer !== undefined && (state.result !== undefined || !state.welcome))
       store.set({ shimmer: undefined });
   });

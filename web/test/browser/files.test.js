@@ -52,6 +52,21 @@ test('what was said of a file goes when undo takes the file away', { skip }, asy
   assert.equal(await visit.state(({ plate }) => plate.directions.kind === 'lamp'), false);
 });
 
+test('what was said of a file goes when something of another kind takes its place', { skip }, async () => {
+  const visit = await dropped();
+  await visit.section('Shape');
+  await visit.page.getByRole('radio', { name: 'Rounded' }).check(); // in place of the picture's rectangle: still the picture
+  await visit.until(({ plate }) => plate.shape.kind === 'rounded');
+  assert.equal(await visit.button('Change').count(), 1);
+  await visit.drop([photo('second.png')]);
+  await visit.button('Use it instead').waitFor();
+  await visit.section('Directions');
+  await visit.page.getByRole('radio', { name: 'Waves' }).check();
+  await visit.button('Use it instead').waitFor({ state: 'detached' });
+  await visit.page.keyboard.press('Control+z');
+  await visit.until(({ plate, opened }) => plate.directions.kind === 'lamp' && opened === undefined);
+});
+
 test('a second picture is lit at once, names the plate, and can take the place of the first', { skip }, async () => {
   const visit = await dropped();
   await visit.drop([photo('second.png')]);
