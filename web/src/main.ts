@@ -11,6 +11,7 @@ import type { PrinterValues } from 'sillon';
 import { newPlateOn, onOwnPrinter, withoutBrought } from './model/brought.js';
 import type { Plate } from './model/plate.js';
 import { homeLight, pictureOf } from './model/lamp.js';
+import { nothingLeft } from './model/left.js';
 import { problemOf, StudioError } from './model/problem.js';
 import { addressed } from './embed/address.js';
 import { guestSettings, type GuestSettings } from './model/guest.js';
@@ -116,6 +117,7 @@ function show(plate: Plate, fresh = false): void {
 function look(): void {
   store.set({ mark: -1, played: 1, playing: false, tool: 'pan' });
   studio.setOpened(undefined);
+  studio.left = nothingLeft;
   studio.stage?.fit();
 }
 
@@ -200,7 +202,7 @@ studio.services = {
   engine: () => engine.engine(),
   kindPictures: async (plate, wanted) => {
     const [{ kindPictures }, running] = await Promise.all([import('./own-pictures.js'), engine.engine()]);
-    return kindPictures(plate, store.state.lamp, running, wanted);
+    return kindPictures(plate, store.state.lamp, studio.left, running, wanted);
   },
   shapePictures: async (plate, wanted) => {
     const [{ shapePictures }, running] = await Promise.all([import('./own-pictures.js'), engine.engine()]);

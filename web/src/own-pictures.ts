@@ -13,10 +13,10 @@ import { fileKinds, generatorKinds, newColours, newFileDirections, newGenerator,
 import { viewLook } from './model/filaments.js';
 import { directionsFor, flatColours } from './model/flat-colours.js';
 import { homeLight } from './model/lamp.js';
+import { filesFor, filesIn, nothingLeft, type Kind, type Left } from './model/left.js';
 import { pageOf, type DirectionSource, type Plate, type ShapeSource, type SourceFile } from './model/plate.js';
 import { brightnessOf, plateThumbnail, thumbnailSide } from './views/plate-thumbnail.js';
 
-type Kind = DirectionSource['kind'];
 type ShapeKind = ShapeSource['kind'];
 
 const pictureSide = 256; // [pixels]: enough for what is seen of it
@@ -40,11 +40,11 @@ async function smallPicture({ bytes }: SourceFile): Promise<Picture> {
   return picture;
 }
 
-/** The picture that directions are told from, else the drawing of the shape. */
-function ownFile({ directions, shape }: Plate, lamp: number): SourceFile | undefined {
+/** The picture that directions are told from, or were last; else the drawing of the shape. */
+function ownFile(plate: Plate, lamp: number, left: Left): SourceFile | undefined {
+  const { directions, shape } = plate;
   if (directions.kind === 'lamp') return directions.pictures[lamp]?.file;
-  if ('file' in directions) return directions.file;
-  return shape.kind === 'file' ? shape.file : undefined;
+  return filesFor(plate, left)[0] ?? (shape.kind === 'file' ? shape.file : undefined);
 }
 
 const isFileKind = (kind: Kind): kind is (typeof fileKinds)[number] => (fileKinds as readonly Kind[]).includes(kind);
@@ -53,9 +53,12 @@ const isFileKind = (kind: Kind): kind is (typeof fileKinds)[number] => (fileKind
 function sourceOf(
   kind: Exclude<Kind, 'lamp'>,
   { directions }: Plate,
+  left: Left,
   own: { file: SourceFile; picture: Picture } | undefined,
 ): DirectionSource | undefined {
   if (directions.kind === kind) return directions;
+  const before = left.directions.get(kind);
+  if (before !== undefined && filesIn(before).every((file) => file === own?.file)) return before;
   if (kind === 'colours') {
     return own === undefined ? undefined : newColours(own.file, directionsFor(flatColours(own.picture)));
   }
@@ -81,8 +84,8 @@ const litPicture = (picture: Picture, size: Size) => ({
   bright: tonesAt(picture, size).map((tone) => 0.05 + 0.85 * tone),
 });
 
-async function own(plate: Plate, lamp: number) {
-  const file = ownFile(plate, lamp);
+async function own(plate: Plate, lamp: number, left: Left) {
+  const file = ownFile(plate, lamp, left);
   if (file === undefined) return undefined;
   const picture = await smallPicture(file).catch(() => undefined); // of a kind that browsers do not draw
   return picture === undefined ? undefined : { file, picture };
@@ -93,17 +96,18 @@ async function own(plate: Plate, lamp: number) {
 export async function kindPictures(
   plate: Plate,
   lamp: number,
+  left: Left,
   engine: Engine,
   wanted: () => boolean,
 ): Promise<Map<Kind, Blob>> {
   const made = new Map<Kind, Blob>();
   const size = sizeFor(pageOf(plate), thumbnailSide);
   const { colour } = viewLook(plate);
-  const [given, room] = await Promise.all([own(plate, lamp), shapeRoom(plate, engine)]);
+  const [given, room] = await Promise.all([own(plate, lamp, left), shapeRoom(plate, engine)]);
   if (given !== undefined) made.set('lamp', await plateThumbnail(litPicture(given.picture, size), room, colour));
   for (const kind of [...generatorKinds, ...fileKinds, 'colours'] as const) {
     if (!wanted()) break;
-    const source = sourceOf(kind, plate, given);
+    const source = sourceOf(kind, plate, left, given);
     if (source === undefined) continue;
     made.set(kind, await plateThumbnail(await brightOf(source, plate, size, given?.picture), room, colour));
   }
@@ -119,7 +123,7 @@ export async function shapePictures(
 ): Promise<Map<ShapeKind, Blob>> {
   const made = new Map<ShapeKind, Blob>();
   const { colour } = viewLook(plate);
-  const given = await own(plate, lamp);
+  const given = await own(plate, lamp, nothingLeft);
   for (const kind of ['disc', 'rectangle', 'rounded', 'file'] as const) {
     if (!wanted()) break;
     const shape = plate.shape.kind === kind ? plate.shape : kind === 'file' ? undefined : newShape(kind);

@@ -11,6 +11,7 @@ import {
   type FileKind,
 } from '../model/defaults.js';
 import { lampFor } from '../model/lamp.js';
+import { filesFor, filesIn, leaving, type Kind } from '../model/left.js';
 import { modeChoices, type DirectionSource, type SourceFile } from '../model/plate.js';
 import { StudioElement } from './element.js';
 import { DrawnChoices } from './drawn-choices.js';
@@ -21,8 +22,6 @@ import './lamps-panel.js';
 import { panelStyle } from './panel-style.js';
 import { sourceField } from './source-field.js';
 import { sourceRows } from './source-rows.js';
-
-type Kind = DirectionSource['kind'];
 
 const loadColours = (): Promise<unknown> => import('./colours-panel.js');
 
@@ -90,11 +89,16 @@ export class DirectionsPanel extends StudioElement {
   async #choose(kind: Kind): Promise<void> {
     const { directions } = this.state.plate;
     if (kind === directions.kind) return;
+    const left = this.studio.left.directions.get(kind);
     if (!isFileKind(kind) && kind !== 'lamp' && kind !== 'colours') {
-      this.#set(newGenerator(kind));
+      this.#set(left ?? newGenerator(kind));
       return;
     }
     const file = this.#fileFor(kind);
+    if (left !== undefined && file !== undefined && filesIn(left).includes(file)) {
+      this.#set(left);
+      return;
+    }
     if (file !== undefined) {
       await this.#use(kind, file);
       return;
@@ -107,13 +111,12 @@ export class DirectionsPanel extends StudioElement {
     if (chosen !== undefined && this.state.plate.directions.kind !== kind) await this.#use(kind, chosen);
   }
 
-  /** The plate's own that may tell such directions. */
+  /** That which may tell such directions. */
   #fileFor(kind: FileKind | 'lamp' | 'colours'): SourceFile | undefined {
-    const { shape, directions } = this.state.plate;
-    if (kind === 'colours' && shape.kind === 'file') return shape.file;
-    const file =
-      'file' in directions ? directions.file : directions.kind === 'lamp' ? directions.pictures[0]?.file : undefined;
-    return kind === 'lamp' && file?.bytes.type === 'image/svg+xml' ? undefined : file; // solved for pixels alone
+    const { plate } = this.state;
+    if (kind === 'colours' && plate.shape.kind === 'file') return plate.shape.file;
+    const isSvg = ({ bytes }: SourceFile): boolean => bytes.type === 'image/svg+xml';
+    return filesFor(plate, this.studio.left).find((file) => kind !== 'lamp' || !isSvg(file)); // solved for pixels alone
   }
 
   async #use(kind: FileKind | 'lamp' | 'colours', file: SourceFile): Promise<void> {
@@ -132,8 +135,9 @@ export class DirectionsPanel extends StudioElement {
     return newLampDirections([{ file, lamp: lampFor([], this.studio.homeLight()) }]);
   }
 
-  #set(directions: DirectionSource, gesture?: string): void {
-    this.studio.change((plate) => ({ ...plate, directions }), gesture);
+  #set(directions: DirectionSource): void {
+    this.studio.left = leaving(this.state.plate, this.studio.left);
+    this.studio.change((plate) => ({ ...plate, directions }));
   }
 
   #brushes(): TemplateResult {

@@ -87,7 +87,14 @@ export class ShapePanel extends StudioElement {
   }
 
   async #choose(kind: ShapeSource['kind']): Promise<void> {
+    const { shape, width, height } = this.state.plate;
+    if (shape.kind === 'file') this.studio.left = { ...this.studio.left, shape: { shape, width, height } };
+    const { shape: left } = this.studio.left;
     if (kind === 'file') {
+      if (left !== undefined) {
+        this.studio.change((plate) => ({ ...plate, ...left }));
+        return;
+      }
       this.requestUpdate(); // the card stays as it was until a file is there
       await this.studio.open(await this.studio.pick('.svg,.png,.jpg,.jpeg,image/*'));
       return;

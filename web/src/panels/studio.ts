@@ -6,6 +6,7 @@ import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, lampsOf } from '../model/lamp.js';
+import { nothingLeft, type Left } from '../model/left.js';
 import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import type { Seen } from '../model/doubts.js';
 import type { DirectionRaster } from '../model/raster.js';
@@ -133,6 +134,8 @@ export class Studio {
   deliver: (blob: Blob, name: string) => void = download;
   /** Of opened files, to save them back in their place. */
   readonly handles = new WeakMap<File, FileSystemHandle>();
+  /** Of the plate that is shown. */
+  left: Left = nothingLeft;
   #nextNotice = 1;
   #reviewed: (() => void) | undefined;
 

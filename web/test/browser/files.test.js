@@ -5,6 +5,7 @@ import { test } from 'node:test';
 
 import { sharedBench } from './support/shared.js';
 import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
+import { until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 const photo = (name) => ({ ...fileAt(join(inputs, 'photo.png')), name });
@@ -112,3 +113,49 @@ for (const way of ['drop', 'paste']) {
     assert.equal(await visit.page.getByRole('dialog').count(), 0);
   });
 }
+
+test('who tries other cards and comes back is asked for no file again', { skip }, async () => {
+  const visit = await dropped();
+  const { page } = visit;
+  await visit.drop([photo('second.png')]);
+  await visit.until(({ plate }) => plate.directions.pictures.length === 2);
+  await page.evaluate(() => {
+    globalThis.asked = 0;
+    document.querySelector('sillon-app').studio.pick = async () => {
+      ++globalThis.asked;
+      return [];
+    };
+  });
+  const card = async (name) => page.getByRole('radio', { name, exact: true }).check();
+  const pictures = ({ plate }) => plate.directions.pictures.map(({ file, lamp }) => [file.name, lamp]);
+  const both = await visit.state(pictures);
+  for (const way of [['Waves'], ['Picture by brightness'], ['Picture by brightness', 'Waves']]) {
+    for (const name of way) await card(name);
+    await card('Picture under a lamp');
+    await visit.until(({ plate }) => plate.directions.kind === 'lamp');
+    assert.deepEqual(await visit.state(pictures), both, String(way));
+  }
+  // What was set is as it was left.
+  await card('Waves');
+  await page.getByRole('spinbutton', { name: 'Swing' }).fill('12');
+  await card('Noise');
+  await card('Waves');
+  await visit.until(({ plate }) => plate.directions.kind === 'waves' && plate.directions.amplitude === 12);
+
+  const drawing = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><rect width="40" height="20"/></svg>';
+  await visit.drop([fileOf('wide.svg', Buffer.from(drawing), 'image/svg+xml')]);
+  await visit.until(({ plate }) => plate.shape.kind === 'file');
+  const shape = ({ plate }) => [plate.shape.file?.name, plate.width, plate.height];
+  const before = await visit.state(shape);
+  await visit.section('Shape');
+  await card('Disc');
+  await card('From a file');
+  await visit.until(({ plate }) => plate.shape.kind === 'file');
+  assert.deepEqual(await visit.state(shape), before);
+  assert.equal(await page.evaluate(() => globalThis.asked), 0);
+
+  // Another plate has none of it.
+  await page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
+  await page.getByRole('radio', { name: 'From a file' }).click();
+  await until(() => page.evaluate(() => globalThis.asked), 'the question for a file');
+});
