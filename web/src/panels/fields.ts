@@ -15,22 +15,26 @@ type Content = TemplateResult | typeof nothing;
 const inputText = (value: number): string =>
   new Intl.NumberFormat(language(), { maximumFractionDigits: 10, useGrouping: false }).format(value);
 
-/** With a comma or a point, in every language. */
-const numberIn = (text: string): number =>
-  /^\s*[-−]?(?:\d+[.,]?\d*|[.,]\d+)\s*$/.test(text) ? Number(text.replace('−', '-').replace(',', '.')) : Number.NaN;
+/** With a comma or a point in every language, and with the unit that stands beside the field, or centimetres for millimetres. */
+function numberIn(text: string, unit = ''): number {
+  const [, number, given = ''] = /^\s*([-+−]?(?:\d+[.,]?\d*|[.,]\d+))\s*(.*?)\s*$/.exec(text) ?? [];
+  const scale = given === '' || given === unit ? 1 : given === 'cm' && unit === 'mm' ? 10 : Number.NaN;
+  return Number((scale * Number(number?.replace('−', '-').replace(',', '.'))).toFixed(10));
+}
 
-/** Shows a number, but leaves alone what is being typed unless the number changes elsewhere. */
+/** Shows a value, but leaves alone what is being typed unless the value changes elsewhere. */
 class Shows extends Directive {
-  #shown: number | undefined;
+  #shown: number | string | undefined;
 
-  override render(_value: number): typeof nothing {
+  override render(_value: number | string, _unit?: string): typeof nothing {
     return nothing;
   }
 
-  override update({ element }: ElementPart, [value]: [number]): typeof nothing {
+  override update({ element }: ElementPart, [value, unit]: [number | string, string?]): typeof nothing {
     const input = element as HTMLInputElement;
     const typing = input.matches(':focus') && value === this.#shown;
-    if (!typing && numberIn(input.value) !== value) input.value = inputText(value);
+    const read = typeof value === 'number' ? numberIn(input.value, unit) : input.value;
+    if (!typing && read !== value) input.value = typeof value === 'number' ? inputText(value) : value;
     this.#shown = value;
     return nothing;
   }
@@ -88,7 +92,7 @@ const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(ste
 const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
 
 function readNumber(field: NumberField, input: HTMLInputElement): number | undefined {
-  const value = numberIn(input.value);
+  const value = numberIn(input.value, field.unit);
   const right = value >= field.min && value <= field.max && (!field.integer || Number.isInteger(value));
   input.setAttribute('aria-invalid', String(!right));
   const error = input.closest('.field')?.querySelector<HTMLElement>('.error');
@@ -138,7 +142,7 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
     if (by === 0) return;
     event.preventDefault();
     const input = event.currentTarget as HTMLInputElement;
-    const next = Math.min(max, Math.max(min, (numberIn(input.value) || 0) + by));
+    const next = Math.min(max, Math.max(min, (numberIn(input.value, unit) || 0) + by));
     input.value = inputText(Number(next.toFixed(digitsOf(step))));
     onInput(event);
   };
@@ -155,7 +159,7 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
       aria-valuemax=${max}
       aria-valuenow=${field.value}
       ?disabled=${field.disabled ?? false}
-      ${shows(shortNumber(field.value, step))}
+      ${shows(shortNumber(field.value, step), unit)}
       @keydown=${onKey}
       @input=${onInput}
       @change=${onChange}

@@ -130,6 +130,18 @@ test(
     await field.press('Tab');
     assert.equal(await field.inputValue(), '12.5');
     assert.equal(await error.count(), 0);
+    // With the field's own unit, or as a ruler says it.
+    for (const [typed, taken] of [
+      ['35 mm', '35'],
+      ['2,3cm', '23'],
+      ['+31', '31'],
+    ]) {
+      await field.fill(typed);
+      await field.press('Tab');
+      assert.equal(await field.inputValue(), taken, typed);
+    }
+    await field.fill('35 in');
+    await visit.page.getByText('Diameter must be a number').waitFor();
   },
 );
 
