@@ -38,6 +38,8 @@ export abstract class DialogElement extends StudioElement {
       @close=${() => {
         // The event comes late: what was opened meanwhile has taken this sheet's place, and stays.
         if (this.isConnected) this.studio.show(undefined);
+        // Of what had the focus before nothing may be left.
+        if (document.activeElement === document.body || this.matches(':focus-within')) this.studio.stage?.focus();
         this.#afterwards?.();
       }}
       @click=${(event: MouseEvent) => {

@@ -278,9 +278,20 @@ export const segments = <Value extends string>(field: ChoiceField<Value>, legend
   </div>`;
 };
 
+/** Arrow keys alone choose nothing, as in toolbars: some cards ask for a file. Space does, and so does Enter. */
+function onCardKey(event: KeyboardEvent): void {
+  const cards = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLInputElement>('input:enabled')];
+  const input = event.target as HTMLInputElement;
+  const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+  if (by !== undefined) cards.at((cards.indexOf(input) + by) % cards.length)?.focus();
+  else if (event.key === 'Enter') input.click();
+  else return;
+  event.preventDefault();
+}
+
 /** Things to choose from, each with a picture. */
 export const cards = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>
-  html`<div class="cards" role="radiogroup" aria-label=${field.label}>${radios(field, 22)}</div>`;
+  html`<div class="cards" role="radiogroup" aria-label=${field.label} @keydown=${onCardKey}>${radios(field, 22)}</div>`;
 
 export const select = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>
   html`<div class="field">

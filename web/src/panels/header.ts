@@ -270,6 +270,13 @@ export class Header extends StudioElement {
     for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
   }
 
+  /** Gives the focus back to the button that opened it: browsers lose it, and what is opened next comes back to it. */
+  #onToggle = ({ currentTarget, newState }: ToggleEvent): void => {
+    const popover = currentTarget as HTMLElement;
+    if (newState === 'closed' && popover.matches(':focus-within'))
+      this.renderRoot.querySelector<HTMLElement>(`[popovertarget=${popover.id}]`)?.focus();
+  };
+
   #item(name: IconName, label: string, run: () => void, where = ''): TemplateResult {
     return html`<button
       type="button"
@@ -290,7 +297,8 @@ export class Header extends StudioElement {
       popover
       role="group"
       aria-label=${t('section.export')}
-      @beforetoggle=${() => {
+      @beforetoggle=${(event: ToggleEvent) => {
+        this.#onToggle(event);
         this.#opened = true;
         this.requestUpdate();
       }}
@@ -312,7 +320,7 @@ export class Header extends StudioElement {
 
   #menu(): TemplateResult {
     const { theme, language, host } = this.state;
-    return html`<div id="menu" popover role="group" aria-label=${t('app.menu')}>
+    return html`<div id="menu" popover role="group" aria-label=${t('app.menu')} @beforetoggle=${this.#onToggle}>
       ${this.#item('plus', t('verb.new'), () => {
         this.studio.services.newPlate();
       })}

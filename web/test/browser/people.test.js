@@ -41,6 +41,80 @@ test('where a word’s button goes that had the focus, the plate gets it', { ski
   assert.equal(await atPlate(), true);
 });
 
+/** What has the focus, through all shadows. */
+const focused = (page) =>
+  page.evaluate(() => {
+    let element = document.activeElement;
+    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+    return element === null
+      ? ''
+      : `${element.tagName} ${element.getAttribute('aria-label') ?? element.textContent.trim()}`;
+  });
+
+test('what was opened gives the focus back to what it was opened from', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const { page } = visit;
+  const leave = async () => {
+    await page.getByRole('dialog').waitFor();
+    await page.keyboard.press('Escape');
+    await page.getByRole('dialog').waitFor({ state: 'detached' });
+  };
+  for (const [id, name] of [
+    ['export', /Download/],
+    ['menu', /Menu/],
+  ]) {
+    await page.locator(`[popovertarget=${id}]`).press('Enter');
+    await page.locator(`#${id} .item`).first().focus();
+    await page.keyboard.press('Escape');
+    await page.locator(`#${id}`).waitFor({ state: 'hidden' });
+    assert.match(await focused(page), name);
+    await page.locator(`[popovertarget=${id}]`).press('Enter');
+    await page
+      .locator(`#${id}`)
+      .getByRole('button', { name: id === 'menu' ? 'Calibrate' : 'Share' })
+      .press('Enter');
+    await leave();
+    assert.match(await focused(page), name);
+  }
+  // From no control at all: to the plate, where keys do something.
+  await page.evaluate(() => {
+    for (let one = document.activeElement; one; one = one.shadowRoot?.activeElement) one.blur();
+  });
+  await page.keyboard.press('Control+k');
+  await leave();
+  assert.equal(await page.locator('sillon-canvas .overlay').evaluate((one) => one.matches(':focus')), true);
+});
+
+test(
+  'arrow keys go through cards, and only Space and Enter choose, so that none asks for a file',
+  { skip },
+  async () => {
+    const visit = await bench.open({ small: true });
+    await visit.idle();
+    const { page } = visit;
+    let asked = 0;
+    page.on('filechooser', () => ++asked);
+    const card = (name) => page.getByRole('radio', { name, exact: true });
+    const kind = ({ plate }) => plate.directions.kind;
+    await card('Text').focus();
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(await card('Direction map').evaluate((one) => one.matches(':focus')), true);
+    assert.equal(await visit.state(kind), 'waves');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('Space');
+    await visit.until(({ plate }) => plate.directions.kind === 'text');
+    await page.keyboard.press('ArrowDown');
+    assert.equal(await visit.state(kind), 'text');
+    await page.keyboard.press('Enter');
+    await visit.until(({ plate }) => plate.directions.kind === 'qr');
+    assert.equal(asked, 0);
+    await card('Direction map').focus();
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
+    assert.ok(chooser);
+  },
+);
+
 for (const colorScheme of ['light', 'dark']) {
   test(`axe finds nothing in any section, view and dialog, ${colorScheme}`, { skip }, async () => {
     const visit = await bench.open({ colorScheme, small: true });
@@ -89,16 +163,6 @@ for (const colorScheme of ['light', 'dark']) {
     assert.deepEqual(await violations(page), [], 'menu');
   });
 }
-
-/** What has the focus, through all shadows. */
-const focused = (page) =>
-  page.evaluate(() => {
-    let element = document.activeElement;
-    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
-    return element === null
-      ? ''
-      : `${element.tagName} ${element.getAttribute('aria-label') ?? element.textContent.trim()}`;
-  });
 
 test('keys alone reach everything that the plate needs', { skip }, async () => {
   const visit = await bench.open({ small: true });
