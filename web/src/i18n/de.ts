@@ -143,7 +143,8 @@ export const de: Translation = {
   'size.tooThin': 'Bei diesem Abstand ist die Platte nur {n} Bahnen breit.',
 
   // --- Richtungen -----------------------------------------------------------------------------------------------------
-  'source.title': 'Quelle der Richtungen',
+  'source.pictures': 'Bild, Text oder Code',
+  'source.patterns': 'Muster',
   'source.angle': 'Eine Richtung',
   'source.lamp': 'Bild unter einer Lampe',
   'source.map': 'Richtungskarte',

@@ -126,7 +126,8 @@ export const en = {
   'size.tooThin': 'At this spacing the plate is only {n} beads wide.',
 
   // --- Directions -----------------------------------------------------------------------------------------------------
-  'source.title': 'Source of the directions',
+  'source.pictures': 'Picture, text or code',
+  'source.patterns': 'Pattern',
   'source.angle': 'One direction',
   'source.lamp': 'Picture under a lamp',
   'source.map': 'Direction map',

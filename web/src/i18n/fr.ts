@@ -143,7 +143,8 @@ export const fr: Translation = {
   'size.tooThin': 'Avec cet espacement, la plaque n’a que {n} cordons de large.',
 
   // --- Directions -----------------------------------------------------------------------------------------------------
-  'source.title': 'D’où viennent les directions',
+  'source.pictures': 'Image, texte ou code',
+  'source.patterns': 'Motif',
   'source.angle': 'Une seule direction',
   'source.lamp': 'Image sous une lampe',
   'source.map': 'Carte de directions',

@@ -75,15 +75,20 @@ export class DirectionsPanel extends StudioElement {
       icon: value,
       picture: this.#pictures.url(value),
     });
-    return cards<Kind>({
-      id: 'source',
-      label: t('source.title'),
-      value: kind,
-      options: (['lamp', ...generatorKinds, 'tone', 'edges', 'levels', 'colours', 'map'] as const).map(option),
-      onChoose: (chosen) => {
-        void this.#choose(chosen);
-      },
-    });
+    const group = (id: 'pictures' | 'patterns', kinds: readonly Kind[]): TemplateResult =>
+      html`<h3>${t(`source.${id}`)}</h3>
+        ${cards<Kind>({
+          id: `source-${id}`,
+          label: t(`source.${id}`),
+          value: kind,
+          options: kinds.map(option),
+          onChoose: (chosen) => {
+            void this.#choose(chosen);
+          },
+        })}`;
+    const patterns = generatorKinds.filter((one) => one !== 'text' && one !== 'qr');
+    return html`${group('pictures', ['lamp', 'tone', 'edges', 'levels', 'colours', 'map', 'text', 'qr'])}
+    ${group('patterns', patterns)}`;
   }
 
   async #choose(kind: Kind): Promise<void> {
