@@ -208,7 +208,7 @@ studio.services = {
     const [{ shapePictures }, running] = await Promise.all([import('./own-pictures.js'), engine.engine()]);
     return shapePictures(plate, store.state.lamp, running, wanted);
   },
-  seen: async (result, directions) => (await import('./seen.js')).seenOf(result, directions),
+  seen: async (result, directions) => (await import('./seen.js')).seenIn(result, directions, () => engine.engine()),
   directions: () => pipeline.directions(),
   async handDirections(strokes, box, angle) {
     const { handRaster } = await import('./directions/hand.js');

@@ -1,10 +1,13 @@
 // How well a finished plate shows what its directions ask for: how bright its beads are under its own light, against how bright
 // beads of exactly these directions would be. In cells of two beads: an eye at arm's length tells no beads apart.
-import type { Cycle } from 'sillon';
+import type { Cycle, Engine } from 'sillon';
 import { resampled } from './directions/grey.js';
+import { shapeRoom } from './directions/shape-room.js';
+import { letterShare } from './directions/text.js';
 import type { Seen } from './model/doubts.js';
 import { homeLight } from './model/lamp.js';
 import type { DirectionRaster } from './model/raster.js';
+import { isRound, roomShape } from './model/result.js';
 import type { PlateResult } from './model/state.js';
 import type { Light } from './model/view.js';
 import { shine } from './views/miniature.js';
@@ -116,4 +119,18 @@ export function seenOf({ plate, toolpath }: Pick<PlateResult, 'plate' | 'toolpat
     told.map((k) => (bright[k] as number) / (lengths[k] as number)),
   );
   return { ...alike, kept: all > 1e-6 ? Math.min(1, variance(wanted) / all) : 1 };
+}
+
+/** With the height of letters, which takes a canvas and, in some shapes, the engine. */
+export async function seenIn(
+  result: PlateResult,
+  raster: DirectionRaster,
+  engine: () => Promise<Engine>,
+): Promise<Seen> {
+  const { plate } = result;
+  const seen = seenOf(result, raster);
+  if (plate.directions.kind !== 'text') return seen;
+  const room = roomShape(plate) === undefined ? undefined : await shapeRoom(plate, await engine());
+  const page = pageOf(plate);
+  return { ...seen, letters: letterShare(plate.directions, page, isRound(plate), room) * page[0] };
 }

@@ -1163,6 +1163,9 @@ export const de: Translation = {
   'rare.colours.even': 'Gleichmäßig',
   'rare.colours.even.help': 'Alle Richtungen so verschieden wie möglich.',
   'rare.colours.note': 'Farben mit gleicher Richtung glänzen gemeinsam.',
+  'rare.doubt.blank': 'Es gibt keine Buchstaben zu zeigen. Unter „Richtungen“ einen Text eingeben.',
+  'rare.doubt.small':
+    'Die Buchstaben sind {height} mm hoch und nicht zu sehen: Bei diesem Bahnabstand brauchen sie etwa {need} mm. Den Text auf mehr Zeilen verteilen oder Buchstaben oder Platte vergrößern.',
   'rare.doubt.letters':
     'Diese Buchstaben sind kaum zu lesen: Sie sind zu fein für ihre Bahnen. Platte oder Buchstaben vergrößern, den Text kürzen oder den Bahnabstand verkleinern.',
   'rare.doubt.fine':

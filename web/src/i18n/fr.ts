@@ -1178,6 +1178,9 @@ export const fr: Translation = {
   'rare.colours.even': 'Régulièrement',
   'rare.colours.even.help': 'Toutes les directions aussi différentes que possible.',
   'rare.colours.note': 'Des couleurs de même direction brillent ensemble.',
+  'rare.doubt.blank': 'Il n’y a pas de lettres à montrer. Écrivez-en sous « Directions ».',
+  'rare.doubt.small':
+    'Les lettres font {height} mm de haut et ne se verront pas : à cet écart entre cordons, il leur faut environ {need} mm. Répartissez le texte sur plus de lignes, ou agrandissez les lettres ou la plaque.',
   'rare.doubt.letters':
     'Ces lettres se lisent à peine : elles sont trop fines pour leurs cordons. Agrandissez la plaque ou les lettres, raccourcissez le texte ou resserrez les cordons.',
   'rare.doubt.fine':

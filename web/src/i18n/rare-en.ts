@@ -228,6 +228,9 @@ export const rareEn = {
   'rare.colours.even': 'Evenly apart',
   'rare.colours.even.help': 'All directions as different as can be.',
   'rare.colours.note': 'Colours with the same direction shine as one.',
+  'rare.doubt.blank': 'There are no letters to show. Write some under Directions.',
+  'rare.doubt.small':
+    'The letters are {height} mm high and cannot be seen: with this bead spacing they need about {need} mm. Break the text into more lines, or make the letters or the plate larger.',
   'rare.doubt.letters':
     'These letters can hardly be read: they are too fine for their beads. Make the plate or the letters larger, the text shorter, or the bead spacing finer.',
   'rare.doubt.fine':

@@ -3,9 +3,10 @@ import type { PictureReport } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
-import { doubtsOf, hasPicture, type Doubt, type Seen } from '../model/doubts.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { doubtsOf, hasPicture, legible, type Doubt, type Seen } from '../model/doubts.js';
 import { leastSeen } from '../model/lamp.js';
+import type { Plate } from '../model/plate.js';
 import type { PlateResult } from '../model/state.js';
 import { isOf } from '../model/result.js';
 import { StudioElement } from './element.js';
@@ -17,10 +18,26 @@ type Cycles = PlateResult['toolpath']['cycles'];
 /** Computed once, wherever it is shown. */
 const answers = new WeakMap<Cycles, Promise<Seen>>();
 
-const words = (doubt: Doubt, pictures: readonly PictureReport[] | undefined): string =>
-  doubt === 'letters' || doubt === 'fine' || doubt === 'faint'
-    ? rare(`doubt.${doubt}`)
-    : t(`lamp.weak.${doubt}`, leastSeen(pictures));
+function words(
+  doubt: Doubt,
+  { toolpath }: Plate,
+  pictures: readonly PictureReport[] | undefined,
+  seen: Seen | undefined,
+): string {
+  switch (doubt) {
+    case 'small': {
+      const [height, need] = [seen?.letters ?? 0, legible * toolpath.spacing];
+      return rare('doubt.small', { height: formatNumber(height, 1), need: formatNumber(need, 1) });
+    }
+    case 'blank':
+    case 'letters':
+    case 'fine':
+    case 'faint':
+      return rare(`doubt.${doubt}`);
+    default:
+      return t(`lamp.weak.${doubt}`, leastSeen(pictures));
+  }
+}
 
 @customElement('sillon-doubts')
 export class Doubts extends StudioElement {
@@ -50,7 +67,10 @@ export class Doubts extends StudioElement {
     const seen = finished === undefined ? undefined : this.#seen(finished);
     const pictures = finished?.report.pictures;
     return html`${doubtsOf(plate, pictures, seen).map(
-      (doubt) => html`<p class=${doubt} role="status">${icon('warn', 16)} <span>${words(doubt, pictures)}</span></p>`,
+      (doubt) =>
+        html`<p class=${doubt} role="status">
+          ${icon('warn', 16)} <span>${words(doubt, plate, pictures, seen)}</span>
+        </p>`,
     )}
     ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}`;
   }

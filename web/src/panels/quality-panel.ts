@@ -6,6 +6,7 @@ import { formatNumber, t } from '../i18n/text.js';
 import { verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from './histogram.js';
 import type { Mark } from '../model/view.js';
+import './doubts.js';
 import { StudioElement } from './element.js';
 import { icon, type IconName } from './icons.js';
 import { panelStyle } from './panel-style.js';
@@ -112,6 +113,7 @@ export class QualityPanel extends StudioElement {
     return html`
       <section aria-labelledby="quality-title">
         <h2 id="quality-title">${t('section.quality')}</h2>
+        <sillon-doubts .studio=${this.studio}></sillon-doubts>
         ${
           verdicts.length === 0
             ? html`<p class="note">${t(this.state.progress === undefined ? 'measure.none' : 'measure.waiting')}</p>`

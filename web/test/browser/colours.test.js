@@ -146,5 +146,20 @@ test(
       studio.change((plate) => ({ ...plate, directions: { ...text, letters: 12 } }));
     }, text);
     await doubts(visit).getByText('Dark and bright places hardly differ').waitFor();
+    await visit.page.evaluate((text) => {
+      const { studio } = document.querySelector('sillon-app');
+      studio.change((plate) => ({ ...plate, directions: { ...text, text: 'one long line '.repeat(12) } }));
+    }, text);
+    await doubts(visit)
+      .getByText(/^The letters are 0\.\d mm high and cannot be seen: .* about 6 mm/)
+      .waitFor();
+    await visit.page.keyboard.press('Escape');
+    await visit.section('Quality');
+    await visit.page.locator('sillon-quality-panel').getByText('cannot be seen').waitFor();
+    await visit.page.evaluate((text) => {
+      const { studio } = document.querySelector('sillon-app');
+      studio.change((plate) => ({ ...plate, directions: { ...text, text: '' } }));
+    }, text);
+    await visit.page.locator('sillon-quality-panel').getByText('There are no letters').waitFor();
   },
 );

@@ -74,6 +74,14 @@ test('beads that run the other way show the opposite', () => {
   assert.ok(seenOf({ plate, toolpath: beads('upright', 'level') }, raster(0, 90)).r < -0.99);
 });
 
+test('letters that are far too small are told as such, whatever the beads show, and so is a text of nothing', () => {
+  const seen = { r: 0, contrast: 1, kept: 0.1 };
+  assert.deepEqual(doubtsOf(plate, undefined, { ...seen, letters: 7 * spacing }), ['small']);
+  assert.deepEqual(doubtsOf(plate, undefined, { ...seen, letters: 8 * spacing }), ['faint']);
+  const blank = { ...plate, directions: { ...newGenerator('text'), text: ' \n' } } as Plate;
+  assert.deepEqual(doubtsOf(blank, undefined, undefined), ['blank']);
+});
+
 test('letters are doubted sooner than pictures, and other directions not at all', () => {
   const seen = { r: 0.9, contrast: 4, kept: 0.9 };
   const levels = { ...plate, directions: { kind: 'levels' } } as unknown as Plate;
