@@ -36,6 +36,7 @@ export async function scan(
   const { directions } = plate;
   if (directions.kind !== 'qr') return undefined;
   const { text } = directions;
+  if (text === '') return []; // a decoder may well read nothing from a code of nothing
   const room = roomShape(plate) === undefined ? undefined : await shapeRoom(plate, engine);
   const share = await moduleShare(directions, pageOf(plate), isRound(plate), room);
   const width = Math.round(Math.min(1024, Math.max(64, pixelsPerModule / share)));

@@ -544,6 +544,7 @@ export const de: Translation = {
   'setting.resetOne': '{name} auf {value} zurücksetzen',
   'setting.outOfRange': '{name} muss zwischen {min} und {max} liegen.',
   'setting.notANumber': '{name} muss eine Zahl sein, etwa {example}.',
+  'setting.tooLong': '{name} hat {length} Zeichen und wird nicht verwendet; höchstens {max} sind möglich.',
   'setting.suggested': 'Empfohlen für eine Düse von {nozzle} mm: {value} mm',
   'unit.spacing': '× Abstand',
   'unit.x': 'x',
@@ -1154,6 +1155,7 @@ export const de: Translation = {
     'Berechnet: Ein Telefon liest diesen Code mit Licht bei {where}, gegen den Uhrzeigersinn von rechts, oder von der Gegenseite.',
   'rare.scan.none':
     'Berechnet: Kein Telefon liest diesen Code, wo das Licht auch steht. Die Platte größer, den Text kürzer oder die beiden Richtungen verschiedener machen; eine runde Form lässt weniger Platz als ein Quadrat.',
+  'rare.scan.empty': 'Dieser Code sagt noch nichts. Den Text oder die Adresse eingeben, die er enthalten soll.',
   'rare.role.colours.help': 'Jede Farbfläche läuft in eigener Richtung; gefüllt wird auch der Umriss einer Zeichnung.',
   'rare.colours.nth': 'Farbe {n}',
   'rare.colours.one': 'Farbe {n}, {colour}',

@@ -512,6 +512,7 @@ export const en = {
   'setting.resetOne': 'Reset {name} to {value}',
   'setting.outOfRange': '{name} must be {min} to {max}.',
   'setting.notANumber': '{name} must be a number, such as {example}.',
+  'setting.tooLong': '{name} has {length} characters and is not used; at most {max} fit.',
   'setting.suggested': 'Suggested for a {nozzle} mm nozzle: {value} mm',
   'unit.spacing': '× spacing',
   'unit.x': 'x',

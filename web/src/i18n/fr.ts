@@ -547,6 +547,7 @@ export const fr: Translation = {
   'setting.resetOne': 'Remettre {name} à {value}',
   'setting.outOfRange': '{name} : la valeur doit aller de {min} à {max}.',
   'setting.notANumber': '{name} : il faut un nombre, par exemple {example}.',
+  'setting.tooLong': '{name} : {length} caractères, donc pas pris en compte ; {max} au plus.',
   'setting.suggested': 'Conseillé pour une buse de {nozzle} mm : {value} mm',
   'unit.spacing': '× espacement',
   'unit.x': 'x',
@@ -1169,6 +1170,7 @@ export const fr: Translation = {
     'D’après le calcul, un téléphone lit ce code avec la lumière à {where}, dans le sens antihoraire depuis la droite, ou du côté opposé.',
   'rare.scan.none':
     'D’après le calcul, aucun téléphone ne lit ce code, où que soit la lumière. Agrandissez la plaque, raccourcissez le texte ou séparez davantage les deux directions ; une forme ronde laisse moins de place qu’un carré.',
+  'rare.scan.empty': 'Ce code ne dit encore rien. Écrivez le texte ou l’adresse qu’il doit contenir.',
   'rare.role.colours.help': 'Chaque aplat de couleur suit sa direction ; le contour d’un dessin est rempli aussi.',
   'rare.colours.nth': 'Couleur {n}',
   'rare.colours.one': 'Couleur {n}, {colour}',

@@ -192,6 +192,7 @@ export const rareEn = {
     'As computed, a phone reads this code with the light at {where}, counter-clockwise from the right, or from the opposite side.',
   'rare.scan.none':
     'As computed, no phone reads this code, wherever the light is. Make the plate larger, the text shorter, or the two directions more different; a round shape leaves less room than a square.',
+  'rare.scan.empty': 'This code says nothing yet. Write the text or the address that it is to hold.',
   'rare.files.what': 'What is each file for?',
   'rare.files.guess': 'This is a guess. Change it if it is wrong.',
   'rare.files.opened': '{name}: {role}.',

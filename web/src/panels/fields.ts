@@ -91,19 +91,26 @@ const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(ste
 /** As little of a number as its step can tell apart. */
 const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
 
+/** @param error  what is wrong with what is typed; empty: nothing */
+function judge(input: HTMLElement, error: string): void {
+  input.setAttribute('aria-invalid', String(error !== ''));
+  const place = input.closest('.field')?.querySelector<HTMLElement>('.error');
+  if (place === null || place === undefined) return;
+  place.hidden = error === '';
+  place.textContent = error;
+}
+
 function readNumber(field: NumberField, input: HTMLInputElement): number | undefined {
   const value = numberIn(input.value, field.unit);
   const right = value >= field.min && value <= field.max && (!field.integer || Number.isInteger(value));
-  input.setAttribute('aria-invalid', String(!right));
-  const error = input.closest('.field')?.querySelector<HTMLElement>('.error');
-  if (error !== null && error !== undefined) {
-    error.hidden = right;
-    error.textContent = right
+  judge(
+    input,
+    right
       ? ''
       : Number.isNaN(value) || (field.integer && !Number.isInteger(value))
         ? t('setting.notANumber', { name: field.label, example: field.value })
-        : t('setting.outOfRange', { name: field.label, min: field.min, max: field.max });
-  }
+        : t('setting.outOfRange', { name: field.label, min: field.min, max: field.max }),
+  );
   return right ? value : undefined;
 }
 
@@ -353,14 +360,24 @@ export interface TextField {
 
 export function textField(field: TextField): TemplateResult {
   const { id, label, value, maxLength, help = '' } = field;
+  /** A limit of the browser's own would cut what is pasted, and say nothing. */
+  const read = (input: HTMLInputElement): boolean => {
+    const { length } = input.value;
+    const right = length <= maxLength;
+    judge(input, right ? '' : t('setting.tooLong', { name: label, length, max: maxLength }));
+    if (right) field.onInput(input.value);
+    return right;
+  };
   const onInput = (event: Event): void => {
-    const input = event.currentTarget as HTMLInputElement | HTMLTextAreaElement;
+    const input = event.currentTarget as HTMLInputElement;
     typing.add(input);
-    field.onInput(input.value);
-    settleSoon(field);
+    if (read(input)) settleSoon(field);
   };
   const onChange = (event: Event): void => {
-    typing.delete(event.currentTarget as EventTarget);
+    const input = event.currentTarget as HTMLInputElement;
+    typing.delete(input);
+    if (input.value.length > maxLength) input.value = value; // as with numbers: the sentence about it stays
+    input.setAttribute('aria-invalid', 'false');
     field.onSettle();
   };
   return html`<div class="field">
@@ -371,8 +388,8 @@ export function textField(field: TextField): TemplateResult {
             class="wide"
             id=${id}
             rows="2"
-            maxlength=${maxLength}
-            .value=${live(value)}
+            aria-describedby="${id}-error"
+            ${shows(value)}
             @input=${onInput}
             @change=${onChange}
           ></textarea>`
@@ -380,13 +397,14 @@ export function textField(field: TextField): TemplateResult {
             type="text"
             class="wide"
             id=${id}
-            maxlength=${maxLength}
             spellcheck="false"
-            .value=${live(value)}
+            aria-describedby="${id}-error"
+            ${shows(value)}
             @input=${onInput}
             @change=${onChange}
           />`
     }
+    <p class="error" id="${id}-error" role="status" hidden></p>
     ${helpText(id, help)}
   </div>`;
 }

@@ -49,9 +49,30 @@ test('two directions that look the same show no code', { skip }, async () => {
     path: `/${linkOf({ shape: { kind: 'rectangle' }, width: 46, height: 46, directions })}`,
   });
   assert.match(await said(visit), /no phone reads this code/);
-  await visit.section('Print');
-  assert.match(await said(visit), /no phone reads this code/);
+  for (const section of ['Print', 'Quality']) {
+    await visit.section(section);
+    assert.match(await said(visit), /no phone reads this code/, section);
+  }
 });
+
+test(
+  'a code of nothing is not called good, and a text that is too long is told and leaves the code',
+  { skip },
+  async () => {
+    const visit = await bench.open({
+      path: `/${linkOf({ shape: { kind: 'rectangle' }, width: 46, height: 46, directions: code })}`,
+    });
+    const field = visit.page.getByRole('textbox', { name: 'Text or address' });
+    await field.fill('a'.repeat(501));
+    await visit.page.getByText('Text or address has 501 characters and is not used; at most 500 fit.').waitFor();
+    assert.equal(await visit.state(({ plate }) => plate.directions.text), 'SILLON');
+    await field.press('Tab');
+    assert.equal(await field.inputValue(), 'SILLON');
+    await field.fill('');
+    await visit.page.getByText('This code says nothing yet').waitFor();
+    assert.equal(await visit.page.getByText('reads this code').count(), 0);
+  },
+);
 
 test('how a code is read is also said where the file is taken from', { skip }, async () => {
   const visit = await bench.open({
