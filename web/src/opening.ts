@@ -79,7 +79,7 @@ export function createOpener(
       studio.store.set({ reading: { name, fraction, cancel } });
       return Promise.race([work, stopped]);
     };
-    const { identify, isSliced, readable } = await step(0.05, import('./files/open.js'));
+    const { identify, isSliced } = await step(0.05, import('./files/open.js'));
     const { mode, host } = studio.store.state;
     const [sliced] = files;
     // What somebody dropped for their printer is not for a page that shows this one.
@@ -93,11 +93,11 @@ export function createOpener(
       studio.store.set({ sliced, dialog: 'rebrush' });
       return;
     }
-    const pictures = await step(0.15, Promise.all(files.map(readable)));
     const found = await step(
       0.4,
-      engine().then((running) => identify(pictures, withoutExample(studio.store.state.plate), running)),
+      engine().then((running) => identify(files, withoutExample(studio.store.state.plate), running)),
     );
+    for (const problem of found.refused) studio.fail(problem);
     if (found.project !== undefined) {
       show(onOwnPrinter(found.project, own()));
       if (sliced !== undefined && files.length === 1) studio.services.openedFrom(sliced);
@@ -135,10 +135,12 @@ export function createOpener(
     },
 
     async load(openings, trusted = false) {
-      const { identify, readable, withFiles } = await import('./files/open.js');
+      const { identify, withFiles } = await import('./files/open.js');
       const plate = trusted ? newPlate() : newPlateOn(own());
-      const files = await Promise.all(openings.map(({ file }) => readable(file)));
+      const files = openings.map(({ file }) => file);
       const found = await identify(files, plate, await engine());
+      const [wrong] = found.refused;
+      if (wrong !== undefined) throw wrong; // a page that shows this one means all of them
       const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
       const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own());
       show(project ?? (await withFiles(plate, opened, await engine())));

@@ -60,6 +60,13 @@ export function browserPicture(bytes: Uint8Array): string {
   return '';
 }
 
+/** Files that people take for pictures, by their first bytes; empty: none. */
+export function otherFormat(bytes: Uint8Array): string {
+  const text = String.fromCharCode(...bytes.subarray(0, 8));
+  const formats = { PDF: /^%PDF/, PostScript: /^%!PS/, Photoshop: /^8BPS/, TIFF: /^(?:II\*\0|MM\0\*)/ };
+  return Object.entries(formats).find(([, magic]) => magic.test(text))?.[0] ?? '';
+}
+
 /** Bytes that decide. */
 export const enoughToKnow = 1 << 16;
 

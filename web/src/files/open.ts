@@ -8,12 +8,11 @@ import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
 import { coloursIn, coloursOf, isSvg } from './drawn.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
-import { enoughToKnow, kindOf, type Kind } from './kind.js';
+import { enoughToKnow, kindOf, otherFormat, type Kind } from './kind.js';
 import { filesOf } from './plate-data.js';
+import { readable } from './readable.js';
 import { seemsSliced } from './sliced.js';
 import { sourceFile, stemOf } from './source-file.js';
-
-export { readable } from './readable.js';
 
 const mostBytes = { one: 64e6, project: 256e6, together: 256e6 };
 
@@ -21,6 +20,8 @@ export interface Found {
   /** Then nothing else counts. */
   project: Plate | undefined;
   opened: Opened[];
+  /** Why others of the files cannot be used. */
+  refused: StudioError[];
 }
 
 type OpeningEngine = Pick<Engine, 'decodePicture' | 'readShape' | 'readProject'>;
@@ -32,26 +33,24 @@ interface Read {
 
 const megabytes = (bytes: number): number => Math.ceil(bytes / 1e6);
 
-function checkSizes(files: readonly File[]): void {
-  let together = 0;
-  for (const { name, size } of files) {
-    together += size;
-    const most = /\.zip$/i.test(name) ? mostBytes.project : mostBytes.one;
-    if (size > most) {
-      throw new StudioError(
-        'InvalidFile',
-        { name },
-        `${name} has ${megabytes(size)} MB; at most ${megabytes(most)} MB`,
-      );
-    }
-  }
+function checkTogether(files: readonly File[]): void {
+  const together = files.reduce((sum, { size }) => sum + size, 0);
   if (together > mostBytes.together) {
     const most = megabytes(mostBytes.together);
     throw new StudioError('InvalidFile', {}, `the files have ${megabytes(together)} MB together; at most ${most} MB`);
   }
 }
 
-async function read(file: File): Promise<Read> {
+function checkSize({ name, size }: File): void {
+  const most = /\.zip$/i.test(name) ? mostBytes.project : mostBytes.one;
+  if (size > most) {
+    throw new StudioError('InvalidFile', { name }, `${name} has ${megabytes(size)} MB; at most ${megabytes(most)} MB`);
+  }
+}
+
+async function read(given: File): Promise<Read> {
+  checkSize(given);
+  const file = await readable(given);
   let bytes: Uint8Array<ArrayBuffer>;
   try {
     bytes = new Uint8Array(await file.arrayBuffer());
@@ -63,7 +62,11 @@ async function read(file: File): Promise<Read> {
   const source = await sourceFile(file.name, bytes);
   if (kind === 'unknown') {
     const ofPrinter = /\.(gcode|gco|g|bgcode|3mf|ini)$/i.test(source.name);
-    throw new StudioError(ofPrinter ? 'PrinterFileHere' : 'UnknownFile', { name: source.name });
+    const format = bytes.length === 0 ? 'empty' : otherFormat(bytes);
+    throw new StudioError(ofPrinter ? 'PrinterFileHere' : 'UnknownFile', {
+      name: source.name,
+      ...(format === '' ? {} : { format }),
+    });
   }
   return { source, kind };
 }
@@ -101,11 +104,25 @@ export async function isSliced(files: readonly File[]): Promise<boolean> {
 }
 
 /** @param plate  that they will be put into
- * @throws StudioError UnknownFile, InvalidFile, TooManyFiles, BrokenProject; errors of the engine */
+ * @throws StudioError where none of them can be used, TooManyFiles, BrokenProject; errors of the engine */
 export async function identify(files: readonly File[], plate: Plate, engine: OpeningEngine): Promise<Found> {
-  checkSizes(files);
-  const all: Read[] = [];
-  for (const file of files) all.push(await read(file));
+  checkTogether(files);
+  const refused: StudioError[] = [];
+  /** Of those that can be used. */
+  const each = async <From, To>(all: readonly From[], work: (one: From) => Promise<To>): Promise<To[]> => {
+    const done: To[] = [];
+    for (const one of all) {
+      try {
+        done.push(await work(one));
+      } catch (error) {
+        if (!(error instanceof StudioError)) throw error;
+        refused.push(error);
+      }
+    }
+    if (done.length === 0 && refused[0] !== undefined) throw refused[0];
+    return done;
+  };
+  const all = await each(files, read);
 
   const projects = all.filter(({ kind }) => kind === 'zip' || kind === 'json');
   const [project] = projects;
@@ -113,22 +130,22 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
   if (project !== undefined) {
     const { readProject } = await import('./project.js');
     const others = all.filter((one) => one !== project).map(({ source }) => source);
-    return { project: await readProject(project.source, others, engine), opened: [] };
+    return { project: await readProject(project.source, others, engine), opened: [], refused };
   }
 
-  const guessed = [];
-  for (const { source, kind } of all) {
+  const guessed = await each(all, async ({ source, kind }) => {
     const { name } = source;
-    if (kind === 'svg') guessed.push({ name, facts: undefined, colours: (await coloursIn(source, engine)).length });
-    else guessed.push({ name, facts: await pictureFacts(source, engine) });
-  }
+    return kind === 'svg'
+      ? { source, kind, name, facts: undefined, colours: (await coloursIn(source, engine)).length }
+      : { source, kind, name, facts: await pictureFacts(source, engine) };
+  });
   const roles = guessRoles(guessed, plate);
-  const opened = all.map(({ source, kind }, k) => ({
+  const opened = guessed.map(({ source, kind }, k) => ({
     source,
     role: roles[k] ?? 'none',
     roles: allowedRoles(kind === 'picture'),
   }));
-  return { project: undefined, opened };
+  return { project: undefined, opened, refused };
 }
 
 // --- Into a plate ------------------------------------------------------------------------------------------------------

@@ -780,11 +780,11 @@ export const de: Translation = {
   // --- Probleme -------------------------------------------------------------------------------------------------------
   'problem.details': 'Einzelheiten',
   'problem.InvalidArgument': 'Eine Einstellung liegt außerhalb des Erlaubten.',
-  'hint.InvalidArgument': 'Die unten genannte Einstellung ändern oder rückgängig machen.',
+  'hint.InvalidArgument': 'Die Einstellung ändern, die in den Einzelheiten steht, oder rückgängig machen.',
   'problem.InvalidFile': 'Eine Datei konnte nicht gelesen werden.',
   'file.unreadable': '{name} konnte nicht gelesen werden.',
   'hint.InvalidFile':
-    'Formen sind SVG, PNG oder JPEG. Die Datei im Ursprungsprogramm neu speichern oder eine andere wählen.',
+    'Sie ist vielleicht unvollständig. Erneut kopieren, im Ursprungsprogramm neu speichern oder eine andere wählen.',
   'problem.TooLarge': 'Die Platte ist für diesen Abstand zu groß.',
   'hint.TooLarge': 'Einen größeren Abstand, eine kleinere Größe oder kleinere Bilder wählen.',
   'problem.EmptyShape': 'Es gibt nichts zu füllen.',
@@ -1165,6 +1165,22 @@ export const de: Translation = {
   'rare.colours.even': 'Gleichmäßig',
   'rare.colours.even.help': 'Alle Richtungen so verschieden wie möglich.',
   'rare.colours.note': 'Farben mit gleicher Richtung glänzen gemeinsam.',
+  'rare.problem.emptyFile': '{name} ist leer.',
+  'rare.problem.emptyFile.hint': 'Es steht nichts darin. Erneut herunterladen oder kopieren.',
+  'rare.problem.otherFile': '{name} ist eine {format}-Datei.',
+  'rare.problem.otherFile.hint': 'Als SVG, PNG oder JPEG exportieren und das öffnen.',
+  'rare.problem.outOfRange': 'Derzeit ist der Wert {value}. Ändern oder rückgängig machen.',
+  'rare.problem.tallCopies':
+    'Mehrere Exemplare auf einem Bett können höchstens {max} mm hoch sein; diese haben {height} mm.',
+  'rare.problem.tallCopies.hint':
+    'Der Druckkopf würde fertige Exemplare berühren. Ein einziges drucken oder weniger Schichten.',
+  'rare.problem.tooTall': 'Der Druck ist zu hoch: {height} mm mit dem Anheben der Düse; der Drucker erlaubt {max} mm.',
+  'rare.problem.tooTall.hint':
+    'Weniger Schichten oder Grundschichten, dünnere Schichten oder einen anderen Drucker wählen.',
+  'rare.problem.copies': 'Die Exemplare zusammen sind größer als das Druckbett.',
+  'rare.problem.copies.hint': 'Weniger Exemplare drucken, sie enger setzen oder die Platte verkleinern.',
+  'rare.problem.scales': 'Mit {percent} % ihrer Größe passt sie. Verkleinern oder einen anderen Drucker wählen.',
+  'rare.problem.scale': 'Auf {percent} % verkleinern',
   'rare.doubt.blank': 'Es gibt keine Buchstaben zu zeigen. Unter „Richtungen“ einen Text eingeben.',
   'rare.doubt.small':
     'Die Buchstaben sind {height} mm hoch und nicht zu sehen: Bei diesem Bahnabstand brauchen sie etwa {need} mm. Den Text auf mehr Zeilen verteilen oder Buchstaben oder Platte vergrößern.',

@@ -734,11 +734,11 @@ export const en = {
   // --- Problems -------------------------------------------------------------------------------------------------------
   'problem.details': 'Details',
   'problem.InvalidArgument': 'A setting is out of range.',
-  'hint.InvalidArgument': 'Change the setting named below, or undo.',
+  'hint.InvalidArgument': 'Change the setting that the details name, or undo.',
   'problem.InvalidFile': 'A file could not be read.',
   'file.unreadable': '{name} could not be read.',
   'hint.InvalidFile':
-    'Shapes are SVG, PNG or JPEG. Save the file again in the program that made it, or choose another.',
+    'It may be incomplete. Copy it again, save it again in the program that made it, or choose another.',
   'problem.TooLarge': 'The plate is too large for this spacing.',
   'hint.TooLarge': 'Choose a larger spacing, a smaller size or smaller pictures.',
   'problem.EmptyShape': 'There is nothing to fill.',

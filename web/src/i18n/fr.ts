@@ -786,11 +786,11 @@ export const fr: Translation = {
   // --- Problèmes ------------------------------------------------------------------------------------------------------
   'problem.details': 'Détails',
   'problem.InvalidArgument': 'Un réglage n’est pas valable.',
-  'hint.InvalidArgument': 'Changez le réglage nommé, ou défaites.',
+  'hint.InvalidArgument': 'Changez le réglage que nomment les détails, ou défaites.',
   'problem.InvalidFile': 'Un fichier est illisible.',
   'file.unreadable': '{name} est illisible.',
   'hint.InvalidFile':
-    'Les formes sont en SVG, PNG ou JPEG. Enregistrez de nouveau le fichier dans le programme d’origine, ou prenez-en un autre.',
+    'Il est peut-être incomplet. Copiez-le de nouveau, réenregistrez-le dans le programme d’origine, ou prenez-en un autre.',
   'problem.TooLarge': 'La plaque est trop grande pour cet espacement.',
   'hint.TooLarge': 'Prenez un espacement plus grand, une taille plus petite ou des images plus petites.',
   'problem.EmptyShape': 'Il n’y a rien à remplir.',
@@ -1180,6 +1180,23 @@ export const fr: Translation = {
   'rare.colours.even': 'Régulièrement',
   'rare.colours.even.help': 'Toutes les directions aussi différentes que possible.',
   'rare.colours.note': 'Des couleurs de même direction brillent ensemble.',
+  'rare.problem.emptyFile': '{name} est vide.',
+  'rare.problem.emptyFile.hint': 'Il n’y a rien dedans. Téléchargez-le ou copiez-le de nouveau.',
+  'rare.problem.otherFile': '{name} est un fichier {format}.',
+  'rare.problem.otherFile.hint': 'Exportez-le en SVG, PNG ou JPEG, et ouvrez le résultat.',
+  'rare.problem.outOfRange': 'Valeur actuelle : {value}. Changez-la, ou défaites.',
+  'rare.problem.tallCopies':
+    'Plusieurs exemplaires sur un plateau ne peuvent dépasser {max} mm de haut ; ceux-ci font {height} mm.',
+  'rare.problem.tallCopies.hint':
+    'La tête toucherait les exemplaires déjà finis. Imprimez un seul exemplaire, ou moins de couches.',
+  'rare.problem.tooTall':
+    'L’impression est trop haute : {height} mm avec le levage de la buse, quand l’imprimante en permet {max} mm.',
+  'rare.problem.tooTall.hint':
+    'Prenez moins de couches ou de couches de base, des couches plus fines, ou une autre imprimante.',
+  'rare.problem.copies': 'Les exemplaires ne tiennent pas tous sur le plateau de l’imprimante.',
+  'rare.problem.copies.hint': 'Imprimez moins d’exemplaires, rapprochez-les, ou réduisez la plaque.',
+  'rare.problem.scales': 'À {percent} % de sa taille, elle tient. Réduisez-la, ou choisissez une autre imprimante.',
+  'rare.problem.scale': 'Réduire à {percent} %',
   'rare.doubt.blank': 'Il n’y a pas de lettres à montrer. Écrivez-en sous « Directions ».',
   'rare.doubt.small':
     'Les lettres font {height} mm de haut et ne se verront pas : à cet écart entre cordons, il leur faut environ {need} mm. Répartissez le texte sur plus de lignes, ou agrandissez les lettres ou la plaque.',

@@ -6,7 +6,13 @@ import { t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { same } from '../model/problem.js';
+import type { exactWords } from '../i18n/say-problem.js';
 import type { Notice, Shown } from './shown.js';
+
+let exact: typeof exactWords | undefined;
+const loadExact = async (): Promise<void> => {
+  exact = (await import('../i18n/say-problem.js')).exactWords;
+};
 
 @customElement('sillon-notices')
 export class Notices extends StudioElement {
@@ -175,7 +181,9 @@ export class Notices extends StudioElement {
 
   /** @param ofPlate  the engine's, which another try may mend */
   #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
-    const { message, hint, detail } = problemWords(problem);
+    const told = this.isHere(loadExact) ? exact?.(problem) : undefined;
+    const { message, hint, detail } = { ...problemWords(problem), ...told };
+    const action = told?.action;
     return html`<div class="notice problem">
       ${icon('warn')}
       <div>
@@ -191,6 +199,19 @@ export class Notices extends StudioElement {
         ${
           ofPlate
             ? html`<div class="actions">
+                ${
+                  action === undefined
+                    ? nothing
+                    : html`<button
+                        type="button"
+                        @click=${() => {
+                          this.studio.store.set({ problem: undefined }); // of what it was
+                          this.studio.change(action.change);
+                        }}
+                      >
+                        ${action.label}
+                      </button>`
+                }
                 ${
                   this.studio.store.canUndo
                     ? html`<button

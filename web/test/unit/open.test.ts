@@ -392,7 +392,7 @@ test('what cannot be opened is named', async () => {
   };
   const json = '{ "sillon": 1, "directions": { "angle": 1 } }';
   await refused([text('notes.txt', 'hello')], 'UnknownFile', /^notes\.txt/);
-  await refused([text('leaf.svg', svg), text('empty.png', '')], 'UnknownFile', /^empty\.png/);
+  await refused([text('notes.txt', 'hello'), text('empty.png', '')], 'UnknownFile', /^notes\.txt/);
   await refused([text('a.json', json), text('b.json', json)], 'TooManyFiles', /./);
   await refused([text('a.json', '{ "some": "thing" }')], 'BrokenProject', /^a\.json .*some/);
   const png = readFileSync(join(inputs, 'photo.png'));
@@ -403,4 +403,27 @@ test('what cannot be opened is named', async () => {
   const gone = new File(['x'], 'gone.png');
   gone.arrayBuffer = () => Promise.reject(new DOMException('it has gone', 'NotFoundError'));
   await refused([gone], 'InvalidFile', /^gone\.png .*it has gone/);
+});
+
+test('what can be opened is, and why the rest cannot is said of each', async () => {
+  const png = readFileSync(join(inputs, 'photo.png'));
+  const files = [
+    text('empty.png', ''),
+    text('leaf.svg', svg),
+    text('page.png', '%PDF-1.7'),
+    new File([png.subarray(0, 500)], 'cut.png'),
+  ];
+  const { opened, refused } = await identify(files, newPlate(), engine);
+  assert.deepEqual(
+    opened.map(({ source }) => source.name),
+    ['leaf.svg'],
+  );
+  assert.deepEqual(
+    refused.map(({ code, values }) => [code, values]),
+    [
+      ['UnknownFile', { name: 'empty.png', format: 'empty' }],
+      ['UnknownFile', { name: 'page.png', format: 'PDF' }],
+      ['InvalidFile', { name: 'cut.png' }],
+    ],
+  );
 });
