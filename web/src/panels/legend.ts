@@ -27,6 +27,11 @@ export class Legend extends StudioElement {
         font-size: var(--note);
         color: var(--soft);
       }
+      :host(.within) {
+        padding: 0 8px;
+        border: 0;
+        box-shadow: none;
+      }
       canvas {
         display: block;
       }

@@ -324,8 +324,9 @@ export class StageElement extends StudioElement {
 
   #bars(view: ViewName): TemplateResult {
     if (view === 'appearance') return html`<sillon-looks .studio=${this.studio}></sillon-looks>`;
-    return html`<sillon-legend .studio=${this.studio}></sillon-legend>
-      ${view === 'toolpath' ? html`<sillon-player .studio=${this.studio}></sillon-player>` : nothing}`;
+    return view === 'toolpath'
+      ? html`<sillon-player .studio=${this.studio}></sillon-player>`
+      : html`<sillon-legend .studio=${this.studio}></sillon-legend>`;
   }
 
   #onTabKey = (event: KeyboardEvent): void => {
@@ -390,16 +391,18 @@ export class StageElement extends StudioElement {
 
   #colourBy(): TemplateResult {
     const { colourBy } = this.state;
-    return html`<label class="colour"
-      ><span class="note">${t('colour.title')}</span>
+    return html`<div class="colour">
+      <label for="colour" class="note">${t('colour.title')}</label>
       <select
+        id="colour"
         .value=${colourBy}
         @change=${(event: Event) => {
           this.studio.store.set({ colourBy: (event.currentTarget as HTMLSelectElement).value as ColourBy });
         }}
       >
         ${colours.map((name) => html`<option value=${name} ?selected=${name === colourBy}>${t(`colour.${name}`)}</option>`)}
-      </select></label
-    >`;
+      </select>
+      ${this.#complete ? html`<sillon-legend class="within" .studio=${this.studio}></sillon-legend>` : nothing}
+    </div>`;
   }
 }
