@@ -80,6 +80,10 @@ export class Notices extends StudioElement {
       @media (pointer: coarse) {
         .notice {
           align-items: center;
+          padding: 0 0 0 12px; /* a line as high as its button */
+        }
+        .problem {
+          padding: 8px 0 8px 12px;
         }
         .close {
           min-height: 44px;

@@ -47,15 +47,21 @@ export class StageElement extends StudioElement {
       sillon-notices {
         grid-area: 2 / 1;
       }
-      @container (width >= 1000px) and (height >= 400px) {
+      @container (width > 640px) and (height >= 400px) {
         .bench,
         sillon-notices {
           grid-area: 1 / 1 / 3 / 2;
         }
         sillon-notices {
           align-self: start;
+          max-height: calc(100% - 250px);
+          margin: 78px 52px 0 0;
+        }
+      }
+      @container (width >= 1000px) and (height >= 400px) {
+        sillon-notices {
           max-height: calc(100% - 180px);
-          margin-top: 70px;
+          margin: 70px 0 0;
         }
       }
       sillon-status {
