@@ -17,8 +17,10 @@ export class Legend extends StudioElement {
     css`
       :host {
         display: flex;
+        flex-wrap: wrap;
         align-items: center;
-        gap: 10px;
+        gap: 4px 10px;
+        max-width: 100%;
         padding: 6px 12px;
         border: 1px solid var(--line);
         border-radius: var(--radius-large);

@@ -43,12 +43,12 @@ export function rampColour(value: number): [number, number, number] {
   return [mixed(0), mixed(1), mixed(2)];
 }
 
-/** Of places to look at. */
+/** Of places to look at; beads are grey there. What is told apart is so in lightness, too. */
 export const markColours = {
   turn: '#d18a1f',
   narrow: '#3f7fd6',
   wide: '#c8443a',
-  gap: '#8b5fc0',
-  lost: '#8b5fc0',
+  gap: '#772277',
+  lost: '#00bfe0',
   kept: '#3f9d6b',
 } as const;

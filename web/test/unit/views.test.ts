@@ -9,7 +9,7 @@ import { conflictPixels } from '../../src/views/conflict.js';
 import { freeOf, seenIn } from '../../src/views/fit.js';
 import { findGaps } from '../../src/views/gaps.js';
 import { findMarks } from '../../src/views/marks.js';
-import { directionPalette, rampColour } from '../../src/views/palette.js';
+import { directionPalette, markColours, rampColour } from '../../src/views/palette.js';
 import { zigzag } from '../../src/views/zigzag.js';
 
 const spacing = 0.4;
@@ -257,4 +257,9 @@ test('a plate is seen in the middle of a box, whole or at a scale', () => {
   const small = seenIn(free, [wide, tall], element, 2);
   assert.equal(small.scale, 2);
   assert.deepEqual(at(small, wide / 2, tall / 2), [280, 230]);
+});
+
+test('places to look at have colours of their own', () => {
+  const colours = Object.values(markColours);
+  assert.equal(new Set(colours).size, colours.length);
 });
