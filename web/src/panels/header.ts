@@ -43,6 +43,7 @@ export class Header extends StudioElement {
         color: var(--accent);
       }
       input.name {
+        field-sizing: content;
         width: 20ch;
         min-width: 0;
         margin: 0 6px 0 10px;
@@ -55,6 +56,12 @@ export class Header extends StudioElement {
       input.name:focus {
         border-color: var(--edge);
         color: var(--ink);
+      }
+      @supports (field-sizing: content) {
+        input.name {
+          width: auto;
+          max-width: 40ch;
+        }
       }
       .space {
         flex: 1;
@@ -178,6 +185,7 @@ export class Header extends StudioElement {
       class="name"
       type="text"
       aria-label=${t('app.plate')}
+      title=${plate.name}
       placeholder=${t('app.untitled')}
       maxlength="80"
       spellcheck="false"
