@@ -70,7 +70,13 @@ export class Help extends DialogElement {
         <li>${rare('help.step3')}</li>
         <li>${rare('help.step4')}</li>
       </ol>
-      <h3>${rare('help.keys')}</h3>
+      ${matchMedia('(pointer: coarse)').matches ? [this.#mouse(), this.#keys()] : [this.#keys(), this.#mouse()]}
+      <p class="note">${t('app.local')}</p>
+    `;
+  }
+
+  #keys(): TemplateResult {
+    return html`<h3>${rare('help.keys')}</h3>
       <dl>
         ${shortcuts.map(
           ({ shown, text }) =>
@@ -79,14 +85,15 @@ export class Help extends DialogElement {
               <dd>${shown.map((keys) => html`<kbd>${keysText(keys)}</kbd>`)}</dd>
             </div>`,
         )}
-      </dl>
-      <h3>${rare('help.mouse')}</h3>
+      </dl>`;
+  }
+
+  #mouse(): TemplateResult {
+    return html`<h3>${rare('help.mouse')}</h3>
       <ul>
         <li>${rare('help.mouse.pan')}</li>
         <li>${rare('help.mouse.zoom')}</li>
         <li>${rare('help.mouse.light')}</li>
-      </ul>
-      <p class="note">${t('app.local')}</p>
-    `;
+      </ul>`;
   }
 }
