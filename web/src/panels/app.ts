@@ -76,7 +76,7 @@ export class App extends StudioElement {
       .work {
         grid-row: 4;
         display: grid;
-        grid-template-columns: 80px auto minmax(0, 1fr);
+        grid-template-columns: 5rem auto minmax(0, 1fr);
         min-height: 0;
       }
       nav {
@@ -103,7 +103,7 @@ export class App extends StudioElement {
         color: var(--accent);
       }
       .panel {
-        width: 332px;
+        width: min(20.75rem, 40vw);
         border-right: 1px solid var(--line);
         background: var(--surface);
         overflow: auto;
@@ -142,7 +142,7 @@ export class App extends StudioElement {
       }
       @media (max-width: 980px) {
         .panel {
-          width: 300px;
+          width: clamp(300px, 40vw, 18.75rem);
         }
       }
       @media (max-width: 720px) {
@@ -187,7 +187,11 @@ export class App extends StudioElement {
         }
         nav {
           grid-row: 3;
-          flex-direction: row;
+          /* Alike, but none narrower than its word: some fonts are wide, and some people need large ones. */
+          display: grid;
+          grid-auto-columns: minmax(max-content, 1fr);
+          grid-auto-flow: column;
+          overflow-x: auto;
           gap: 0;
           padding: 4px 4px calc(4px + env(safe-area-inset-bottom));
           border-right: 0;
@@ -195,15 +199,7 @@ export class App extends StudioElement {
           z-index: 2;
         }
         nav button {
-          flex: 1;
-          min-width: 0;
           min-height: 52px;
-        }
-      }
-      /* Some fonts are wide: here the longest word has the most room. */
-      @media (max-width: 380px) {
-        nav button {
-          flex: auto;
         }
       }
     `,

@@ -33,7 +33,15 @@ export class Calibrate extends DialogElement {
         gap: 16px;
       }
       .tabs {
-        max-width: 420px;
+        max-width: 26.25rem;
+      }
+      .tabs .segments {
+        display: flex;
+        flex-wrap: wrap; /* large letters take several rows */
+      }
+      .tabs .segments label {
+        flex: 1 0 0;
+        min-width: max-content;
       }
       .machine {
         display: grid;

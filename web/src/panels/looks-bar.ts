@@ -68,7 +68,7 @@ export class LooksBar extends StudioElement {
       }
       select {
         width: auto;
-        max-width: 160px;
+        max-width: 10rem;
         border-color: transparent;
         background-color: transparent;
         font-weight: 500;
@@ -105,7 +105,7 @@ export class LooksBar extends StudioElement {
       /* Beside the light, so that the plate has the height of a row more. */
       @container (width < 1000px) {
         select {
-          max-width: 132px;
+          max-width: 8.25rem;
           text-overflow: ellipsis;
         }
         .turn .words {

@@ -236,7 +236,9 @@ export class StageElement extends StudioElement {
       /* Beside the tools, where the middle is too near to them. */
       @container (420px <= width <= 640px) {
         .views {
-          left: 86px;
+          left: 90px;
+          max-width: calc(100% - 96px);
+          overflow-x: auto;
           transform: none;
         }
         .views button {

@@ -365,7 +365,7 @@ export const controls = css`
   }
   .cards {
     display: grid;
-    grid-template-columns: repeat(auto-fill, minmax(86px, 1fr));
+    grid-template-columns: repeat(auto-fill, minmax(max(86px, 5rem), 1fr));
     gap: 6px;
   }
   .cards label {
@@ -376,6 +376,10 @@ export const controls = css`
     border: 1px solid var(--line);
     background: var(--raised);
     font-size: var(--note);
+  }
+  .cards span {
+    max-width: 100%;
+    overflow-wrap: anywhere;
   }
   .cards img {
     width: 48px;

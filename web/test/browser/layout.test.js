@@ -105,6 +105,94 @@ test('on the narrowest phones figures are whole in every language', { skip }, as
   }
 });
 
+/** Runs in the page. Words that are wider than what they stand in, or than the page. */
+function cutWords() {
+  const all = (root) =>
+    [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+  return all(document)
+    .filter((one) => one.matches('nav button, .cards label, .segments label, .views button, sillon-legend .kind'))
+    .filter((one) => one.checkVisibility())
+    .filter((one) => {
+      const [box, text] = [one.getBoundingClientRect(), document.createRange()];
+      text.selectNodeContents(one);
+      const { left, right } = text.getBoundingClientRect();
+      return left < box.left - 1 || right > box.right + 1;
+    })
+    .map((one) => one.textContent.trim());
+}
+
+/** The browser's letters, twice as large. */
+const largeLetters = (page) =>
+  page.evaluate(() => {
+    document.documentElement.style.fontSize = '32px';
+  });
+
+for (const [what, options] of [
+  ['a desk', { viewport: { width: 1280, height: 800 } }],
+  ['a phone', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }],
+]) {
+  test(`with letters twice as large all words are whole on ${what}`, { skip }, async () => {
+    const visit = await bench.open({ small: true, ...options });
+    const { page } = visit;
+    await largeLetters(page);
+    for (const section of ['Shape', 'Directions', 'Toolpath']) {
+      await visit.section(section);
+      await page.locator('#panel .cards').first().waitFor();
+      await settled(page);
+      assert.deepEqual(await page.evaluate(cutWords), [], section);
+    }
+    const { x, width } = await page.locator('.views').boundingBox();
+    assert.ok(x + width <= options.viewport.width, `${x} + ${width}`);
+    await page.evaluate(() => document.querySelector('sillon-app').studio.show('calibrate'));
+    await page.getByRole('dialog').getByText('Spools', { exact: true }).waitFor();
+    await settled(page);
+    assert.deepEqual(await page.evaluate(cutWords), [], 'Calibrate');
+    const tabs = await page.locator('.tabs .segments').evaluate((one) => one.scrollWidth - one.clientWidth);
+    assert.equal(tabs, 0);
+  });
+}
+
+for (const [width, locale] of [
+  [390, 'en-US'],
+  [820, 'fr-FR'],
+]) {
+  test(`the legend of places stays in the page, ${width} pixels wide, ${locale}`, { skip }, async () => {
+    const visit = await bench.open({ small: true, locale, viewport: { width, height: 844 } });
+    await visit.idle();
+    await visit.page.evaluate(() => {
+      const kinds = ['turn', 'narrow', 'wide', 'gap', 'lost', 'kept'];
+      const marks = kinds.map((kind, k) => ({ kind, x: 4 + k, y: 12 }));
+      document.querySelector('sillon-app').studio.store.set({ view: 'quality', marks });
+    });
+    await visit.page.locator('sillon-legend .kind').nth(5).waitFor();
+    await settled(visit.page);
+    for (const kind of await visit.page.locator('sillon-legend .kind').all()) {
+      const box = await kind.boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= width, await kind.innerText());
+    }
+  });
+}
+
+test('on a phone help begins with what fingers do', { skip }, async () => {
+  const first = async (options) => {
+    const visit = await bench.open({ small: true, ...options });
+    await visit.page.evaluate(() => document.querySelector('sillon-app').studio.show('help'));
+    return visit.page.getByRole('dialog').locator('h3').first().innerText();
+  };
+  assert.match(await first(smallPhone), /touch/i);
+  assert.match(await first({}), /keyboard/i);
+});
+
+test('a long name has room where there is some, and is told whole', { skip }, async () => {
+  const visit = await bench.open({ small: true, viewport: { width: 1280, height: 800 } });
+  const name = 'Coaster for my sister in Lyon';
+  const field = visit.page.getByRole('textbox', { name: 'Plate' });
+  await field.fill(name);
+  await field.press('Tab');
+  assert.ok(await field.evaluate((one) => one.scrollWidth <= one.clientWidth));
+  assert.equal(await field.getAttribute('title'), name);
+});
+
 test('on a phone all rows of the menu begin alike', { skip }, async () => {
   const visit = await bench.open({ small: true, ...smallPhone });
   await visit.page.locator('[popovertarget=menu]').click();
@@ -189,18 +277,19 @@ test('figures and values are whole in a narrow page in French, and so is a comma
   await visit.close();
 });
 
-test('on a wide bench words move nothing', { skip }, async () => {
-  const visit = await bench.open({ small: true, viewport: { width: 1440, height: 900 } });
-  await visit.idle();
-  await visit.page.evaluate(() => {
-    document.querySelector('sillon-app').studio.store.set({ notices: [] });
+for (const width of [1440, 1280])
+  test(`on a wide bench words move nothing, ${width} pixels`, { skip }, async () => {
+    const visit = await bench.open({ small: true, viewport: { width, height: 900 } });
+    await visit.idle();
+    await visit.page.evaluate(() => {
+      document.querySelector('sillon-app').studio.store.set({ notices: [] });
+    });
+    const bars = async () => [
+      await visit.page.locator('sillon-looks').boundingBox(),
+      await visit.page.locator('sillon-light').boundingBox(),
+    ];
+    const before = await bars();
+    await visit.page.evaluate(() => document.querySelector('sillon-app').studio.notify('A word of what has happened'));
+    await visit.page.getByText('A word of what has happened').waitFor();
+    assert.deepEqual(await bars(), before);
   });
-  const bars = async () => [
-    await visit.page.locator('sillon-looks').boundingBox(),
-    await visit.page.locator('sillon-light').boundingBox(),
-  ];
-  const before = await bars();
-  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.notify('A word of what has happened'));
-  await visit.page.getByText('A word of what has happened').waitFor();
-  assert.deepEqual(await bars(), before);
-});
