@@ -135,6 +135,8 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
 
   const guessed = await each(all, async ({ source, kind }) => {
     const { name } = source;
+    // One drawing alone is read when it is used; among others it must not take them with it.
+    if (kind === 'svg' && all.length > 1) await naming(name, engine.readShape({ file: source.bytes, unitless: 'px' }));
     return kind === 'svg'
       ? { source, kind, name, facts: undefined, colours: (await coloursIn(source, engine)).length }
       : { source, kind, name, facts: await pictureFacts(source, engine) };

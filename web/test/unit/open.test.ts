@@ -412,6 +412,7 @@ test('what can be opened is, and why the rest cannot is said of each', async () 
     text('leaf.svg', svg),
     text('page.png', '%PDF-1.7'),
     new File([png.subarray(0, 500)], 'cut.png'),
+    text('cut.svg', svg.slice(0, -20)),
   ];
   const { opened, refused } = await identify(files, newPlate(), engine);
   assert.deepEqual(
@@ -424,6 +425,7 @@ test('what can be opened is, and why the rest cannot is said of each', async () 
       ['UnknownFile', { name: 'empty.png', format: 'empty' }],
       ['UnknownFile', { name: 'page.png', format: 'PDF' }],
       ['InvalidFile', { name: 'cut.png' }],
+      ['InvalidFile', { name: 'cut.svg' }],
     ],
   );
 });
