@@ -10,7 +10,6 @@ import type { Verdict } from '../model/verdicts.js';
 import { formatDuration, formatNumber, hasText, t } from './text.js';
 
 export const settingLabel = ({ id }: Setting): string => t(`setting.${id}`);
-export const settingHelp = ({ id }: Setting): string => t(`help.${id}`);
 
 export function choiceLabel({ id }: ChoiceSetting, choice: string): string {
   const text = `choice.${id}.${choice}`;

@@ -2,6 +2,7 @@
 import type { calibrateEn } from './calibrate-en.js';
 import { en } from './en.js';
 import type { drawingEn } from './drawing-en.js';
+import type { helpEn } from './help-en.js';
 import { languages, spoken } from './languages.js';
 import type { rareEn } from './rare-en.js';
 import type { rebrushEn } from './rebrush-en.js';
@@ -13,7 +14,14 @@ export type Dictionary = Readonly<Record<TextId, Text>>;
 /** Of a language but English, whose words of views that are rarely opened are in files of their own. */
 export type Translation = Dictionary &
   Readonly<
-    Record<keyof typeof calibrateEn | keyof typeof drawingEn | keyof typeof rareEn | keyof typeof rebrushEn, Text>
+    Record<
+      | keyof typeof calibrateEn
+      | keyof typeof drawingEn
+      | keyof typeof helpEn
+      | keyof typeof rareEn
+      | keyof typeof rebrushEn,
+      Text
+    >
   >;
 export type Values = Readonly<Record<string, string | number>>;
 

@@ -1,6 +1,7 @@
 // A row of model/settings.ts as a control.
 import { html, type TemplateResult } from 'lit';
-import { choiceLabel, nullLabel, settingHelp, settingLabel, unitText } from '../i18n/say.js';
+import { settingHelp } from '../i18n/help.js';
+import { choiceLabel, nullLabel, settingLabel, unitText } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import {
   settingOf,

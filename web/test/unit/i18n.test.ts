@@ -10,6 +10,8 @@ import { en, frame as english } from '../../src/i18n/en.js';
 import { languages, spoken } from '../../src/i18n/languages.js';
 import { r, type RebrushTextId } from '../../src/i18n/rebrush.js';
 import { rare, untoldText } from '../../src/i18n/rare.js';
+import { settingHelp } from '../../src/i18n/help.js';
+import { helpEn } from '../../src/i18n/help-en.js';
 import { rareEn } from '../../src/i18n/rare-en.js';
 import { exactWords } from '../../src/i18n/say-problem.js';
 import { findingText, startLines, warningText } from '../../src/i18n/say-rare.js';
@@ -20,7 +22,6 @@ import {
   printerLabel,
   problemWords,
   progressWords,
-  settingHelp,
   settingLabel,
   threadsWords,
   valueText,
@@ -54,7 +55,7 @@ const placeholders = (text: string): string[] => [...new Set(text.match(/\{\w+\}
 /** English has words of rarely opened views in files of their own. */
 const wordsOf = async (tag: string): Promise<[string, string[]][]> =>
   entries({
-    ...(tag === 'en' ? { ...rareEn, ...rebrushEn, ...calibrateEn, ...drawingEn } : {}),
+    ...(tag === 'en' ? { ...rareEn, ...helpEn, ...rebrushEn, ...calibrateEn, ...drawingEn } : {}),
     ...(await languages[tag]?.words()),
   });
 
@@ -76,7 +77,7 @@ test('every language has a line, a file, and words for where the studio is block
 test('all languages have the same ids and placeholders, and no text is empty', async () => {
   for (const tag of spoken) {
     const own = new Map(await wordsOf(tag));
-    const english = entries({ ...en, ...rareEn, ...rebrushEn, ...calibrateEn, ...drawingEn });
+    const english = entries({ ...en, ...rareEn, ...helpEn, ...rebrushEn, ...calibrateEn, ...drawingEn });
     assert.deepEqual([...own.keys()].sort(), english.map(([id]) => id).sort());
     for (const [id, texts] of english) {
       const said = own.get(id) ?? [];

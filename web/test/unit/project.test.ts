@@ -53,7 +53,7 @@ const asFile = (name: string, bytes: Uint8Array<ArrayBuffer> | string): Promise<
 
 async function drawn(plate: Plate, resolution = 96): Promise<DirectionRaster> {
   const decoded = async (part: object & { file?: SourceFile }): ReturnType<Engine['decodePicture']> =>
-    engine.decodePicture(part.file?.bytes ?? '');
+    engine.decodePicture(part.file?.bytes ?? new Blob());
   return rasterise(
     plate.directions,
     plate.modes,
@@ -146,10 +146,10 @@ test('directions and modes stand in the zip exactly as the raster has them', asy
   const plate: Plate = { ...small(), strokes: [stroke, { ...stroke, tool: 'mode', mode: 'parallel' }] };
   const raster = await drawn(plate);
   const files = unzipSync(await zipOf(plate, raster));
-  const angles = await engine.decodePicture(files['directions.png'] ?? '');
+  const angles = await engine.decodePicture(files['directions.png'] ?? new Uint8Array());
   assert.deepEqual([angles.width, angles.height], [raster.width, raster.height]);
   assert.deepEqual(Array.from(angles.samples), Array.from(raster.angle));
-  const modes = await engine.decodePicture(files['modes.png'] ?? '');
+  const modes = await engine.decodePicture(files['modes.png'] ?? new Uint8Array());
   assert.ok(new Set(raster.mode).size > 1);
   assert.deepEqual(
     Array.from(modes.samples, (grey) => grey / 257),
