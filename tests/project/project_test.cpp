@@ -73,6 +73,7 @@ Project unusualProject() {
   p.pictures.slopes = Vec2{2.25, 17.5};
   p.pictures.lampSize = 0.02;
   p.pictures.smoothness = 0.1;
+  p.pictures.proportions = PictureProportions::Stretch;
   p.pictures.localContrast = 0.3;
   p.pictures.corrections = 1;
   p.print.layers = 2;
