@@ -790,8 +790,9 @@ export const de: Translation = {
   'problem.EmptyShape': 'Es gibt nichts zu füllen.',
   'hint.EmptyShape':
     'Die Form braucht gefüllte Flächen, die breiter sind als eine Bahn. Text und Linien in Pfade umwandeln oder kleine Formen vergrößern.',
-  'problem.DoesNotFit': 'Die Platte ist größer als das Druckbett.',
-  'hint.DoesNotFit': 'Verkleinern, drehen, mittig setzen oder einen anderen Drucker wählen.',
+  'problem.DoesNotFit': 'Der Druck passt nicht auf den Drucker.',
+  'hint.DoesNotFit':
+    'Verkleinern, drehen, mittig setzen, weniger Exemplare oder Schichten drucken oder einen anderen Drucker wählen.',
   'problem.OutOfMemory': 'Dem Rechenkern ist der Speicher ausgegangen.',
   'hint.OutOfMemory':
     'Einen größeren Abstand oder eine kleinere Größe wählen oder andere Tabs schließen. Der Rechenkern wurde neu gestartet.',
@@ -1169,18 +1170,6 @@ export const de: Translation = {
   'rare.problem.emptyFile.hint': 'Es steht nichts darin. Erneut herunterladen oder kopieren.',
   'rare.problem.otherFile': '{name} ist eine {format}-Datei.',
   'rare.problem.otherFile.hint': 'Als SVG, PNG oder JPEG exportieren und das öffnen.',
-  'rare.problem.outOfRange': 'Derzeit ist der Wert {value}. Ändern oder rückgängig machen.',
-  'rare.problem.tallCopies':
-    'Mehrere Exemplare auf einem Bett können höchstens {max} mm hoch sein; diese haben {height} mm.',
-  'rare.problem.tallCopies.hint':
-    'Der Druckkopf würde fertige Exemplare berühren. Ein einziges drucken oder weniger Schichten.',
-  'rare.problem.tooTall': 'Der Druck ist zu hoch: {height} mm mit dem Anheben der Düse; der Drucker erlaubt {max} mm.',
-  'rare.problem.tooTall.hint':
-    'Weniger Schichten oder Grundschichten, dünnere Schichten oder einen anderen Drucker wählen.',
-  'rare.problem.copies': 'Die Exemplare zusammen sind größer als das Druckbett.',
-  'rare.problem.copies.hint': 'Weniger Exemplare drucken, sie enger setzen oder die Platte verkleinern.',
-  'rare.problem.scales': 'Mit {percent} % ihrer Größe passt sie. Verkleinern oder einen anderen Drucker wählen.',
-  'rare.problem.scale': 'Auf {percent} % verkleinern',
   'rare.doubt.blank': 'Es gibt keine Buchstaben zu zeigen. Unter „Richtungen“ einen Text eingeben.',
   'rare.doubt.small':
     'Die Buchstaben sind {height} mm hoch und nicht zu sehen: Bei diesem Bahnabstand brauchen sie etwa {need} mm. Den Text auf mehr Zeilen verteilen oder Buchstaben oder Platte vergrößern.',

@@ -639,8 +639,8 @@ export const en = {
   'problem.EmptyShape': 'There is nothing to fill.',
   'hint.EmptyShape':
     'The shape needs filled areas wider than a bead. Convert text and lines to paths, or make small shapes larger.',
-  'problem.DoesNotFit': 'The plate is larger than the printer’s bed.',
-  'hint.DoesNotFit': 'Make it smaller, rotate it, centre it, or choose another printer.',
+  'problem.DoesNotFit': 'The print does not fit the printer.',
+  'hint.DoesNotFit': 'Make it smaller, rotate or centre it, print fewer copies or layers, or choose another printer.',
   'problem.OutOfMemory': 'The engine ran out of memory.',
   'hint.OutOfMemory': 'Choose a larger spacing or a smaller size, or close other tabs. The engine has been restarted.',
   'problem.LoadFailed': 'The engine could not be loaded.',

@@ -796,8 +796,9 @@ export const fr: Translation = {
   'problem.EmptyShape': 'Il n’y a rien à remplir.',
   'hint.EmptyShape':
     'La forme doit avoir des surfaces pleines plus larges qu’un cordon. Convertissez textes et lignes en chemins ; agrandissez les petites formes.',
-  'problem.DoesNotFit': 'La plaque est plus grande que le plateau de l’imprimante.',
-  'hint.DoesNotFit': 'Réduisez-la, tournez-la, centrez-la, ou choisissez une autre imprimante.',
+  'problem.DoesNotFit': 'L’impression ne tient pas dans l’imprimante.',
+  'hint.DoesNotFit':
+    'Réduisez-la, tournez-la ou centrez-la, imprimez moins d’exemplaires ou de couches, ou choisissez une autre imprimante.',
   'problem.OutOfMemory': 'Le moteur a manqué de mémoire.',
   'hint.OutOfMemory':
     'Prenez un espacement plus grand ou une taille plus petite, ou fermez d’autres onglets. Le moteur a redémarré.',
@@ -1184,19 +1185,6 @@ export const fr: Translation = {
   'rare.problem.emptyFile.hint': 'Il n’y a rien dedans. Téléchargez-le ou copiez-le de nouveau.',
   'rare.problem.otherFile': '{name} est un fichier {format}.',
   'rare.problem.otherFile.hint': 'Exportez-le en SVG, PNG ou JPEG, et ouvrez le résultat.',
-  'rare.problem.outOfRange': 'Valeur actuelle : {value}. Changez-la, ou défaites.',
-  'rare.problem.tallCopies':
-    'Plusieurs exemplaires sur un plateau ne peuvent dépasser {max} mm de haut ; ceux-ci font {height} mm.',
-  'rare.problem.tallCopies.hint':
-    'La tête toucherait les exemplaires déjà finis. Imprimez un seul exemplaire, ou moins de couches.',
-  'rare.problem.tooTall':
-    'L’impression est trop haute : {height} mm avec le levage de la buse, quand l’imprimante en permet {max} mm.',
-  'rare.problem.tooTall.hint':
-    'Prenez moins de couches ou de couches de base, des couches plus fines, ou une autre imprimante.',
-  'rare.problem.copies': 'Les exemplaires ne tiennent pas tous sur le plateau de l’imprimante.',
-  'rare.problem.copies.hint': 'Imprimez moins d’exemplaires, rapprochez-les, ou réduisez la plaque.',
-  'rare.problem.scales': 'À {percent} % de sa taille, elle tient. Réduisez-la, ou choisissez une autre imprimante.',
-  'rare.problem.scale': 'Réduire à {percent} %',
   'rare.doubt.blank': 'Il n’y a pas de lettres à montrer. Écrivez-en sous « Directions ».',
   'rare.doubt.small':
     'Les lettres font {height} mm de haut et ne se verront pas : à cet écart entre cordons, il leur faut environ {need} mm. Répartissez le texte sur plus de lignes, ou agrandissez les lettres ou la plaque.',

@@ -233,16 +233,6 @@ export const rareEn = {
   'rare.problem.emptyFile.hint': 'Nothing is in it. Download or copy it again.',
   'rare.problem.otherFile': '{name} is a {format} file.',
   'rare.problem.otherFile.hint': 'Export it as SVG, PNG or JPEG, and open that.',
-  'rare.problem.outOfRange': 'It is {value} now. Change it, or undo.',
-  'rare.problem.tallCopies': 'Several copies on one bed can be {max} mm high at most; these are {height} mm.',
-  'rare.problem.tallCopies.hint':
-    'The print head would touch the copies that are finished. Print one copy, or fewer layers.',
-  'rare.problem.tooTall': 'The print is too tall: {height} mm with the lift, where the printer has {max} mm.',
-  'rare.problem.tooTall.hint': 'Use fewer layers or base layers, lower layers, or another printer.',
-  'rare.problem.copies': 'The copies together are larger than the printer’s bed.',
-  'rare.problem.copies.hint': 'Print fewer copies, set them closer together, or make the plate smaller.',
-  'rare.problem.scales': 'At {percent}% of its size it fits. Scale it, or choose another printer.',
-  'rare.problem.scale': 'Scale to {percent}%',
   'rare.doubt.blank': 'There are no letters to show. Write some under Directions.',
   'rare.doubt.small':
     'The letters are {height} mm high and cannot be seen: with this bead spacing they need about {need} mm. Break the text into more lines, or make the letters or the plate larger.',

@@ -187,7 +187,8 @@ export class Notices extends StudioElement {
   #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
     const told = this.isHere(loadExact) ? exact?.(problem) : undefined;
     const { message, hint, detail } = { ...problemWords(problem), ...told };
-    const action = told?.action;
+    // The engine alone knows which setting, and by how much: it says so in one sentence.
+    const named = problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit';
     return html`<div class="notice problem">
       ${icon('warn')}
       <div>
@@ -195,7 +196,7 @@ export class Notices extends StudioElement {
         ${
           detail === ''
             ? nothing
-            : html`<details>
+            : html`<details ?open=${named}>
                 <summary>${icon('fold', 14)} ${t('problem.details')}</summary>
                 ${detail}
               </details>`
@@ -203,19 +204,6 @@ export class Notices extends StudioElement {
         ${
           ofPlate
             ? html`<div class="actions">
-                ${
-                  action === undefined
-                    ? nothing
-                    : html`<button
-                        type="button"
-                        @click=${() => {
-                          this.studio.store.set({ problem: undefined }); // of what it was
-                          this.studio.change(action.change);
-                        }}
-                      >
-                        ${action.label}
-                      </button>`
-                }
                 ${
                   this.studio.store.canUndo
                     ? html`<button

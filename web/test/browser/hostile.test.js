@@ -65,24 +65,18 @@ test('of several files those that can be used are opened', { skip }, async () =>
   await visit.page.locator('sillon-notices').getByText('nothing.png is empty').waitFor();
 });
 
-test(
-  'a plate that is larger than the bed is scaled by one button, and one that is too tall is told as such',
-  { skip },
-  async () => {
-    const visit = await bench.open({ small: true });
-    await visit.idle();
-    const change = (how) => visit.page.evaluate(`document.querySelector('sillon-app').studio.change(${how})`);
-    await change('(plate) => ({ ...plate, width: 250, height: 250, toolpath: { ...plate.toolpath, spacing: 2 } })');
-    const button = visit.page.getByRole('button', { name: /^Scale to \d\d%$/ });
-    const percent = Number(/\d+/.exec(await button.innerText())[0]);
-    await button.click();
-    await visit.until(({ plate, problem }) => plate.width < 250 && problem === undefined);
-    await visit.idle();
-    assert.equal(await visit.state(({ plate }) => plate.width), 250 * (percent / 100));
-    await change('(plate) => ({ ...plate, print: { ...plate.print, layers: 1000, layerHeight: 0.3 } })');
-    await visit.page.locator('sillon-notices').getByText('The print is too tall: 301 mm').waitFor();
-  },
-);
+test('a value that is too high, and a plate that does not fit, are told with names and numbers', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const change = (how) => visit.page.evaluate(`document.querySelector('sillon-app').studio.change(${how})`);
+  const notices = visit.page.locator('sillon-notices');
+  await change('(plate) => ({ ...plate, printer: { ...plate.printer, nozzleTemperature: 450 } })');
+  await notices.getByText('printer.nozzleTemperature is 450').waitFor();
+  await change('(plate) => ({ ...plate, printer: { ...plate.printer, nozzleTemperature: 215 } })');
+  await visit.until(({ problem }) => problem === undefined);
+  await change('(plate) => ({ ...plate, print: { ...plate.print, layers: 1000, layerHeight: 0.3 } })');
+  await notices.getByText('the job is 301 mm high').waitFor();
+});
 
 test('a broken link is told, and the page begins as usual', { skip }, async () => {
   const visit = await bench.open({ path: '/#plate=1.AAAA' });

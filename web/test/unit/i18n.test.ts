@@ -38,10 +38,8 @@ import {
   t,
   type Text,
 } from '../../src/i18n/text.js';
-import { newPlate } from '../../src/model/defaults.js';
-import type { Plate } from '../../src/model/plate.js';
 import { printers } from '../../src/model/printers.js';
-import { problemOf, StudioError, type ProblemCode } from '../../src/model/problem.js';
+import { problemOf, StudioError } from '../../src/model/problem.js';
 import { settingOf, settings } from '../../src/model/settings.js';
 import { verdictsOf } from '../../src/model/verdicts.js';
 
@@ -286,33 +284,11 @@ test('every problem has a sentence and what to do, without empty placeholders', 
   for (const id of codes) assert.ok(hasText(id.replace('problem.', 'hint.')), id);
 });
 
-test('what the engine says of values, heights and copies is told with its numbers, in the page’s words', () => {
-  const plate: Plate = { ...newPlate(), width: 200, height: 100, shape: { kind: 'rounded', radius: 8 } };
-  const told = (code: ProblemCode, detail: string, values = {}) => exactWords({ code, values, detail });
-  const heat = told('InvalidArgument', 'printer.bedTemperature is 180 degrees Celsius; it must be 0 to 120');
-  assert.deepEqual(heat, { message: 'Bed temperature must be 0 to 120.', hint: 'It is 180 now. Change it, or undo.' });
-  const layer = told('InvalidArgument', 'print.layerHeight is 0.5 mm; it must be 0.05 to 0.32, 0.8 of the nozzle');
-  assert.equal(layer?.message, 'Layer height must be 0.05 to 0.32.');
-  assert.equal(told('InvalidArgument', 'the shape has a point'), undefined);
-  const tall = told('DoesNotFit', "the job is 301 mm high with the lift; the printer's maxZ is 200 mm");
-  assert.match(tall?.message ?? '', /301 mm .* 200 mm/);
-  const many = 'the plates of 670.0 x 24.0 mm reach over the edge of the bed by 225.000 mm on the left';
-  const copies = told('DoesNotFit', `${many}; it fits when it is scaled to 6 % and centred`);
-  assert.match(copies?.message ?? '', /copies/);
-  assert.equal(copies?.action, undefined); // it is not the plate that is too large
-  const stack =
-    'the plates are 40.4 mm high; several on one bed, printed one after the other, must be at most 3, or so';
-  assert.match(told('InvalidArgument', stack)?.message ?? '', /3 mm .* 40.4 mm/);
-  const large = told(
-    'DoesNotFit',
-    'the plate of 200 x 100 mm reaches over; it fits when it is scaled to 75 % and centred',
-  );
-  assert.equal(large?.action?.label, 'Scale to 75%');
-  const { width, height, shape } = large.action.change(plate);
-  assert.deepEqual([width, height, shape], [150, 75, { kind: 'rounded', radius: 6 }]);
-  assert.equal(told('UnknownFile', '', { name: 'a.png', format: 'empty' })?.message, 'a.png is empty.');
-  assert.equal(told('UnknownFile', '', { name: 'a.png', format: 'PDF' })?.message, 'a.png is a PDF file.');
-  assert.equal(told('UnknownFile', '', { name: 'a.mp3' }), undefined);
+test('files of no kind that the page knows are told by what they are', () => {
+  const told = (values: Record<string, string>) => exactWords({ code: 'UnknownFile', values, detail: '' });
+  assert.equal(told({ name: 'a.png', format: 'empty' })?.message, 'a.png is empty.');
+  assert.equal(told({ name: 'a.png', format: 'PDF' })?.message, 'a.png is a PDF file.');
+  assert.equal(told({ name: 'a.mp3' }), undefined);
 });
 
 test('any error becomes a problem', () => {
