@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "check.hpp"
 #include "files.hpp"
 #include "outputs.hpp"
 #include "sillon/calibrate/read_photo.hpp"
@@ -66,12 +67,8 @@ std::string tableJson(const std::string& kind, const CalibrationPlate& plate, co
   root["size"] = {rounded(page.x), rounded(page.y)};
   root["seconds"] = std::round(summary.seconds);
   root["grams"] = rounded(summary.filamentGrams);
-  root["warnings"] = nlohmann::ordered_json::array();
-  for (const sillon::GcodeWarning& warning : summary.warnings) {
-    root["warnings"].push_back(sillon::warningSentence(warning));
-  }
-  root["findings"] = nlohmann::ordered_json::array();
-  for (const sillon::GcodeFinding& finding : findings) root["findings"].push_back(finding.message);
+  root["warnings"] = nlohmann::ordered_json::parse(sillon::warningsJson(summary.warnings));
+  root["findings"] = findingsJson(findings);
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "words.hpp"
 
@@ -62,21 +62,25 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
   return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
 }
 
-std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
-  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-  for (const sillon::GcodeFinding& finding : check.findings) {
+nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const sillon::GcodeFinding& finding : findings) {
     nlohmann::ordered_json values = nlohmann::ordered_json::object();
     for (const auto& [name, value] : finding.values) values[name] = value;
-    findings.push_back({{"code", finding.code},
-                        {"rule", finding.rule},
-                        {"error", finding.error},
-                        {"line", finding.line},
-                        {"count", finding.count},
-                        {"values", std::move(values)},
-                        {"message", finding.message}});
+    list.push_back({{"code", finding.code},
+                    {"rule", finding.rule},
+                    {"error", finding.error},
+                    {"line", finding.line},
+                    {"count", finding.count},
+                    {"values", std::move(values)},
+                    {"message", finding.message}});
   }
+  return list;
+}
+
+std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   nlohmann::ordered_json out = {{"errors", check.errors()},
-                                {"findings", std::move(findings)},
+                                {"findings", findingsJson(check.findings)},
                                 {"unchecked", unchecked},
                                 {"lines", check.lines},
                                 {"moves", check.moves},

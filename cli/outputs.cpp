@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
@@ -238,6 +239,15 @@ std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor) 
 
 namespace {
 
+/// The report with what the print takes.
+std::string withPrint(std::string report, const sillon::GcodeSummary& gcode) {
+  const nlohmann::ordered_json takes{{"seconds", std::round(gcode.seconds)},
+                                     {"filamentMm", std::round(100 * gcode.filamentMm) / 100},
+                                     {"grams", std::round(100 * gcode.filamentGrams) / 100}};
+  report.resize(report.rfind("\n}"));
+  return report + ",\n  \"print\": " + takes.dump() + "\n}\n";
+}
+
 /// The G-code in the kind of file that its name asks for.
 Result<std::string> packed(std::string gcode, const OutputPaths& paths, sillon::GcodeFlavor flavor) {
   if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
@@ -315,6 +325,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   if (!paths.report.empty() && job.measures) {
     std::string report = sillon::reportJson(job.plate, *job.measures, run.threads(), peakBytes());
     report = sillon::withPictures(std::move(report), job.pictures.shown, job.pictureMeasures, job.gcode.has_value());
+    if (job.gcode) report = withPrint(std::move(report), *job.gcode);
     files.push_back({paths.report, sillon::withWarnings(std::move(report), warningsOf(job))});
   }
   return files;

@@ -71,7 +71,8 @@ nlohmann::ordered_json surfaceJson(const SlicedSurface& surface) {
           {"firstLine", surface.firstLine},
           {"lastLine", surface.lastLine},
           {"left", surface.left == sillon::LeftBecause::None ? nlohmann::ordered_json()
-                                                             : nlohmann::ordered_json(surfaceReason(surface.left))}};
+                                                             : nlohmann::ordered_json(surfaceReason(surface.left))},
+          {"reason", surfaceReasonName(surface.left)}};
 }
 
 std::string dumped(const nlohmann::ordered_json& json) {

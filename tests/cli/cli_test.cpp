@@ -563,6 +563,7 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   CHECK(told["values"].size() == 7);
   CHECK(told["values"][1]["value"] == 0.9);
   CHECK(told["findings"].empty());
+  CHECK(told["warnings"].is_array());
   CHECK(told["seconds"] > 60);
 
   // The project's printer, with options over it.
@@ -739,7 +740,11 @@ TEST_CASE("a body that cannot be made does not take the G-code with it") {
   CHECK(!has(run.out, "wrote      old.stl"));
   CHECK(readAll(folder.at("old.stl")) == "what was there");
   CHECK(folder.run("check a.gcode").code == 0);
-  CHECK(Json::parse(readAll(folder.at("a.json")))["warnings"].is_array());
+  const Json noted = Json::parse(readAll(folder.at("a.json")));
+  CHECK(noted["warnings"].is_array());
+  CHECK(noted["print"]["seconds"] > 1);
+  CHECK(noted["print"]["filamentMm"] > 1);
+  CHECK(noted["print"]["grams"] > 0);
   CHECK(folder.files().size() == 3);
 }
 

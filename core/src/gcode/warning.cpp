@@ -196,7 +196,7 @@ std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::
   return all;
 }
 
-std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings) {
+std::string warningsJson(const std::vector<GcodeWarning>& warnings) {
   std::string list;
   for (const GcodeWarning& warning : warnings) {
     std::string values;
@@ -207,8 +207,12 @@ std::string withWarnings(std::string report, const std::vector<GcodeWarning>& wa
     list += (list.empty() ? "" : ",") + ("{\"code\":" + jsonString(warningName(warning.code))) + ",\"values\":{" +
             values + "},\"message\":" + jsonString(warningSentence(warning)) + "}";
   }
+  return "[" + list + "]";
+}
+
+std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings) {
   report.resize(report.rfind("\n}"));
-  return report + ",\n  \"warnings\": [" + list + "]\n}\n";
+  return report + ",\n  \"warnings\": " + warningsJson(warnings) + "\n}\n";
 }
 
 std::string warningSentence(const GcodeWarning& warning) {

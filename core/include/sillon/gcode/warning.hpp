@@ -89,6 +89,9 @@ std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::
                                         const std::vector<PictureFacts>& pictures,
                                         const std::optional<Measures>& measures, Vec2 page, double spacing);
 
+/// A JSON list of objects with `code`, `values` and `message`.
+std::string warningsJson(const std::vector<GcodeWarning>& warnings);
+
 /// The JSON of a report with the warnings as its last entry: docs/reference/report.md.
 std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings);
 
