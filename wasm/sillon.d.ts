@@ -179,7 +179,7 @@ export interface RunOptions {
    * whose Content-Security-Policy forbids `connect-src blob:`. */
   signal?: AbortSignal;
   /** At most every 30 ms, and with 1 at the end. @param fraction of the whole job, in [0, 1], never falling. */
-  onProgress?: (progress: { stage: string; fraction: number }) => void | PromiseLike<void>;
+  onProgress?: (progress: { stage: string; fraction: number }) => void;
 }
 
 export interface GenerateOptions extends RunOptions {
@@ -191,9 +191,9 @@ export interface GenerateOptions extends RunOptions {
 }
 
 export interface GcodeOptions extends RunOptions {
-  /** Receives the file in pieces of UTF-8, in order, as they are written; then `blob` is empty. The call ends after the
-   * promises that it returns, and rejects as they do; the next pieces do not wait for them. */
-  onChunk?: (chunk: Uint8Array) => void | PromiseLike<void>;
+  /** Receives the file in pieces of UTF-8, in order, as they are written; then `blob` is empty. It may be
+   * asynchronous: the call ends after what it promises, and rejects as that does; the next pieces do not wait for it. */
+  onChunk?: (chunk: Uint8Array) => void;
   /** The path of the layer below, from generateToolpath with `across`; needed where `print.basePattern` is 'across'. */
   below?: Toolpath;
 }

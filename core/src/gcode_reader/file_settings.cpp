@@ -1,11 +1,7 @@
 #include "gcode_reader/file_settings.hpp"
 
-#include <fast_float/fast_float.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <system_error>
 
 #include "base/lines.hpp"
 #include "gcode_reader/parser.hpp"
@@ -13,6 +9,16 @@
 
 namespace sillon {
 namespace {
+
+// Round beds have places such as 1.2e-14, which is 0 but for rounding.
+bool takeNumber(std::string_view& text, double& value) {
+  const std::size_t size = readNumber(text, value);
+  text.remove_prefix(size);
+  if (size == 0 || !text.starts_with("e-")) return size > 0;
+  value = 0;
+  text.remove_prefix(std::min(text.find_first_not_of("0123456789", 2), text.size()));
+  return true;
+}
 
 // "0x0,220x0,220x220,0x220"
 void readBed(std::string_view text, FileSettings& settings) {
@@ -22,12 +28,9 @@ void readBed(std::string_view text, FileSettings& settings) {
   settings.bed = {};
   for (; !text.empty(); ++corners) {
     Vec2 corner;
-    const char* const end = text.data() + text.size();
-    const auto x = fast_float::from_chars(text.data(), end, corner.x);  // 1.2e-14, on round beds
-    if (x.ec != std::errc() || x.ptr == end || *x.ptr != 'x') return;
-    const auto y = fast_float::from_chars(x.ptr + 1, end, corner.y);
-    if (y.ec != std::errc() || !std::isfinite(corner.x) || !std::isfinite(corner.y)) return;
-    text.remove_prefix(static_cast<std::size_t>(y.ptr - text.data()));
+    if (!takeNumber(text, corner.x) || !text.starts_with('x')) return;
+    text.remove_prefix(1);
+    if (!takeNumber(text, corner.y)) return;
     if (text.starts_with(',')) text.remove_prefix(1);
     box.add(corner);
   }

@@ -418,9 +418,16 @@ void chooseAzimuth(Lamp& lamp, std::vector<double>& others, const Trial& trial, 
     }
   }
   lamp = best;
-  std::sort(ends.begin(), ends.end());
-  for (const auto& [sum, azimuth] : ends) {
-    if (azimuth != lamp.azimuth && others.size() < kOthers) others.push_back(azimuth);
+  const auto isTaken = [&](double azimuth) {
+    return azimuth == lamp.azimuth || std::find(others.begin(), others.end(), azimuth) != others.end();
+  };
+  while (others.size() < kOthers) {
+    const std::pair<double, double>* next = nullptr;
+    for (const auto& one : ends) {
+      if (!isTaken(one.second) && (next == nullptr || one.first < next->first)) next = &one;
+    }
+    if (next == nullptr) return;
+    others.push_back(next->second);
   }
 }
 
