@@ -244,8 +244,7 @@ std::string withPrint(std::string report, const sillon::GcodeSummary& gcode) {
   const nlohmann::ordered_json takes{{"seconds", std::round(gcode.seconds)},
                                      {"filamentMm", std::round(100 * gcode.filamentMm) / 100},
                                      {"grams", std::round(100 * gcode.filamentGrams) / 100}};
-  report.resize(report.rfind("\n}"));
-  return report + ",\n  \"print\": " + takes.dump() + "\n}\n";
+  return sillon::withEntry(std::move(report), "print", takes.dump());
 }
 
 /// The G-code in the kind of file that its name asks for.

@@ -9,6 +9,7 @@
 #include "base/json_text.hpp"
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
+#include "sillon/quality/report.hpp"
 
 namespace sillon {
 namespace {
@@ -211,8 +212,7 @@ std::string warningsJson(const std::vector<GcodeWarning>& warnings) {
 }
 
 std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings) {
-  report.resize(report.rfind("\n}"));
-  return report + ",\n  \"warnings\": " + warningsJson(warnings) + "\n}\n";
+  return withEntry(std::move(report), "warnings", warningsJson(warnings));
 }
 
 std::string warningSentence(const GcodeWarning& warning) {

@@ -246,7 +246,6 @@ class Judge {
 
  private:
   static constexpr int kMostCommands = 100;    // in one line
-  static constexpr double kLowest = 0.5;       // [mm] that a nozzle may be told to go lower: more than any first layer
   static constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
 
   void add(std::string_view code, bool error, FindingValues values) {
@@ -383,7 +382,7 @@ class Judge {
       case 206:
       case 290:
       case 428:
-        if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? kLowest : 10);
+        if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? kMostLowered : kMostOffset);
         return;
       case 572:
         return all("S", kMostAdvance);
@@ -428,7 +427,7 @@ class Judge {
     }
     if (name == "SET_GCODE_OFFSET") {
       forEachNumber(head.rest, [&](const std::string& key, double value) {
-        if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? kLowest : 10);
+        if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? kMostLowered : kMostOffset);
       });
       return;
     }

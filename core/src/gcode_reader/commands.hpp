@@ -11,6 +11,9 @@
 
 namespace sillon {
 
+inline constexpr double kMostLowered = 0.5;  ///< [mm] that offsets may lower a nozzle: more than any first layer
+inline constexpr double kMostOffset = 10;    ///< [mm], to any other side
+
 /// What a line of code does besides its moves, by the table of commands and by its values: heaters' targets, offsets,
 /// limits, waits. Whether a finding is an error never depends on the flavour. \param hottestNozzle, hottestBed [degrees
 /// Celsius] \param strict  also tells of macros and unknown commands.

@@ -39,8 +39,6 @@ constexpr double kScratch = 0.1;               // [mm] that a nozzle may be lowe
 constexpr double kOffLayer = 0.25;             // [mm] that calibration plates lift beads, at most
 constexpr double kMostGap = 2;                 // [mm] between a bead and what is highest before it: the thickest layer
 constexpr double kMostPushed = 5;              // [mm of filament] without a move
-constexpr double kMostOffset = 10;             // [mm] to any side but down
-constexpr double kMostLowered = 0.5;           // [mm], more than any first layer
 constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
 
 // How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.

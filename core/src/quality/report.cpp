@@ -140,11 +140,17 @@ std::string reportJson(const ToolpathResult& plate, const std::optional<Measures
   return report.text() + "\n";
 }
 
+std::string withEntry(std::string report, std::string_view name, std::string_view json) {
+  const std::size_t end = report.rfind("\n}");
+  if (end == std::string::npos) return report;
+  report.resize(end);
+  return report.append(",\n  ").append(jsonString(name)).append(": ").append(json).append("\n}\n");
+}
+
 std::string withPictures(std::string report, std::span<const ShownPicture> pictures,
                          std::span<const PictureMeasures> measures, bool fromGcode) {
   const std::size_t count = std::min(pictures.size(), measures.size());
-  const std::size_t end = report.rfind("\n}");
-  if (count == 0 || end == std::string::npos) return report;
+  if (count == 0) return report;
   std::string list;
   for (std::size_t k = 0; k < count; ++k) {
     const PictureMeasures& m = measures[k];
@@ -164,8 +170,7 @@ std::string withPictures(std::string report, std::span<const ShownPicture> pictu
     object.add("from", jsonString(fromGcode ? "gcode" : "toolpath"));
     list += (list.empty() ? "\n    " : ",\n    ") + object.text();
   }
-  report.resize(end);
-  return report + ",\n  \"pictures\": [" + list + "\n  ]\n}\n";
+  return withEntry(std::move(report), "pictures", "[" + list + "\n  ]");
 }
 
 std::vector<std::string> plateNotes(const ToolpathParams& params, const std::optional<Measures>& measures) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sillon/pipeline/pipeline.hpp"
@@ -18,6 +19,9 @@ namespace sillon {
 /// \param peakBytes  of the process, as measured by the caller; 0 if unknown.
 std::string reportJson(const ToolpathResult& plate, const std::optional<Measures>& measures, int threads,
                        std::int64_t peakBytes);
+
+/// A JSON object with one entry more behind the others. \param report  of reportJson. \param json  the entry's value.
+std::string withEntry(std::string report, std::string_view name, std::string_view json);
 
 /// The report with `pictures` as its last entry. \param report  of reportJson. \param measures  one per picture, and
 /// what has none is left out; none: the report as it was. \param fromGcode  whether the G-code was judged, else the
