@@ -3,6 +3,7 @@ import { t } from './i18n/text.js';
 import type { Studio } from './panels/studio.js';
 
 const reloaded = 'sillon-reloaded-for-threads';
+const patience = 10_000; // [ms]
 
 /** Never twice in a tab, whatever comes of it; and not at all where that cannot be remembered. */
 function reloadOnce(): void {
@@ -32,6 +33,8 @@ function watchForUpdates(
       // Another tab may have been faster: there will be no other change.
       if (waiting.state === 'activated') reload();
       else serviceWorker.addEventListener('controllerchange', reload, { once: true });
+      // Browsers let the old version finish what it does, which may never end; a page that is loaded anew ends it.
+      setTimeout(reload, patience);
       waiting.postMessage('activate');
     });
   };
