@@ -241,7 +241,8 @@ test('without storage the page works', { skip }, async () => {
 });
 
 test('without graphics the page says so, and files can be had all the same', { skip }, async () => {
-  const context = await bench.browser.newContext({ reducedMotion: 'reduce', acceptDownloads: true });
+  const options = { reducedMotion: 'reduce', acceptDownloads: true, serviceWorkers: 'block' };
+  const context = await bench.browser.newContext(options);
   await context.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {

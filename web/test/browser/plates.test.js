@@ -199,7 +199,7 @@ test('a project that was opened is saved back in its place', { skip }, async () 
 });
 
 test('where the browser lends no locks, tabs ask each other and overwrite nothing', { skip }, async () => {
-  const keep = await bench.browser.newContext({ reducedMotion: 'reduce', locale: 'en-US' });
+  const keep = await bench.browser.newContext({ reducedMotion: 'reduce', locale: 'en-US', serviceWorkers: 'block' });
   // As on pages without TLS.
   await keep.addInitScript(() => {
     delete Navigator.prototype.locks;

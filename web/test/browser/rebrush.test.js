@@ -578,7 +578,11 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
 
 for (const language of ['en', 'fr', 'de']) {
   test(`no control of it is covered or cut, whatever the width, ${language}`, { skip }, async () => {
-    const keep = await bench.browser.newContext({ reducedMotion: 'reduce', viewport: { width: 1000, height: 760 } });
+    const keep = await bench.browser.newContext({
+      reducedMotion: 'reduce',
+      viewport: { width: 1000, height: 760 },
+      serviceWorkers: 'block', // its notice may come at any time, over anything
+    });
     await keep.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null; // as in sweep.test.js
     });

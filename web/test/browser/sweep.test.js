@@ -64,7 +64,11 @@ function outside() {
 
 for (const language of languages) {
   test(`no control is covered or cut, whatever the width, ${language}`, { skip }, async () => {
-    const keep = await bench.browser.newContext({ reducedMotion: 'reduce', viewport: { width: 1000, height: 760 } });
+    const keep = await bench.browser.newContext({
+      reducedMotion: 'reduce',
+      viewport: { width: 1000, height: 760 },
+      serviceWorkers: 'block', // its notice may come at any time, over anything
+    });
     await keep.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null;
     });
@@ -90,7 +94,11 @@ for (const language of languages) {
   });
 
   test(`nothing of calibration and first print is cut, whatever the width, ${language}`, { skip }, async () => {
-    const keep = await bench.browser.newContext({ reducedMotion: 'reduce', viewport: { width: 1000, height: 760 } });
+    const keep = await bench.browser.newContext({
+      reducedMotion: 'reduce',
+      viewport: { width: 1000, height: 760 },
+      serviceWorkers: 'block', // its notice may come at any time, over anything
+    });
     const { page } = await bench.open({ keep, path: `/?lang=${language}${smallPlate}` });
     await page.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.result !== undefined);
     const wrong = [];
