@@ -57,7 +57,8 @@ bool isOfCalibrations(const Setting& row) {
 std::vector<std::string> withTodaysNames(int argc, const char* const* argv) {
   std::map<std::string, std::string> today;
   for (const Setting& row : sillon::settings()) {
-    for (const std::string& old : sillon::splitWords(row.oldOptions)) today[old] = row.option;
+    const sillon::SettingWords words = sillon::wordsOf(row);
+    for (const std::string& old : sillon::splitWords(words.oldOptions)) today[old] = words.option;
   }
   std::vector<std::string> words(argv, argv + argc);
   for (std::size_t k = 1; k < words.size() && words[k] != "--"; ++k) {

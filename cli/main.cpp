@@ -96,9 +96,7 @@ sillon::Result<sillon::Project> readInput(const cli::Arguments& arguments) {
   if (std::string problem = cli::applyPictures(arguments.pictures, project); !problem.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(problem)};
   }
-  if (std::string problem = sillon::invalidSettings(project); !problem.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(problem)};
-  }
+  if (auto wrong = sillon::invalidSettings(project)) return *std::move(wrong);
   return project;
 }
 

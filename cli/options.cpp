@@ -147,7 +147,8 @@ CLI::Option* Options::word(const std::string& name, const char* unit, const std:
 }
 
 void Options::setting(const Setting& row) {
-  const std::string name = row.option;
+  const sillon::SettingWords words = sillon::wordsOf(row);
+  const std::string name = words.option;
   if (row.type == SettingType::Flag) {
     app_.add_flag_callback(
             name,
@@ -157,13 +158,13 @@ void Options::setting(const Setting& row) {
                 return std::string();
               });
             },
-            row.help)
+            words.help)
         ->group(group_);
     return;
   }
   Project defaults;
   const std::string standard = sillon::settingText(row, defaults);
-  word(name, valueName(row).c_str(), std::string(row.help) + (standard.empty() ? "" : " [" + standard + "]"),
+  word(name, valueName(row).c_str(), std::string(words.help) + (standard.empty() ? "" : " [" + standard + "]"),
        [&row, name](const std::string& text) {
          Project scratch;
          setField(row, scratch, name, text);
@@ -177,7 +178,8 @@ void Options::setting(const Setting& row) {
 void Options::settings(const std::function<bool(const Setting&)>& wanted) {
   for (const Setting& row : sillon::settings()) {
     if (!wanted(row)) continue;
-    if (*row.option == '\0' || app_.get_option_no_throw(row.option) != nullptr) continue;
+    const char* option = sillon::wordsOf(row).option;
+    if (*option == '\0' || app_.get_option_no_throw(option) != nullptr) continue;
     group(row.level == Level::Expert ? "" : groupOf(row.section));  // no group: not in help
     setting(row);
   }

@@ -375,7 +375,7 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
     for (const sillon::GcodeFinding& finding : job.findings) {
       // A line of the owner's start or end code has been told, by its place there.
       if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::GcodeWarning& warning) {
-            const sillon::WarningValue* what = warning.value("what");
+            const sillon::NamedValue* what = warning.value("what");
             return what != nullptr && what->text == finding.message;
           })) {
         continue;

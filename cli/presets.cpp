@@ -82,11 +82,12 @@ std::string settingsTable() {
   const sillon::Project defaults;
   std::string out = "setting                              default              range, unit; * for experts\n";
   for (const sillon::Setting& row : sillon::settings()) {
+    const sillon::SettingWords words = sillon::wordsOf(row);
     char line[512];
     std::snprintf(line, sizeof line, "%-36s %-20s %s%s\n%36s %s%s%s%s\n", sillon::fullName(row).c_str(),
                   sillon::settingText(row, defaults).c_str(), rangeText(row).c_str(),
-                  row.level == sillon::Level::Expert ? " *" : "", "", row.help, *row.option == '\0' ? "" : " (",
-                  row.option, *row.option == '\0' ? "" : ")");
+                  row.level == sillon::Level::Expert ? " *" : "", "", words.help, *words.option == '\0' ? "" : " (",
+                  words.option, *words.option == '\0' ? "" : ")");
     out += line;
   }
   return out;

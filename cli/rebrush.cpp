@@ -175,8 +175,8 @@ std::optional<DirectionMode> modeWord(const std::string& text) {
 Result<sillon::Project> pictureProject(const PictureOptions& pictures) {
   sillon::Project project;
   std::string problem = applyPictures(pictures, project);
-  if (problem.empty()) problem = sillon::invalidSettings(project);
   if (!problem.empty()) return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  if (auto wrong = sillon::invalidSettings(project)) return *std::move(wrong);
   return project;
 }
 

@@ -152,7 +152,7 @@ sillon::ToolpathParams parametersOf(const sillon::Project& project, const char* 
   char* end = nullptr;
   params.spacing = std::strtod(spacing, &end);
   if (end == spacing || *end != '\0') fail("the spacing is \"" + std::string(spacing) + "\"; it must be a number [mm]");
-  if (const std::string bad = sillon::invalidSettings(params); !bad.empty()) fail(bad);
+  if (const auto wrong = sillon::invalidSettings(params)) fail(wrong->message);
   return params;
 }
 

@@ -260,14 +260,18 @@ inline sillon::ReadInput reader(const val& files) {
   };
 }
 
-inline val toJs(const sillon::GcodeWarning& warning) {
+inline val toJs(const std::vector<sillon::NamedValue>& list) {
   val values = val::object();
-  for (const sillon::WarningValue& value : warning.values) {
+  for (const sillon::NamedValue& value : list) {
     values.set(value.name, value.text.empty() ? val(value.number) : val(value.text));
   }
+  return values;
+}
+
+inline val toJs(const sillon::GcodeWarning& warning) {
   val out = val::object();
   out.set("code", val(sillon::warningName(warning.code)));
-  out.set("values", values);
+  out.set("values", toJs(warning.values));
   out.set("message", val(sillon::warningSentence(warning)));
   return out;
 }
@@ -355,16 +359,21 @@ inline const char* codeName(sillon::ErrorCode code) {
   return "Internal";
 }
 
-/// {error: {code, message}}
-inline val failure(const char* code, const std::string& message) {
+/// {error: {code, message, reason, values}}
+inline val failure(const char* code, const std::string& message, const char* reason = "",
+                   const std::vector<sillon::NamedValue>& values = {}) {
   val error = val::object();
   error.set("code", toJs(code));
   error.set("message", val(message));
+  error.set("reason", toJs(reason));
+  error.set("values", toJs(values));
   val out = val::object();
   out.set("error", error);
   return out;
 }
-inline val failure(const sillon::Error& error) { return failure(codeName(error.code), error.message); }
+inline val failure(const sillon::Error& error) {
+  return failure(codeName(error.code), error.message, error.reason, error.values);
+}
 
 /// {value}
 inline val success(const val& value) {

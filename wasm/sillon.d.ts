@@ -1053,11 +1053,42 @@ export type ErrorCode =
   /** Our fault. */
   | 'Internal';
 
+/** Which sentence an error's message is, for those who say it in another language than English. */
+export type ErrorReason =
+  /** A number of a project: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's own unit. */
+  | 'SettingOutOfRange'
+  /** `left`, `right`, `front`, `back`: by how much the plate lies over that edge of the bed [mm]; those that it does. */
+  | 'OverBedEdge'
+  /** `by` [mm]: over the edge of a round bed. */
+  | 'OverRoundBed'
+  /** The plate touches the part of the bed that the printer's profile excludes. */
+  | 'OnExcludedZone'
+  /** The job with its lift: `height`, and `most`, which the printer reaches [mm]. */
+  | 'TooHigh'
+  /** Several plates on one bed: `height`, and `most`, at which the print head passes over the others [mm]. */
+  | 'CopiesTooHigh'
+  /** No bead fits anywhere: `spacing` [mm]. */
+  | 'NoBeadFits'
+  /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,
+   * each where there is one. */
+  | 'PlateTooLarge'
+  /** The warning of that name, where it is no mere warning: a line of a block that must not run. */
+  | GcodeWarning['code'];
+
 /** Every error of the engine but an aborted signal's reason. */
 export class SillonError extends Error {
-  constructor(code: ErrorCode, message: string, hint?: string);
+  constructor(
+    code: ErrorCode,
+    message: string,
+    hint?: string,
+    told?: { reason?: ErrorReason | ''; values?: Readonly<Record<string, number | string>> },
+  );
   readonly name: 'SillonError';
   readonly code: ErrorCode;
   /** What to do about it, one sentence; may be empty. */
   readonly hint: string;
+  /** Empty where the message alone says it. */
+  readonly reason: ErrorReason | '';
+  /** Of the reason. */
+  readonly values: Readonly<Record<string, number | string>>;
 }

@@ -143,7 +143,7 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
     if (perimeters == "none") params.perimeterMode = sillon::PerimeterMode::None;
     if (perimeters == "soft") params.perimeterMode = sillon::PerimeterMode::Soft;
     if (const auto known = sillon::presets(); std::find(known.begin(), known.end(), perimeters) != known.end()) {
-      sillon::applyPreset(perimeters, params);
+      if (!sillon::applyPreset(perimeters, params).empty()) continue;
     }
     if (!perimeters.empty() && std::isdigit(perimeters[0])) {
       params.perimeterMode = sillon::PerimeterMode::Count;

@@ -10,6 +10,7 @@
 
 #include "printer/dialect.hpp"
 #include "support/gcode_job.hpp"
+#include "support/told_reason.hpp"
 
 using namespace sillon;
 using namespace sillon::test;
@@ -89,8 +90,8 @@ TEST_CASE("an end block that comes down on the plate is refused, one that homes 
     return job.write().result;
   };
   const std::string top = "over the plate, which is 0.6 mm high; it must rise or go aside";
-  CHECK(end("G1 Z0.2 F600").error().message == "line 3 of endGcode goes down to Z 0.2 " + top);
-  CHECK(end("G91\nG1 Z-20 F600").error().message.find("line 4 of endGcode goes down to Z -") == 0);
+  CHECK(end("G1 Z0.2 F600").error().message == "line 3 of endGcode: goes down to Z 0.2 " + top);
+  CHECK(end("G91\nG1 Z-20 F600").error().message.find("line 4 of endGcode: goes down to Z -") == 0);
   CHECK(end("G1 X112 Y110 Z0.5 F600").error().message.find(top) != std::string::npos);
   CHECK(end("G1 X1 Y1 F3000\nG1 Z0.2 F600"));             // beside it
   CHECK_FALSE(end("G1 X94.5 Y110 F3000\nG1 Z0.2 F600"));  // its plate begins at 95, and a nozzle is wide
@@ -276,6 +277,9 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
         0);
   CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of startGcode: moves before it homes") == 0);
   CHECK(refusal("G28\nG1 X10 E5 F600").find("line 2 of startGcode: extrudes before it has waited") == 0);
+  Job far = job;
+  far.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 X300 F3000";
+  CHECK(toldReason(far.write().result.error()).find("StartLine line=4 what=a move over the bed's edge") == 0);
   const auto endRefusal = [&](const char* end) {
     Job bad = job;
     bad.printer.endGcode = end;

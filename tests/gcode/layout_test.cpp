@@ -11,6 +11,7 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "support/about.hpp"
 #include "support/gcode_job.hpp"
+#include "support/told_reason.hpp"
 
 using namespace sillon;
 using namespace sillon::test;
@@ -160,6 +161,7 @@ TEST_CASE("copies are printed one after the other, and travels pass above those 
   job.params.copies = {2, 1};
   job.params.base = 20;
   CHECK(job.write().result.error().message.find("the plates are 4.2 mm high; several on one bed") == 0);
+  CHECK(toldReason(job.write().result.error()) == "CopiesTooHigh height=4.2 most=3");
   job.params.copies = {1.5, 1};
   CHECK(job.write().result.error().message.find("print.copies is [1.5, 1]; it must be two whole numbers") == 0);
 }
@@ -182,6 +184,8 @@ TEST_CASE("a round bed holds what lies within its circle and nothing else") {
   CHECK(error.message ==
         "the plate of 30.0 x 40.0 mm reaches over the edge of the round bed by 0.303 mm; it fits when it "
         "is centred");
+
+  CHECK(toldReason(error) == "OverRoundBed by=0.3032");
 
   job.params.place.reset();
   job.printer.bedMin = {-40, -40};
@@ -218,6 +222,7 @@ TEST_CASE("nothing touches the excluded part of the bed") {
   job.params.place = Vec2{17.9, 27};
   CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
   CHECK(job.write().result.error().message.find("touches the excluded part of the bed") != std::string::npos);
+  CHECK(toldReason(job.write().result.error()) == "OnExcludedZone");
   job.printer.excludedMin = {20, 30};  // an island inside the plate
   job.printer.excludedMax = {21, 31};
   job.params.place = Vec2{15, 25};
@@ -304,6 +309,7 @@ TEST_CASE("what does not fit is refused with the overhang of each side") {
   CHECK(written.result.error().code == ErrorCode::DoesNotFit);
   CHECK(written.result.error().message.find("2.000 mm on the left, 5.500 mm at the back; it fits when it is centred") !=
         std::string::npos);
+  CHECK(toldReason(written.result.error()) == "OverBedEdge left=2 back=5.5");
   CHECK(written.text.empty());
   job.params.place.reset();
   job.printer.bedMax = {30, 20};
@@ -325,6 +331,7 @@ TEST_CASE("what does not fit is refused with the overhang of each side") {
   job.toolpath.cycles[0].points[0] = {0.2f, 0.2f};
   job.printer.maxZ = 0.9;
   CHECK(job.write().result.error().code == ErrorCode::DoesNotFit);
+  CHECK(toldReason(job.write().result.error()) == "TooHigh height=1 most=0.9");
   job.printer.maxZ = 1;
   CHECK(job.write().result.ok());
 }

@@ -128,7 +128,7 @@ TEST_CASE("blocks are given the offset, and the end block must stay above where 
   CHECK(text.find("\nG1 Z5.3 F600\n") != std::string::npos);
   CHECK(text.find("\nG1 Z1.9 F720\n") != std::string::npos);
   job.printer.endGcode = "G1 Z0.8 F720\nM104 S0\nM140 S0";  // below 0.6 + 0.3
-  CHECK(problem(job).find("line 1 of endGcode goes down to Z 0.8 over the plate, which is 0.9 mm high") == 0);
+  CHECK(problem(job).find("line 1 of endGcode: goes down to Z 0.8 over the plate, which is 0.9 mm high") == 0);
   job.printer.zOffset = 0.1;
   CHECK(problem(job) == "");
 }
@@ -137,12 +137,12 @@ TEST_CASE("with its offset a job must stay above the bed and below the printer's
   Job job = plate();
   job.printer.zOffset = -0.16;
   CHECK(problem(job) ==
-        "printer.zOffset is -0.16 mm, by which the first layer would lie at Z 0.04; it must be -0.15 to 1.8 for a "
-        "first layer of 0.2");
+        "printer.zOffset is -0.16 mm; it must be -0.15 to 1.8 for a first layer of 0.2, which would lie at Z 0.04");
   job.params.firstLayerHeight = 0.3;
   CHECK(problem(job) == "");
   job.printer.zOffset = 1.71;
-  CHECK(problem(job).find("the first layer would lie at Z 2.01; it must be -0.25 to 1.7 for") != std::string::npos);
+  CHECK(problem(job).find("it must be -0.25 to 1.7 for a first layer of 0.3, which would lie at Z 2.01") !=
+        std::string::npos);
   job.params.startHeight = 5;
   CHECK(problem(job) == "");
   job.printer.zOffset = 2.1;

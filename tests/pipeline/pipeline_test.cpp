@@ -13,6 +13,7 @@
 #include "sillon/quality/metrics.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
+#include "support/told_reason.hpp"
 
 using namespace sillon;
 
@@ -62,6 +63,8 @@ TEST_CASE("the spacing and the size that a refusal names are the first that memo
     CHECK(!plateTooLarge(size, spacing, freeBytes).has_value());
     CHECK(plateTooLarge(size, spacing - 0.001, freeBytes).has_value());
     const double share = after("or a size of at most ") / 100;
+    CHECK(toldReason(*error) ==
+          "PlateTooLarge spacing=0.5 leastSpacing=" + decimal(spacing, 4) + " percent=" + decimal(100 * share, 4));
     CHECK(!plateTooLarge(size * share, 0.5, freeBytes).has_value());
     CHECK(plateTooLarge(size * (share + 0.01), 0.5, freeBytes).has_value());
   }

@@ -10,6 +10,7 @@
 #include "sillon/pipeline/session.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "support/scenes.hpp"
+#include "support/told_reason.hpp"
 
 using namespace sillon;
 
@@ -148,6 +149,7 @@ TEST_CASE("an error or a cancelled run leaves a session fit for the next") {
   const std::string digest = digestOf(session.generateToolpath(input, {}, run).value().toolpath);
   PlateInput tiny = fan(0.1, 0.5);
   CHECK(session.generateToolpath(tiny, {}, run).error().code == ErrorCode::EmptyShape);
+  CHECK(toldReason(session.generateToolpath(tiny, {}, run).error()) == "NoBeadFits spacing=0.4");
   CHECK(digestOf(session.generateToolpath(input, {}, run).value().toolpath) == digest);
   for (const double when : {0.03, 0.1, 0.3}) {
     RunContext stopped(1);

@@ -18,6 +18,7 @@
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
 #include "support/report_keys.hpp"
+#include "support/wrong_settings.hpp"
 
 using namespace sillon;
 using Json = nlohmann::json;
@@ -287,7 +288,7 @@ TEST_CASE("a preset lies under the section's own values, and all presets can be 
   for (const std::string& id : presets()) {
     Project project;
     CHECK(applyPreset(id, project.toolpath).empty());
-    CHECK(invalidSettings(project).empty());
+    CHECK(!invalidSettings(project));
     CHECK((writeProject(project) == writeProject({})) == (id == "standard"));
   }
 }
@@ -539,15 +540,15 @@ TEST_CASE("numbers that are none are found before they reach a file") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Project project;
   project.printer.speed = nan;
-  CHECK(invalidSettings(project) == "printer.speed is not a number mm/s; it must be 5 to 1000");
+  CHECK(wrongSettings(project) == "printer.speed is not a number mm/s; it must be 5 to 1000");
   project = {};
   project.print.place = Vec2{std::numeric_limits<double>::infinity(), 0};
-  CHECK(has(invalidSettings(project), "print.place.x is infinite mm"));
+  CHECK(has(wrongSettings(project), "print.place.x is infinite mm"));
   project = {};
   project.toolpath.spacing = nan;
-  CHECK(has(invalidSettings(project), "spacing"));
-  CHECK(invalidSettings(Project{}) == "");
-  CHECK(invalidSettings(unusualProject()) == "");
+  CHECK(has(wrongSettings(project), "spacing"));
+  CHECK(!invalidSettings(Project{}));
+  CHECK(!invalidSettings(unusualProject()));
 }
 
 TEST_CASE("half a copy is refused") {
@@ -618,7 +619,7 @@ TEST_CASE("no cut and no changed byte of a project does harm") {
     const Result<Project> project = readProject(changed);
     if (project) {
       ++read;
-      CHECK(invalidSettings(project.value()) == "");
+      CHECK(!invalidSettings(project.value()));
     } else {
       CHECK(project.error().message.find('\n') == std::string::npos);
     }

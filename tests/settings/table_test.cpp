@@ -12,6 +12,8 @@
 #include "sillon/project/project.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
+#include "support/told_reason.hpp"
+#include "support/wrong_settings.hpp"
 
 using namespace sillon;
 using Json = nlohmann::json;
@@ -80,7 +82,7 @@ TEST_CASE("both ends of each range are allowed, and one step past them is not") 
 }
 
 TEST_CASE("defaults are allowed, and each row has a key, a label and a sentence of its own") {
-  CHECK(invalidSettings(Project{}) == "");
+  CHECK(!invalidSettings(Project{}));
   std::set<std::string> names;
   std::set<std::string> options;
   for (const Setting& row : settings()) {
@@ -89,10 +91,11 @@ TEST_CASE("defaults are allowed, and each row has a key, a label and a sentence 
     for (const std::string& old : splitWords(row.oldKeys)) {
       CHECK(names.insert(std::string(sectionName(row.section)) + "." + old).second);
     }
-    if (*row.option != '\0') CHECK(options.insert(row.option).second);
-    for (const std::string& old : splitWords(row.oldOptions)) CHECK(options.insert(old).second);
-    CHECK(*row.label != '\0');
-    const std::string help = row.help;
+    const SettingWords words = wordsOf(row);
+    if (*words.option != '\0') CHECK(options.insert(words.option).second);
+    for (const std::string& old : splitWords(words.oldOptions)) CHECK(options.insert(old).second);
+    CHECK(*words.label != '\0');
+    const std::string help = words.help;
     REQUIRE(help.size() > 10);
     CHECK(help.back() != '.');
     for (const char letter : help) CHECK((letter >= ' ' && letter <= '~'));
@@ -198,36 +201,39 @@ TEST_CASE("pictures with their lamps are written as they were read") {
 TEST_CASE("what temperatures are allowed depends on anyTemperature") {
   Printer printer;
   printer.nozzleTemperature = 320;
-  CHECK(invalidSettings(printer, {}) == "printer.nozzleTemperature is 320 degrees Celsius; it must be 170 to 300");
+  CHECK(wrongSettings(printer, PrintParams{}) ==
+        "printer.nozzleTemperature is 320 degrees Celsius; it must be 170 to 300");
+  CHECK(toldReason(*invalidSettings(printer, {})) ==
+        "SettingOutOfRange setting=printer.nozzleTemperature value=320 low=170 high=300");
   printer.anyTemperature = true;
-  CHECK(invalidSettings(printer, {}) == "");
+  CHECK(!invalidSettings(printer, {}));
   printer.bedTemperature = 201;
-  CHECK(has(invalidSettings(printer, {}), "it must be 0 to 200"));
+  CHECK(has(wrongSettings(printer, PrintParams{}), "it must be 0 to 200"));
 }
 
 TEST_CASE("a printer's own limits of temperature hold below the general ones, unless any is allowed") {
   Printer printer;
   printer.maxNozzleTemperature = 240;
   printer.maxBedTemperature = 80;
-  CHECK(invalidSettings(printer, {}) == "");
+  CHECK(!invalidSettings(printer, {}));
   for (const auto& [field, key] : {std::pair{&Printer::nozzleTemperature, "nozzleTemperature"},
                                    {&Printer::firstLayerNozzleTemperature, "firstLayerNozzleTemperature"}}) {
     Printer hot = printer;
     hot.*field = 240;
-    CHECK(invalidSettings(hot, {}) == "");
+    CHECK(!invalidSettings(hot, {}));
     hot.*field = 241;
-    CHECK(invalidSettings(hot, {}) ==
+    CHECK(wrongSettings(hot, PrintParams{}) ==
           "printer." + std::string(key) +
               " is 241 degrees Celsius; it must be 170 to 240, or maxNozzleTemperature higher for another hot end");
     hot.anyTemperature = true;
-    CHECK(invalidSettings(hot, {}) == "");
+    CHECK(!invalidSettings(hot, {}));
   }
   printer.bedTemperature = 81;
   CHECK(
-      invalidSettings(printer, {}) ==
+      wrongSettings(printer, PrintParams{}) ==
       "printer.bedTemperature is 81 degrees Celsius; it must be 0 to 80, or maxBedTemperature higher for another bed");
   printer.anyTemperature = true;
-  CHECK(invalidSettings(printer, {}) == "");
+  CHECK(!invalidSettings(printer, {}));
   CHECK(has(problem({{"sillon", 1}, {"printer", {{"profile", "creality-ender-3"}, {"nozzleTemperature", 256}}}}),
             "it must be 170 to 255, or maxNozzleTemperature"));
   CHECK(has(problem({{"sillon", 1}, {"printer", {{"profile", "bambu-a1-mini"}, {"bedTemperature", 81}}}}),
@@ -237,17 +243,18 @@ TEST_CASE("a printer's own limits of temperature hold below the general ones, un
 TEST_CASE("rules between settings of a section hold wherever they are read") {
   Printer printer;
   printer.bedMin = {215, 0};
-  CHECK(has(invalidSettings(printer, {}), "printer.bedMax is [220, 220] mm; it must be 10 to 5000 mm right of"));
+  CHECK(
+      has(wrongSettings(printer, PrintParams{}), "printer.bedMax is [220, 220] mm; it must be 10 to 5000 mm right of"));
   printer = {};
   printer.roundBed = true;
   printer.bedMax = {200, 210};
-  CHECK(has(invalidSettings(printer, {}), "it must be a square"));
+  CHECK(has(wrongSettings(printer, PrintParams{}), "it must be a square"));
   printer = {};
   printer.machineSpeed = 4;
-  CHECK(has(invalidSettings(printer, {}), "it must be 5 to 1000, or 0"));
+  CHECK(has(wrongSettings(printer, PrintParams{}), "it must be 5 to 1000, or 0"));
   PrintParams print;
   print.firstLayerHeight = 0.01;
-  CHECK(has(invalidSettings(Printer{}, print), "print.firstLayerHeight is 0.01 mm; it must be 0.05 to 1.6, or 0"));
+  CHECK(has(wrongSettings(Printer{}, print), "print.firstLayerHeight is 0.01 mm; it must be 0.05 to 1.6, or 0"));
 }
 
 TEST_CASE("the table as JSON has every row with its default and range") {

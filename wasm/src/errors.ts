@@ -1,6 +1,6 @@
 // The one kind of error that leaves the package.
 import type * as api from '../sillon.js';
-import type { Call } from './protocol.js';
+import type { Call, Failure } from './protocol.js';
 
 /** What helps against most errors of a kind. */
 const hints: Record<api.ErrorCode, string> = {
@@ -27,23 +27,33 @@ export const SillonError: typeof api.SillonError = class SillonError extends Err
   declare readonly name: 'SillonError';
   readonly code: api.ErrorCode;
   readonly hint: string;
+  readonly reason: api.ErrorReason | '';
+  readonly values: Readonly<Record<string, number | string>>;
 
   static {
     // Not a field: then the stack trace begins with it.
     Object.defineProperty(this.prototype, 'name', { value: 'SillonError' });
   }
 
-  constructor(code: api.ErrorCode, message: string, hint: string = hints[code]) {
+  constructor(
+    code: api.ErrorCode,
+    message: string,
+    hint: string = hints[code],
+    told: Partial<Pick<api.SillonError, 'reason' | 'values'>> = {},
+  ) {
     super(message);
     this.code = code;
     this.hint = hint;
+    this.reason = told.reason ?? '';
+    this.values = told.values ?? {};
   }
 };
 
 /** What the worker says of a call, or of its start. */
-export function failureOf(code: api.ErrorCode, message: string, call: Call['name'] | undefined): SillonError {
+export function failureOf(failure: Failure & { code: api.ErrorCode }, call: Call['name'] | undefined): SillonError {
+  const { code, message } = failure;
   const readsPictures = call !== undefined && readers.includes(call);
-  return new SillonError(code, message, code === 'InvalidFile' && readsPictures ? aboutPictures : undefined);
+  return new SillonError(code, message, code === 'InvalidFile' && readsPictures ? aboutPictures : undefined, failure);
 }
 
 export const invalid = (message: string, hint?: string): SillonError =>

@@ -133,7 +133,7 @@ export type ToWorker = StartMessage | { type: 'call'; call: Call; wanted: Wanted
  * becomes 1, or an address that cannot be fetched any more. */
 export type Wanted = Uint8Array | string | undefined;
 
-export interface Failure {
+export interface Failure extends Pick<api.SillonError, 'reason' | 'values'> {
   code: api.ErrorCode | 'Cancelled';
   message: string;
 }

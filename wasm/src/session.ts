@@ -138,7 +138,7 @@ export class Session {
     if (message.type === 'failed') {
       const waiting = this.#settle();
       if (message.code === 'Cancelled') waiting?.resolve(undefined);
-      else waiting?.reject(failureOf(message.code, message.message, waiting.call));
+      else waiting?.reject(failureOf({ ...message, code: message.code }, waiting.call));
     }
   }
 

@@ -387,6 +387,26 @@ test('errors that users often meet say what to do', async () => {
     assert.equal(await hint(call), '');
 });
 
+test('what a page would say in another language has a reason with values', async () => {
+  const told = async (call) => {
+    const { reason, values } = await call().catch((error) => error);
+    return { reason, values };
+  };
+  assert.deepEqual(await told(generate({ shape: disc }, { spacing: 90 })), {
+    reason: 'SettingOutOfRange',
+    values: { setting: 'toolpath.spacing', value: 90, low: 0.05, high: 20 },
+  });
+  assert.deepEqual(await told(generate({ shape: { builtin: 'disc', size: [1, 1] } }, { spacing: 9 })), {
+    reason: 'NoBeadFits',
+    values: { spacing: 9 },
+  });
+  const { reason, values } = await told(gcode({}, { place: [-2, 20] }));
+  assert.equal(reason, 'OverBedEdge');
+  assert.deepEqual(Object.keys(values), ['left']);
+  assert.equal((await told(gcode({ startGcode: 'G28\nG1 X10 E5 F600' }))).reason, 'StartLine');
+  assert.deepEqual(await told(withShape(noise)), { reason: '', values: {} });
+});
+
 describe('createEngine', () => {
   const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
   after(() => rmSync(folder, { recursive: true }));

@@ -2,6 +2,7 @@
 #pragma once
 
 // Values that all rooms share.
+#include "sillon/base/reasons.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"

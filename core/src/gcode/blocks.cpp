@@ -24,6 +24,10 @@ constexpr double kNozzleBody = 2;  // [mm] around its middle, and more than any 
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
+std::optional<Error> refusal(const GcodeWarning& warning) {
+  return Error{ErrorCode::InvalidArgument, warningSentence(warning), warningName(warning.code), warning.values};
+}
+
 // \param height  of what stands on the bed while the block runs [mm].
 void warnLow(GcodeJob& job, const std::string& block, const GcodeCheck& check, double height) {
   if (check.lowest >= height) return;
@@ -82,7 +86,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     if (finding.line == 0) continue;  // of whole files
     const GcodeWarning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
     const bool elsewhere = finding.code == "origin-shift";  // whoever wrote the block: the plate would lie there
-    if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return invalid(warningSentence(warning));
+    if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return refusal(warning);
     if (isWorthALook(finding)) job.warnings.push_back(warning);
   }
   return std::nullopt;
@@ -135,8 +139,11 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
       const double share = static_cast<double>(k) / kPieces;
       const double height = move->zFrom + share * (move->z - move->zFrom);
       if (height >= plate.height - 1e-9 || !near.holds(move->from + share * (move->to - move->from))) continue;
-      refused = invalid("line " + std::to_string(line.number) + " of endGcode goes down to Z " + decimal(move->z, 3) +
-                        " over the plate, which is " + decimal(plate.height, 3) + " mm high; it must rise or go aside");
+      refused = refusal({WarningCode::EndLine,
+                         {{"line", static_cast<double>(line.number)},
+                          {"what", "goes down to Z " + decimal(move->z, 3) + " over the plate, which is " +
+                                       decimal(plate.height, 3) + " mm high; it must rise or go aside"},
+                          {"rule", std::string("height")}}});
       return;
     }
   });
@@ -176,7 +183,7 @@ std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height
     const GcodeWarning warning = lineWarning(WarningCode::EndLine, finding.line - lines, finding);
     const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
     if (isDangerous(finding) || (fault && printer.flavor != GcodeFlavor::Bambu)) {
-      return invalid(warningSentence(warning));
+      return refusal(warning);
     }
     if (finding.error || isWorthALook(finding)) job.warnings.push_back(warning);
   }

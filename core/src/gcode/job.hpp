@@ -66,7 +66,7 @@ struct GcodeJob {
   std::string endBlock;
   std::vector<GcodeWarning> warnings;
 
-  void warn(WarningCode code, std::vector<WarningValue> values = {}) { warnings.push_back({code, std::move(values)}); }
+  void warn(WarningCode code, std::vector<NamedValue> values = {}) { warnings.push_back({code, std::move(values)}); }
 };
 
 /// Whether patches try values of pressure advance.

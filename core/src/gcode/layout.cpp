@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/decimal_text.hpp"
+#include "sillon/base/reasons.hpp"
 #include "sillon/gcode/bed_fit.hpp"
 
 namespace sillon {
@@ -152,29 +153,36 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
                             " x " + fixed(box.size().y, 1) + " mm";
   const char* reach = job.copies.size() == 1 ? " reaches" : " reach";
   std::string sides;
-  const auto add = [&](double overhang, const char* side) {
+  std::vector<NamedValue> over;
+  const auto add = [&](double overhang, const char* name, const char* side) {
     if (overhang <= kSlack) return;
-    sides += (sides.empty() ? "" : ", ") + fixed(std::max(overhang, 0.001), 3) + " mm " + side;
+    over.emplace_back(name, std::max(overhang, 0.001));
+    sides += (sides.empty() ? "" : ", ") + fixed(over.back().number, 3) + " mm " + side;
   };
   if (!printer.roundBed) {
-    add(printer.bedMin.x - box.min.x, "on the left");
-    add(box.max.x - printer.bedMax.x, "on the right");
-    add(printer.bedMin.y - box.min.y, "in front");
-    add(box.max.y - printer.bedMax.y, "at the back");
+    add(printer.bedMin.x - box.min.x, "left", "on the left");
+    add(box.max.x - printer.bedMax.x, "right", "on the right");
+    add(printer.bedMin.y - box.min.y, "front", "in front");
+    add(box.max.y - printer.bedMax.y, "back", "at the back");
   }
-  if (!sides.empty()) {
-    return Error{ErrorCode::DoesNotFit, plate + reach + " over the edge of the bed by " + sides};
+  if (!over.empty()) {
+    return Error{ErrorCode::DoesNotFit, plate + reach + " over the edge of the bed by " + sides, reason::kOverBedEdge,
+                 std::move(over)};
   }
   double overhang = 0;
   for (const PointUm copy : job.copies) {
     if (printer.roundBed) overhang = std::max(overhang, overhangOf(outline, shift + mm(copy), job, copy, bed));
     if (bed.hasZone() && overhang <= kSlack && touchesZone(outline, shift + mm(copy), job, copy, bed)) {
-      return Error{ErrorCode::DoesNotFit, plate + " touches the excluded part of the bed; place it elsewhere"};
+      return Error{ErrorCode::DoesNotFit, plate + " touches the excluded part of the bed; place it elsewhere",
+                   reason::kOnExcludedZone};
     }
   }
   if (overhang > kSlack) {
+    const double by = std::max(overhang, 0.001);
     return Error{ErrorCode::DoesNotFit,
-                 plate + reach + " over the edge of the round bed by " + fixed(std::max(overhang, 0.001), 3) + " mm"};
+                 plate + reach + " over the edge of the round bed by " + fixed(by, 3) + " mm",
+                 reason::kOverRoundBed,
+                 {{"by", by}}};
   }
   return std::nullopt;
 }

@@ -216,13 +216,20 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   if (auto error = addBrim(job, shape, offset, printer, params)) return *error;
 
   const Result<Bounds> box = fittedBox(job, shape, shapeBox, offset, printer);
-  if (!box) return Error{box.error().code, box.error().message + wayOut(givenShape, printer, params)};
+  if (!box) {
+    Error error = box.error();
+    error.message += wayOut(givenShape, printer, params);
+    return error;
+  }
 
   job.fillRatio = cycles.beadArea / inside.area;
   outside += countOutside(toolpath, inside);
   if (outside > 0) {
     const GcodeWarning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
-    if (params.strict) return *invalid(warningSentence(warning) + "; strict refuses that");
+    if (params.strict) {
+      return Error{ErrorCode::InvalidArgument, warningSentence(warning) + "; strict refuses that",
+                   warningName(warning.code), warning.values};
+    }
     job.warnings.push_back(warning);
   }
   if (params.strict) {

@@ -8,6 +8,8 @@
 
 #include "base/decimal_text.hpp"
 #include "gcode/job.hpp"
+#include "settings/out_of_range.hpp"
+#include "sillon/base/reasons.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {
@@ -51,32 +53,34 @@ std::optional<Error> checkText(const Printer& printer, const PrintParams& params
   return std::nullopt;
 }
 
+/// As sums of settings are shown.
+double millionths(double value) { return std::round(value * 1e6) / 1e6; }
+
 // What has to hold between the settings of a whole print.
 std::optional<Error> checkPrint(const Printer& printer, const PrintParams& params) {
+  const auto outside = [](Section section, const char* key, double value, double low, double high, std::string rest) {
+    return settingOutOfRange(*findSetting(section, key), millionths(value), millionths(low), millionths(high), rest);
+  };
   const double thickest = 0.8 * printer.nozzle;
   if (params.layerHeight > thickest) {
-    return invalid("print.layerHeight is " + decimal(params.layerHeight, 6) + " mm; it must be 0.05 to " +
-                   decimal(thickest, 6) + ", 0.8 of the nozzle");
+    return outside(Section::Print, "layerHeight", params.layerHeight, 0.05, thickest, ", 0.8 of the nozzle");
   }
   if (params.firstLayerHeight > thickest) {
-    return invalid("print.firstLayerHeight is " + decimal(params.firstLayerHeight, 6) + " mm; it must be 0.05 to " +
-                   decimal(thickest, 6) + ", 0.8 of the nozzle, or 0 for the height of the others");
+    return outside(Section::Print, "firstLayerHeight", params.firstLayerHeight, 0.05, thickest,
+                   ", 0.8 of the nozzle, or 0 for the height of the others");
   }
   if (params.scarf > 0 && params.coast > 0) {
     return invalid("print.scarf is " + decimal(params.scarf, 3) + " mm beside a print.coast of " +
                    decimal(params.coast, 3) + "; one of them must be 0: both shape the end of a cycle");
   }
   if (params.startHeight > printer.maxZ) {
-    return invalid("print.startHeight is " + decimal(params.startHeight, 6) + " mm; it must be 0 to " +
-                   decimal(printer.maxZ, 6) + ", the printer's maxZ");
+    return outside(Section::Print, "startHeight", params.startHeight, 0, printer.maxZ, ", the printer's maxZ");
   }
   const double first = layerTop(params, 0);
   const double firstZ = first + printer.zOffset;
   if (firstZ < kLowest - 1e-9 || (beginsOnBed(params) && firstZ > kHighestFirst + 1e-9)) {
-    return invalid("printer.zOffset is " + decimal(printer.zOffset, 6) +
-                   " mm, by which the first layer would lie at Z " + decimal(firstZ, 6) + "; it must be " +
-                   decimal(kLowest - first, 6) + " to " + decimal(kHighestFirst - first, 6) + " for a first layer of " +
-                   decimal(first, 6));
+    return outside(Section::Printer, "zOffset", printer.zOffset, kLowest - first, kHighestFirst - first,
+                   " for a first layer of " + decimal(first, 6) + ", which would lie at Z " + decimal(firstZ, 6));
   }
   if (!beginsOnBed(params) && params.showSide != ShowSide::Up) {
     return invalid("print.startHeight is " + decimal(params.startHeight, 3) +
@@ -85,15 +89,20 @@ std::optional<Error> checkPrint(const Printer& printer, const PrintParams& param
   const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
   if (top > highest(printer)) {
     const std::string offset = printer.zOffset == 0 ? "" : " and its zOffset " + decimal(printer.zOffset, 3) + " mm";
-    return Error{ErrorCode::DoesNotFit, "the job is " + decimal(top, 3) +
-                                            " mm high with the lift; the printer's maxZ is " +
-                                            decimal(printer.maxZ, 3) + " mm" + offset};
+    return Error{ErrorCode::DoesNotFit,
+                 "the job is " + decimal(top, 3) + " mm high with the lift; the printer's maxZ is " +
+                     decimal(printer.maxZ, 3) + " mm" + offset,
+                 reason::kTooHigh,
+                 {{"height", top}, {"most", highest(printer)}}};
   }
   const double stack = top - printer.lift - params.startHeight;
   if (params.copies.x * params.copies.y > 1 && stack > kTallestCopy) {
-    return invalid("the plates are " + decimal(stack, 3) +
-                   " mm high; several on one bed, printed one after the other, must be at most " +
-                   decimal(kTallestCopy, 0) + ", or the print head would touch them");
+    return Error{ErrorCode::InvalidArgument,
+                 "the plates are " + decimal(stack, 3) +
+                     " mm high; several on one bed, printed one after the other, must be at most " +
+                     decimal(kTallestCopy, 0) + ", or the print head would touch them",
+                 reason::kCopiesTooHigh,
+                 {{"height", stack}, {"most", kTallestCopy}}};
   }
   return std::nullopt;
 }
@@ -272,7 +281,7 @@ std::optional<Error> checkPatches(const std::vector<Patch>& patches, const Print
 }  // namespace
 
 std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params) {
-  if (std::string wrong = invalidSettings(printer, params); !wrong.empty()) return invalid(std::move(wrong));
+  if (auto wrong = invalidSettings(printer, params)) return wrong;
   if (auto error = checkPrint(printer, params)) return error;
   return checkShape(shape);
 }
@@ -288,7 +297,8 @@ std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Toolpath* a
     return invalid("print.basePattern is across, which needs a second toolpath, made across the first; none was given");
   }
   if (auto error = checkToolpath(*across, printer, params)) {
-    return Error{error->code, "of the toolpath across: " + error->message};
+    error->message = "of the toolpath across: " + error->message;
+    return error;
   }
   return std::nullopt;
 }

@@ -134,9 +134,9 @@ std::vector<GcodeWarning> apartWarnings(const std::vector<Vec2>& apart) {
 
 }  // namespace
 
-const WarningValue* GcodeWarning::value(const std::string& name) const {
+const NamedValue* GcodeWarning::value(const std::string& name) const {
   const auto found =
-      std::find_if(values.begin(), values.end(), [&](const WarningValue& value) { return name == value.name; });
+      std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return name == value.name; });
   return found == values.end() ? nullptr : &*found;
 }
 
@@ -201,7 +201,7 @@ std::string warningsJson(const std::vector<GcodeWarning>& warnings) {
   std::string list;
   for (const GcodeWarning& warning : warnings) {
     std::string values;
-    for (const WarningValue& value : warning.values) {
+    for (const NamedValue& value : warning.values) {
       values += (values.empty() ? "" : ",") + jsonString(value.name) + ":" +
                 (value.text.empty() ? jsonNumber(value.number) : jsonString(value.text));
     }
@@ -217,7 +217,7 @@ std::string withWarnings(std::string report, const std::vector<GcodeWarning>& wa
 
 std::string warningSentence(const GcodeWarning& warning) {
   return filled(row(warning.code).sentence, [&](std::string_view name) {
-    for (const WarningValue& value : warning.values) {
+    for (const NamedValue& value : warning.values) {
       if (name == value.name) return value.text.empty() ? decimal(value.number, 3) : value.text;
     }
     return std::string();

@@ -13,8 +13,8 @@
 namespace sillon {
 std::optional<Error> wrongInput(const Shape& shape, const DirectionMap& directions, const ModeMap& modes,
                                 const ToolpathParams& params) {
-  std::string bad = invalidSettings(params);
-  if (bad.empty()) bad = pageDefect(shape.page);
+  if (auto wrong = invalidSettings(params)) return wrong;
+  std::string bad = pageDefect(shape.page);
   if (bad.empty()) bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
   if (bad.empty()) bad = mapDefect("mode", modes.width, modes.height, modes.mode.size());
   if (bad.empty()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/decimal_text.hpp"
+#include "sillon/base/reasons.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {
@@ -41,10 +42,17 @@ std::optional<Error> plateTooLarge(Vec2 size, double spacing, double freeBytes) 
   if (byMemory) text += " in " + decimal(std::floor(freeBytes / 1e7) / 100, 2) + " GB of memory";
   const double wider = std::ceil(1000 * spacingFor(size, most)) / 1000;
   const double percent = std::floor(100 * spacing / wider);
-  if (wider <= findSetting(Section::Toolpath, "spacing")->high)
+  std::vector<NamedValue> values{{"spacing", spacing}};
+  if (wider <= findSetting(Section::Toolpath, "spacing")->high) {
     text += ": use a spacing of at least " + decimal(wider, 3) + " mm";
-  if (percent >= 1) text += ", or a size of at most " + decimal(percent, 0) + " % of this";
-  return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge, std::move(text)};
+    values.emplace_back("leastSpacing", wider);
+  }
+  if (percent >= 1) {
+    text += ", or a size of at most " + decimal(percent, 0) + " % of this";
+    values.emplace_back("percent", percent);
+  }
+  return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge, std::move(text), reason::kPlateTooLarge,
+               std::move(values)};
 }
 
 }  // namespace sillon

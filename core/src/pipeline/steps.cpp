@@ -7,6 +7,7 @@
 #include "base/decimal_text.hpp"
 #include "base/free_memory.hpp"
 #include "geometry/closed_curves.hpp"
+#include "sillon/base/reasons.hpp"
 #include "sillon/field/sine_field.hpp"
 #include "sillon/pipeline/plate_size.hpp"
 #include "sillon/toolpath/contour.hpp"
@@ -43,9 +44,12 @@ Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, 
   if (!sdf) return sdf.error();
   Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
   if (parts.count == 0) {
-    return Error{ErrorCode::EmptyShape, "spacing is " + decimal(params.spacing, 3) +
-                                            " mm, which is too wide for this shape of " + decimal(size.x, 3) + " x " +
-                                            decimal(size.y, 3) + " mm; no place in it is wide enough for one bead"};
+    return Error{ErrorCode::EmptyShape,
+                 "spacing is " + decimal(params.spacing, 3) + " mm, which is too wide for this shape of " +
+                     decimal(size.x, 3) + " x " + decimal(size.y, 3) +
+                     " mm; no place in it is wide enough for one bead",
+                 reason::kNoBeadFits,
+                 {{"spacing", params.spacing}}};
   }
   if (record != nullptr) {
     record->outline = outline.value();
@@ -111,8 +115,11 @@ Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFi
   }
   plate.contourCycles = cycles.count();
   const auto noBead = [&] {
-    return Error{ErrorCode::EmptyShape, "no bead fits into this shape at spacing " + decimal(params.spacing, 3) +
-                                            " mm; use a smaller spacing or a larger shape"};
+    return Error{ErrorCode::EmptyShape,
+                 "no bead fits into this shape at spacing " + decimal(params.spacing, 3) +
+                     " mm; use a smaller spacing or a larger shape",
+                 reason::kNoBeadFits,
+                 {{"spacing", params.spacing}}};
   };
   if (plate.contourCycles == 0) return noBead();
 

@@ -122,9 +122,7 @@ Result<Project> readProject(std::string_view json) {
   if (std::string wrong = readRoot(root, project); !wrong.empty()) {
     return Error{ErrorCode::InvalidFile, std::move(wrong)};
   }
-  if (std::string wrong = invalidSettings(project); !wrong.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(wrong)};
-  }
+  if (auto wrong = invalidSettings(project)) return *std::move(wrong);
   return project;
 }
 

@@ -174,9 +174,7 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
 
 Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
                           const RunContext& run) {
-  if (std::string problem = invalidSettings(options.toolpath); !problem.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(problem)};
-  }
+  if (auto wrong = invalidSettings(options.toolpath)) return *std::move(wrong);
   if (file.blocks == nullptr) return Error{ErrorCode::InvalidArgument, "the file was not read by readSlicedFile"};
   const std::vector<SurfaceBlock>& blocks = file.blocks->blocks;
   std::vector<std::size_t> chosen;

@@ -108,11 +108,12 @@ std::string settingJson(const Setting& setting, const Field& field) {
   const bool text = type == SettingType::Text || type == SettingType::Block;
   if (text && setting.high > 0) add(out, "maxBytes", numberText(setting.high));
   if (*setting.choices != '\0') add(out, "choices", listJson(setting.choices));
-  add(out, "label", jsonString(setting.label));
-  add(out, "help", jsonString(setting.help));
-  if (*setting.option != '\0') add(out, "option", jsonString(setting.option));
+  const SettingWords words = wordsOf(setting);
+  add(out, "label", jsonString(words.label));
+  add(out, "help", jsonString(words.help));
+  if (*words.option != '\0') add(out, "option", jsonString(words.option));
   if (*setting.oldKeys != '\0') add(out, "oldKeys", listJson(setting.oldKeys));
-  if (*setting.oldOptions != '\0') add(out, "oldOptions", listJson(setting.oldOptions));
+  if (*words.oldOptions != '\0') add(out, "oldOptions", listJson(words.oldOptions));
   return "    {" + out + "}";
 }
 

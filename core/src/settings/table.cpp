@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -56,9 +57,27 @@ constexpr double kBlock = 65'536;        // [bytes]
 constexpr double kMaxLayerHeight = 1.6;  // [mm], 0.8 of the widest nozzle
 constexpr double kSeeds = 18446744073709551615.0;
 
+/// A setting and its words: the fields of both.
+struct Row {
+  Section section;
+  const char* key;
+  SettingType type;
+  Field (*field)(const SettingsView& view);
+  const char* unit = "";
+  double low = 0;
+  double high = 0;
+  Level level = Advanced;
+  const char* label = "";
+  const char* help = "";
+  const char* choices = "";
+  const char* option = "";
+  const char* oldKeys = "";
+  const char* oldOptions = "";
+};
+
 // Within a section: the order of the files that are written. What temperatures, bed corners and layer heights may be
 // depends on other settings besides: validator.cpp.
-constexpr Setting kSettings[] = {
+constexpr Row kRows[] = {
     {.section = Shape,
      .key = "file",
      .type = Text,
@@ -1155,11 +1174,33 @@ constexpr Setting kSettings[] = {
      .help = "Thumbnail sizes in pixels: WxH, WxH/PNG or WxH/QOI; at most 8, with sides of 16 to 1024"},
 };
 
+constexpr auto kSettings = [] {
+  std::array<Setting, std::size(kRows)> settings{};
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    const Row& row = kRows[k];
+    settings[k] = {row.section, row.key,  row.type,  row.field,   row.unit,
+                   row.low,     row.high, row.level, row.choices, row.oldKeys};
+  }
+  return settings;
+}();
+
+constexpr auto kWords = [] {
+  std::array<SettingWords, std::size(kRows)> words{};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    words[k] = {kRows[k].label, kRows[k].help, kRows[k].option, kRows[k].oldOptions};
+  }
+  return words;
+}();
+
 }  // namespace
 
 SettingsView viewOf(Project& project) { return {&project, &project.toolpath, &project.print, &project.printer}; }
 
 std::span<const Setting> settings() { return kSettings; }
+
+SettingWords wordsOf(const Setting& setting) {
+  return kWords.at(static_cast<std::size_t>(&setting - kSettings.data()));
+}
 
 const Setting* findSetting(Section section, std::string_view key) {
   for (const Setting& setting : kSettings) {

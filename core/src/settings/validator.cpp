@@ -2,12 +2,14 @@
 // a whole print must be together is the G-code's business: gcode/validation.cpp.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "base/words.hpp"
 #include "settings/json_out.hpp"
+#include "settings/out_of_range.hpp"
 #include "sillon/settings/screen_sizes.hpp"
 #include "sillon/settings/table.hpp"
 
@@ -41,42 +43,43 @@ Range rangeOf(const Setting& setting, const SettingsView& view) {
   return {setting.low, setting.high};
 }
 
-std::string unitOf(const Setting& setting) { return *setting.unit == '\0' ? "" : std::string(" ") + setting.unit; }
+using Wrong = std::optional<Error>;
 
-std::string wrongNumber(const Setting& setting, const char* part, double value, Range range) {
-  if (value >= range.low && value <= range.high) return "";  // false for NaN
-  return fullName(setting) + part + " is " + numberText(value) + unitOf(setting) + "; it must be " +
-         numberText(range.low) + " to " + numberText(range.high) + (value > range.high ? range.wayOut : "");
+Wrong wrong(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
+
+Wrong wrongNumber(const Setting& setting, const char* part, double value, Range range) {
+  if (value >= range.low && value <= range.high) return std::nullopt;  // false for NaN
+  return settingOutOfRange(setting, value, range.low, range.high, value > range.high ? range.wayOut : "", part);
 }
 
-std::string wrongPair(const Setting& setting, Vec2 value, Range range) {
-  if (std::string wrong = wrongNumber(setting, ".x", value.x, range); !wrong.empty()) return wrong;
-  if (std::string wrong = wrongNumber(setting, ".y", value.y, range); !wrong.empty()) return wrong;
+Wrong wrongPair(const Setting& setting, Vec2 value, Range range) {
+  if (Wrong found = wrongNumber(setting, ".x", value.x, range)) return found;
+  if (Wrong found = wrongNumber(setting, ".y", value.y, range)) return found;
   const bool whole = value.x == std::floor(value.x) && value.y == std::floor(value.y);
-  if (setting.type != SettingType::IntegerPair || whole) return "";
-  return fullName(setting) + " is " + pairText(value) + "; it must be two whole numbers";
+  if (setting.type != SettingType::IntegerPair || whole) return std::nullopt;
+  return wrong(fullName(setting) + " is " + pairText(value) + "; it must be two whole numbers");
 }
 
-std::string wrongText(const Setting& setting, const std::string& value) {
+Wrong wrongText(const Setting& setting, const std::string& value) {
   const auto bytes = static_cast<std::size_t>(setting.high);
   if (setting.type == SettingType::Block) {
-    if (value.size() <= bytes && value.find('\0') == std::string::npos) return "";
-    return fullName(setting) + " has " + std::to_string(value.size()) + " bytes; it must be text of at most " +
-           std::to_string(bytes);
+    if (value.size() <= bytes && value.find('\0') == std::string::npos) return std::nullopt;
+    return wrong(fullName(setting) + " has " + std::to_string(value.size()) + " bytes; it must be text of at most " +
+                 std::to_string(bytes));
   }
   const bool control = std::any_of(value.begin(), value.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7f;
   });
-  if (!control && value.size() <= bytes) return "";
-  return fullName(setting) + " is " + inQuotes(value) + "; it must be one line of at most " + std::to_string(bytes) +
-         " bytes";
+  if (!control && value.size() <= bytes) return std::nullopt;
+  return wrong(fullName(setting) + " is " + inQuotes(value) + "; it must be one line of at most " +
+               std::to_string(bytes) + " bytes");
 }
 
-std::string wrongPictures(const Setting& setting, const std::vector<LampPicture>& pictures) {
+Wrong wrongPictures(const Setting& setting, const std::vector<LampPicture>& pictures) {
   if (pictures.size() > static_cast<std::size_t>(setting.high)) {
-    return fullName(setting) + " has " + std::to_string(pictures.size()) + " pictures; it may have up to " +
-           numberText(setting.high);
+    return wrong(fullName(setting) + " has " + std::to_string(pictures.size()) + " pictures; it may have up to " +
+                 numberText(setting.high));
   }
   Setting part = setting;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
@@ -86,22 +89,22 @@ std::string wrongPictures(const Setting& setting, const std::vector<LampPicture>
     part.type = SettingType::Text;
     part.key = file.c_str();
     part.high = kLine;
-    if (std::string wrong = wrongText(part, pictures[k].file); !wrong.empty()) return wrong;
-    if (pictures[k].file.empty()) return fullName(part) + " is empty; it must name a picture";
+    if (Wrong found = wrongText(part, pictures[k].file)) return found;
+    if (pictures[k].file.empty()) return wrong(fullName(part) + " is empty; it must name a picture");
     if (!pictures[k].lamp) continue;
     part.type = SettingType::Number;
     part.unit = "degrees";
     part.key = lamp.c_str();
-    if (std::string wrong = wrongNumber(part, ".x", pictures[k].lamp->x, {-360, 360}); !wrong.empty()) return wrong;
-    if (std::string wrong = wrongNumber(part, ".y", pictures[k].lamp->y, {1, 90}); !wrong.empty()) return wrong;
+    if (Wrong found = wrongNumber(part, ".x", pictures[k].lamp->x, {-360, 360})) return found;
+    if (Wrong found = wrongNumber(part, ".y", pictures[k].lamp->y, {1, 90})) return found;
   }
-  return "";
+  return std::nullopt;
 }
 
-std::string wrongChoice(const Setting& setting, const Field& field) {
-  if (chosen(field) < splitWords(setting.choices).size()) return "";
-  return fullName(setting) + " is number " + std::to_string(chosen(field)) + " of its choices; it must be " +
-         choicesText(setting);
+Wrong wrongChoice(const Setting& setting, const Field& field) {
+  if (chosen(field) < splitWords(setting.choices).size()) return std::nullopt;
+  return wrong(fullName(setting) + " is number " + std::to_string(chosen(field)) + " of its choices; it must be " +
+               choicesText(setting));
 }
 
 /// Says what is wrong with the value of a field, by the kind of field.
@@ -110,86 +113,87 @@ struct WrongValue {
   Range range;
   const Field& field;
 
-  std::string operator()(std::monostate /*not there*/) const { return ""; }
-  std::string operator()(const double* value) const { return wrongNumber(setting, "", *value, range); }
-  std::string operator()(const int* value) const { return wrongNumber(setting, "", *value, range); }
-  std::string operator()(const std::uint64_t* /*any*/) const { return ""; }
-  std::string operator()(const bool* /*any*/) const { return ""; }
-  std::string operator()(const std::string* value) const { return wrongText(setting, *value); }
-  std::string operator()(const Vec2* value) const { return wrongPair(setting, *value, range); }
-  std::string operator()(const std::optional<double>* value) const {
-    return *value ? wrongNumber(setting, "", **value, range) : "";
+  Wrong operator()(std::monostate /*not there*/) const { return std::nullopt; }
+  Wrong operator()(const double* value) const { return wrongNumber(setting, "", *value, range); }
+  Wrong operator()(const int* value) const { return wrongNumber(setting, "", *value, range); }
+  Wrong operator()(const std::uint64_t* /*any*/) const { return std::nullopt; }
+  Wrong operator()(const bool* /*any*/) const { return std::nullopt; }
+  Wrong operator()(const std::string* value) const { return wrongText(setting, *value); }
+  Wrong operator()(const Vec2* value) const { return wrongPair(setting, *value, range); }
+  Wrong operator()(const std::optional<double>* value) const {
+    return *value ? wrongNumber(setting, "", **value, range) : std::nullopt;
   }
-  std::string operator()(const std::optional<Vec2>* value) const {
-    return *value ? wrongPair(setting, **value, range) : "";
+  Wrong operator()(const std::optional<Vec2>* value) const {
+    return *value ? wrongPair(setting, **value, range) : std::nullopt;
   }
-  std::string operator()(const std::vector<LampPicture>* value) const { return wrongPictures(setting, *value); }
-  std::string operator()(const ChoiceField& /*value*/) const { return wrongChoice(setting, field); }
+  Wrong operator()(const std::vector<LampPicture>* value) const { return wrongPictures(setting, *value); }
+  Wrong operator()(const ChoiceField& /*value*/) const { return wrongChoice(setting, field); }
 };
 
 // ---- rules between settings of one section
 
-std::string wrongShape(const Project& project) {
-  if (project.shapeFile.empty() || project.builtin == BuiltinShape::None) return "";
-  return "shape has both file " + inQuotes(project.shapeFile) + " and a builtin; it must have one of them";
+Wrong wrongShape(const Project& project) {
+  if (project.shapeFile.empty() || project.builtin == BuiltinShape::None) return std::nullopt;
+  return wrong("shape has both file " + inQuotes(project.shapeFile) + " and a builtin; it must have one of them");
 }
 
-std::string wrongDirections(const Project& project) {
-  if (project.directionFile.empty() || project.pictures.files.empty()) return "";
-  return "directions.file is " + inQuotes(project.directionFile) + " and pictures.files has " +
-         inQuotes(project.pictures.files[0].file) + "; directions come from one of them";
+Wrong wrongDirections(const Project& project) {
+  if (project.directionFile.empty() || project.pictures.files.empty()) return std::nullopt;
+  return wrong("directions.file is " + inQuotes(project.directionFile) + " and pictures.files has " +
+               inQuotes(project.pictures.files[0].file) + "; directions come from one of them");
 }
 
-std::string wrongPrint(const PrintParams& print) {
-  if (print.firstLayerHeight == 0 || print.firstLayerHeight >= 0.05) return "";
-  return "print.firstLayerHeight is " + numberText(print.firstLayerHeight) +
-         " mm; it must be 0.05 to 1.6, or 0 for the height of the others";
+Wrong wrongPrint(const PrintParams& print) {
+  if (print.firstLayerHeight == 0 || print.firstLayerHeight >= 0.05) return std::nullopt;
+  const Setting& setting = *findSetting(Section::Print, "firstLayerHeight");
+  return settingOutOfRange(setting, print.firstLayerHeight, 0.05, setting.high, ", or 0 for the height of the others");
 }
 
-std::string wrongPrinter(const Printer& printer) {
+Wrong wrongPrinter(const Printer& printer) {
   const Vec2 size = printer.bedMax - printer.bedMin;
   constexpr Range kSide{10, 5000};
   if (!(std::min(size.x, size.y) >= kSide.low && std::max(size.x, size.y) <= kSide.high)) {
-    return "printer.bedMax is " + pairText(printer.bedMax) +
-           " mm; it must be 10 to 5000 mm right of and above bedMin " + pairText(printer.bedMin);
+    return wrong("printer.bedMax is " + pairText(printer.bedMax) +
+                 " mm; it must be 10 to 5000 mm right of and above bedMin " + pairText(printer.bedMin));
   }
   if (printer.roundBed && std::abs(size.x - size.y) > 1e-6) {
-    return "printer.roundBed is true on a bed of " + numberText(size.x) + " x " + numberText(size.y) +
-           " mm; it must be a square";
+    return wrong("printer.roundBed is true on a bed of " + numberText(size.x) + " x " + numberText(size.y) +
+                 " mm; it must be a square");
   }
   if (printer.machineSpeed > 0 && printer.machineSpeed < 5) {
-    return "printer.machineSpeed is " + numberText(printer.machineSpeed) + " mm/s; it must be 5 to 1000, or 0";
+    const Setting& setting = *findSetting(Section::Printer, "machineSpeed");
+    return settingOutOfRange(setting, printer.machineSpeed, 5, setting.high, ", or 0");
   }
-  if (const auto sizes = readThumbnailSizes(printer.screenSizes); !sizes) return "printer." + sizes.error().message;
-  return "";
+  if (const auto sizes = readThumbnailSizes(printer.screenSizes); !sizes)
+    return wrong("printer." + sizes.error().message);
+  return std::nullopt;
 }
 
-std::string wrongIn(const SettingsView& view) {
+Wrong wrongIn(const SettingsView& view) {
   for (const Setting& setting : settings()) {
     const Field field = setting.field(view);
-    std::string wrong = std::visit(WrongValue{setting, rangeOf(setting, view), field}, field);
-    if (!wrong.empty()) return wrong;
+    if (Wrong found = std::visit(WrongValue{setting, rangeOf(setting, view), field}, field)) return found;
   }
-  std::string wrong;
-  if (view.project != nullptr) wrong = wrongShape(*view.project);
-  if (wrong.empty() && view.project != nullptr) wrong = wrongDirections(*view.project);
-  if (wrong.empty() && view.print != nullptr) wrong = wrongPrint(*view.print);
-  if (wrong.empty() && view.printer != nullptr) wrong = wrongPrinter(*view.printer);
-  return wrong;
+  Wrong found;
+  if (view.project != nullptr) found = wrongShape(*view.project);
+  if (!found && view.project != nullptr) found = wrongDirections(*view.project);
+  if (!found && view.print != nullptr) found = wrongPrint(*view.print);
+  if (!found && view.printer != nullptr) found = wrongPrinter(*view.printer);
+  return found;
 }
 
 }  // namespace
 
 // Views are made for reading and writing alike; the validator only reads.
-std::string invalidSettings(const Project& project) { return wrongIn(viewOf(const_cast<Project&>(project))); }
+std::optional<Error> invalidSettings(const Project& project) { return wrongIn(viewOf(const_cast<Project&>(project))); }
 
-std::string invalidSettings(const ToolpathParams& toolpath) {
+std::optional<Error> invalidSettings(const ToolpathParams& toolpath) {
   SettingsView view;
   view.toolpath = &const_cast<ToolpathParams&>(toolpath);
   return wrongIn(view);
 }
 
-std::string invalidSettings(const Printer& printer, const PrintParams& print) {
+std::optional<Error> invalidSettings(const Printer& printer, const PrintParams& print) {
   SettingsView view;
   view.printer = &const_cast<Printer&>(printer);
   view.print = &const_cast<PrintParams&>(print);

@@ -193,6 +193,8 @@ class Failed extends Error implements Failure {
   constructor(
     readonly code: Failure['code'],
     message: string,
+    readonly reason: Failure['reason'] = '',
+    readonly values: Failure['values'] = {},
   ) {
     super(message);
   }
@@ -399,7 +401,10 @@ function decoded(bytes: Uint8Array, name: string, module: SillonModule): Uint8Ar
 }
 
 function valueOf<T>(outcome: Outcome<T>): T {
-  if (outcome.error) throw new Failed(outcome.error.code, outcome.error.message);
+  if (outcome.error) {
+    const { code, message, reason, values } = outcome.error;
+    throw new Failed(code, message, reason, values);
+  }
   return outcome.value;
 }
 
@@ -553,8 +558,8 @@ async function answer(message: ToWorker): Promise<void> {
       post({ type: 'done', value: await perform(message.call, engine) });
     }
   } catch (problem) {
-    const { code, message: text } = failed(problem, 'Crashed', 'the engine stopped');
-    post({ type: 'failed', code, message: text });
+    const { code, message: text, reason, values } = failed(problem, 'Crashed', 'the engine stopped');
+    post({ type: 'failed', code, message: text, reason, values });
   }
 }
 

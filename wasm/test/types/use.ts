@@ -133,6 +133,9 @@ try {
     const code: ErrorCode = error.code;
     const hint: string = error.hint;
     console.error(code, hint, error.message, error.stack);
+    if (error.reason === 'OverBedEdge') console.error(error.values.left);
+    // @ts-expect-error no such reason
+    if (error.reason === 'TooPretty') console.error(error);
     // @ts-expect-error no such code
     if (error.code === 'Cancelled') console.error(error);
     // @ts-expect-error told, not asked

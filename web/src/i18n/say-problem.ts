@@ -1,15 +1,87 @@
-// What is wrong with files of no kind that the page knows, loaded with the first problem.
+// What is known of a problem beyond its code, loaded with the first problem: why the engine refuses a plate, and what files of
+// no kind that the page knows are.
+import type { ErrorReason } from 'sillon';
 import type { Problem } from '../model/problem.js';
-import { rare } from './rare.js';
+import { settings } from '../model/settings.js';
+import { hasRare, rare } from './rare.js';
+import { warningText } from './say-rare.js';
+import { settingLabel, unitText } from './say.js';
+import { formatNumber, language } from './text.js';
 
 export interface ExactWords {
   message: string;
-  hint: string;
+  /** Left out: that of the code. */
+  hint?: string;
 }
+
+type Values = Problem['values'];
+
+const shown = (value: number | string | undefined): string =>
+  typeof value === 'number' ? formatNumber(value, 3) : String(value);
+
+/** "Layer height is 0.5 mm." */
+function outOfRange({ setting, value, low, high }: Values): ExactWords {
+  const known = settings.find(({ id }) => id === setting);
+  const unit = known === undefined || !('unit' in known) || known.unit === '' ? '' : `\u00a0${unitText(known.unit)}`;
+  const measured = (number: number | string | undefined): string => shown(number) + unit;
+  return {
+    message: rare('reason.SettingOutOfRange', {
+      label: known === undefined ? String(setting) : settingLabel(known),
+      value: measured(value),
+      low: shown(low),
+      high: measured(high),
+    }),
+    hint: rare('reason.SettingOutOfRange.hint'),
+  };
+}
+
+/** On a side each, as much as one has. */
+function overBedEdge(values: Values): ExactWords {
+  const sides = (['left', 'right', 'front', 'back'] as const)
+    .filter((side) => values[side] !== undefined)
+    .map((side) => rare(`reason.${side}`, { mm: shown(values[side]) }));
+  const list = new Intl.ListFormat(language(), { type: 'conjunction' }).format(sides);
+  return { message: rare('reason.OverBedEdge', { sides: list }) };
+}
+
+function plateTooLarge({ spacing, leastSpacing, percent }: Values): ExactWords {
+  const ways = [
+    ...(leastSpacing === undefined ? [] : [rare('reason.leastSpacing', { mm: shown(leastSpacing) })]),
+    ...(percent === undefined ? [] : [rare('reason.percent', { percent: shown(percent) })]),
+  ];
+  return {
+    message: rare('reason.PlateTooLarge', { mm: shown(spacing) }),
+    ...(ways.length === 0 ? {} : { hint: ways.join(' ') }),
+  };
+}
+
+function reasonWords(reason: ErrorReason, values: Values): ExactWords | undefined {
+  switch (reason) {
+    case 'SettingOutOfRange':
+      return outOfRange(values);
+    case 'OverBedEdge':
+      return overBedEdge(values);
+    case 'PlateTooLarge':
+      return plateTooLarge(values);
+    case 'OverRoundBed':
+    case 'OnExcludedZone':
+    case 'TooHigh':
+    case 'NoBeadFits':
+      return { message: rare(`reason.${reason}`, rounded(values)) };
+    case 'CopiesTooHigh':
+      return { message: rare('reason.CopiesTooHigh', rounded(values)), hint: rare('reason.CopiesTooHigh.hint') };
+    default:
+      return hasRare(`warning.${reason}`) ? { message: warningText({ code: reason, values, message: '' }) } : undefined;
+  }
+}
+
+const rounded = (values: Values): Record<string, string> =>
+  Object.fromEntries(Object.entries(values).map(([name, value]) => [name, shown(value)]));
 
 /** undefined: the code has all that is known. */
 export function exactWords({ code, values }: Problem): ExactWords | undefined {
-  const { name = '', format } = values;
+  const { name = '', format, reason } = values;
+  if (reason !== undefined) return reasonWords(reason as ErrorReason, values);
   if (code !== 'UnknownFile' || format === undefined) return undefined;
   return format === 'empty'
     ? { message: rare('problem.emptyFile', { name }), hint: rare('problem.emptyFile.hint') }

@@ -1,6 +1,7 @@
 // Words for what the engine says of files: warnings, findings, notes.
 import type { GcodeFinding, GcodeWarning, ImportNote } from 'sillon';
 import { hasRare, rare } from './rare.js';
+import type { Problem } from '../model/problem.js';
 import { t } from './text.js';
 
 /** A note of importPrinter in the page's language; one of an unknown code as the engine says it. */
@@ -52,13 +53,16 @@ export interface StartLine {
   what: string;
 }
 
-/** The lines of the start block that warnings name, and an error's sentence: errors carry no values. */
-export function startLines(warnings: readonly GcodeWarning[], error: string, startGcode: string): StartLine[] {
+/** The lines of the start block that a problem and warnings name. */
+export function startLines(
+  warnings: readonly GcodeWarning[],
+  problem: Problem | undefined,
+  startGcode: string,
+): StartLine[] {
   const lines = startGcode.split('\n');
-  const [, refused, why = ''] = /^line (\d+) of startGcode: (.*)$/.exec(error) ?? [];
-  const named = warnings.flatMap(({ code, values: { line, what } }) => (code === 'StartLine' ? [{ line, what }] : []));
-  if (refused !== undefined) named.unshift({ line: refused, what: why });
-  return named.flatMap(({ line, what }) => {
+  const refused = problem?.values.reason === 'StartLine' ? [problem.values] : [];
+  const warned = warnings.flatMap(({ code, values }) => (code === 'StartLine' ? [values] : []));
+  return [...refused, ...warned].flatMap(({ line, what }) => {
     const code = lines[Number(line) - 1];
     return code === undefined ? [] : [{ line: Number(line), code: code.trim(), what: String(what) }];
   });

@@ -1,5 +1,5 @@
 // What went wrong, as plain data: the dictionary has a sentence (`problem.CODE`) and what to do about it (`hint.CODE`).
-import type { ErrorCode } from 'sillon';
+import type { ErrorCode, SillonError } from 'sillon';
 
 export type ProblemCode =
   | ErrorCode
@@ -37,7 +37,7 @@ export type ProblemCode =
 
 export interface Problem {
   code: ProblemCode;
-  /** For the placeholders of the sentences. */
+  /** For the placeholders of the sentences; of what the engine refuses, its `reason` with the values of that. */
   values: Readonly<Record<string, string | number>>;
   /** What the engine or the browser said, in English; may be empty. */
   detail: string;
@@ -57,7 +57,8 @@ export class StudioError extends Error implements Problem {
 export function problemOf(error: unknown): Problem {
   if (error instanceof StudioError) return { code: error.code, values: error.values, detail: error.detail };
   if (error instanceof Error && error.name === 'SillonError') {
-    return { code: (error as Error & { code: ErrorCode }).code, values: {}, detail: error.message };
+    const { code, reason, values, message } = error as Error & Pick<SillonError, 'code' | 'reason' | 'values'>;
+    return { code, values: reason === '' ? {} : { ...values, reason }, detail: message };
   }
   return { code: 'Internal', values: {}, detail: error instanceof Error ? error.message : String(error) };
 }

@@ -187,8 +187,8 @@ export class Notices extends StudioElement {
   #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
     const told = this.isHere(loadExact) ? exact?.(problem) : undefined;
     const { message, hint, detail } = { ...problemWords(problem), ...told };
-    // The engine alone knows which setting, and by how much: it says so in one sentence.
-    const named = problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit';
+    // What the page has no words for the engine says in one sentence: which setting, and by how much.
+    const named = told === undefined && (problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit');
     return html`<div class="notice problem">
       ${icon('warn')}
       <div>

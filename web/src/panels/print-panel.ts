@@ -190,7 +190,7 @@ export class PrintPanel extends StudioElement {
   /** Faults of the start block, each with the line that has it. */
   #startLines(): TemplateResult | typeof nothing {
     const { summary, problem, plate } = this.state;
-    const lines = startLines(summary?.warnings ?? [], problem?.detail ?? '', plate.printer.startGcode);
+    const lines = startLines(summary?.warnings ?? [], problem, plate.printer.startGcode);
     if (lines.length === 0) return nothing;
     return html`<h3>${t('setting.printer.startGcode')}</h3>
       <ul class="warnings">

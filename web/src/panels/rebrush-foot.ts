@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Rebrushed, SlicedFile } from 'sillon';
 import { r } from '../i18n/rebrush.js';
+import { exactWords } from '../i18n/say-problem.js';
 import { problemWords } from '../i18n/say.js';
 import { formatDuration, language, t } from '../i18n/text.js';
 import type { Problem } from '../model/problem.js';
@@ -39,8 +40,11 @@ export function progressBar(
   </div>`;
 }
 
-/** The engine's own, which are English: in another language they are for those who ask. */
-function engineWords({ detail }: Problem): TemplateResult | typeof nothing {
+/** The page's, or else the engine's own, which are English: in another language they are for those who ask. */
+function engineWords(problem: Problem): TemplateResult | typeof nothing {
+  const told = exactWords(problem);
+  if (told !== undefined) return html`<p>${told.message}</p>`;
+  const { detail } = problem;
   if (detail === '') return nothing;
   if (language() === 'en') return html`<p>${detail}</p>`;
   return html`<details>

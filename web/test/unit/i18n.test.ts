@@ -294,8 +294,10 @@ test('files of no kind that the page knows are told by what they are', () => {
 test('any error becomes a problem', () => {
   assert.equal(problemOf(new Error('x')).code, 'Internal');
   assert.equal(problemOf('x').detail, 'x');
-  const engine = Object.assign(new Error('spacing is -1'), { name: 'SillonError', code: 'InvalidArgument' });
-  assert.deepEqual(problemOf(engine), { code: 'InvalidArgument', values: {}, detail: 'spacing is -1' });
+  const engine = (reason: string, values: Record<string, number | string>) =>
+    problemOf(Object.assign(new Error('it is -1'), { name: 'SillonError', code: 'InvalidArgument', reason, values }));
+  assert.deepEqual(engine('', {}), { code: 'InvalidArgument', values: {}, detail: 'it is -1' });
+  assert.deepEqual(engine('TooHigh', { height: 3, most: 2 }).values, { reason: 'TooHigh', height: 3, most: 2 });
   assert.deepEqual(problemOf(new StudioError('LinkTooNew', { version: 2 })).values, { version: 2 });
 });
 
@@ -489,13 +491,44 @@ test('findings of the file are told in every language, with their line', async (
   assert.equal(findingText(unknown), 'too sweet');
 });
 
+test('why the engine refuses a plate has words in every language', async () => {
+  const header = readFileSync('core/include/sillon/base/reasons.hpp', 'utf8');
+  const reasons = [...header.matchAll(/constexpr char k(\w+)\[\] = "(\w+)";/g)].map(([, , name = '']) => name);
+  assert.ok(reasons.length >= 8);
+  const values = { setting: 'print.layerHeight', value: 0.5, low: 0.05, high: 0.32, left: 2, back: 5.5, by: 0.25 };
+  const more = { height: 4.2, most: 3, spacing: 0.4, leastSpacing: 0.7, percent: 57 };
+  const told = (reason: string) =>
+    exactWords({ code: 'DoesNotFit', values: { ...values, ...more, reason }, detail: '' }) ?? { message: '' };
+  const english = new Map(reasons.map((reason) => [reason, told(reason).message]));
+  for (const name of spoken) {
+    await setLanguage(name);
+    for (const reason of reasons) {
+      const { message, hint = '' } = told(reason);
+      assert.notEqual(message, '', reason);
+      assert.doesNotMatch(message + hint, /[{}]|undefined/, reason);
+      if (name !== 'en') assert.notEqual(message, english.get(reason), `${name}: ${reason}`);
+    }
+  }
+  await setLanguage('en');
+  assert.equal(told('SettingOutOfRange').message, 'Layer height is 0.5\u00a0mm; it must be 0.05 to 0.32\u00a0mm.');
+  assert.equal(
+    told('OverBedEdge').message,
+    'The plate lies over the edge of the bed: 2 mm on the left and 5.5 mm at the back.',
+  );
+  assert.match(told('PlateTooLarge').hint ?? '', /at least 0\.7 mm\. .* 57 %/);
+  assert.equal(told('EndLine').message.startsWith('Line'), true);
+  assert.equal(told('').message, '');
+});
+
 test('faults of the start block are shown beside their lines', () => {
   const block = 'G28\n  G1 X300\nM109 S200';
   const warning = (line: number) =>
     ({ code: 'StartLine', values: { line, what: 'far out', rule: 'bounds' }, message: '' }) as const;
-  assert.deepEqual(startLines([warning(2)], '', block), [{ line: 2, code: 'G1 X300', what: 'far out' }]);
-  assert.deepEqual(startLines([], "line 2 of startGcode: a move over the bed's edge", block), [
-    { line: 2, code: 'G1 X300', what: "a move over the bed's edge" },
-  ]);
-  assert.deepEqual(startLines([warning(9)], 'flow is 2', block), []);
+  const problem = (values: Record<string, number | string>) =>
+    ({ code: 'InvalidArgument', values, detail: '' }) as const;
+  const refused = problem({ reason: 'StartLine', line: 2, what: "a move over the bed's edge", rule: 'bounds' });
+  assert.deepEqual(startLines([warning(2)], undefined, block), [{ line: 2, code: 'G1 X300', what: 'far out' }]);
+  assert.deepEqual(startLines([], refused, block), [{ line: 2, code: 'G1 X300', what: "a move over the bed's edge" }]);
+  const other = problem({ reason: 'EndLine', line: 2, what: 'far out', rule: 'bounds' });
+  assert.deepEqual(startLines([warning(9)], other, block), []);
 });

@@ -32,6 +32,7 @@ interface Call {
 
 class SillonError extends Error {
   override name = 'SillonError';
+  readonly reason = '';
   constructor(
     readonly code: string,
     message: string,

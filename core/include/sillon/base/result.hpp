@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace sillon {
 
@@ -19,10 +20,21 @@ enum class ErrorCode {
   Internal,         ///< our fault
 };
 
-/// One sentence for people: what, which value, which range is allowed.
+/// A number, or a word where `text` is not empty: the name of a setting, or what a reader of a file says.
+struct NamedValue {
+  NamedValue(const char* named, double value) : name(named), number(value) {}
+  NamedValue(const char* named, std::string value) : name(named), text(std::move(value)) {}
+
+  const char* name;
+  double number = 0;
+  std::string text;
+};
+
 struct Error {
   ErrorCode code = ErrorCode::Internal;
-  std::string message;
+  std::string message;                  ///< one English sentence: what, which value, which range is allowed
+  const char* reason = "";              ///< which sentence that is, where other languages have it too: base/reasons.hpp
+  std::vector<NamedValue> values = {};  ///< of the reason
 };
 
 /// A value or an Error; std::expected where the standard library has none yet.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/quality/picture_measures.hpp"
@@ -52,22 +53,12 @@ enum class WarningCode {
   WidthHeld,
 };
 
-/// A number, or a word where `text` is not empty: the name of a setting, or what a reader of the file says.
-struct WarningValue {
-  WarningValue(const char* named, double value) : name(named), number(value) {}
-  WarningValue(const char* named, std::string value) : name(named), text(std::move(value)) {}
-
-  const char* name;
-  double number = 0;
-  std::string text;
-};
-
 struct GcodeWarning {
   WarningCode code;
-  std::vector<WarningValue> values;
+  std::vector<NamedValue> values;
 
   /// Null if there is no value of that name.
-  [[nodiscard]] const WarningValue* value(const std::string& name) const;
+  [[nodiscard]] const NamedValue* value(const std::string& name) const;
 };
 
 /// "SkirtLeftOut", as reports, the npm package and the studio call it.

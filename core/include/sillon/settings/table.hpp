@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -59,7 +60,6 @@ struct ChoiceField {
 using Field = std::variant<std::monostate, double*, int*, std::uint64_t*, bool*, std::string*, Vec2*,
                            std::optional<double>*, std::optional<Vec2>*, std::vector<LampPicture>*, ChoiceField>;
 
-/// One row. Texts are ASCII, and one sentence without full stop.
 struct Setting {
   Section section;
   const char* key;  ///< in project files
@@ -69,16 +69,23 @@ struct Setting {
   double low = 0;
   double high = 0;
   Level level = Level::Advanced;
-  const char* label = "";  ///< at most a few words
-  const char* help = "";
-  const char* choices = "";     ///< with spaces between; in the order of the enumerators, or of false, true
+  const char* choices = "";  ///< with spaces between; in the order of the enumerators, or of false, true
+  const char* oldKeys = "";  ///< with spaces between; read too
+};
+
+/// What help and documentation say of a setting, in ASCII. Apart from it: the engines in browsers do without.
+struct SettingWords {
+  const char* label = "";       ///< at most a few words
+  const char* help = "";        ///< one sentence without full stop
   const char* option = "";      ///< of the command line, with its hyphens; empty: none
-  const char* oldKeys = "";     ///< with spaces between; read too
-  const char* oldOptions = "";  ///< likewise
+  const char* oldOptions = "";  ///< with spaces between; read too
 };
 
 /// All of them, by section, in the order of the files that are written.
 std::span<const Setting> settings();
+
+/// \param setting  one of `settings()`, no copy
+SettingWords wordsOf(const Setting& setting);
 
 /// \return null if there is none.
 const Setting* findSetting(Section section, std::string_view key);
@@ -100,10 +107,10 @@ void choose(const Field& field, std::size_t index);
 std::string settingText(const Setting& setting, const Project& project);
 
 /// Holds every setting of a view against its range and against the rules that hold between settings of one section.
-/// \return the first that is wrong, in one sentence: name, value, range. Empty: nothing.
-[[nodiscard]] std::string invalidSettings(const Project& project);
-[[nodiscard]] std::string invalidSettings(const ToolpathParams& toolpath);
-[[nodiscard]] std::string invalidSettings(const Printer& printer, const PrintParams& print);
+/// \return the first that is wrong: name, value, range
+[[nodiscard]] std::optional<Error> invalidSettings(const Project& project);
+[[nodiscard]] std::optional<Error> invalidSettings(const ToolpathParams& toolpath);
+[[nodiscard]] std::optional<Error> invalidSettings(const Printer& printer, const PrintParams& print);
 
 /// The table as JSON: `sillon settings --json`, from which docs and types are made.
 std::string settingsJson();
