@@ -105,7 +105,7 @@ export class LooksBar extends StudioElement {
       /* Beside the light, so that the plate has the height of a row more. */
       @container (width < 1000px) {
         select {
-          max-width: 8.25rem;
+          max-width: 9rem;
           text-overflow: ellipsis;
         }
         .turn .words {

@@ -189,11 +189,12 @@ export class StageElement extends StudioElement {
           top: 26px;
           left: 26px;
           right: 6px;
+          overflow-x: auto; /* of letters twice as large */
           transform: none;
         }
         .views button {
           flex: auto; /* the longest word has the most room */
-          min-width: 0;
+          min-width: max-content;
           padding: 0 4px;
           font-size: var(--note);
         }
