@@ -93,6 +93,10 @@ void addPictures(CLI::App& app, PictureOptions& pictures) {
   app.add_option("--lamp-size", pictures.lampSize, "how large the lamps are, or their slope [softbox]")
       ->option_text("bulb|softbox|window|SLOPE")
       ->group(group);
+  app.add_option("--proportions", pictures.proportions,
+                 "cut off what sticks out of the page, or stretch the picture over it [keep]")
+      ->option_text("keep|stretch")
+      ->group(group);
   addSpools(app, pictures, group);
   addNumber(app, "--smoothness", pictures.smoothness, "more: fewer U-turns, less detail [0.02]")
       ->option_text("F")

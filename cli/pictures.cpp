@@ -35,6 +35,23 @@ std::optional<Vec2> lampOf(const std::string& text) {
   return Vec2{*azimuth, *elevation};
 }
 
+/// Sets a choice of the pictures by its option, which is named like its key. \param besides  what else could be named
+/// \return what is wrong
+std::string choose(const char* key, const std::string& word, const std::vector<std::string>& besides,
+                   sillon::Project& project) {
+  const sillon::Setting& row = *sillon::findSetting(sillon::Section::Pictures, key);
+  const std::vector<std::string> words = sillon::splitWords(row.choices);
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) {
+    std::string all = words.front();
+    for (std::size_t k = 1; k < words.size(); ++k) all += ", " + words[k];
+    for (const std::string& other : besides) all += ", " + other;
+    return std::string("--") + key + " is \"" + word + "\"; it must be one of " + all;
+  }
+  sillon::choose(row.field(sillon::viewOf(project)), static_cast<std::size_t>(found - words.begin()));
+  return "";
+}
+
 }  // namespace
 
 std::optional<double> lampSlopeOf(const std::string& size) {
@@ -85,17 +102,14 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
     const sillon::Roughness slopes = sillon::roughnessOf(*own, project.printer.nozzle, bed);
     project.pictures.slopes = Vec2{slopes.along, slopes.across};
   } else if (options.spool) {
-    const sillon::Setting& row = *sillon::findSetting(sillon::Section::Pictures, "spool");
-    const std::vector<std::string> words = sillon::splitWords(row.choices);
-    const auto found = std::find(words.begin(), words.end(), *options.spool);
-    if (found == words.end()) {
-      std::string all;
-      for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-      for (const sillon::Spool& own : options.ownSpools) all += ", " + own.key;
-      return "--spool is \"" + *options.spool + "\"; it must be one of " + all;
-    }
-    sillon::choose(row.field(sillon::viewOf(project)), static_cast<std::size_t>(found - words.begin()));
+    std::vector<std::string> own;
+    for (const sillon::Spool& spool : options.ownSpools) own.push_back(spool.key);
+    if (std::string problem = choose("spool", *options.spool, own, project); !problem.empty()) return problem;
     project.pictures.slopes.reset();  // those of a spool of one's own
+  }
+  if (options.proportions) {
+    if (std::string problem = choose("proportions", *options.proportions, {}, project); !problem.empty())
+      return problem;
   }
   if (options.smoothness) project.pictures.smoothness = *options.smoothness;
   if (options.localContrast) project.pictures.localContrast = *options.localContrast;
@@ -168,11 +182,10 @@ std::string pictureLines(const sillon::PlatePictures& pictures, const std::vecto
     out += "\n";
     constexpr double kToldCut = 0.03;
     if (pictures.leftOut[k] < kToldCut) continue;
-    std::snprintf(
-        text, sizeof text,
-        "note       %.0f %% of it stick out of the plate and are cut off; pictures.proportions in a project can "
-        "stretch it\n",
-        100 * pictures.leftOut[k]);
+    std::snprintf(text, sizeof text,
+                  "note       %.0f %% of it stick out of the plate and are cut off; --proportions stretch squeezes all "
+                  "of it in\n",
+                  100 * pictures.leftOut[k]);
     out += text;
   }
   if (!pictures.shown.empty() && pictures.contrast < kWeakContrast) {

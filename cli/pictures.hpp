@@ -25,6 +25,7 @@ struct PictureOptions {
   std::optional<std::string> spool;
   std::string spoolsFile;                ///< of a person's own; empty: none
   std::vector<sillon::Spool> ownSpools;  ///< what is in it, once it is read
+  std::optional<std::string> proportions;
   std::optional<double> smoothness;
   std::optional<double> localContrast;
 };

@@ -187,6 +187,7 @@ Result<sillon::RebrushOptions> readOptions(const RebrushArguments& arguments, co
     if (!pictures) return pictures.error();
     options.pictures = std::move(pictures).value();
     options.inversion = sillon::inversionOf(asked);
+    options.proportions = asked.proportions;
     options.spool = sillon::spoolOf(asked.spool).key;
     options.ownSpool = ownSpool(arguments.pictures);
     // A bead along the border would frame the picture in tones that it does not have.

@@ -147,6 +147,7 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
     options.modes = std::move(field.value().modes);
     options.pictures = std::move(pictures).value();
     options.inversion = sillon::inversionOf(asked);
+    options.proportions = asked.proportions;
     options.spool = sillon::spoolOf(asked.spool).key;
     sillon::Spool own;  // of the side that is seen, whichever that is
     if (asked.slopes) {

@@ -310,7 +310,8 @@ export interface RebrushOptions {
   toolpath: ToolpathOptions;
   /** Bottoms are those that lie on the bed. Default 'top'. */
   sides: 'top' | 'bottom' | 'both';
-  /** What pictures are stretched over: each face, the faces of one object, the bed, or all faces. Default 'face'. */
+  /** What pictures cover: each face, the faces of one object, the bed, or all faces; `pictures.proportions` says how. Default
+   * 'face'. */
   fit: 'face' | 'object' | 'bed' | 'all';
   /** Places in the list of listSurfaces: these alone, whatever their side. Default: all that `sides` names. */
   only: number[];

@@ -863,6 +863,31 @@ TEST_CASE("a picture is shown on each face, or runs across them") {
   CHECK_FALSE(rebrush(text, how, run));
 }
 
+TEST_CASE("a picture that is wider than a face loses its sides, or is squeezed in") {
+  const RunContext run(2);
+  const std::string text = twoFaces(kDialects[0]);
+  RebrushOptions how = options(0);
+  how.toolpath.perimeterMode = PerimeterMode::Soft;
+  // The middle third is dark, then bright; what lies beside it is the other way round.
+  LitPicture wide = halves();
+  wide.tones = {192, 64, {}};
+  for (int k = 0; k < 192 * 64; ++k) {
+    const int sixth = k % 192 / 32;
+    wide.tones.value.push_back(sixth == 2 || sixth >= 4 ? 0.1F : 0.9F);
+  }
+  how.pictures = {wide};
+  for (const PictureProportions proportions : {PictureProportions::Keep, PictureProportions::Stretch}) {
+    how.proportions = proportions;
+    const auto done = rebrush(text, how, run);
+    REQUIRE(done);
+    for (const RebrushedSurface& made : done.value().surfaces) {
+      const auto [left, right] = leanings(made, done.value().file.surfaces[made.surface].region.page);
+      if (proportions == PictureProportions::Keep) CHECK(left > right + 0.5);
+      if (proportions == PictureProportions::Stretch) CHECK(left < right);
+    }
+  }
+}
+
 TEST_CASE("chosen faces alone are replaced, and share their picture with no others") {
   const RunContext run(2);
   const std::string text = twoFaces(kDialects[0]);

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "look/page_tones.hpp"
 #include "project/input_file.hpp"
 #include "project/missing_tones.hpp"
-#include "project/page_tones.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/look/conflict.hpp"
 #include "sillon/look/spools.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "look/page_tones.hpp"
 #include "rebrush/blocks.hpp"
 #include "sillon/look/spools.hpp"
 
@@ -111,6 +112,8 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
     std::vector<LitPicture> pictures;
     for (const LitPicture& given : options_.pictures) {
       LitPicture& picture = pictures.emplace_back(below ? mirrored(given) : given);
+      double leftOut = 0;
+      picture.tones = pageTones(std::move(picture.tones), stretched.value().size(), options_.proportions, leftOut);
       picture.tones = cutMap(picture.tones, &Tones::value, box, stretched.value());
     }
     if (options_.fit == PictureFit::Face) solved_.clear();  // nobody asks for it again

@@ -220,7 +220,8 @@ constexpr Row kRows[] = {
      .label = "Proportions",
      .help = "Keep cuts off what sticks out of a page of other proportions, as much on either side; stretch covers the "
              "page with all of the picture",
-     .choices = "keep stretch"},
+     .choices = "keep stretch",
+     .option = "--proportions"},
     {.section = Section::Pictures,
      .key = "spool",
      .type = Choice,

@@ -917,7 +917,7 @@ export const de: Translation = {
   'rebrush.light.stands': 'Licht bei {azimuth}°, {elevation}° hoch',
   'rebrush.height': 'Höhe der Lampe',
   'rebrush.spool': 'Filament im Drucker',
-  'rebrush.fit': 'Gestreckt über',
+  'rebrush.fit': 'Bedeckt',
   'rebrush.fit.face': 'Jede Fläche',
   'rebrush.fit.object': 'Jedes Objekt',
   'rebrush.fit.bed': 'Das Druckbett',

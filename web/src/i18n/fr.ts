@@ -927,7 +927,7 @@ export const fr: Translation = {
   'rebrush.light.stands': 'Lumière à {azimuth}°, {elevation}° de haut',
   'rebrush.height': 'Hauteur de la lampe',
   'rebrush.spool': 'Filament de l’imprimante',
-  'rebrush.fit': 'Étendue sur',
+  'rebrush.fit': 'Couvre',
   'rebrush.fit.face': 'Chaque face',
   'rebrush.fit.object': 'Chaque objet',
   'rebrush.fit.bed': 'Le plateau',

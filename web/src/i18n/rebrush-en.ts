@@ -52,7 +52,7 @@ export const rebrushEn = {
   'rebrush.light.stands': 'Light at {azimuth}°, {elevation}° high',
   'rebrush.height': 'Height of the lamp',
   'rebrush.spool': 'Filament on the printer',
-  'rebrush.fit': 'Stretched over',
+  'rebrush.fit': 'Covers',
   'rebrush.fit.face': 'Each face',
   'rebrush.fit.object': 'Each object',
   'rebrush.fit.bed': 'The bed',

@@ -123,7 +123,7 @@ test('a packed print becomes a packed print, under a picture or as the plate', {
   const plate = await plateOf(visit);
   await visit.drop([fileAt(join(inputs, 'photo.png'))]);
   await until(async () => (await view(visit).locator('.picture').count()) === 1, 'the picture is taken');
-  await view(visit).getByLabel('Stretched over').selectOption('all');
+  await view(visit).getByLabel('Covers').selectOption('all');
   const shown = await downloaded(visit);
   const lamp = await view(visit).evaluate(({ wish }) => wish.lamp.join());
   const spool = await view(visit).evaluate(({ wish }) => wish.spool);

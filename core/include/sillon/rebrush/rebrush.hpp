@@ -37,6 +37,7 @@ struct RebrushOptions {
   std::string spool = "bluePla";    ///< how the filament looks: a key of spools()
   const Spool* ownSpool = nullptr;  ///< instead of it; outlives the call
   PictureFit fit = PictureFit::Face;
+  PictureProportions proportions = PictureProportions::Keep;  ///< of `pictures`, over what `fit` says
   bool tops = true;
   bool bottoms = false;
   std::vector<std::size_t> only;  ///< of SlicedFile::surfaces, whatever their side; empty: all that are asked for

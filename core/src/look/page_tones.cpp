@@ -1,4 +1,4 @@
-#include "project/page_tones.hpp"
+#include "look/page_tones.hpp"
 
 #include <algorithm>
 #include <cmath>
