@@ -4,7 +4,7 @@ import type { PrinterValues } from 'sillon';
 import { newPlate, printerDefaults } from './defaults.js';
 import { filaments } from './filaments.js';
 import type { Plate } from './plate.js';
-import { ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
+import { isGeneric, ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
 import { withNozzle } from './settings.js';
 
 type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
@@ -36,11 +36,26 @@ function harmless(printer: PrinterValues, own: PrinterValues): boolean {
 const filamentIn = (printer: PrinterValues): Pick<PrinterValues, (typeof ofFilament)[number]> =>
   Object.fromEntries(ofFilament.map((key) => [key, printer[key]])) as Pick<PrinterValues, (typeof ofFilament)[number]>;
 
+/** Whether its designer chose a printer: a generic one is what there is before. */
+const namesPrinter = (printer: PrinterValues): boolean => {
+  const profile = profileOf(printer);
+  return profile === undefined || !isGeneric(profile);
+};
+
+/** The plate on the visitor's machine, with the plate's filament and nozzle. */
+function onMachine(plate: Plate, own: PrinterValues): Plate {
+  const { pressureAdvance, setPressureAdvance } = own; // of that machine
+  const filament = filamentIn(plate.printer);
+  const printer = { ...structuredClone(own), ...filament, pressureAdvance, setPressureAdvance };
+  return withAdvance({ ...plate, printer: { ...printer, nozzle: plate.printer.nozzle } }, { ...plate, printer: own });
+}
+
 /** A design from elsewhere on the visitor's own printer; what it brings waits in `brought`. The nozzle stays the design's,
- * and so does what its filament asks for, unless that is hotter than usual. */
+ * and so does what its filament asks for, unless that is hotter than usual. A printer that the design names among the
+ * profiles stays, too. */
 export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
   const { printer } = plate;
-  if (harmless(printer, own)) return withoutBrought(plate);
+  if (harmless(printer, own)) return withoutBrought(namesPrinter(printer) ? plate : onMachine(plate, own));
   const kept = filamentIn(isHot(printer) ? own : printer);
   return { ...plate, printer: { ...structuredClone(own), ...kept, nozzle: printer.nozzle }, brought: printer };
 }
@@ -48,9 +63,7 @@ export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
 /** A new plate on the visitor's own printer, with the beads that suit its nozzle. */
 export function newPlateOn(own: PrinterValues): Plate {
   const plate = newPlate();
-  const { pressureAdvance, setPressureAdvance } = own;
-  const printer = { ...structuredClone(own), ...filamentIn(plate.printer), pressureAdvance, setPressureAdvance };
-  return withNozzle(withAdvance({ ...plate, printer }, { ...plate, printer: own }), own.nozzle);
+  return withNozzle(onMachine({ ...plate, printer: { ...plate.printer, nozzle: own.nozzle } }, own), own.nozzle);
 }
 
 export const useBrought = (plate: Plate): Plate =>

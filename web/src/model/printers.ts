@@ -49,7 +49,8 @@ function choice(
   return { key, advance, label: machine.name.startsWith(maker) ? machine.name : `${maker} ${machine.name}`, machine };
 }
 
-const isGeneric = ({ key }: PrinterChoice): boolean => key.startsWith('generic');
+/** Stands for no machine in particular. */
+export const isGeneric = ({ key }: PrinterChoice): boolean => key.startsWith('generic');
 
 /** Generic ones first, then by name. Bambu's need a start block of the owner's own: those come from a file. */
 export const printers: readonly PrinterChoice[] = Object.entries(table.printers as unknown as Record<string, Row>)

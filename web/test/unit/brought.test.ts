@@ -13,7 +13,7 @@ import {
 import { newPlate, printerDefaults } from '../../src/model/defaults.js';
 import { withFilament } from '../../src/model/filaments.js';
 import type { Plate } from '../../src/model/plate.js';
-import { printers, profileOf, withPrinter } from '../../src/model/printers.js';
+import { isGeneric, printers, profileOf, withPrinter } from '../../src/model/printers.js';
 import { accepts, settings, valueOf, withNozzle } from '../../src/model/settings.js';
 
 const own = withPrinter(newPlate(), 'prusa-mini').printer;
@@ -23,11 +23,25 @@ const foreign = (printer: Partial<Plate['printer']>): Plate => ({
 });
 
 test('a profile of ours may be used, with any filament of ours', () => {
-  for (const { key } of printers) {
+  for (const one of printers.filter((printer) => !isGeneric(printer))) {
     for (const filament of ['goldPla', 'redPetg'] as const) {
-      const plate = withFilament(withPrinter(newPlate(), key), filament);
-      assert.deepEqual(onOwnPrinter(plate, own), plate, key);
+      const plate = withFilament(withPrinter(newPlate(), one.key), filament);
+      assert.deepEqual(onOwnPrinter(plate, own), plate, one.key);
     }
+  }
+});
+
+test('a design for no printer in particular is printed on the visitor’s own', () => {
+  const generic = printers.filter(isGeneric);
+  assert.ok(generic.length > 0);
+  for (const { key } of generic) {
+    const plate = withNozzle(withFilament(withPrinter(newPlate(), key), 'redPetg'), 0.6);
+    const opened = onOwnPrinter(plate, own);
+    assert.equal(profileOf(opened.printer)?.key, 'prusa-mini');
+    assert.equal(opened.printer.nozzle, 0.6);
+    assert.equal(opened.printer.nozzleTemperature, plate.printer.nozzleTemperature);
+    assert.ok(!('brought' in opened));
+    assert.deepEqual(onOwnPrinter(plate, plate.printer), plate); // who has chosen none keeps what it says
   }
 });
 
