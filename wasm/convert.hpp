@@ -324,12 +324,22 @@ inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>&
   out.set("filamentMm", check.filamentMm);
   out.set("pathMm", check.pathMm);
   out.set("travelMm", check.travelMm);
+  out.set("closed", static_cast<double>(check.closed));
+  out.set("open", static_cast<double>(check.open));
   out.set("retractions", static_cast<double>(check.retractions));
   out.set("fastest", check.fastest);
   out.set("slowedMm", check.slowedMm);
   out.set("mostFlow", check.mostFlow);
   out.set("mostMoves", check.mostMoves);
   out.set("printer", val(check.printer));
+  out.set("box", val::null());
+  if (!check.box.empty()) {
+    val box = val::object();
+    box.set("min", toJs(check.box.min));
+    box.set("max", toJs(check.box.max));
+    out.set("box", box);
+  }
+  out.set("top", check.top);
   out.set("noise", check.noise < 0 ? val::null() : val(check.noise));
   val coverage = val::array();
   for (const double share : check.coverage) coverage.call<void>("push", share < 0 ? val::null() : val(share));

@@ -999,6 +999,9 @@ export interface GcodeCheck {
   filamentMm: number;
   pathMm: number;
   travelMm: number;
+  /** Paths whose end is their beginning, and others. */
+  closed: number;
+  open: number;
   retractions: number;
   /** Of beads. */
   fastest: number;
@@ -1009,6 +1012,10 @@ export interface GcodeCheck {
   /** Moves per second over any 8. */
   mostMoves: number;
   printer: string;
+  /** Of the middles of beads, without start and end blocks, mm; null: there are none. */
+  box: { min: [number, number]; max: [number, number] } | null;
+  /** Of the highest bead, mm. */
+  top: number;
   /** 99 % of the vertices of oriented beads zigzag by no more, mm; null: there are none. */
   noise: number | null;
   /** Share of the base that each oriented layer of a file of ours covers; null where there is no base. */
