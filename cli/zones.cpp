@@ -68,7 +68,7 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   const Result<sillon::DirectionZones> zones =
       sillon::directionZones(seen, input.value().directions, arguments.params, run);
   if (!zones) return zones.error();
-  Result<std::string> package = sillon::zones3mf(body, zones.value(), corner, arguments.layers);
+  Result<sillon::ZonePackage> package = sillon::zones3mf(body, zones.value(), corner, arguments.layers);
   if (!package) return package.error();
 
   std::string out;
@@ -82,6 +82,11 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
     out += "warning the body has " + plural(open, "open edge") +
            "; slicers may find no layers in it, so repair it first\n";
   }
+  if (!package.value().everySlopeTurned) {
+    out +=
+        "note   the body has too many levels for its zones: slopes are left to the slicer; fewer zones, or a coarser "
+        "body, keep them\n";
+  }
   char line[160];
   for (const sillon::DirectionZone& zone : zones.value().zones) {
     std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);
@@ -89,7 +94,7 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   }
   std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given\n",
                 zones.value().error);
-  return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
+  return Outcome{{{arguments.out, std::move(package).value().bytes}}, out + line};
 }
 
 }  // namespace cli

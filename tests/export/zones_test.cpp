@@ -288,8 +288,8 @@ TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles t
   const Shape shape = makeDisc(30).value();
   const DirectionZones zones = zonesOf(shape, rings(), 4);
   for (const double height : {1.0, 1.2}) {  // five layers, and six: slicers turn their lines on every other one
-    const std::string package = zones3mf(prismOf(shape, height).value(), zones, {20, 30}, {0.2, 0.2}).value();
-    CHECK(package == zones3mf(prismOf(shape, height).value(), zones, {20, 30}, {0.2, 0.2}).value());
+    const std::string package = zones3mf(prismOf(shape, height).value(), zones, {20, 30}, {0.2, 0.2}).value().bytes;
+    CHECK(package == zones3mf(prismOf(shape, height).value(), zones, {20, 30}, {0.2, 0.2}).value().bytes);
     const std::string config = partOf(package, "Metadata/Slic3r_PE_model.config");
     const std::string model = partOf(package, "3D/3dmodel.model");
     const auto first = valuesOf(config, "firstid=\"");
@@ -329,35 +329,37 @@ TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles t
     steps.triangles.push_back(triangle);
   }
   steps.points.insert(steps.points.end(), upper.points.begin(), upper.points.end());
-  const std::string config =
-      partOf(zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value(),
-             "Metadata/Slic3r_PE_model.config");
+  const std::string config = partOf(
+      zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value().bytes,
+      "Metadata/Slic3r_PE_model.config");
   CHECK(valuesOf(config, "key=\"fill_angle\" value=\"") == std::vector<std::string>{"20", "110"});
   // A body whose triangles face inwards is printed all the same.
   for (auto& triangle : steps.triangles) std::swap(triangle[1], triangle[2]);
-  CHECK(partOf(zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value(),
-               "Metadata/Slic3r_PE_model.config") == config);
+  CHECK(
+      partOf(
+          zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value().bytes,
+          "Metadata/Slic3r_PE_model.config") == config);
   // In the middle of a layer the highest top ends below it.
   for (const auto& [height, angle] : {std::pair(1.9, "20"), {2.1, "110"}, {3.1, "20"}}) {
     const Shape shape = makeRectangle({20, 10}).value();
-    const std::string told =
-        partOf(zones3mf(prismOf(shape, height).value(), zonesOf(shape, uniformDirection(20).value()), {}, {}).value(),
-               "Metadata/Slic3r_PE_model.config");
+    const std::string told = partOf(
+        zones3mf(prismOf(shape, height).value(), zonesOf(shape, uniformDirection(20).value()), {}, {}).value().bytes,
+        "Metadata/Slic3r_PE_model.config");
     CHECK(valuesOf(told, "key=\"fill_angle\" value=\"") == std::vector<std::string>{angle});
   }
 }
 
 TEST_CASE("zones reach as deep as solid layers below each level top, and no deeper") {
   const Mesh tall = prismOf(makeDisc(20).value(), 10).value();
-  const std::vector<Slab> one = slabsOf(tall, {0.2, 0.2}, 100);
+  const std::vector<Slab> one = slabsOf(tall, {0.2, 0.2}, 100).list;
   REQUIRE(one.size() == 1);
   CHECK(one[0].bottom == Approx(7.8));  // ten layers below the one of the top
   CHECK(one[0].top == Approx(11));
   CHECK(one[0].turned);  // its 50th layer
-  const std::vector<Slab> thick = slabsOf(tall, {0.4, 0.6}, 100);
+  const std::vector<Slab> thick = slabsOf(tall, {0.4, 0.6}, 100).list;
   REQUIRE(thick.size() == 1);
   CHECK(thick[0].bottom == Approx(10 - 9 * 0.4).epsilon(0.03));  // eight
-  const std::vector<Slab> thin = slabsOf(prismOf(makeDisc(20).value(), 1).value(), {0.2, 0.2}, 100);
+  const std::vector<Slab> thin = slabsOf(prismOf(makeDisc(20).value(), 1).value(), {0.2, 0.2}, 100).list;
   REQUIRE(thin.size() == 1);
   CHECK(thin[0].bottom == Approx(-1));
   CHECK_FALSE(thin[0].turned);
@@ -370,7 +372,7 @@ TEST_CASE("each layer of a gentle slope is turned by itself, walls are not seen"
     return mesh;
   };
   const ZoneLayers layers{0.2, 0.3};
-  const std::vector<Slab> slabs = slabsOf(wedge(4), layers, 1000);  // a layer each 2 mm
+  const std::vector<Slab> slabs = slabsOf(wedge(4), layers, 1000).list;  // a layer each 2 mm
   int seen = 0;
   for (int layer = 14; layer < 34; ++layer) {
     const double middle = 0.3 + 0.2 * (layer - 0.5);
@@ -382,8 +384,11 @@ TEST_CASE("each layer of a gentle slope is turned by itself, walls are not seen"
     }
   }
   CHECK(seen == 20);
-  CHECK(slabsOf(wedge(4), layers, 1).size() == 1);
-  CHECK(slabsOf(wedge(30), layers, 1000).size() == 1);  // its steps are 0.27 mm wide
+  CHECK(slabsOf(wedge(4), layers, 1000).complete);
+  const Slabs few = slabsOf(wedge(4), layers, 1);
+  CHECK(few.list.size() == 1);
+  CHECK_FALSE(few.complete);
+  CHECK(slabsOf(wedge(30), layers, 1000).list.size() == 1);  // its steps are 0.27 mm wide
 }
 
 TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
@@ -442,7 +447,7 @@ TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
   for (const auto& [name, body] : {std::pair("five layers", prismOf(shape, 1).value()),
                                    {"six layers", prismOf(shape, 1.2).value()},
                                    {"a slope", slope}}) {
-    const std::string package = zones3mf(body, zones, {0, 0}, {0.2, 0.2}).value();
+    const std::string package = zones3mf(body, zones, {0, 0}, {0.2, 0.2}).value().bytes;
     std::ofstream(folder / "zones.3mf", std::ios::binary) << package;
     const std::string command = "prusa-slicer --export-gcode --layer-height 0.2 --first-layer-height 0.2 --center " +
                                 std::string("100,100 --output ") + (folder / "zones.gcode").string() + " " +

@@ -46,7 +46,7 @@ FlatBody flatZone(const DirectionZone& zone) {
 
 }  // namespace
 
-Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers) {
+Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers) {
   for (const double height : {layers.height, layers.firstHeight}) {
     if (!(height >= 0.01 && height <= 2)) {
       return Error{ErrorCode::InvalidArgument, outOfRange("layer height", height, " mm", "0.01 to 2 mm")};
@@ -71,13 +71,13 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
     }
     triangles += 2 * (flat.triangulation.triangles.size() + flat.points.size());
   }
-  const std::vector<Slab> slabs =
+  const Slabs slabs =
       slabsOf(body, layers, std::max<std::size_t>(1, kMostTriangles / std::max<std::size_t>(1, triangles)));
   for (std::size_t k = 0; k < flats.size(); ++k) {
     const double degrees = zones.zones[k].degrees;
     for (const bool turned : {false, true}) {
       Volume volume{"zone " + decimal(degrees, 1), mesh.triangles.size(), 0, {}, true};
-      for (const Slab& slab : slabs) {
+      for (const Slab& slab : slabs.list) {
         if (slab.turned == turned)
           addPrism(flats[k].triangulation, flats[k].points, offset, slab.bottom, slab.top, mesh);
       }
@@ -118,7 +118,7 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
   addPackageParts(zip);
   zip.add("3D/3dmodel.model", model);
   zip.add("Metadata/Slic3r_PE_model.config", config);
-  return zip.finish();
+  return ZonePackage{zip.finish(), slabs.complete};
 }
 
 }  // namespace sillon

@@ -131,7 +131,7 @@ std::vector<Lines> linesOfLayers(const Layers& layers, const Tops& tops, bool sl
 
 }  // namespace
 
-std::vector<Slab> slabsOf(const Mesh& body, const ZoneLayers& zoneLayers, std::size_t most) {
+Slabs slabsOf(const Mesh& body, const ZoneLayers& zoneLayers, std::size_t most) {
   const Layers layers(body, zoneLayers);
   const Tops tops = layers.tops();
   for (const bool slopes : {true, false}) {
@@ -146,9 +146,9 @@ std::vector<Slab> slabsOf(const Mesh& body, const ZoneLayers& zoneLayers, std::s
       }
       begin = end;
     }
-    if (slabs.size() <= most) return slabs;
+    if (slabs.size() <= most) return {std::move(slabs), slopes};
   }
-  return {{layers.bottomOf(0), layers.topOf(layers.last()), linesOn(layers.last()) == Lines::Turned}};
+  return {{{layers.bottomOf(0), layers.topOf(layers.last()), linesOn(layers.last()) == Lines::Turned}}, false};
 }
 
 }  // namespace sillon

@@ -43,13 +43,18 @@ struct ZoneLayers {
   double firstHeight = 0.2;  ///< [mm], 0.01..2
 };
 
+struct ZonePackage {
+  std::string bytes;             ///< of the 3MF
+  bool everySlopeTurned = true;  ///< false: slopes, or lower tops, are left to the slicer, as there are too many
+};
+
 /// A 3MF with the body as one object, and each zone as a modifier volume with the angle that makes the slicer's top
 /// lines run along it: fill_angle (PrusaSlicer), solid_infill_direction and infill_direction (OrcaSlicer, Bambu
 /// Studio), to which they add 90 degrees on every other layer, and top_layer_direction (OrcaSlicer from 2.4.2), to
 /// which nothing is added. In PrusaSlicer's form, which all three open. Zones reach 2 mm or 8 layers below each level
 /// top, which gets its own angles, and through gentle slopes layer by layer, up to 400,000 triangles in all.
 /// \param corner  of the zones' page on the bed [mm]. \return InvalidArgument or TooLarge.
-Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers);
+Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers);
 
 /// The shape less its holes in height: a prism from the bed up. \param height  [mm], 0.05..5000.
 /// \return EmptyShape, InvalidFile or TooLarge.
