@@ -83,8 +83,14 @@ void addPresetLists(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand(name, help);
     const auto id = std::make_shared<std::string>();
     command->add_option("id", *id, "write this one as a project file")->option_text("ID");
-    command->callback([&arguments, id, kind, name] {
-      arguments.answer = id->empty() ? presetTable(kind) : presetFile(kind, *id);
+    const auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "all of them with their values, as JSON");
+    command->callback([&arguments, id, json, kind, name] {
+      if (*json && !id->empty()) {
+        throw CLI::ValidationError("--json is of the list; " + *id + " alone is JSON without it",
+                                   CLI::ExitCodes::ValidationError);
+      }
+      arguments.answer = *json ? presetsJson(kind) : id->empty() ? presetTable(kind) : presetFile(kind, *id);
       if (arguments.answer.empty()) {
         sillon::Printer printer;
         throw CLI::ValidationError(std::string(name) + ": " + applyProfile(kind, *id, printer),

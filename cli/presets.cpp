@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "sillon/settings/table.hpp"
 
@@ -69,6 +70,17 @@ std::string presetTable(ProfileKind kind) {
   for (const PrinterProfile& preset : sillon::profiles(kind))
     out += printers ? printerLine(preset) : filamentLine(preset);
   return out;
+}
+
+std::string presetsJson(ProfileKind kind) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const PrinterProfile& preset : sillon::profiles(kind)) {
+    Json& one = list.emplace_back(Json{{"id", preset.id}});
+    if (!preset.maker.empty()) one["maker"] = preset.maker;
+    one["printer"] = Json::parse(sillon::writePrinter(preset.printer))["printer"];
+  }
+  return Json{{kind == ProfileKind::Printer ? "printers" : "filaments", list}}.dump(2) + "\n";
 }
 
 std::string presetFile(ProfileKind kind, const std::string& id) {

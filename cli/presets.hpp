@@ -10,6 +10,10 @@ namespace cli {
 /// One line per preset, with a head.
 std::string presetTable(sillon::ProfileKind kind);
 
+/// The same with all values, as an object with a list `printers` or `filaments`: `id`, `maker` where there is one, and
+/// `printer`, that section of a project.
+std::string presetsJson(sillon::ProfileKind kind);
+
 /// A project file with this preset's printer; empty if there is none of that id.
 std::string presetFile(sillon::ProfileKind kind, const std::string& id);
 

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -266,6 +267,15 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
   CHECK(has(folder.run("filaments").out, "\npetg "));
   const Run one = folder.run("printers creality-k1");
   CHECK(one.code == 0);
+  const Json all = Json::parse(folder.run("printers --json").out);
+  CHECK(all["printers"].size() + 1 == static_cast<std::size_t>(std::count(list.out.begin(), list.out.end(), '\n')));
+  const auto same = std::find_if(all["printers"].begin(), all["printers"].end(),
+                                 [](const Json& printer) { return printer["id"] == "creality-k1"; });
+  REQUIRE(same != all["printers"].end());
+  CHECK((*same)["maker"] == "Creality");
+  CHECK((*same)["printer"] == Json::parse(one.out)["printer"]);
+  CHECK(Json::parse(folder.run("filaments --json").out)["filaments"][0]["id"] == "petg");
+  checkRefused(folder, "printers creality-k1 --json", "--json is of the list");
   folder.write("k1.json", one.out);
   const Run made = folder.run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode");
   CAPTURE(made.err);
@@ -342,6 +352,30 @@ std::string slicedBlock() {
   out << "M107\nG1 Z20 F600\nM104 S0\nM140 S0\nM84\n; filament used [mm] = 33.10\n"
       << "; estimated printing time (normal mode) = 3m 0s\n; filament_diameter = 1.75\n; nozzle_diameter = 0.4\n";
   return out.str();
+}
+
+/// All keys of a JSON value, however deep.
+void addKeys(const Json& json, std::set<std::string>& keys) {
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    if (value.is_structured()) addKeys(value, keys);
+  }
+}
+
+TEST_CASE("every key that programs get of rebrush and of spools is documented") {
+  const Folder folder;
+  folder.write("part.gcode", slicedBlock());
+  const std::string docs = readAll(fs::path(SILLON_SOURCE_DIR) / "docs/reference/report.md");
+  std::set<std::string> keys;
+  addKeys(Json::parse(folder.run("rebrush part.gcode --list --json").out), keys);
+  CHECK(folder.run("rebrush part.gcode --angle 30 -o new.gcode --report r.json").code == 0);
+  addKeys(Json::parse(readAll(folder.at("r.json"))), keys);
+  addKeys(Json::parse(folder.run("spools --json").out), keys);
+  CHECK(keys.size() > 35);
+  for (const std::string& key : keys) {
+    CAPTURE(key);
+    CHECK(has(docs, "`" + key + "`"));
+  }
 }
 
 TEST_CASE("rebrush lists and replaces tops, and writes the kind of file that it reads") {
