@@ -130,7 +130,7 @@ export const de: Translation = {
 
   // --- Form und Größe -------------------------------------------------------------------------------------------------
   'shape.rectangle': 'Rechteck',
-  'shape.rounded': 'Abgerundetes Rechteck',
+  'shape.rounded': 'Abgerunde\u00ADtes Rechteck',
   'shape.disc': 'Scheibe',
   'shape.file': 'Aus einer Datei',
   'shape.radius': 'Eckenradius',
@@ -147,7 +147,7 @@ export const de: Translation = {
   'source.patterns': 'Muster',
   'source.angle': 'Eine Richtung',
   'source.lamp': 'Bild unter einer Lampe',
-  'source.map': 'Richtungskarte',
+  'source.map': 'Richtungs\u00ADkarte',
   'source.tone': 'Bild nach Helligkeit',
   'source.edges': 'Bild entlang der Kanten',
   'source.levels': 'Logo, zwei Richtungen',
