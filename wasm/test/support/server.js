@@ -1,7 +1,9 @@
 // A small web server for tests: folders under paths, every response with the same headers.
-import { createReadStream, realpathSync, statSync } from 'node:fs';
+import { realpathSync, statSync } from 'node:fs';
+import { open } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, sep } from 'node:path';
+import { pipeline } from 'node:stream';
 
 const types = {
   '.css': 'text/css',
@@ -80,8 +82,11 @@ export async function serve(folders, headers = {}, missingStatus = 404) {
       return;
     }
     const type = types[extname(file)] ?? 'application/octet-stream';
-    response.writeHead(200, { ...common, 'Content-Type': type, 'Content-Length': statSync(file).size });
-    createReadStream(file).pipe(response);
+    // The length of the file that is sent, though another takes its place meanwhile.
+    const opened = await open(file);
+    const { size } = await opened.stat();
+    response.writeHead(200, { ...common, 'Content-Type': type, 'Content-Length': size });
+    pipeline(opened.createReadStream(), response, () => {}); // who asked may have gone
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = server.address();

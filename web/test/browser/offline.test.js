@@ -1,7 +1,7 @@
 // The service worker, on hosts that send no headers and on our own: threads, no network, new versions, broken ones.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
@@ -65,6 +65,12 @@ const workerIs = (page, state) =>
 const isolatedPage = (page) => page.waitForFunction(() => crossOriginIsolated);
 const rest = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
+/** As a whole: who reads the file meanwhile gets all of the old one. */
+function replaceFile(path, content) {
+  writeFileSync(`${path}.new`, content);
+  renameSync(`${path}.new`, path);
+}
+
 /** Another version: one file changed, in the list of the service worker too unless it is to be broken. */
 function deploy({ broken = false } = {}) {
   const file = 'manifest.webmanifest';
@@ -74,11 +80,11 @@ function deploy({ broken = false } = {}) {
   const worker = readFileSync(join(folder, 'sw.js'), 'utf8');
   const old = hash(readFileSync(join(folder, file)));
   assert.ok(worker.includes(old), `sw.js does not list ${file}`);
-  writeFileSync(join(folder, file), bytes);
+  replaceFile(join(folder, file), bytes);
   const next = worker
     .replace(/"version":"[^"]*"/, '"version":"next"')
     .replace(old, broken ? hash('something else') : hash(bytes));
-  writeFileSync(join(folder, 'sw.js'), next);
+  replaceFile(join(folder, 'sw.js'), next);
 }
 
 const caches = (page) => page.evaluate(() => globalThis.caches.keys());
