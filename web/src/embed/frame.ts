@@ -1,6 +1,7 @@
 // The studio's side of a frame: waits for one host, checks who it is, and answers what it asks for, one request after the
 // other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
-import { problemWords, threadsWords } from '../i18n/say.js';
+import { wholeWords } from '../i18n/say-problem.js';
+import { threadsWords } from '../i18n/say.js';
 import { Unfit } from '../model/check-plate.js';
 import type { Opening } from '../model/file-role.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
@@ -203,10 +204,7 @@ class Host {
   }
 }
 
-const wordsOf = (problem: Problem): Failure => {
-  const { message, hint, detail } = problemWords(problem);
-  return { code: problem.code, message: detail === '' ? message : `${message} ${detail}`, hint };
-};
+const wordsOf = (problem: Problem): Failure => ({ code: problem.code, ...wholeWords(problem) });
 
 function failureOf(error: unknown): Failure {
   if (error instanceof Refused) return { code: error.code, message: error.message, hint: '' };

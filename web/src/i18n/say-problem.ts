@@ -5,7 +5,7 @@ import type { Problem } from '../model/problem.js';
 import { settings } from '../model/settings.js';
 import { hasRare, rare } from './rare.js';
 import { warningText } from './say-rare.js';
-import { settingLabel, unitText } from './say.js';
+import { problemWords, settingLabel, unitText } from './say.js';
 import { formatNumber, language } from './text.js';
 
 export interface ExactWords {
@@ -86,4 +86,10 @@ export function exactWords({ code, values }: Problem): ExactWords | undefined {
   return format === 'empty'
     ? { message: rare('problem.emptyFile', { name }), hint: rare('problem.emptyFile.hint') }
     : { message: rare('problem.otherFile', { name, format }), hint: rare('problem.otherFile.hint') };
+}
+
+/** All that is known, without a place for details: where the page has no words, the engine's own. */
+export function wholeWords(problem: Problem): Required<ExactWords> {
+  const { message, hint, detail } = problemWords(problem);
+  return { message: `${message} ${detail}`.trim(), hint, ...exactWords(problem) };
 }

@@ -3,8 +3,7 @@ import type { Calibration, CalibrationKind, CalibrationRequest } from 'sillon';
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
-import { exactWords } from '../i18n/say-problem.js';
-import { problemWords } from '../i18n/say.js';
+import { wholeWords } from '../i18n/say-problem.js';
 import { warningText } from '../i18n/say-rare.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
 import { kinds } from '../model/calibrate.js';
@@ -156,10 +155,8 @@ export class CalibratePrints extends StudioElement {
   }
 
   #problem(problem: Problem): TemplateResult {
-    const told = exactWords(problem);
-    const { message, detail } = problemWords(problem);
-    const words = told === undefined ? `${message} ${detail}` : `${told.message} ${told.hint ?? ''}`;
-    return html`<p class="problem" role="alert">${icon('warn', 16)} <span>${words}</span></p>`;
+    const { message, hint } = wholeWords(problem);
+    return html`<p class="problem" role="alert">${icon('warn', 16)} <span>${message} ${hint}</span></p>`;
   }
 
   #shown(name: string, calibration: Calibration | undefined): TemplateResult {

@@ -589,6 +589,22 @@ test('wrong attributes are told, with what is wrong', { skip }, async () => {
   assert.match((await errors()).at(-1).message, /missing\.svg.*404/);
 });
 
+test(
+  'what the engine refuses reaches the page around in the visitor’s language, with the figures',
+  { skip },
+  async () => {
+    const { page } = await element({ lang: 'fr' });
+    const project = { sillon: 1, shape: { builtin: 'disc', size: [24, 24] }, print: { place: [-5, 20] } };
+    const { code, message, hint } = await page.evaluate(async (project) => {
+      await globalThis.element.load(project);
+      return globalThis.element.exportGcode().catch(({ code, message, hint }) => ({ code, message, hint }));
+    }, project);
+    assert.equal(code, 'DoesNotFit');
+    assert.match(message, /^La plaque dépasse du plateau\s: 5\smm à gauche\.$/);
+    assert.match(hint, /centrez/);
+  },
+);
+
 test('work is kept for the page’s own site where it asks for that', { skip }, async () => {
   const first = await element({ autosave: 'shop', project: 'examples/stress_17.json' }, { site: 'localhost' });
   await stateIs(first.frame, (state) => state.plate.name === 'stress_17');
