@@ -10,7 +10,6 @@ namespace cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using sillon::Lamp;
 using sillon::Roughness;
 using sillon::Spool;
 

@@ -1,5 +1,5 @@
-// What lists are sorted by where speed does not matter: each further type that is sorted costs web pages 2 KB of code, and
-// std::stable_sort 6.
+// What lists are sorted by where speed does not matter: each further type that is sorted costs web pages 2 KB of code,
+// and std::stable_sort 6.
 #pragma once
 
 #include <algorithm>

@@ -27,7 +27,8 @@ std::optional<FoundValue> templateValue(std::string_view name, std::size_t index
 
 /// The value of an expression as PrusaSlicer, OrcaSlicer and Bambu Studio write them: numbers, "texts", names with and
 /// without an index, + - * / %, comparisons, =~ with a literal text between .* and .*, and, or, not, a ? b : c, min,
-/// max, round, int, digits, zdigits, random (the least). Nothing: a name that has no value here, or what is no expression.
+/// max, round, int, digits, zdigits, random (the least). Nothing: a name that has no value here, or what is no
+/// expression.
 std::optional<std::string> evaluated(std::string_view expression, const std::vector<TemplateValue>& values);
 
 }  // namespace sillon

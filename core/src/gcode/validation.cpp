@@ -58,7 +58,8 @@ double millionths(double value) { return std::round(value * 1e6) / 1e6; }
 
 // What has to hold between the settings of a whole print.
 std::optional<Error> checkPrint(const Printer& printer, const PrintParams& params) {
-  const auto outside = [](Section section, const char* key, double value, double low, double high, std::string rest) {
+  const auto outside = [](Section section, const char* key, double value, double low, double high,
+                          const std::string& rest) {
     return settingOutOfRange(*findSetting(section, key), millionths(value), millionths(low), millionths(high), rest);
   };
   const double thickest = 0.8 * printer.nozzle;
