@@ -1187,7 +1187,7 @@ export const de: Translation = {
   'rare.reason.NoBeadFits': 'In die Form passt bei einem Abstand von {spacing} mm keine Bahn.',
   'rare.reason.PlateTooLarge': 'Die Platte ist zu groß für einen Abstand von {mm} mm.',
   'rare.reason.leastSpacing': 'Einen Abstand von mindestens {mm} mm wählen.',
-  'rare.reason.percent': 'Bei diesem Abstand darf sie {percent} % ihrer Größe haben.',
+  'rare.reason.percent': 'Mit {percent} % ihrer Größe würde sie passen.',
   'rare.doubt.blank': 'Es gibt keine Buchstaben zu zeigen. Unter „Richtungen“ einen Text eingeben.',
   'rare.doubt.small':
     'Die Buchstaben sind {height} mm hoch und nicht zu sehen: Bei diesem Bahnabstand brauchen sie etwa {need} mm. Den Text auf mehr Zeilen verteilen oder Buchstaben oder Platte vergrößern.',

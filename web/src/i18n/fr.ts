@@ -1202,7 +1202,7 @@ export const fr: Translation = {
   'rare.reason.NoBeadFits': 'Aucun cordon n’entre dans la forme avec un espacement de {spacing} mm.',
   'rare.reason.PlateTooLarge': 'La plaque est trop grande pour un espacement de {mm} mm.',
   'rare.reason.leastSpacing': 'Prenez un espacement d’au moins {mm} mm.',
-  'rare.reason.percent': 'Avec cet espacement, elle peut avoir {percent} % de sa taille.',
+  'rare.reason.percent': 'À {percent} % de sa taille, elle passerait.',
   'rare.doubt.blank': 'Il n’y a pas de lettres à montrer. Écrivez-en sous « Directions ».',
   'rare.doubt.small':
     'Les lettres font {height} mm de haut et ne se verront pas : à cet écart entre cordons, il leur faut environ {need} mm. Répartissez le texte sur plus de lignes, ou agrandissez les lettres ou la plaque.',

@@ -249,7 +249,7 @@ export const rareEn = {
   'rare.reason.NoBeadFits': 'No bead fits into the shape at a spacing of {spacing} mm.',
   'rare.reason.PlateTooLarge': 'The plate is too large for a spacing of {mm} mm.',
   'rare.reason.leastSpacing': 'Choose a spacing of at least {mm} mm.',
-  'rare.reason.percent': 'At this spacing it may have {percent} % of its size.',
+  'rare.reason.percent': 'At {percent} % of its size it would fit.',
   'rare.doubt.blank': 'There are no letters to show. Write some under Directions.',
   'rare.doubt.small':
     'The letters are {height} mm high and cannot be seen: with this bead spacing they need about {need} mm. Break the text into more lines, or make the letters or the plate larger.',

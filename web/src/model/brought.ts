@@ -36,7 +36,7 @@ function harmless(printer: PrinterValues, own: PrinterValues): boolean {
 const filamentIn = (printer: PrinterValues): Pick<PrinterValues, (typeof ofFilament)[number]> =>
   Object.fromEntries(ofFilament.map((key) => [key, printer[key]])) as Pick<PrinterValues, (typeof ofFilament)[number]>;
 
-/** Whether its designer chose a printer: a generic one is what there is before. */
+/** Whether it is a machine that can be named. */
 const namesPrinter = (printer: PrinterValues): boolean => {
   const profile = profileOf(printer);
   return profile === undefined || !isGeneric(profile);
@@ -52,10 +52,13 @@ function onMachine(plate: Plate, own: PrinterValues): Plate {
 
 /** A design from elsewhere on the visitor's own printer; what it brings waits in `brought`. The nozzle stays the design's,
  * and so does what its filament asks for, unless that is hotter than usual. A printer that the design names among the
- * profiles stays, too. */
+ * profiles stays, too; a generic one does where the visitor has not chosen any. */
 export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
   const { printer } = plate;
-  if (harmless(printer, own)) return withoutBrought(namesPrinter(printer) ? plate : onMachine(plate, own));
+  if (harmless(printer, own)) {
+    const stays = namesPrinter(printer) || sameMachine(own, printerDefaults);
+    return withoutBrought(stays ? plate : onMachine(plate, own));
+  }
   const kept = filamentIn(isHot(printer) ? own : printer);
   return { ...plate, printer: { ...structuredClone(own), ...kept, nozzle: printer.nozzle }, brought: printer };
 }

@@ -41,7 +41,12 @@ test('a design for no printer in particular is printed on the visitor’s own', 
     assert.equal(opened.printer.nozzle, 0.6);
     assert.equal(opened.printer.nozzleTemperature, plate.printer.nozzleTemperature);
     assert.ok(!('brought' in opened));
-    assert.deepEqual(onOwnPrinter(plate, plate.printer), plate); // who has chosen none keeps what it says
+    assert.deepEqual(onOwnPrinter(plate, newPlate().printer), plate, key); // who has chosen none gets what it says
+    for (const one of generic) {
+      const chosen = withPrinter(newPlate(), one.key).printer;
+      const there = profileOf(onOwnPrinter(plate, chosen).printer)?.key;
+      assert.equal(there, profileOf(chosen)?.key === 'generic' ? key : one.key);
+    }
   }
 });
 
