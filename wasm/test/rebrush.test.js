@@ -1,7 +1,7 @@
 // Other people's prints: surfaces are listed and replaced as the native program does it, in every kind of file.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, openAsBlob, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { mkdtempSync, openAsBlob, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -9,6 +9,7 @@ import { gzipSync, gunzipSync } from 'node:zlib';
 
 import { createEngine } from 'sillon';
 
+import { png } from './support/png.js';
 import { nativeProgram, root } from './support/projects.js';
 
 const samples = join(root, 'tests/fuzz/seeds/rebrush');
@@ -109,6 +110,23 @@ test('chosen surfaces under a picture become what the native program makes of th
   assert.deepEqual(face.pictures[0].lamp, [60, 35]);
   assert.ok(face.cycles[0].widths.length > 100);
   assert.equal(fractions.at(-1), 1);
+});
+
+test('a picture that is wider than its face is cut or squeezed, as by the native program', async () => {
+  const file = readFileSync(join(samples, 'prusa.gcode'));
+  const tones = Uint8Array.from({ length: 60 * 20 }, (_, k) => (k % 60 < 20 || k % 60 > 50 ? 230 : 4 * (k % 60)));
+  const picture = png(60, 20, 1, tones);
+  writeFileSync(join(folder, 'wide.png'), picture);
+  const made = [];
+  for (const proportions of ['keep', 'stretch']) {
+    const out = join(folder, `${proportions}.gcode`);
+    const options = ['--picture', join(folder, 'wide.png'), '--lamp', '60,35', '--proportions', proportions];
+    assert.equal(spawnSync(nativeProgram, ['rebrush', join(samples, 'prusa.gcode'), ...options, '-o', out]).status, 0);
+    const pictures = { files: [{ file: picture, lamp: [60, 35] }], proportions };
+    made.push(Buffer.from(await (await engine.rebrush(file, { pictures })).blob.arrayBuffer()));
+    assert.equal(made.at(-1).compare(readFileSync(out)), 0, proportions);
+  }
+  assert.notEqual(made[0].compare(made[1]), 0);
 });
 
 test('a print is seen from above as high as it is', async () => {
