@@ -84,8 +84,8 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   }
   if (!package.value().everySlopeTurned) {
     out +=
-        "note   the body has too many levels for its zones: slopes are left to the slicer; fewer zones, or a coarser "
-        "body, keep them\n";
+        "note   the body has too many levels to turn the lines on every slope; use fewer zones, or a body with fewer "
+        "triangles\n";
   }
   char line[160];
   for (const sillon::DirectionZone& zone : zones.value().zones) {
