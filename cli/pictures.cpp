@@ -166,6 +166,16 @@ std::string previewName(const std::string& path, std::size_t picture) {
   return path.substr(0, at) + "-" + std::to_string(picture + 1) + path.substr(at);
 }
 
+std::string cutOffNote(double leftOut) {
+  constexpr double kTold = 0.03;
+  if (leftOut < kTold) return {};
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "%.0f %% of it is cut off, to keep its proportions; --proportions stretch squeezes all of it in",
+                100 * leftOut);
+  return text;
+}
+
 std::string pictureLines(const sillon::PlatePictures& pictures, const std::vector<sillon::PictureMeasures>& measures) {
   std::string out;
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
@@ -180,13 +190,8 @@ std::string pictureLines(const sillon::PlatePictures& pictures, const std::vecto
       out += text;
     }
     out += "\n";
-    constexpr double kToldCut = 0.03;
-    if (pictures.leftOut[k] < kToldCut) continue;
-    std::snprintf(text, sizeof text,
-                  "note       %.0f %% of it stick out of the plate and are cut off; --proportions stretch squeezes all "
-                  "of it in\n",
-                  100 * pictures.leftOut[k]);
-    out += text;
+    const std::string note = cutOffNote(pictures.leftOut[k]);
+    if (!note.empty()) out += "note       " + note + "\n";
   }
   if (!pictures.shown.empty() && pictures.contrast < kWeakContrast) {
     char text[160];

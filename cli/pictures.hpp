@@ -62,6 +62,9 @@ sillon::Result<std::string> pngFile(const sillon::RgbImage& image);
 /// "plate.png" for the first picture, "plate-2.png" for the second.
 std::string previewName(const std::string& path, std::size_t picture);
 
+/// What is told of a picture of which this share is cut off; empty: nothing, as it is little.
+std::string cutOffNote(double leftOut);
+
 /// Lines of the summary. \param measures  one per picture, or none.
 std::string pictureLines(const sillon::PlatePictures& pictures, const std::vector<sillon::PictureMeasures>& measures);
 

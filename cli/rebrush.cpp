@@ -100,7 +100,8 @@ nlohmann::ordered_json picturesJson(const RebrushedSurface& made) {
     list.push_back({{"lamp", {made.lamps[k].azimuth, made.lamps[k].elevation}},
                     {"r", made.pictures[k].r},
                     {"ssim", made.pictures[k].ssim},
-                    {"contrast", made.pictures[k].contrast}});
+                    {"contrast", made.pictures[k].contrast},
+                    {"leftOut", made.leftOut[k]}});
   }
   return list;
 }
@@ -142,6 +143,8 @@ std::string summaryText(const sillon::Rebrushed& done) {
         std::snprintf(line, sizeof line, "       picture %zu under a lamp at %.0f degrees, %.0f high: r %.3f\n", k + 1,
                       made.lamps[k].azimuth, made.lamps[k].elevation, made.pictures[k].r);
         out += line;
+        const std::string note = cutOffNote(made.leftOut[k]);
+        if (!note.empty()) out += "       note: " + note + "\n";
       }
     } else {
       std::snprintf(line, sizeof line, "%-6s layer %-4d %9.2f mm2 left: ", sideName(surface), surface.layer,

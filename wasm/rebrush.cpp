@@ -119,7 +119,9 @@ val picturesOf(const sillon::RebrushedSurface& made) {
     val out = val::object();
     out.set("lamp", convert::toJs(sillon::Vec2{made.lamps[k].azimuth, made.lamps[k].elevation}));
     out.set("r", made.pictures[k].r);
+    out.set("ssim", made.pictures[k].ssim);
     out.set("contrast", made.pictures[k].contrast);
+    out.set("leftOut", made.leftOut[k]);
     pictures.call<void>("push", out);
   }
   return pictures;

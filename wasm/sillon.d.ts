@@ -397,8 +397,9 @@ export interface Rebrushed {
     /** How far a bead reaches over the region at most. */
     beyond: number;
     seconds: number;
-    /** Lamps as azimuth and elevation, and how well each picture is seen: docs/reference/metrics.md. */
-    pictures: { lamp: [number, number]; r: number; contrast: number }[];
+    /** Lamps as azimuth and elevation, how well each picture is seen (docs/reference/metrics.md), and the share of it that is
+     * cut off to keep its proportions, 0..1. */
+    pictures: { lamp: [number, number]; r: number; ssim: number; contrast: number; leftOut: number }[];
     /** The new path, on the region's page; none where it was left. */
     cycles: Cycle[];
   })[];

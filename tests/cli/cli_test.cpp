@@ -476,7 +476,9 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
                  [](int column, int) { return column < 20 || (column >= 30 && column < 40) ? 230 : 20; });
   const std::string wide = "rebrush part.gcode --picture wide.png --lamp 0,35 ";
   for (const char* how : {"", "--proportions keep", "--proportions stretch"}) {
-    REQUIRE(folder.run(wide + how + " -o wide" + std::to_string(std::string(how).size()) + ".gcode").code == 0);
+    const auto done = folder.run(wide + how + " -o wide" + std::to_string(std::string(how).size()) + ".gcode");
+    REQUIRE(done.code == 0);
+    CHECK(has(done.out, "of it is cut off") == (std::string(how) != "--proportions stretch"));
   }
   CHECK(readAll(folder.at("wide0.gcode")) == readAll(folder.at("wide18.gcode")));
   CHECK(readAll(folder.at("wide0.gcode")) != readAll(folder.at("wide21.gcode")));
@@ -1060,8 +1062,8 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, one + "--proportions crop" + kOutputs, "it must be one of keep, stretch");
   folder.picture("wide.png", 40, 10, [](int column, int) { return 6 * column; });
   const std::string square = "generate --picture wide.png --shape rectangle --size 12x12 --lamp 60 --svg w.svg ";
-  CHECK(has(folder.run(square).out, "75 % of it stick out of the plate and are cut off"));
-  CHECK(!has(folder.run(square + "--proportions stretch").out, "stick out"));
+  CHECK(has(folder.run(square).out, "75 % of it is cut off"));
+  CHECK(!has(folder.run(square + "--proportions stretch").out, "cut off"));
   checkRefused(folder, one + "--smoothness 0" + kOutputs, "pictures.smoothness is 0; it must be 0.001 to 10");
   checkRefused(folder, one + "--local-contrast 3" + kOutputs, "pictures.localContrast is 3; it must be 0 to 2");
   checkRefused(folder, one + "--directions tiny.png" + kOutputs, "excludes");

@@ -882,6 +882,11 @@ TEST_CASE("a picture that is wider than a face loses its sides, or is squeezed i
     REQUIRE(done);
     for (const RebrushedSurface& made : done.value().surfaces) {
       const auto [left, right] = leanings(made, done.value().file.surfaces[made.surface].region.page);
+      // Three times as wide as high, on a face that is no square by its margins.
+      const Vec2 page = done.value().file.surfaces[made.surface].region.page;
+      const double shown = proportions == PictureProportions::Keep ? page.x / page.y / 3 : 1;
+      REQUIRE(made.leftOut.size() == 1);
+      CHECK(made.leftOut[0] == doctest::Approx(1 - shown).epsilon(0.03));
       if (proportions == PictureProportions::Keep) CHECK(left > right + 0.5);
       if (proportions == PictureProportions::Stretch) CHECK(left < right);
     }

@@ -123,7 +123,10 @@ test('a picture that is wider than its face is cut or squeezed, as by the native
     const options = ['--picture', join(folder, 'wide.png'), '--lamp', '60,35', '--proportions', proportions];
     assert.equal(spawnSync(nativeProgram, ['rebrush', join(samples, 'prusa.gcode'), ...options, '-o', out]).status, 0);
     const pictures = { files: [{ file: picture, lamp: [60, 35] }], proportions };
-    made.push(Buffer.from(await (await engine.rebrush(file, { pictures })).blob.arrayBuffer()));
+    const done = await engine.rebrush(file, { pictures });
+    made.push(Buffer.from(await done.blob.arrayBuffer()));
+    const shares = done.surfaces.filter(({ replaced }) => replaced).map(({ pictures: [{ leftOut }] }) => leftOut);
+    assert.ok(shares.length > 0 && shares.every((share) => (proportions === 'keep' ? share > 0.3 : share === 0)));
     assert.equal(made.at(-1).compare(readFileSync(out)), 0, proportions);
   }
   assert.notEqual(made[0].compare(made[1]), 0);

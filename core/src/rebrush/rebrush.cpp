@@ -152,6 +152,7 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
     auto pictures = measurePictures(toolpath, input.shape.page, wanted.value().shown, wanted.value().roughness, run);
     if (!pictures) return pictures.error();
     made.pictures = std::move(pictures).value();
+    made.leftOut = wanted.value().leftOut;
     for (const ShownPicture& picture : wanted.value().shown) {
       made.lamps.push_back(picture.lamp);
       if (surface.side == SurfaceSide::Bottom) made.lamps.back().azimuth = 180 - picture.lamp.azimuth;

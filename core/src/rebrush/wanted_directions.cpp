@@ -110,18 +110,20 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
   auto found = solved_.find(key);
   if (found == solved_.end()) {
     std::vector<LitPicture> pictures;
+    std::vector<double> leftOut;
     for (const LitPicture& given : options_.pictures) {
       LitPicture& picture = pictures.emplace_back(below ? mirrored(given) : given);
-      double leftOut = 0;
-      picture.tones = pageTones(std::move(picture.tones), stretched.value().size(), options_.proportions, leftOut);
+      picture.tones =
+          pageTones(std::move(picture.tones), stretched.value().size(), options_.proportions, leftOut.emplace_back());
       picture.tones = cutMap(picture.tones, &Tones::value, box, stretched.value());
     }
     if (options_.fit == PictureFit::Face) solved_.clear();  // nobody asks for it again
     auto solved = solveDirections(pictures, wanted.roughness, box.size(), surface.spacing, options_.inversion, run);
     if (!solved) return solved.error();
-    found = solved_.emplace(key, std::move(solved).value()).first;
+    found = solved_.emplace(key, Solved{std::move(solved).value(), std::move(leftOut)}).first;
   }
-  const SolvedDirections& solved = found->second;
+  const SolvedDirections& solved = found->second.directions;
+  wanted.leftOut = found->second.leftOut;
   wanted.directions = cutMap(solved.directions, &DirectionMap::angle, page, box);
   for (std::size_t k = 0; k < solved.shown.size(); ++k) {
     wanted.shown.push_back({{}, solved.lamps[k], cutMap(solved.shown[k], &Tones::value, page, box)});

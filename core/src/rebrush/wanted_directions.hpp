@@ -16,6 +16,7 @@ struct WantedDirections {
   DirectionMap directions;
   ModeMap modes;
   std::vector<ShownPicture> shown;  ///< as seen from above, also of bottoms; empty without pictures
+  std::vector<double> leftOut;      ///< share of each picture that is cut off, 0..1
   Roughness roughness;
 };
 
@@ -35,9 +36,14 @@ class DirectionSource {
   /// The box around all surfaces that share a picture with this one.
   [[nodiscard]] Bounds shared(const SlicedSurface& surface) const;
 
+  struct Solved {
+    SolvedDirections directions;
+    std::vector<double> leftOut;
+  };
+
   const RebrushOptions& options_;
   const SlicedFile& file_;
-  std::map<std::string, SolvedDirections> solved_;
+  std::map<std::string, Solved> solved_;
 };
 
 /// Whether the options ask for this surface. \param index  of SlicedFile::surfaces

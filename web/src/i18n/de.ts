@@ -912,6 +912,7 @@ export const de: Translation = {
     'Ein Foto, das die Flächen zeigen, solange die Lampe auf sie scheint. Ablegen oder auswählen.',
   'rebrush.picture.choose': 'Bild auswählen …',
   'rebrush.picture.seen': 'Unter der Lampe dem Bild zu {percent} % ähnlich',
+  'rebrush.picture.cut': '{percent} % des Bildes sind abgeschnitten, damit es seine Proportionen behält',
   'rebrush.lamp': 'Lampe',
   'rebrush.light': 'Licht',
   'rebrush.light.stands': 'Licht bei {azimuth}°, {elevation}° hoch',

@@ -922,6 +922,7 @@ export const fr: Translation = {
     'Une photo que les faces montrent tant que la lampe les éclaire. Déposez-en une, ou choisissez-la.',
   'rebrush.picture.choose': 'Choisir une image…',
   'rebrush.picture.seen': 'Vue sous la lampe : ressemble à l’image à {percent} %',
+  'rebrush.picture.cut': '{percent} % de l’image sont coupés pour garder ses proportions',
   'rebrush.lamp': 'Lampe',
   'rebrush.light': 'Lumière',
   'rebrush.light.stands': 'Lumière à {azimuth}°, {elevation}° de haut',

@@ -47,6 +47,7 @@ export const rebrushEn = {
   'rebrush.picture.help': 'A photograph that the faces show while the lamp shines on them. Drop one, or choose it.',
   'rebrush.picture.choose': 'Choose a picture…',
   'rebrush.picture.seen': 'Seen under the lamp: {percent}% like the picture',
+  'rebrush.picture.cut': '{percent}% of the picture is cut off, to keep its proportions',
   'rebrush.lamp': 'Lamp',
   'rebrush.light': 'Light',
   'rebrush.light.stands': 'Light at {azimuth}°, {elevation}° high',

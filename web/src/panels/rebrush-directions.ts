@@ -161,6 +161,9 @@ function handFields({ wish, brush, onWant, onBrush }: DirectionFields): Template
     }`;
 }
 
+/** Of a picture, that is worth a word. */
+const leastCut = 0.03;
+
 function pictureFields({ wish, spools, done, onWant, onPickPicture }: DirectionFields): TemplateResult {
   const { picture } = wish;
   if (picture === undefined) {
@@ -171,6 +174,7 @@ function pictureFields({ wish, spools, done, onWant, onPickPicture }: DirectionF
   }
   const seen = (done?.surfaces ?? []).flatMap(({ pictures }) => pictures.map((one) => one.r));
   const mean = seen.reduce((sum, one) => sum + one, 0) / seen.length;
+  const cut = Math.max(0, ...(done?.surfaces ?? []).flatMap(({ pictures }) => pictures.map(({ leftOut }) => leftOut)));
   return html`<div class="picture">
       ${thumbnail(picture)}<b title=${picture.name}>${picture.name}</b>
       <button type="button" class="plain" @click=${onPickPicture}>${t('verb.replace')}</button>
@@ -180,6 +184,7 @@ function pictureFields({ wish, spools, done, onWant, onPickPicture }: DirectionF
         ? nothing
         : html`<p class="note">${r('picture.seen', { percent: Math.round(100 * Math.max(0, mean)) })}</p>`
     }
+    ${cut < leastCut ? nothing : html`<p class="note">${r('picture.cut', { percent: Math.round(100 * cut) })}</p>`}
     ${select({
       id: 'spool',
       label: r('spool'),

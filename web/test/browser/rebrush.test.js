@@ -130,6 +130,7 @@ test('a packed print becomes a packed print, under a picture or as the plate', {
   const options = ['--picture', join(inputs, 'photo.png'), '--lamp', lamp, '--spool', spool, '--fit', 'all'];
   assert.equal(gunzipSync(shown.bytes).compare(natively('part.gcode', text, ...options)), 0);
   assert.match(await view(visit).locator('.side').innerText(), /Seen under the lamp: \d+% like the picture/);
+  assert.match(await view(visit).locator('.side').innerText(), /\d+% of the picture is cut off/);
   assert.equal(await plateOf(visit), plate);
   assert.deepEqual(visit.problems, []);
 });

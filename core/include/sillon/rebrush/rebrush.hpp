@@ -59,6 +59,7 @@ struct RebrushedSurface {
   double seconds = 0;                     ///< by which its moves take longer than the slicer's, as estimated
   std::vector<Lamp> lamps;                ///< of each picture; of bottoms as they stand when the print is turned over
   std::vector<PictureMeasures> pictures;  ///< how well they are seen
+  std::vector<double> leftOut;            ///< share of each that is cut off to keep its proportions, 0..1
   Toolpath toolpath;                      ///< one cycle on the page of the surface's region
 };
 
