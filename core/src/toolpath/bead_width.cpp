@@ -26,8 +26,8 @@ constexpr float kYielding = 0.995f;  ///< less is not worth another look: half o
 
 constexpr int kOwnChain = 7;  ///< points tau/4 apart: a U-turn's legs do not count as neighbours of each other
 
-// What beads may take of the room between them: see holdApart.
-struct Room {
+// How wide beads may become between others: see holdApart.
+struct WidthLimits {
   float spacing;  ///< [mm]
   float low;      ///< widths do not fall below it [mm]
   float allowed;  ///< overlap [mm]
@@ -35,7 +35,7 @@ struct Room {
 };
 
 // Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
-float ahead2(const Room& room) { return room.spacing * room.spacing / 64; }
+float ahead2(const WidthLimits& limits) { return limits.spacing * limits.spacing / 64; }
 
 // How much wider a bead may be before it meets another.
 struct Share {
@@ -45,14 +45,14 @@ struct Share {
 
 // `width`, and the halves in `sortedHalf`, are as wide as moves are that meet there.
 Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedHalf, Vec2f p, Vec2f tangent, float width,
-                  float reach, const Room& room, const OwnChain& chain) {
+                  float reach, const WidthLimits& limits, const OwnChain& chain) {
   const F4 px = splat(p.x);
   const F4 py = splat(p.y);
   const F4 tx = splat(tangent.x);
   const F4 ty = splat(tangent.y);
-  const F4 own = splat(0.5f * width - room.allowed);
-  const F4 mostAhead2 = splat(ahead2(room));
-  F4 least = splat(room.growth * room.growth);
+  const F4 own = splat(0.5f * width - limits.allowed);
+  const F4 mostAhead2 = splat(ahead2(limits));
+  F4 least = splat(limits.growth * limits.growth);
   I4 beside = splatInt(-1);
   grid.around(p, reach, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
@@ -63,7 +63,7 @@ Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedHalf, V
       const F4 distance2 = dx * dx + dy * dy - min4(along * along, mostAhead2);
       const F4 needed = max4(own + load4(&sortedHalf[s]), splat(1e-6f));
       const I4 id = load4(&grid.id[s]);
-      const F4 share2 = select4(chain.holds(id), splat(room.growth * room.growth), distance2 / (needed * needed));
+      const F4 share2 = select4(chain.holds(id), splat(limits.growth * limits.growth), distance2 / (needed * needed));
       beside = beside + ((share2 < least) & (id - beside));
       least = min4(least, share2);
     }
@@ -82,25 +82,25 @@ struct OpenEight {
   Vec2f low{1e30f, 1e30f};  // box around all that they may meet
   Vec2f high{-1e30f, -1e30f};
 
-  void add(int id, Vec2f p, Vec2f tangent, float width, float reach, const Room& room) {
+  void add(int id, Vec2f p, Vec2f tangent, float width, float reach, const WidthLimits& limits) {
     points.id[count] = id;
     points.x[count] = p.x;
     points.y[count] = p.y;
     points.tangentX[count] = tangent.x;
     points.tangentY[count] = tangent.y;
-    beads.half[count] = 0.5f * width - room.allowed;
+    beads.half[count] = 0.5f * width - limits.allowed;
     beads.reach2[count] = reach * reach * 0.99999f;
     ++count;
     // Farther than the search from one point is sure to look: shares are as if points lay up to tau/8 nearer.
-    const float beyond = 1.0001f * std::sqrt(reach * reach + ahead2(room));
+    const float beyond = 1.0001f * std::sqrt(reach * reach + ahead2(limits));
     low = {std::min(low.x, p.x - beyond), std::min(low.y, p.y - beyond)};
     high = {std::max(high.x, p.x + beyond), std::max(high.y, p.y + beyond)};
   }
 
   [[nodiscard]] EightShares shares(const PointGrid& grid, const std::vector<float>& sortedHalf,
-                                   const Room& room) const {
+                                   const WidthLimits& limits) const {
     return sharesOfEight({grid.x.data(), grid.y.data(), grid.id.data()}, sortedHalf.data(), grid.within(low, high),
-                         points, beads, ahead2(room), room.growth * room.growth, kOwnChain);
+                         points, beads, ahead2(limits), limits.growth * limits.growth, kOwnChain);
   }
 };
 #endif
@@ -122,9 +122,9 @@ std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<flo
 
 // Narrows beads where two would overlap by more than `allowed`. Then they grow again where a neighbour has given way to
 // another: those that touch grow alike, so that none meets one that stays as it is.
-void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, Room room,
+void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, WidthLimits limits,
                std::vector<float>& width, const RunContext& run) {
-  const PointGrid grid(curves.points, 0.75f * room.spacing, run);
+  const PointGrid grid(curves.points, 0.75f * limits.spacing, run);
   const std::vector<float> wanted = width;
   std::vector<Share> shares(width.size(), {1, -1});
   std::vector<char> open(width.size(), 1);              // whether the width may still change; all at first, later a few
@@ -136,18 +136,18 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
     }
     const float widest = moves.empty() ? 0 : *std::max_element(moves.begin(), moves.end());
     const auto reachOf = [&](std::size_t i) {
-      return std::max(room.growth * (0.5f * (moves[i] + widest) - room.allowed), 0.0f);
+      return std::max(limits.growth * (0.5f * (moves[i] + widest) - limits.allowed), 0.0f);
     };
     const auto note = [&](std::size_t i, Share share) {
       shares[i] = share;
-      width[i] = std::min(wanted[i], std::max(std::min(room.low, width[i]), width[i] * share.factor));
+      width[i] = std::min(wanted[i], std::max(std::min(limits.low, width[i]), width[i] * share.factor));
     };
     const auto look = [&](int k) {
       const std::size_t i = static_cast<std::size_t>(k);
       const int c = curveOf[i];
       const OwnChain chain(k, curves.begin[static_cast<std::size_t>(c)], curves.size(c), kOwnChain);
-      note(i,
-           shareBeside(grid, sortedHalf, curves.points[i], tangentAt(curves, c, k), moves[i], reachOf(i), room, chain));
+      note(i, shareBeside(grid, sortedHalf, curves.points[i], tangentAt(curves, c, k), moves[i], reachOf(i), limits,
+                          chain));
     };
     parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
@@ -161,10 +161,10 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
           OpenEight eight;
           for (; k < last && eight.count < kEight; ++k) {
             const std::size_t at = static_cast<std::size_t>(k);
-            if (open[at] != 0) eight.add(k, curves.points[at], tangentAt(curves, c, k), moves[at], reachOf(at), room);
+            if (open[at] != 0) eight.add(k, curves.points[at], tangentAt(curves, c, k), moves[at], reachOf(at), limits);
           }
           --k;
-          const EightShares found = eight.shares(grid, sortedHalf, room);
+          const EightShares found = eight.shares(grid, sortedHalf, limits);
           for (int l = 0; l < eight.count; ++l) {
             if (found.unsure[l] != 0) {
               look(eight.points.id[l]);
@@ -187,7 +187,7 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
         open[i] = static_cast<char>(open[i] != 0 && width[i] < wanted[i] && (round > 0 || gaveWay));
       }
     });
-    room.growth = kGrowth;
+    limits.growth = kGrowth;
   }
 }
 
