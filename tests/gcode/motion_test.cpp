@@ -451,6 +451,8 @@ TEST_CASE("a corner between long lines is the firmware's own, a short line betwe
   // On the 0.4 mm about its middle the angle grows by 2 x 0.2 / 0.375 right angles: r = 0.239 mm, 15.5 mm/s.
   const Motion pin = planMotion(pathOf({{0, 0}, {10, 0}, {10, 0.35}, {0, 0.35}}, 0.4), 0, limits);
   CHECK(pin.feedrates == std::vector<std::int32_t>{3000, 60 * 15, 3000});
+  // By the mean width of the whole path, however short it is.
+  CHECK(planMotion(pathOf({{0, 0}, {1, 0}, {1, 0.35}, {0, 0.35}}, 0.4), 0, limits).feedrates == pin.feedrates);
 }
 
 TEST_CASE("noise of micrometres slows nothing, and no curve is slower than 5 mm/s") {
@@ -533,21 +535,26 @@ TEST_CASE("short segments around corners go as their room allows") {
   CHECK(corners == about(longLegs + 2 * (std::sqrt(300.0) - 10) / 1000, 1e-4));
 }
 
-TEST_CASE("width jumps slow the extruder as Klipper does") {
-  std::vector<Vec2> points;
-  for (int k = 0; k <= 4000; ++k) points.push_back({k * 0.03, 0});  // too short to be made several moves
-  BeadPath path = pathOf(points, 0.4);
-  MotionLimits limits = someLimits();
-  limits.pressureAdvance = 0;
-  limits.maxSegmentsPerSecond = 1e6;
-  const double even = planMotion(path, 0, limits).totalSeconds;
-  // Means of neighbouring segments alternate when widths go 0.4 0.4 0.6 0.6; Klipper keeps 50 mm/s up to 0.24.
-  const auto alternate = [&](double jump) {
-    for (std::size_t k = 0; k < path.widths.size(); ++k) path.widths[k] = 0.4 + (k / 2 % 2 == 1 ? 2 * jump : 0);
-    return planMotion(path, 0, limits).totalSeconds;
-  };
-  CHECK(alternate(0.23) == Approx(even));
-  CHECK(alternate(0.30) > even * 1.02);
+TEST_CASE("width jumps slow the extruder as Klipper does, and Marlin at five times the speed") {
+  for (const GcodeFlavor flavor : {GcodeFlavor::Klipper, GcodeFlavor::Marlin}) {
+    CAPTURE(static_cast<int>(flavor));
+    std::vector<Vec2> points;
+    for (int k = 0; k <= 8000; ++k) points.push_back({k * 0.03, 0});  // too short to be made several moves
+    BeadPath path = pathOf(points, 0.4);
+    MotionLimits limits = someLimits(flavor);
+    limits.pressureAdvance = 0;
+    limits.maxSegmentsPerSecond = 1e6;
+    limits.maxFlow = 1e3;
+    limits.speed = flavor == GcodeFlavor::Klipper ? 50 : 250;
+    const double even = planMotion(path, 0, limits).totalSeconds;
+    // Means of neighbouring segments alternate when widths go 0.4 0.4 0.6 0.6; such speeds are kept up to 0.24.
+    const auto alternate = [&](double jump) {
+      for (std::size_t k = 0; k < path.widths.size(); ++k) path.widths[k] = 0.4 + (k / 2 % 2 == 1 ? 2 * jump : 0);
+      return planMotion(path, 0, limits).totalSeconds;
+    };
+    CHECK(alternate(0.23) == Approx(even));
+    CHECK(alternate(0.30) > even * 1.02);
+  }
 }
 
 TEST_CASE("coasting ends the plastic before the cycle's end, to the micrometre") {

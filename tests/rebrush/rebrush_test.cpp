@@ -882,7 +882,7 @@ TEST_CASE("a picture that is wider than a face loses its sides, or is squeezed i
     REQUIRE(done);
     for (const RebrushedSurface& made : done.value().surfaces) {
       const auto [left, right] = leanings(made, done.value().file.surfaces[made.surface].region.page);
-      // Three times as wide as high, on a face that is no square by its margins.
+      // The picture is three times as wide as high.
       const Vec2 page = done.value().file.surfaces[made.surface].region.page;
       const double shown = proportions == PictureProportions::Keep ? page.x / page.y / 3 : 1;
       REQUIRE(made.leftOut.size() == 1);

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "geometry/closed_curves.hpp"
 #include "support/about.hpp"
@@ -12,10 +14,11 @@ using namespace sillon;
 
 namespace {
 
-// A page of 60 x 40 mm.
-BorderIndex pageBorder() {
-  const Outline outline = resolveOutline(scenes::shapeOf({scenes::rectangle({0, 0}, {60, 40})}, {60, 40})).value();
-  return buildBorderIndex(outline, makeGrid(outline.bounds, 0.4), RunContext(1)).value();
+// A page of 60 x 40 mm, or so many times that.
+BorderIndex pageBorder(double scale = 1) {
+  const Vec2 page = scale * Vec2{60, 40};
+  const Outline outline = resolveOutline(scenes::shapeOf({scenes::rectangle({0, 0}, page)}, page)).value();
+  return buildBorderIndex(outline, makeGrid(outline.bounds, 0.4 * scale), RunContext(1)).value();
 }
 
 // Rows from x = 10 to 40 at these heights, each a loop of its own with its way back 8 mm above, where all lie apart.
@@ -156,6 +159,31 @@ TEST_CASE("two beads side by side give way in proportion, until they overlap by 
   checkRow(rowWidths({10, 10.1f}, {0.4f, 0.4f}, apartBy(0))[0], 0.2);
   // Beads that have room touch nothing.
   for (const auto& range : rowWidths({10, 10.41f, 10.82f}, {0.41f, 0.41f, 0.41f}, apartBy(0))) checkRow(range, 0.41);
+}
+
+TEST_CASE("four times as large, beads are four times as wide") {
+  const auto widthsOf = [](float scale) {
+    std::vector<std::vector<Vec2f>> loops;
+    for (int k = 0; k < 4; ++k) {  // slanted, so that points do not face each other
+      const float y = 10 + 0.31f * static_cast<float>(k), out = 4 - 0.97f * static_cast<float>(k);
+      loops.push_back({{10 - out, y}, {40 + out, y + 0.7f}, {40 + out, 20 + out}, {10 - out, 20 + out}});
+      for (Vec2f& p : loops.back()) p = scale * p;
+    }
+    const ClosedCurves curves = resampled(scenes::closed(loops), 0.1f * scale, RunContext(1));
+    BeadGaps gaps;
+    gaps.left.assign(curves.points.size(), 0.4f * scale);
+    gaps.right = gaps.left;
+    ToolpathParams params = apartBy(0.05);
+    params.spacing = static_cast<double>(0.4f * scale);
+    const auto widths = beadWidths(curves, gaps, pageBorder(static_cast<double>(scale)), params, RunContext(1));
+    REQUIRE(widths.ok());
+    return widths.value().width;
+  };
+  const std::vector<float> once = widthsOf(1), four = widthsOf(4);
+  REQUIRE(once.size() == four.size());
+  CHECK(*std::min_element(once.begin(), once.end()) < 0.35f);
+  // Moves of the G-code change their widths in steps that are the same for both: that makes a hundredth at most.
+  for (std::size_t k = 0; k < once.size(); ++k) CHECK(four[k] == about(4 * static_cast<double>(once[k]), 0.012));
 }
 
 TEST_CASE("a bead grows again, in two rounds, where its neighbour gave way to another") {
