@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "export/zone_picture.hpp"
+#include "geometry/chamfer_distance.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
@@ -99,42 +100,6 @@ Labels nearestDirections(const DirectionPicture& picture, const std::vector<doub
   return label;
 }
 
-// Distance of each cell to the nearest wall, in cells; within 8 %. One sweep down and one up, over rows with a margin
-// of one cell: a row takes what comes from the row before it, many cells at once, then what comes along it. Five times
-// faster than a test of each neighbour's place.
-std::vector<float> distanceFrom(const std::vector<char>& wall, const Grid& grid) {
-  constexpr float kDiagonal = 1.4142136F;
-  constexpr float kFar = 1e9F;
-  const std::ptrdiff_t width = grid.nx;
-  const std::ptrdiff_t stride = width + 2;
-  std::vector<float> far(static_cast<std::size_t>(stride * (grid.ny + 2)), kFar);
-  const auto rowAt = [&](int y) { return far.data() + (y + 1) * stride + 1; };
-  for (int y = 0; y < grid.ny; ++y) {
-    const char* walls = wall.data() + grid.index(0, y);
-    for (std::ptrdiff_t x = 0; x < width; ++x) {
-      if (walls[x] != 0) rowAt(y)[x] = 0;
-    }
-  }
-  const auto takeFrom = [&](const float* before, float* row) {
-    for (std::ptrdiff_t x = 0; x < width; ++x) {
-      row[x] = std::min({row[x], before[x] + 1, before[x - 1] + kDiagonal, before[x + 1] + kDiagonal});
-    }
-  };
-  for (int y = 0; y < grid.ny; ++y) {
-    float* row = rowAt(y);
-    takeFrom(row - stride, row);
-    for (std::ptrdiff_t x = 0; x < width; ++x) row[x] = std::min(row[x], row[x - 1] + 1);
-  }
-  for (int y = grid.ny - 1; y >= 0; --y) {
-    float* row = rowAt(y);
-    takeFrom(row + stride, row);
-    for (std::ptrdiff_t x = width - 1; x >= 0; --x) row[x] = std::min(row[x], row[x + 1] + 1);
-  }
-  std::vector<float> out(wall.size());
-  for (int y = 0; y < grid.ny; ++y) std::copy_n(rowAt(y), width, out.data() + grid.index(0, y));
-  return out;
-}
-
 // What no disc as wide as `least` gets into goes to the neighbours; the border of the shape bounds no disc.
 void widen(Labels& label, int count, const DirectionPicture& picture, double least, const RunContext& run) {
   const Grid& grid = picture.grid;
@@ -147,10 +112,10 @@ void widen(Labels& label, int count, const DirectionPicture& picture, double lea
       run.report(kEvenShare + (1 - kEvenShare) * (round + static_cast<double>(zone) / count) / kWideRounds);
       std::vector<char> foreign(label.size(), 0);
       for (std::size_t k = 0; k < label.size(); ++k) foreign[k] = label[k] >= 0 && label[k] != zone ? 1 : 0;
-      const std::vector<float> depth = distanceFrom(foreign, grid);
+      const std::vector<float> depth = chamferDistance(foreign, grid.nx, grid.ny);
       std::vector<char> core(label.size(), 0);
       for (std::size_t k = 0; k < label.size(); ++k) core[k] = label[k] == zone && depth[k] > radius ? 1 : 0;
-      const std::vector<float> off = distanceFrom(core, grid);
+      const std::vector<float> off = chamferDistance(core, grid.nx, grid.ny);
       for (std::size_t k = 0; k < label.size(); ++k) {
         if (label[k] != zone) continue;
         if (off[k] <= radius) {

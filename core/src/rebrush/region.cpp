@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/chamfer_distance.hpp"
+
 namespace sillon {
 namespace {
 
@@ -193,24 +195,9 @@ Result<Shape> regionOf(const RegionField& field, int part, double hole, Vec2& co
 }
 
 std::vector<float> depths(const RegionField& field) {
-  // Chessboard-octagon distance to the outside by two passes: for a rule of thumb.
-  constexpr float kDiagonal = 1.4142136F;
-  std::vector<float> depth(field.distance.size(), 0);
-  for (std::size_t k = 0; k < depth.size(); ++k) {
-    if (field.part[k] >= 0) depth[k] = 1e9F;
-  }
-  const auto columns = static_cast<std::size_t>(field.columns);
-  const auto relax = [&](std::size_t k, std::size_t straight, std::size_t across, std::size_t slant,
-                         std::size_t slant2) {
-    if (field.part[k] < 0) return;
-    depth[k] = std::min(
-        {depth[k], depth[straight] + 1, depth[across] + 1, depth[slant] + kDiagonal, depth[slant2] + kDiagonal});
-  };
-  for (std::size_t k = columns + 1; k + columns + 1 < depth.size(); ++k)
-    relax(k, k - 1, k - columns, k - columns - 1, k - columns + 1);
-  for (std::size_t k = depth.size() - columns - 2; k > columns; --k)
-    relax(k, k + 1, k + columns, k + columns + 1, k + columns - 1);
-  return depth;
+  std::vector<char> outside(field.part.size());
+  for (std::size_t k = 0; k < outside.size(); ++k) outside[k] = field.part[k] < 0 ? 1 : 0;
+  return chamferDistance(outside, field.columns, field.rows);
 }
 
 std::vector<double> breadths(const RegionField& field, const std::vector<float>& depth) {

@@ -41,7 +41,7 @@ Result<RegionField> fieldOfBeads(const std::vector<RegionBead>& beads, double no
 /// \return EmptyShape if nothing of it is inside.
 Result<Shape> regionOf(const RegionField& field, int part, double hole, Vec2& corner);
 
-/// How deep each cell lies in its part, in cells from its border; 0 outside. Within 4 % of the true distance.
+/// How deep each cell lies in its part, in cells from its border; 0 outside. Within 8 % of the true distance.
 std::vector<float> depths(const RegionField& field);
 
 /// The widest disc in each part, its diameter [mm]. \param depth  as depths gives it.
