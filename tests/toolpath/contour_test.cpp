@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 #include "sillon/toolpath/bead_width.hpp"
 #include "sillon/toolpath/simplify.hpp"
 #include "support/about.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 #include "sillon/pipeline/stages.hpp"
 #include "support/scenes.hpp"
 #include "toolpath/joining.hpp"

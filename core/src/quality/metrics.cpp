@@ -9,6 +9,7 @@
 #include "base/whole_number.hpp"
 #include "field/wave_fields.hpp"
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 #include "geometry/lost_cells.hpp"
 #include "pipeline/steps.hpp"
 #include "quality/alignment.hpp"

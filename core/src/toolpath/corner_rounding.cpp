@@ -5,6 +5,7 @@
 
 #include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 #include "geometry/point_grid.hpp"
 
 namespace sillon {

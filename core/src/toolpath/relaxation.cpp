@@ -7,6 +7,7 @@
 #include "base/parallel_for.hpp"
 #include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 #include "toolpath/corner_rounding.hpp"
 #include "toolpath/damping.hpp"
 #include "toolpath/line_keeping.hpp"

@@ -8,6 +8,7 @@
 #include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "geometry/closed_curves.hpp"
+#include "geometry/crossings.hpp"
 
 namespace sillon {
 namespace {
