@@ -5,12 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "base/capsule_rows.hpp"
 #include "base/parallel_for.hpp"
-#include "base/simd.hpp"
+#include "base/row_masks.hpp"
 #include "sillon/geometry/grid.hpp"
 #include "sillon/geometry/outline.hpp"
 
@@ -18,36 +17,15 @@ namespace sillon {
 namespace {
 
 constexpr int kPixelsPerSpacing = 20;
-constexpr int kTileWidth = 128;     ///< pixels, of two words
+constexpr int kTileWidth = kRowPixels;
 constexpr int kTileHeight = 256;    ///< pixels; what one tile needs stays in the second-level cache
 constexpr double kApart = 3;        ///< [tau] along a cycle: further apart are two passes
-constexpr int kNear = 6;            ///< stretches before one that belong to its pass: 6 to 7 of them are kApart
+constexpr int kNear = 2;            ///< stretches before one that belong to its pass: 2 to 3 of them are kApart
 constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
 constexpr float kRounding = 1e-3f;  ///< of a toolpath's numbers [mm]
 
-// Pixels of one row of a tile, one bit each.
-using Row = U2;
-
-bool any(Row row) { return (row[0] | row[1]) != 0; }
-int countOf(Row row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
-
-// The first n pixels, for n from 0 to all of them.
-alignas(Row) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> kFirst = [] {
-  std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> first{};
-  for (std::size_t n = 1; n < first.size(); ++n) {
-    first[n] = first[n - 1];
-    first[n][n <= 64 ? 0 : 1] |= std::uint64_t{1} << ((n - 1) % 64);
-  }
-  return first;
-}();
-
-Row firstPixels(int n) {
-  Row row;
-  std::memcpy(&row, &kFirst[static_cast<std::size_t>(n)], sizeof row);
-  return row;
-}
-
-Row rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
+bool any(RowMask row) { return (row[0] | row[1]) != 0; }
+int countOf(RowMask row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
 
 // A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
 struct Bead {
@@ -82,7 +60,7 @@ struct Scene {
 
 void addBeads(const Toolpath& toolpath, Scene& scene) {
   const double stretch = kApart * toolpath.spacing / (kNear + 0.5);
-  scene.pieceLength = static_cast<float>(2 * stretch);
+  scene.pieceLength = static_cast<float>(stretch);
   for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
     const Cycle& cycle = toolpath.cycles[c];
     double along = 0;
@@ -128,21 +106,28 @@ Reach reachOf(const Bead& bead, const Scene& scene) {
 
 // Counting sort: within a tile the beads stay in order, as TilePasses needs them.
 void sortIntoTiles(Scene& scene) {
-  const auto forTiles = [&](const Bead& bead, const auto& visit) {
-    const Reach r = reachOf(bead, scene);
-    for (int y = r.y0; y <= r.y1; ++y) {
-      for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * scene.tilesAcross + x));
-    }
+  struct Pair {
+    std::int32_t tile;
+    std::int32_t bead;
   };
+  std::vector<Pair> pairs;
+  pairs.reserve(2 * scene.beads.size());
   std::vector<std::size_t>& begin = scene.begin;
   begin.assign(static_cast<std::size_t>(scene.tiles) + 1, 0);
-  for (const Bead& bead : scene.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
+  for (std::size_t k = 0; k < scene.beads.size(); ++k) {
+    const Reach r = reachOf(scene.beads[k], scene);
+    for (int y = r.y0; y <= r.y1; ++y) {
+      for (int x = r.x0; x <= r.x1; ++x) {
+        const int tile = y * scene.tilesAcross + x;
+        ++begin[static_cast<std::size_t>(tile) + 1];
+        pairs.push_back({tile, static_cast<std::int32_t>(k)});
+      }
+    }
+  }
   for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
   scene.beadOf.resize(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t k = 0; k < scene.beads.size(); ++k) {
-    forTiles(scene.beads[k], [&](std::size_t t) { scene.beadOf[next[t]++] = static_cast<std::int32_t>(k); });
-  }
+  for (const Pair& pair : pairs) scene.beadOf[next[static_cast<std::size_t>(pair.tile)]++] = pair.bead;
 }
 
 Scene sceneOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
@@ -179,10 +164,7 @@ class TilePasses {
     for (int y = begin; y < end; y += PixelRuns::kMostRows) {
       const int count = std::min(PixelRuns::kMostRows, end - y);
       pixelsOf(piece, y, count, kTileWidth, runs);
-      for (int k = 0; k < count; ++k) {
-        Row& row = mask.rows[static_cast<std::size_t>(y + k)];
-        row = row | rowOf(runs.begin[k], runs.end[k]);
-      }
+      addRuns(runs, count, &mask.rows[static_cast<std::size_t>(y)]);
     }
     mask.begin = std::min(mask.begin, begin);
     mask.end = std::max(mask.end, end);
@@ -197,16 +179,16 @@ class TilePasses {
     cycle_ = -1;
     BeadArea count;
     for (int y = 0; y < rows; ++y) {
-      const Row tile = rowOf(0, columns);
-      const Row in = insideRow(y) & tile;
-      const Row covered = covered_[static_cast<std::size_t>(y)] & tile;
+      const RowMask tile = rowOf(0, columns);
+      const RowMask in = insideRow(y) & tile;
+      const RowMask covered = covered_[static_cast<std::size_t>(y)] & tile;
       count.shape += countOf(in);
       count.covered += countOf(covered & in);
       count.spilled += spilledOf(y, covered & ~in);
       count.overlapped += countOf(again_[static_cast<std::size_t>(y)] & tile);
     }
-    covered_.fill(Row{});
-    again_.fill(Row{});
+    covered_.fill(RowMask{});
+    again_.fill(RowMask{});
     return count;
   }
 
@@ -216,10 +198,10 @@ class TilePasses {
     int begin = kTileHeight;  ///< rows that may hold something
     int end = 0;
     bool covers = false;  ///< whether covered_ holds it
-    std::array<Row, kTileHeight> rows{};
+    std::array<RowMask, kTileHeight> rows{};
 
     void clear() {
-      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), Row{});
+      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), RowMask{});
       begin = kTileHeight;
       end = 0;
       covers = false;
@@ -231,10 +213,8 @@ class TilePasses {
   // twelfth more instructions.
   void cover(Mask& mask) {
     mask.covers = true;
-    for (int y = mask.begin; y < mask.end; ++y) {
-      Row& covered = covered_[static_cast<std::size_t>(y)];
-      covered = covered | mask.rows[static_cast<std::size_t>(y)];
-    }
+    const auto first = static_cast<std::size_t>(mask.begin);
+    if (mask.begin < mask.end) addRows(&mask.rows[first], mask.end - mask.begin, &covered_[first]);
   }
 
   void coverAll() {
@@ -265,17 +245,14 @@ class TilePasses {
     if (!open_) return;
     open_ = false;
     const Mask& mask = masks_[current_];
-    Row met{};
-    for (int y = mask.begin; y < mask.end; ++y) {
-      met = met | (mask.rows[static_cast<std::size_t>(y)] & covered_[static_cast<std::size_t>(y)]);
-    }
-    if (any(met)) countTwice(mask);
+    const auto first = static_cast<std::size_t>(mask.begin);
+    if (mask.begin < mask.end && rowsMeet(&mask.rows[first], &covered_[first], mask.end - mask.begin)) countTwice(mask);
   }
 
   void countTwice(const Mask& mask) {
     for (int y = mask.begin; y < mask.end; ++y) {
       const auto row = static_cast<std::size_t>(y);
-      Row twice = mask.rows[row] & covered_[row];
+      RowMask twice = mask.rows[row] & covered_[row];
       for (std::size_t k = 0; k < std::min(used_, masks_.size()) && any(twice); ++k) {
         const Mask& near = masks_[k];
         if (k == current_ || y < near.begin || y >= near.end || !isNear(near, mask.stretch)) continue;
@@ -285,8 +262,8 @@ class TilePasses {
     }
   }
 
-  std::array<Row, kTileHeight> covered_{};
-  std::array<Row, kTileHeight> again_{};
+  std::array<RowMask, kTileHeight> covered_{};
+  std::array<RowMask, kTileHeight> again_{};
   std::int32_t cycle_ = -1;
   std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
   std::size_t used_ = 0;                   ///< by how many stretches so far
@@ -354,13 +331,13 @@ void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& pas
 }
 
 // Pixels of a row of the tile whose centres lie in the shape.
-Row insideRow(const Scene& scene, const Tile& tile, int y) {
+RowMask insideRow(const Scene& scene, const Tile& tile, int y) {
   const Grid& raster = scene.raster;
   const double x0 = raster.centre(tile.left, 0).x;
   const auto pixelFrom = [&](double x) {
     return static_cast<int>(std::clamp(std::ceil((x - x0) / raster.cell), 0.0, static_cast<double>(kTileWidth)));
   };
-  Row inside{};
+  RowMask inside{};
   for (const Interval& interval : scene.inside[static_cast<std::size_t>(y)]) {
     inside = inside | rowOf(pixelFrom(interval.begin), pixelFrom(interval.end));
   }
@@ -369,7 +346,7 @@ Row insideRow(const Scene& scene, const Tile& tile, int y) {
 
 // How many of these pixels outside the shape lie off its border. Beads touch a straight border over its whole length:
 // where a row of pixels happens to lie on it too, rounding would decide for all of them.
-int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, Row outside) {
+int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, RowMask outside) {
   int count = 0;
   for (int word = 0; word < 2; ++word) {
     for (std::uint64_t bits = outside[word]; bits != 0; bits &= bits - 1) {
@@ -398,7 +375,7 @@ BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderInde
       counts[static_cast<std::size_t>(t)] = passes.take(
           tile.top - tile.bottom, tile.right - tile.left,
           [&](int y) { return insideRow(scene, tile, tile.bottom + y); },
-          [&](int y, Row outside) { return offBorder(scene, border, tile, y, outside); });
+          [&](int y, RowMask outside) { return offBorder(scene, border, tile, y, outside); });
     }
   };
   const int step = (scene.tiles - 1) / 24 + 1;  // between reports of progress
