@@ -135,6 +135,9 @@ studio.services = {
   retry: () => {
     pipeline.retry();
   },
+  drew: (ms) => {
+    engine.drew(ms);
+  },
   gcode: () => pipeline.gcode(),
   pack: async (gcode) => (await engine.engine()).packGcode(gcode),
   body: () => pipeline.body(),

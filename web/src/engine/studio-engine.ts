@@ -95,6 +95,11 @@ export class StudioEngine {
     this.#pump();
   }
 
+  /** @param ms  from a preview's result to its picture */
+  drew(ms: number): void {
+    this.#cost.learnDrawing(ms);
+  }
+
   /** Stops what runs and what waits; the next update, or `retry`, begins again. */
   cancel(): void {
     clearTimeout(this.#rest);

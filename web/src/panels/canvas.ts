@@ -182,6 +182,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
     const { plate } = now;
+    if (now.result !== before.result && now.result?.coarse === true) this.#previewCame = performance.now();
     // Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke.
     if (this.#points !== undefined && (plate.strokes.at(-1) !== this.#stroke || now.tool !== before.tool)) this.#lift();
     const resized = plate.width !== before.plate.width || plate.height !== before.plate.height;
@@ -243,11 +244,20 @@ export class PlateCanvas extends StudioElement implements Stage {
     const camera = { ...this.camera, scale: this.camera.scale * this.#fineness() };
     const shown = scene.view === 'directions' ? scene.directions : scene.toolpath;
     const told = JSON.stringify([camera, { ...scene, toolpath: 0, directions: 0, marks: 0 }]);
+    const came = this.#previewCame;
+    this.#previewCame = undefined;
     if (shown === this.#shown && told === this.#told) return;
     this.#shown = shown;
     this.#told = told;
     this.#renderer?.draw(scene, camera);
+    if (came === undefined) return;
+    void this.#renderer?.finished().then(() => {
+      this.studio.services.drew(performance.now() - came);
+    });
   }
+
+  /** [ms] Where it has not been drawn. */
+  #previewCame: number | undefined;
 
   #shown: Scene['toolpath'] | Scene['directions'];
   #told = '';

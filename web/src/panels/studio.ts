@@ -27,6 +27,8 @@ export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
 export interface Services {
   cancel(): void;
   retry(): void;
+  /** @param ms  from a preview to its picture */
+  drew(ms: number): void;
   gcode(): Promise<Gcode>;
   /** G-code in the zip that Bambu printers take. */
   pack(gcode: Blob): Promise<Blob>;

@@ -268,6 +268,13 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
 
   return {
     draw,
+    async finished() {
+      const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      if (sync === null) return;
+      gl.flush();
+      while (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((resolve) => setTimeout(resolve));
+      gl.deleteSync(sync);
+    },
     resize(width, height) {
       canvas.width = width;
       canvas.height = height;

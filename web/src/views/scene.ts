@@ -41,6 +41,8 @@ export interface Camera {
 export interface Renderer {
   /** Draws now. Cheap when only camera, light, progress or colours changed. */
   draw(scene: Scene, camera: Camera): void;
+  /** When what was drawn last is there to be seen. */
+  finished(): Promise<void>;
   /** Size of the canvas in device pixels. */
   resize(width: number, height: number): void;
   /** A picture of the scene, `width` pixels wide, whatever the canvas shows. */

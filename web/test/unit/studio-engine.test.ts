@@ -519,6 +519,28 @@ test('previews do not lose bead after bead to what they cost besides', () => {
   assert.ok(Math.abs(cost.factorFor(plate) - 2) < 1e-9);
 });
 
+test('where drawing takes long, previews get coarser; never by more than that, and no finer where it is quick', () => {
+  const settled = (ms: number): number => {
+    const cost = new Cost();
+    cost.learn(plateOf(200), 1, 4 * 45);
+    for (let k = 0; k < 40; ++k) cost.learnDrawing(ms);
+    return cost.factorFor(plateOf(200));
+  };
+  assert.ok(Math.abs(settled(30) - Math.sqrt(180 / 25)) < 1e-9);
+  assert.ok(Math.abs(settled(10_000) - 3) < 1e-9); // 20 ms are left for the engine: a ninth of the cells
+  assert.ok(Math.abs(settled(1) - 2) < 1e-9);
+});
+
+test('previews keep their spacing while it is about right, so that the engine can keep their path', () => {
+  const cost = new Cost();
+  cost.learn(plateOf(200), 1, 4 * 45);
+  const first = cost.factorFor(plateOf(200));
+  cost.learn(plateOf(200), 1, 4 * 45 * 1.3);
+  assert.equal(cost.factorFor(plateOf(200)), first);
+  cost.learn(plateOf(200), 1, 4 * 45 * 2);
+  assert.ok(cost.factorFor(plateOf(200)) > first);
+});
+
 test('a preview keeps some beads, however slow the machine', () => {
   const cost = new Cost();
   cost.learn(plateOf(20), 1, 1e6);
