@@ -7,11 +7,10 @@
 #include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "field/sine_rows.hpp"
 
 namespace sillon {
 namespace {
-
-constexpr int kReach = 4;  ///< nodes reached by a cell in each direction, in half cells
 
 using Weights = std::array<float, kReach + 1>;
 
@@ -38,76 +37,78 @@ Weights weights(double sigma) {
   return weights;
 }
 
+using Powers = std::array<std::vector<float>, kReach + 1>;
+
 // The waves of one row of cells (Eq. 6) at the nodes around them: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y},
 // k = 0..4, by which a wave advances k nodes.
 struct CellRow {
-  std::vector<float> qr, qi;
-  std::array<std::vector<float>, kReach + 1> cx, sx, cy, sy;
+  std::size_t cells;   ///< without those after the row's end
+  std::size_t padded;  ///< with them
+  std::vector<float> qr, qi, angleX, angleY;
+  Powers cx, sx, cy, sy;
 
-  explicit CellRow(std::size_t nx) : qr(nx), qi(nx) {
+  explicit CellRow(std::size_t nx) : cells(nx), padded((nx + kRowMultiple - 1) / kRowMultiple * kRowMultiple) {
+    for (auto* v : {&qr, &qi, &angleX, &angleY}) v->resize(padded);
     for (auto* powers : {&cx, &sx, &cy, &sy}) {
-      for (std::vector<float>& v : *powers) v.resize(nx);
+      for (std::vector<float>& v : *powers) v.resize(padded);
     }
+    std::fill(cx[0].begin(), cx[0].end(), 1.0f);
+    std::fill(cy[0].begin(), cy[0].end(), 1.0f);
   }
 
   void fill(const SineField& field, int y) {
-    const std::size_t nx = qr.size();
     const std::size_t first = field.grid.index(0, y);
-    for (std::size_t x = 0; x < nx; ++x) {
+    for (std::size_t x = 0; x < cells; ++x) {
       qr[x] = field.phase[first + x].x;
       qi[x] = field.phase[first + x].y;
-      const SinCos ex = sinCos(0.25f * kPi * field.wave[first + x].x);
-      const SinCos ey = sinCos(0.25f * kPi * field.wave[first + x].y);
-      cx[0][x] = cy[0][x] = 1;
-      sx[0][x] = sy[0][x] = 0;
-      cx[1][x] = ex.cos;
-      sx[1][x] = ex.sin;
-      cy[1][x] = ey.cos;
-      sy[1][x] = ey.sin;
+      angleX[x] = 0.25f * kPi * field.wave[first + x].x;
+      angleY[x] = 0.25f * kPi * field.wave[first + x].y;
     }
-    for (std::size_t k = 2; k <= kReach; ++k) {
-      for (std::size_t x = 0; x < nx; ++x) {
-        cx[k][x] = cx[k - 1][x] * cx[1][x] - sx[k - 1][x] * sx[1][x];
-        sx[k][x] = cx[k - 1][x] * sx[1][x] + sx[k - 1][x] * cx[1][x];
-        cy[k][x] = cy[k - 1][x] * cy[1][x] - sy[k - 1][x] * sy[1][x];
-        sy[k][x] = cy[k - 1][x] * sy[1][x] + sy[k - 1][x] * cy[1][x];
-      }
+    power(angleX, cx, sx);
+    power(angleY, cy, sy);
+  }
+
+ private:
+  void power(const std::vector<float>& angle, Powers& cos, Powers& sin) const {
+    PowerRow row{angle.data(), {}, {}};
+    for (std::size_t k = 0; k <= kReach; ++k) {
+      row.cos[k] = cos[k].data();
+      row.sin[k] = sin[k].data();
     }
+    fillPowers(row, padded);
   }
 };
 
-// Sums of one row of nodes, split by parity of the column: node 2m in even[m + 2], node 2x + 1 in odd[x + 2].
+// Sums of one row of nodes, split by parity of the column: see NodeSums.
 struct NodeRow {
   std::vector<float> even, odd;
-  explicit NodeRow(std::size_t nx) : even(nx + 6), odd(nx + 6) {}
+  explicit NodeRow(std::size_t padded) : even(padded + 6), odd(padded + 6) {}
 };
 
-// Adds the waves of a cell row to a node row `b` half cells above it.
-void addRow(const CellRow& cells, const Weights& weight, int b, std::vector<float>& vr, std::vector<float>& vi,
+// Adds the waves of a cell row to a node row `b` half cells above it. \param r, i  room for as many cells
+void addRow(const CellRow& cells, const Weights& weight, int b, std::vector<float>& r, std::vector<float>& i,
             NodeRow& out) {
-  const std::size_t nx = cells.qr.size();
   const std::size_t k = static_cast<std::size_t>(std::abs(b));
-  const float sign = b < 0 ? -1.0f : 1.0f;
-  const float* c = cells.cy[k].data();
-  const float* s = cells.sy[k].data();
-  for (std::size_t x = 0; x < nx; ++x) {
-    const float si = sign * s[x];
-    vr[x] = weight[k] * (cells.qr[x] * c[x] - cells.qi[x] * si);
-    vi[x] = weight[k] * (cells.qr[x] * si + cells.qi[x] * c[x]);
+  std::array<const float*, kReach + 1> cx{};
+  std::array<const float*, kReach + 1> sx{};
+  for (std::size_t a = 0; a <= kReach; ++a) {
+    cx[a] = cells.cx[a].data();
+    sx[a] = cells.sx[a].data();
   }
-  const float* r = vr.data();
-  const float* i = vi.data();
-  float* centre = out.odd.data() + 2;
-  for (std::size_t x = 0; x < nx; ++x) centre[x] += weight[0] * i[x];
-  for (std::size_t a = 1; a <= kReach; ++a) {
-    const float* ca = cells.cx[a].data();
-    const float* sa = cells.sx[a].data();
-    // Column 2x + 1 + a: odd row entry x + a/2, or even row entry x + (a + 1)/2; likewise to the left.
-    float* right = a % 2 == 0 ? out.odd.data() + 2 + a / 2 : out.even.data() + 2 + (a + 1) / 2;
-    float* left = a % 2 == 0 ? out.odd.data() + 2 - a / 2 : out.even.data() + 2 - (a - 1) / 2;
-    for (std::size_t x = 0; x < nx; ++x) right[x] += weight[a] * (i[x] * ca[x] + r[x] * sa[x]);
-    for (std::size_t x = 0; x < nx; ++x) left[x] += weight[a] * (i[x] * ca[x] - r[x] * sa[x]);
-  }
+  addToNodes({.qr = cells.qr.data(),
+              .qi = cells.qi.data(),
+              .cy = cells.cy[k].data(),
+              .sy = cells.sy[k].data(),
+              .sign = b < 0 ? -1.0f : 1.0f,
+              .weightY = weight[k],
+              .weightX = weight.data(),
+              .cx = cx.data(),
+              .sx = sx.data(),
+              .r = r.data(),
+              .i = i.data(),
+              .even = out.even.data(),
+              .odd = out.odd.data()},
+             cells.padded);
 }
 
 float borderRamp(float value, float distance, float spacing) {
@@ -133,10 +134,10 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     const int firstNode = 2 * begin;
     const int lastNode = std::min(2 * end - 1, nodeRows - 1);
     CellRow cells(nx);
-    std::vector<float> vr(nx);
-    std::vector<float> vi(nx);
+    std::vector<float> r(cells.padded);
+    std::vector<float> i(cells.padded);
     constexpr int kOpen = 2 * kReach + 1;  // node rows still receiving
-    std::vector<NodeRow> rows(kOpen, NodeRow(nx));
+    std::vector<NodeRow> rows(kOpen, NodeRow(cells.padded));
     // Eq. 13: the nodes' sums of the weighted waves of the cells around them. The sum of the weights is in `weights`.
     const auto flush = [&](int j) {
       NodeRow& row = rows[static_cast<std::size_t>(j % kOpen)];
@@ -157,8 +158,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
       cells.fill(field, y);
       for (int b = -kReach; b <= kReach; ++b) {
         const int j = 2 * y + 1 + b;
-        if (j >= firstNode && j <= lastNode)
-          addRow(cells, weight, b, vr, vi, rows[static_cast<std::size_t>(j % kOpen)]);
+        if (j >= firstNode && j <= lastNode) addRow(cells, weight, b, r, i, rows[static_cast<std::size_t>(j % kOpen)]);
       }
     }
     for (; flushed <= lastNode; ++flushed) flush(flushed);
