@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
@@ -82,11 +83,10 @@ void straighten(std::vector<Vec2f>& p, bool shorten) {
 class Rounding {
  public:
   Rounding(ClosedCurves& curves, const BorderIndex& border, float spacing, const RunContext& run)
-      : curves_(curves),
-        border_(border),
-        spacing_(spacing),
-        curveOf_(curveOfPoints(curves)),
-        grid_(curves.points, spacing, run) {}
+      : curves_(curves), border_(border), spacing_(spacing), curveOf_(curveOfPoints(curves)), run_(run) {}
+
+  // To be called between passes.
+  void beginPass() { movedBefore_ = moved_; }
 
   // Moves as few points as will do.
   void roundAt(int point) {
@@ -121,8 +121,13 @@ class Rounding {
       stays = hasKink(after, spacing_);
     }
     if (stays || movesTooFar(before, after, remedy)) return false;
+    if (!grid_) grid_.emplace(curves_.points, spacing_, run_);  // half of the time, so one does for all passes
+    if (run_.cancelled()) return false;                         // it may be half made
     put(ids, after);
-    if (!meets(ids, remedy.mostMoved)) return true;
+    if (!meets(ids, remedy.mostMoved)) {
+      for (std::size_t k = 0; k < ids.size(); ++k) moved_ = std::max(moved_, length(after[k] - before[k]));
+      return true;
+    }
     put(ids, before);
     return false;
   }
@@ -150,9 +155,9 @@ class Rounding {
       const int a = ids[k];
       const int b = ids[k + 1];
       // Segments are about tau/4 long, and points may have moved since the grid was made.
-      grid_.around(at(a), (1 + mostMoved) * spacing_, [&](int first, int last) {
+      grid_->around(at(a), (1 + mostMoved) * spacing_ + movedBefore_, [&](int first, int last) {
         for (int s = first; s < last && !met; ++s) {
-          const int c = grid_.id[static_cast<std::size_t>(s)];
+          const int c = grid_->id[static_cast<std::size_t>(s)];
           const int d = nextOf(curves_, curveOf_[static_cast<std::size_t>(c)], c);
           if (c != a && c != b && d != a) met = segmentsMeet(at(a), at(b), at(c), at(d));
         }
@@ -165,14 +170,18 @@ class Rounding {
   const BorderIndex& border_;
   float spacing_;
   std::vector<std::int32_t> curveOf_;
-  PointGrid grid_;
+  const RunContext& run_;
+  std::optional<PointGrid> grid_;  ///< of the points as they were before the first moved
+  float moved_ = 0;                ///< farthest that any point moved in one go [mm]
+  float movedBefore_ = 0;          ///< the same in passes before this one
 };
 
 }  // namespace
 
 void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing, const RunContext& run) {
   const auto at = [&](int id) { return curves.points[static_cast<std::size_t>(id)]; };
-  for (int pass = 0; pass < kPasses; ++pass) {
+  std::optional<Rounding> rounding;
+  for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
     std::vector<int> suspects;
     for (int c = 0; c < curves.count(); ++c) {
       const int end = curves.begin[static_cast<std::size_t>(c) + 1];
@@ -182,9 +191,9 @@ void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing,
       }
     }
     if (suspects.empty()) return;
-    Rounding rounding(curves, border, static_cast<float>(spacing), run);
-    if (run.cancelled()) return;  // its grid may be half made
-    for (const int point : suspects) rounding.roundAt(point);
+    if (!rounding) rounding.emplace(curves, border, static_cast<float>(spacing), run);
+    rounding->beginPass();
+    for (const int point : suspects) rounding->roundAt(point);
   }
 }
 
