@@ -49,12 +49,14 @@ void addToNodesBy(const NodeSums& sums, std::size_t cells) {
     float* const right = a % 2 == 0 ? sums.odd + 2 + a / 2 : sums.even + 2 + (a + 1) / 2;
     float* const left = a % 2 == 0 ? sums.odd + 2 - a / 2 : sums.even + 2 - (a - 1) / 2;
     const F weight = Lanes::all(sums.weightX[a]);
-    // What is added to a node from its left comes before what is added from its right, for any number of lanes.
+    // One after the other: where both are added in one go, loads wait for stores to nearly the same place.
     for (std::size_t x = 0; x < cells; x += Lanes::count) {
-      const F ic = Lanes::load(sums.i + x) * Lanes::load(cx + x);
-      const F rs = Lanes::load(sums.r + x) * Lanes::load(sx + x);
-      Lanes::store(right + x, Lanes::load(right + x) + weight * (ic + rs));
-      Lanes::store(left + x, Lanes::load(left + x) + weight * (ic - rs));
+      const F wave = Lanes::load(sums.i + x) * Lanes::load(cx + x) + Lanes::load(sums.r + x) * Lanes::load(sx + x);
+      Lanes::store(right + x, Lanes::load(right + x) + weight * wave);
+    }
+    for (std::size_t x = 0; x < cells; x += Lanes::count) {
+      const F wave = Lanes::load(sums.i + x) * Lanes::load(cx + x) - Lanes::load(sums.r + x) * Lanes::load(sx + x);
+      Lanes::store(left + x, Lanes::load(left + x) + weight * wave);
     }
   }
 }
