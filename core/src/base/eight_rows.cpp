@@ -10,20 +10,12 @@
 namespace sillon {
 namespace {
 
-// Two rows. There is no third where the number of rows is odd: its place holds none, and is not written.
-__m256i load(const RowMask* rows, bool two) {
-  const __m128i first = _mm_loadu_si128(reinterpret_cast<const __m128i*>(rows));
-  return two ? _mm256_loadu_si256(reinterpret_cast<const __m256i*>(rows)) : _mm256_zextsi128_si256(first);
-}
+__m256i load(const RowMask* two) { return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(two)); }
+void store(RowMask* two, __m256i v) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(two), v); }
 
-void store(RowMask* rows, __m256i v, bool two) {
-  if (two) return _mm256_storeu_si256(reinterpret_cast<__m256i*>(rows), v);
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(rows), _mm256_castsi256_si128(v));
-}
-
-__m256i firstPixels(const std::int32_t* n, bool two) {
+__m256i firstPixels(const std::int32_t* n) {
   const auto* table = reinterpret_cast<const __m128i*>(kFirstPixels.data());
-  return _mm256_set_m128i(two ? _mm_load_si128(table + n[1]) : _mm_setzero_si128(), _mm_load_si128(table + n[0]));
+  return _mm256_set_m128i(_mm_load_si128(table + n[1]), _mm_load_si128(table + n[0]));
 }
 
 }  // namespace
@@ -33,32 +25,19 @@ void pixelsByEight(const Capsule& capsule, int y, int count, int columns, PixelR
 }
 
 void addRunsByTwo(const PixelRuns& runs, int count, RowMask* rows) {
-  const auto add = [&](int k, bool two) {
-    const __m256i run = _mm256_andnot_si256(firstPixels(runs.begin + k, two), firstPixels(runs.end + k, two));
-    store(rows + k, _mm256_or_si256(load(rows + k, two), run), two);
-  };
-  int k = 0;
-  for (; k + 1 < count; k += 2) add(k, true);
-  if (k < count) add(k, false);
+  for (int k = 0; k < count; k += 2) {
+    const __m256i run = _mm256_andnot_si256(firstPixels(runs.begin + k), firstPixels(runs.end + k));
+    store(rows + k, _mm256_or_si256(load(rows + k), run));
+  }
 }
 
 void addRowsByTwo(const RowMask* from, int count, RowMask* rows) {
-  const auto add = [&](int k, bool two) {
-    store(rows + k, _mm256_or_si256(load(rows + k, two), load(from + k, two)), two);
-  };
-  int k = 0;
-  for (; k + 1 < count; k += 2) add(k, true);
-  if (k < count) add(k, false);
+  for (int k = 0; k < count; k += 2) store(rows + k, _mm256_or_si256(load(rows + k), load(from + k)));
 }
 
 bool rowsMeetByTwo(const RowMask* some, const RowMask* others, int count) {
   __m256i met = _mm256_setzero_si256();
-  const auto add = [&](int k, bool two) {
-    met = _mm256_or_si256(met, _mm256_and_si256(load(some + k, two), load(others + k, two)));
-  };
-  int k = 0;
-  for (; k + 1 < count; k += 2) add(k, true);
-  if (k < count) add(k, false);
+  for (int k = 0; k < count; k += 2) met = _mm256_or_si256(met, _mm256_and_si256(load(some + k), load(others + k)));
   return _mm256_testz_si256(met, met) == 0;
 }
 

@@ -1,4 +1,4 @@
-// Rows of 128 pixels, one bit each.
+// Rows of 128 pixels, one bit each. They are taken two at a time: all counts of rows are even.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ void addRows(const RowMask* from, int count, RowMask* rows);
 /// Whether any of `count` rows shares a pixel with its counterpart.
 bool rowsMeet(const RowMask* some, const RowMask* others, int count);
 
-/// The same, two rows at a time: only where the processor has AVX2 (eightAtOnce).
+/// The same with AVX2, which takes both rows of a pair at once (eightAtOnce).
 void addRunsByTwo(const PixelRuns& runs, int count, RowMask* rows);
 void addRowsByTwo(const RowMask* from, int count, RowMask* rows);
 bool rowsMeetByTwo(const RowMask* some, const RowMask* others, int count);

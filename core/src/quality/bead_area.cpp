@@ -158,8 +158,10 @@ class TilePasses {
     }
     if (!open_) open(stretch, stretches.count);
     Mask& mask = masks_[current_];
-    const int begin = piece.firstRow(kTileHeight);
-    const int end = piece.endRow(kTileHeight);
+    // From an even row to an even row: pairs that began at any row would be loaded from halves of two just stored, for
+    // which processors wait.
+    const int begin = piece.firstRow(kTileHeight) / 2 * 2;
+    const int end = (piece.endRow(kTileHeight) + 1) / 2 * 2;
     PixelRuns runs;
     for (int y = begin; y < end; y += PixelRuns::kMostRows) {
       const int count = std::min(PixelRuns::kMostRows, end - y);
