@@ -110,6 +110,14 @@ TEST_CASE("segments that vanish in rounding are passed over") {
   CHECK(findCrossings(square, RunContext(1)).empty());
 }
 
+TEST_CASE("curves of one point or none cross nothing") {
+  const ClosedCurves curves{{{0, 0}, {2, 2}, {2, 0}, {0, 2}, {1, 1}}, {0, 0, 4, 4, 5, 5}};
+  CHECK(findCrossings(curves, RunContext(1)) == Pairs{{0, 2}});
+  CHECK(findCrossings(ClosedCurves{{}, {0, 0}}, RunContext(1)).empty());
+  CHECK(findCrossings(ClosedCurves{{}, {0}}, RunContext(1)).empty());
+  CHECK(findCrossings(ClosedCurves{}, RunContext(1)).empty());
+}
+
 TEST_CASE("crossings are those of all pairs, for any number of threads and some segments only") {
   scenes::Random random(11);
   std::size_t total = 0;

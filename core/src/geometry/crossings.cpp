@@ -56,7 +56,8 @@ struct Corners {
   std::vector<PointUm32> at;
 
   Corners(const ClosedCurves& curves, const RunContext& run) {
-    for (int c = 0; c <= curves.count(); ++c) begin.push_back(curves.begin[static_cast<std::size_t>(c)] + c);
+    for (const int first : curves.begin) begin.push_back(first + static_cast<int>(begin.size()));
+    if (begin.empty()) return;
     at.resize(static_cast<std::size_t>(begin.back()));
     constexpr int kGrain = 1 << 14;
     parallelFor(run, begin.back(), kGrain, [&](int from, int to) {
@@ -66,8 +67,8 @@ struct Corners {
         PointUm32* const out = at.data() + from;
         const int count = std::min(to, last) - from;
         for (int k = 0; k < count; ++k) out[k] = rounded(points[k]);
-        if (to > last)
-          out[count] = rounded(curves.points[static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)])]);
+        const auto first = static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)]);
+        if (to > last && curves.size(c) > 0) out[count] = rounded(curves.points[first]);
         from = last + 1;
       }
     });
