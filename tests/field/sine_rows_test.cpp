@@ -17,12 +17,12 @@ constexpr std::size_t kCells = 5 * kRowMultiple;
 using Rows = std::vector<std::vector<float>>;
 
 struct Powers {
-  Rows cos = Rows(kReach + 1, std::vector<float>(kCells, 1.0f));
-  Rows sin = Rows(kReach + 1, std::vector<float>(kCells, 0.0f));
+  Rows cos = Rows(kNodeReach + 1, std::vector<float>(kCells, 1.0f));
+  Rows sin = Rows(kNodeReach + 1, std::vector<float>(kCells, 0.0f));
 
   explicit Powers(const std::vector<float>& angle) {
     PowerRow row{angle.data(), {}, {}};
-    for (std::size_t k = 0; k <= kReach; ++k) {
+    for (std::size_t k = 0; k <= kNodeReach; ++k) {
       row.cos[k] = cos[k].data();
       row.sin[k] = sin[k].data();
     }
@@ -50,7 +50,7 @@ const std::vector<float> kWeights{0.4f, 0.3f, 0.2f, 0.1f, 0.05f};
 std::vector<float> nodesOf(const Waves& waves, int b) {
   const Powers x(waves.angleX), y(waves.angleY);
   std::vector<const float*> cx, sx;
-  for (std::size_t a = 0; a <= kReach; ++a) {
+  for (std::size_t a = 0; a <= kNodeReach; ++a) {
     cx.push_back(x.cos[a].data());
     sx.push_back(x.sin[a].data());
   }
@@ -84,7 +84,7 @@ TEST_CASE("powers of a wave are those of its angle") {
   scenes::Random random(5);
   const Waves waves(random);
   const Powers powers(waves.angleX);
-  for (std::size_t k = 1; k <= kReach; ++k) {
+  for (std::size_t k = 1; k <= kNodeReach; ++k) {
     for (std::size_t x = 0; x < kCells; ++x) {
       const double angle = static_cast<double>(k) * static_cast<double>(waves.angleX[x]);
       CHECK(std::abs(static_cast<double>(powers.cos[k][x]) - std::cos(angle)) < 3e-6);
@@ -95,12 +95,12 @@ TEST_CASE("powers of a wave are those of its angle") {
 
 TEST_CASE("each node gets the weighted waves of the cells within reach, for four and for eight cells at once") {
   scenes::Random random(6);
-  for (int b = -kReach; b <= kReach; ++b) {
+  for (int b = -kNodeReach; b <= kNodeReach; ++b) {
     const Waves waves(random);
     // Eq. 13 for each pair of cell and node by itself; column -4 is the first that cells reach.
     std::vector<double> expected(2 * kCells + 12, 0.0);
     for (std::size_t x = 0; x < kCells; ++x) {
-      for (int a = -kReach; a <= kReach; ++a) {
+      for (int a = -kNodeReach; a <= kNodeReach; ++a) {
         const std::complex<double> q(waves.qr[x], waves.qi[x]);
         const double turn = a * static_cast<double>(waves.angleX[x]) + b * static_cast<double>(waves.angleY[x]);
         const double weight = static_cast<double>(kWeights[static_cast<std::size_t>(std::abs(a))]) *

@@ -12,7 +12,7 @@
 namespace sillon {
 namespace {
 
-using Weights = std::array<float, kReach + 1>;
+using Weights = std::array<float, kNodeReach + 1>;
 
 // exp(-(k tau/4)² / 2 sigma²), divided by the sum over the nodes of the same parity, so that the whole stencil sums to
 // one. Cells outside the shape are left out of the sum without renormalising: that scales the field along the border
@@ -25,19 +25,19 @@ Weights weights(double sigma) {
     inverse += term;
     term *= exponent / n;
   }
-  std::array<double, kReach + 1> bell{};
-  for (std::size_t k = 0; k <= kReach; ++k) {
+  std::array<double, kNodeReach + 1> bell{};
+  for (std::size_t k = 0; k <= kNodeReach; ++k) {
     bell[k] = 1;
     for (std::size_t n = 0; n < k * k; ++n) bell[k] /= inverse;
   }
   const double even = bell[0] + 2 * (bell[2] + bell[4]);
   const double odd = 2 * (bell[1] + bell[3]);
   Weights weights{};
-  for (std::size_t k = 0; k <= kReach; ++k) weights[k] = static_cast<float>(bell[k] / (k % 2 == 0 ? even : odd));
+  for (std::size_t k = 0; k <= kNodeReach; ++k) weights[k] = static_cast<float>(bell[k] / (k % 2 == 0 ? even : odd));
   return weights;
 }
 
-using Powers = std::array<std::vector<float>, kReach + 1>;
+using Powers = std::array<std::vector<float>, kNodeReach + 1>;
 
 // The waves of one row of cells (Eq. 6) at the nodes around them: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y},
 // k = 0..4, by which a wave advances k nodes.
@@ -71,7 +71,7 @@ struct CellRow {
  private:
   void power(const std::vector<float>& angle, Powers& cos, Powers& sin) const {
     PowerRow row{angle.data(), {}, {}};
-    for (std::size_t k = 0; k <= kReach; ++k) {
+    for (std::size_t k = 0; k <= kNodeReach; ++k) {
       row.cos[k] = cos[k].data();
       row.sin[k] = sin[k].data();
     }
@@ -89,9 +89,9 @@ struct NodeRow {
 void addRow(const CellRow& cells, const Weights& weight, int b, std::vector<float>& r, std::vector<float>& i,
             NodeRow& out) {
   const std::size_t k = static_cast<std::size_t>(std::abs(b));
-  std::array<const float*, kReach + 1> cx{};
-  std::array<const float*, kReach + 1> sx{};
-  for (std::size_t a = 0; a <= kReach; ++a) {
+  std::array<const float*, kNodeReach + 1> cx{};
+  std::array<const float*, kNodeReach + 1> sx{};
+  for (std::size_t a = 0; a <= kNodeReach; ++a) {
     cx[a] = cells.cx[a].data();
     sx[a] = cells.sx[a].data();
   }
@@ -136,7 +136,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     CellRow cells(nx);
     std::vector<float> r(cells.padded);
     std::vector<float> i(cells.padded);
-    constexpr int kOpen = 2 * kReach + 1;  // node rows still receiving
+    constexpr int kOpen = 2 * kNodeReach + 1;  // node rows still receiving
     std::vector<NodeRow> rows(kOpen, NodeRow(cells.padded));
     // Eq. 13: the nodes' sums of the weighted waves of the cells around them. The sum of the weights is in `weights`.
     const auto flush = [&](int j) {
@@ -154,9 +154,9 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     const int lastCell = std::min(grid.ny - 1, end + 2);
     for (int y = firstCell; y <= lastCell && !run.cancelled(); ++y) {
       // Node rows below the reach of this cell row are complete.
-      for (; flushed < std::min(2 * y + 1 - kReach, lastNode + 1); ++flushed) flush(flushed);
+      for (; flushed < std::min(2 * y + 1 - kNodeReach, lastNode + 1); ++flushed) flush(flushed);
       cells.fill(field, y);
-      for (int b = -kReach; b <= kReach; ++b) {
+      for (int b = -kNodeReach; b <= kNodeReach; ++b) {
         const int j = 2 * y + 1 + b;
         if (j >= firstNode && j <= lastNode) addRow(cells, weight, b, r, i, rows[static_cast<std::size_t>(j % kOpen)]);
       }

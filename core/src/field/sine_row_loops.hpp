@@ -17,7 +17,7 @@ void fillPowersBy(const PowerRow& row, std::size_t cells) {
     for (int k = 1;; ++k) {
       Lanes::store(row.cos[k] + x, c);
       Lanes::store(row.sin[k] + x, s);
-      if (k == kReach) break;
+      if (k == kNodeReach) break;
       const F next = c * first.cos - s * first.sin;
       s = c * first.sin + s * first.cos;
       c = next;
@@ -42,7 +42,7 @@ void addToNodesBy(const NodeSums& sums, std::size_t cells) {
     Lanes::store(sums.i + x, i);
     Lanes::store(centre + x, Lanes::load(centre + x) + weight0 * i);
   }
-  for (int a = 1; a <= kReach; ++a) {
+  for (int a = 1; a <= kNodeReach; ++a) {
     const float* const cx = sums.cx[a];
     const float* const sx = sums.sx[a];
     // Column 2x + 1 + a: odd row entry x + a/2, or even row entry x + (a + 1)/2; likewise to the left.

@@ -7,16 +7,16 @@
 namespace sillon {
 
 /// Nodes reached by a cell in each direction, in half cells.
-inline constexpr int kReach = 4;
+inline constexpr int kNodeReach = 4;
 
 /// Cells are taken in whole vectors: rows are as long as a multiple of this, with no wave after their end.
 inline constexpr std::size_t kRowMultiple = 8;
 
-/// e^{i k angle} for k from 1 to kReach.
+/// e^{i k angle} for k from 1 to kNodeReach.
 struct PowerRow {
   const float* angle;
-  float* cos[kReach + 1];  ///< out; [0] is left as it is
-  float* sin[kReach + 1];
+  float* cos[kNodeReach + 1];  ///< out; [0] is left as it is
+  float* sin[kNodeReach + 1];
 };
 void fillPowers(const PowerRow& row, std::size_t cells);
 

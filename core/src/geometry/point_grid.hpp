@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "base/parallel_for.hpp"
@@ -26,7 +25,13 @@ struct PointRuns {
 class PointGrid {
  public:
   PointGrid(const std::vector<Vec2f>& points, float bucket, const RunContext& run) : inverse_(1 / bucket) {
-    const auto [low, high] = box(points);
+    Vec2f low{1e30f, 1e30f};
+    Vec2f high{-1e30f, -1e30f};
+    for (const Vec2f p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    if (points.empty()) low = high = {};
     low_ = low;
     nx_ = static_cast<int>((high.x - low.x) * inverse_) + 1;
     ny_ = static_cast<int>((high.y - low.y) * inverse_) + 1;
@@ -100,22 +105,6 @@ class PointGrid {
   std::vector<std::int32_t> id;  ///< index of each sorted point in the curves
 
  private:
-  // Two points at a time.
-  static std::pair<Vec2f, Vec2f> box(const std::vector<Vec2f>& points) {
-    if (points.empty()) return {};
-    const std::size_t pairs = points.size() / 2;
-    const Vec2f last = points.back();
-    F4 low{last.x, last.y, last.x, last.y};
-    F4 high = low;
-    for (std::size_t k = 0; k < pairs; ++k) {
-      const F4 two = load4(&points[2 * k].x);
-      low = min4(two, low);
-      high = max4(two, high);
-    }
-    return {{std::min(low[0], low[2]), std::min(low[1], low[3])},
-            {std::max(high[0], high[2]), std::max(high[1], high[3])}};
-  }
-
   [[nodiscard]] int column(float v) const { return clampTo((v - low_.x) * inverse_, nx_); }
   [[nodiscard]] int row(float v) const { return clampTo((v - low_.y) * inverse_, ny_); }
   static int clampTo(float v, int count) {

@@ -5,11 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "base/capsule_rows.hpp"
 #include "base/parallel_for.hpp"
-#include "base/row_masks.hpp"
+#include "base/simd.hpp"
 #include "sillon/geometry/grid.hpp"
 #include "sillon/geometry/outline.hpp"
 
@@ -17,15 +18,36 @@ namespace sillon {
 namespace {
 
 constexpr int kPixelsPerSpacing = 20;
-constexpr int kTileWidth = kRowPixels;
+constexpr int kTileWidth = 128;     ///< pixels, of two words
 constexpr int kTileHeight = 256;    ///< pixels; what one tile needs stays in the second-level cache
 constexpr double kApart = 3;        ///< [tau] along a cycle: further apart are two passes
 constexpr int kNear = 2;            ///< stretches before one that belong to its pass: 2 to 3 of them are kApart
 constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
 constexpr float kRounding = 1e-3f;  ///< of a toolpath's numbers [mm]
 
-bool any(RowMask row) { return (row[0] | row[1]) != 0; }
-int countOf(RowMask row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
+// Pixels of one row of a tile, one bit each.
+using Row = U2;
+
+bool any(Row row) { return (row[0] | row[1]) != 0; }
+int countOf(Row row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
+
+// The first n pixels, for n from 0 to all of them.
+alignas(Row) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> kFirst = [] {
+  std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> first{};
+  for (std::size_t n = 1; n < first.size(); ++n) {
+    first[n] = first[n - 1];
+    first[n][n <= 64 ? 0 : 1] |= std::uint64_t{1} << ((n - 1) % 64);
+  }
+  return first;
+}();
+
+Row firstPixels(int n) {
+  Row row;
+  std::memcpy(&row, &kFirst[static_cast<std::size_t>(n)], sizeof row);
+  return row;
+}
+
+Row rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
 
 // A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
 struct Bead {
@@ -106,28 +128,21 @@ Reach reachOf(const Bead& bead, const Scene& scene) {
 
 // Counting sort: within a tile the beads stay in order, as TilePasses needs them.
 void sortIntoTiles(Scene& scene) {
-  struct Pair {
-    std::int32_t tile;
-    std::int32_t bead;
+  const auto forTiles = [&](const Bead& bead, const auto& visit) {
+    const Reach r = reachOf(bead, scene);
+    for (int y = r.y0; y <= r.y1; ++y) {
+      for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * scene.tilesAcross + x));
+    }
   };
-  std::vector<Pair> pairs;
-  pairs.reserve(2 * scene.beads.size());
   std::vector<std::size_t>& begin = scene.begin;
   begin.assign(static_cast<std::size_t>(scene.tiles) + 1, 0);
-  for (std::size_t k = 0; k < scene.beads.size(); ++k) {
-    const Reach r = reachOf(scene.beads[k], scene);
-    for (int y = r.y0; y <= r.y1; ++y) {
-      for (int x = r.x0; x <= r.x1; ++x) {
-        const int tile = y * scene.tilesAcross + x;
-        ++begin[static_cast<std::size_t>(tile) + 1];
-        pairs.push_back({tile, static_cast<std::int32_t>(k)});
-      }
-    }
-  }
+  for (const Bead& bead : scene.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
   for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
   scene.beadOf.resize(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (const Pair& pair : pairs) scene.beadOf[next[static_cast<std::size_t>(pair.tile)]++] = pair.bead;
+  for (std::size_t k = 0; k < scene.beads.size(); ++k) {
+    forTiles(scene.beads[k], [&](std::size_t t) { scene.beadOf[next[t]++] = static_cast<std::int32_t>(k); });
+  }
 }
 
 Scene sceneOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
@@ -158,15 +173,16 @@ class TilePasses {
     }
     if (!open_) open(stretch, stretches.count);
     Mask& mask = masks_[current_];
-    // From an even row to an even row: pairs that began at any row would be loaded from halves of two just stored, for
-    // which processors wait.
-    const int begin = piece.firstRow(kTileHeight) / 2 * 2;
-    const int end = (piece.endRow(kTileHeight) + 1) / 2 * 2;
+    const int begin = piece.firstRow(kTileHeight);
+    const int end = piece.endRow(kTileHeight);
     PixelRuns runs;
     for (int y = begin; y < end; y += PixelRuns::kMostRows) {
       const int count = std::min(PixelRuns::kMostRows, end - y);
       pixelsOf(piece, y, count, kTileWidth, runs);
-      addRuns(runs, count, &mask.rows[static_cast<std::size_t>(y)]);
+      for (int k = 0; k < count; ++k) {
+        Row& row = mask.rows[static_cast<std::size_t>(y + k)];
+        row = row | rowOf(runs.begin[k], runs.end[k]);
+      }
     }
     mask.begin = std::min(mask.begin, begin);
     mask.end = std::max(mask.end, end);
@@ -181,16 +197,16 @@ class TilePasses {
     cycle_ = -1;
     BeadArea count;
     for (int y = 0; y < rows; ++y) {
-      const RowMask tile = rowOf(0, columns);
-      const RowMask in = insideRow(y) & tile;
-      const RowMask covered = covered_[static_cast<std::size_t>(y)] & tile;
+      const Row tile = rowOf(0, columns);
+      const Row in = insideRow(y) & tile;
+      const Row covered = covered_[static_cast<std::size_t>(y)] & tile;
       count.shape += countOf(in);
       count.covered += countOf(covered & in);
       count.spilled += spilledOf(y, covered & ~in);
       count.overlapped += countOf(again_[static_cast<std::size_t>(y)] & tile);
     }
-    covered_.fill(RowMask{});
-    again_.fill(RowMask{});
+    covered_.fill(Row{});
+    again_.fill(Row{});
     return count;
   }
 
@@ -200,10 +216,10 @@ class TilePasses {
     int begin = kTileHeight;  ///< rows that may hold something
     int end = 0;
     bool covers = false;  ///< whether covered_ holds it
-    std::array<RowMask, kTileHeight> rows{};
+    std::array<Row, kTileHeight> rows{};
 
     void clear() {
-      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), RowMask{});
+      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), Row{});
       begin = kTileHeight;
       end = 0;
       covers = false;
@@ -215,8 +231,10 @@ class TilePasses {
   // twelfth more instructions.
   void cover(Mask& mask) {
     mask.covers = true;
-    const auto first = static_cast<std::size_t>(mask.begin);
-    if (mask.begin < mask.end) addRows(&mask.rows[first], mask.end - mask.begin, &covered_[first]);
+    for (int y = mask.begin; y < mask.end; ++y) {
+      Row& covered = covered_[static_cast<std::size_t>(y)];
+      covered = covered | mask.rows[static_cast<std::size_t>(y)];
+    }
   }
 
   void coverAll() {
@@ -247,14 +265,17 @@ class TilePasses {
     if (!open_) return;
     open_ = false;
     const Mask& mask = masks_[current_];
-    const auto first = static_cast<std::size_t>(mask.begin);
-    if (mask.begin < mask.end && rowsMeet(&mask.rows[first], &covered_[first], mask.end - mask.begin)) countTwice(mask);
+    Row met{};
+    for (int y = mask.begin; y < mask.end; ++y) {
+      met = met | (mask.rows[static_cast<std::size_t>(y)] & covered_[static_cast<std::size_t>(y)]);
+    }
+    if (any(met)) countTwice(mask);
   }
 
   void countTwice(const Mask& mask) {
     for (int y = mask.begin; y < mask.end; ++y) {
       const auto row = static_cast<std::size_t>(y);
-      RowMask twice = mask.rows[row] & covered_[row];
+      Row twice = mask.rows[row] & covered_[row];
       for (std::size_t k = 0; k < std::min(used_, masks_.size()) && any(twice); ++k) {
         const Mask& near = masks_[k];
         if (k == current_ || y < near.begin || y >= near.end || !isNear(near, mask.stretch)) continue;
@@ -264,8 +285,8 @@ class TilePasses {
     }
   }
 
-  std::array<RowMask, kTileHeight> covered_{};
-  std::array<RowMask, kTileHeight> again_{};
+  std::array<Row, kTileHeight> covered_{};
+  std::array<Row, kTileHeight> again_{};
   std::int32_t cycle_ = -1;
   std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
   std::size_t used_ = 0;                   ///< by how many stretches so far
@@ -333,13 +354,13 @@ void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& pas
 }
 
 // Pixels of a row of the tile whose centres lie in the shape.
-RowMask insideRow(const Scene& scene, const Tile& tile, int y) {
+Row insideRow(const Scene& scene, const Tile& tile, int y) {
   const Grid& raster = scene.raster;
   const double x0 = raster.centre(tile.left, 0).x;
   const auto pixelFrom = [&](double x) {
     return static_cast<int>(std::clamp(std::ceil((x - x0) / raster.cell), 0.0, static_cast<double>(kTileWidth)));
   };
-  RowMask inside{};
+  Row inside{};
   for (const Interval& interval : scene.inside[static_cast<std::size_t>(y)]) {
     inside = inside | rowOf(pixelFrom(interval.begin), pixelFrom(interval.end));
   }
@@ -348,7 +369,7 @@ RowMask insideRow(const Scene& scene, const Tile& tile, int y) {
 
 // How many of these pixels outside the shape lie off its border. Beads touch a straight border over its whole length:
 // where a row of pixels happens to lie on it too, rounding would decide for all of them.
-int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, RowMask outside) {
+int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, Row outside) {
   int count = 0;
   for (int word = 0; word < 2; ++word) {
     for (std::uint64_t bits = outside[word]; bits != 0; bits &= bits - 1) {
@@ -377,7 +398,7 @@ BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderInde
       counts[static_cast<std::size_t>(t)] = passes.take(
           tile.top - tile.bottom, tile.right - tile.left,
           [&](int y) { return insideRow(scene, tile, tile.bottom + y); },
-          [&](int y, RowMask outside) { return offBorder(scene, border, tile, y, outside); });
+          [&](int y, Row outside) { return offBorder(scene, border, tile, y, outside); });
     }
   };
   const int step = (scene.tiles - 1) / 24 + 1;  // between reports of progress

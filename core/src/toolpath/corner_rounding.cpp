@@ -85,9 +85,6 @@ class Rounding {
   Rounding(ClosedCurves& curves, const BorderIndex& border, float spacing, const RunContext& run)
       : curves_(curves), border_(border), spacing_(spacing), curveOf_(curveOfPoints(curves)), run_(run) {}
 
-  // To be called between passes.
-  void beginPass() { movedBefore_ = moved_; }
-
   // Moves as few points as will do.
   void roundAt(int point) {
     for (const Remedy& remedy : kRemedies) {
@@ -121,7 +118,7 @@ class Rounding {
       stays = hasKink(after, spacing_);
     }
     if (stays || movesTooFar(before, after, remedy)) return false;
-    if (!grid_) grid_.emplace(curves_.points, spacing_, run_);  // half of the time, so one does for all passes
+    if (!grid_) grid_.emplace(curves_.points, spacing_, run_);  // half of the time: one does for all passes
     if (run_.cancelled()) return false;                         // it may be half made
     put(ids, after);
     if (!meets(ids, remedy.mostMoved)) {
@@ -155,7 +152,7 @@ class Rounding {
       const int a = ids[k];
       const int b = ids[k + 1];
       // Segments are about tau/4 long, and points may have moved since the grid was made.
-      grid_->around(at(a), (1 + mostMoved) * spacing_ + movedBefore_, [&](int first, int last) {
+      grid_->around(at(a), (1 + mostMoved) * spacing_ + moved_, [&](int first, int last) {
         for (int s = first; s < last && !met; ++s) {
           const int c = grid_->id[static_cast<std::size_t>(s)];
           const int d = nextOf(curves_, curveOf_[static_cast<std::size_t>(c)], c);
@@ -172,8 +169,7 @@ class Rounding {
   std::vector<std::int32_t> curveOf_;
   const RunContext& run_;
   std::optional<PointGrid> grid_;  ///< of the points as they were before the first moved
-  float moved_ = 0;                ///< farthest that any point moved in one go [mm]
-  float movedBefore_ = 0;          ///< the same in passes before this one
+  float moved_ = 0;                ///< farthest that any point has moved in one go since [mm]
 };
 
 }  // namespace
@@ -192,7 +188,6 @@ void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing,
     }
     if (suspects.empty()) return;
     if (!rounding) rounding.emplace(curves, border, static_cast<float>(spacing), run);
-    rounding->beginPass();
     for (const int point : suspects) rounding->roundAt(point);
   }
 }
