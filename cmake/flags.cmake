@@ -13,6 +13,11 @@ else()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(sillon_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
+  # GCC's vectoriser multiplies and adds in one step, whatever -ffp-contract says, where the builder's flags allow the
+  # processor to (-march=native, x86-64-v3): some moves of G-code would end 0.001 mm beside those of other machines.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86)$")
+    target_compile_options(sillon_flags INTERFACE -mno-fma -mno-fma4 -mno-avx512f)
+  endif()
   if(SILLON_WERROR)
     target_compile_options(sillon_flags INTERFACE -Werror)
   endif()
