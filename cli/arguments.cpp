@@ -53,22 +53,6 @@ bool isOfCalibrations(const Setting& row) {
   return row.section == Section::Print && std::find(own.begin(), own.end(), row.key) == own.end();
 }
 
-/// The command line with today's names of options.
-std::vector<std::string> withTodaysNames(int argc, const char* const* argv) {
-  std::map<std::string, std::string> today;
-  for (const Setting& row : sillon::settings()) {
-    const sillon::SettingWords words = sillon::wordsOf(row);
-    for (const std::string& old : sillon::splitWords(words.oldOptions)) today[old] = words.option;
-  }
-  std::vector<std::string> words(argv, argv + argc);
-  for (std::size_t k = 1; k < words.size() && words[k] != "--"; ++k) {
-    const std::size_t end = std::min(words[k].find('='), words[k].size());
-    const auto found = today.find(words[k].substr(0, end));
-    if (found != today.end()) words[k].replace(0, end, found->second);
-  }
-  return words;
-}
-
 /// sillon settings: the table, for people or for programs.
 void addSettingsList(CLI::App& app, Arguments& arguments) {
   CLI::App* command = app.add_subcommand("settings", "List the settings of project files, with ranges and defaults");
@@ -232,10 +216,7 @@ sillon::Result<Arguments> readArguments(int argc, const char* const* argv) {
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) requireValues(*command);
 
   try {
-    const std::vector<std::string> words = withTodaysNames(argc, argv);
-    std::vector<const char*> pointers;
-    for (const std::string& word : words) pointers.push_back(word.c_str());
-    app.parse(argc, pointers.data());
+    app.parse(argc, argv);
     arguments.command = app.get_subcommands().front()->get_name();
   } catch (const CLI::CallForHelp&) {
     CLI::App* asked = generate->parsed() ? generate : &app;

@@ -220,11 +220,11 @@ void addRebrush(CLI::App& app, RebrushArguments& arguments) {
       ->option_text("N,N...");
   addNumber(*command, "--angle", arguments.angle, "direction of the beads, counter-clockwise from +x [0]")
       ->option_text("DEG");
-  command->add_option("--directions,--lines", arguments.directions, "picture of directions, instead of an angle")
+  command->add_option("--directions", arguments.directions, "picture of directions, instead of an angle")
       ->option_text("F");
   command
       ->add_option_function<std::string>(
-          "--encoding,--lines-as",
+          "--encoding",
           choice<DirectionEncoding>("--encoding",
                                     {{"angle", DirectionEncoding::Angle},
                                      {"rotation", DirectionEncoding::Rotation},

@@ -763,9 +763,6 @@ export interface ToolpathResult {
   conflict?: Conflict;
 }
 
-/** @deprecated Its older name. */
-export type Plate = ToolpathResult;
-
 /** What pictures on one plate take from each other, in cells over the page, row 0 on top. */
 export interface Conflict {
   width: number;

@@ -255,7 +255,7 @@ TEST_CASE("the documentation has a row with the default of every field") {
 
 TEST_CASE("a preset lies under the filament, and that under the project's own values") {
   const Result<Project> read =
-      readProject(R"({"sillon": 1, "printer": {"bedTemperature": 75, "filament": "petg", "preset": "prusa-mk4s"}})");
+      readProject(R"({"sillon": 1, "printer": {"bedTemperature": 75, "filament": "petg", "profile": "prusa-mk4s"}})");
   REQUIRE(read);
   const Printer& p = read.value().printer;
   CHECK(p.flavor == GcodeFlavor::PrusaBuddy);
@@ -263,7 +263,7 @@ TEST_CASE("a preset lies under the filament, and that under the project's own va
   CHECK(p.filamentDensity == 1.27);
   CHECK(p.nozzleTemperature == 235);
   CHECK(p.bedTemperature == 75);
-  CHECK(has(problem(R"({"sillon": 1, "printer": {"preset": "prusa-mk4ss"}})"),
+  CHECK(has(problem(R"({"sillon": 1, "printer": {"profile": "prusa-mk4ss"}})"),
             "printer.preset: \"prusa-mk4ss\" is not a printer profile; did you mean \"prusa-mk4s\""));
   CHECK(has(problem(R"({"sillon": 1, "printer": {"filament": "abs"}})"),
             "printer.filament: \"abs\" is not a filament profile"));
@@ -376,7 +376,7 @@ TEST_CASE("pressure advance is the maker's for printer, filament and nozzle, and
     double advance;  // 0: not set
   } cases[] = {
       {R"({"profile": "prusa-mk4s"})", 0.036},
-      {R"({"preset": "prusa-mk4s", "filament": "petg"})", 0.053},
+      {R"({"profile": "prusa-mk4s", "filament": "petg"})", 0.053},
       {R"({"profile": "prusa-mk4s", "filament": "petg", "nozzle": 0.6})", 0.032},
       {R"({"profile": "prusa-xl", "filament": "pla-silk", "nozzle": 0.25})", 0.12},
       {R"({"profile": "prusa-mini"})", 0.27},

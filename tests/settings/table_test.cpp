@@ -88,12 +88,8 @@ TEST_CASE("defaults are allowed, and each row has a key, a label and a sentence 
   for (const Setting& row : settings()) {
     CAPTURE(fullName(row));
     CHECK(names.insert(fullName(row)).second);
-    for (const std::string& old : splitWords(row.oldKeys)) {
-      CHECK(names.insert(std::string(sectionName(row.section)) + "." + old).second);
-    }
     const SettingWords words = wordsOf(row);
     if (*words.option != '\0') CHECK(options.insert(words.option).second);
-    for (const std::string& old : splitWords(words.oldOptions)) CHECK(options.insert(old).second);
     CHECK(*words.label != '\0');
     const std::string help = words.help;
     REQUIRE(help.size() > 10);
@@ -137,34 +133,6 @@ TEST_CASE("the words of choices stand in the order of their enumerators") {
     p.printer.flavor = flavor;
     CHECK(text(Section::Printer, "flavor") == name);
   }
-}
-
-TEST_CASE("old keys are read as today's, never written, never suggested, and not given beside today's") {
-  const std::vector<std::vector<std::string>> renamed = {{"lineGive", "directionTolerance"},
-                                                         {"spacingBend", "spacingVariation"},
-                                                         {"waveReach", "kernelRadius"},
-                                                         {"borderPull", "borderWeight"}};
-  for (const auto& names : renamed) {
-    CAPTURE(names[0]);
-    const Json old = {{"sillon", 1}, {"toolpath", {{names[0], 0.47}}}};
-    const Json today = {{"sillon", 1}, {"toolpath", {{names[1], 0.47}}}};
-    const Result<Project> a = readProject(old.dump());
-    const Result<Project> b = readProject(today.dump());
-    REQUIRE(a);
-    REQUIRE(b);
-    CHECK(writeProject(a.value()) == writeProject(b.value()));
-    CHECK(writeProject(a.value()) != writeProject(Project{}));
-    CHECK_FALSE(has(writeProject(a.value()), names[0]));
-    const Json both = {{"sillon", 1}, {"toolpath", {{names[0], 0.47}, {names[1], 0.47}}}};
-    CHECK(has(problem(both), "toolpath." + names[0] + " is an old name of toolpath." + names[1]));
-    const Json near = {{"sillon", 1}, {"toolpath", {{names[0] + "s", 0.47}}}};
-    CHECK_FALSE(has(problem(near), "\"" + names[0] + "\""));
-  }
-  const Result<Project> profile = readProject(R"({"sillon": 1, "printer": {"preset": "prusa-mini"}})");
-  REQUIRE(profile);
-  CHECK(profile.value().printerProfile == "prusa-mini");
-  CHECK(profile.value().printer.flavor == GcodeFlavor::PrusaBuddy);
-  CHECK(has(writeProject(profile.value()), "\"profile\": \"prusa-mini\""));
 }
 
 TEST_CASE("spools are called as the measured ones are, in the same order") {

@@ -94,7 +94,7 @@ std::string readRoot(const Json& root, Project& project) {
   std::vector<std::string> known = sceneKeys();
   known.insert(known.begin(), "sillon");
   for (const Section section : kSections) known.emplace_back(sectionName(section));
-  if (std::string wrong = unknownKey(root, "", known, {}); !wrong.empty()) return wrong;
+  if (std::string wrong = unknownKey(root, "", known); !wrong.empty()) return wrong;
   if (std::string wrong = wrongKind(root); !wrong.empty()) return wrong;
   if (std::string wrong = readSceneKeys(root, project); !wrong.empty()) return wrong;
   for (const Section section : kSections) {

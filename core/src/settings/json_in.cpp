@@ -90,7 +90,7 @@ struct ReadValue {
       const std::string path = name + "[" + std::to_string(read.size()) + "]";
       if (!one.is_object()) return wrongType(path, "an object with file and lamp", one);
       LampPicture& picture = read.emplace_back();
-      if (std::string wrong = unknownKey(one, path + ".", {"file", "lamp"}, {}); !wrong.empty()) return wrong;
+      if (std::string wrong = unknownKey(one, path + ".", {"file", "lamp"}); !wrong.empty()) return wrong;
       if (!one.contains("file")) return path + " has no file; it must name a picture";
       if (std::string wrong = readText(one["file"], path + ".file", picture.file); !wrong.empty()) return wrong;
       if (!one.contains("lamp")) continue;
@@ -167,11 +167,9 @@ std::string readInteger(const Json& value, const std::string& name, std::uint64_
   return wholeNumber(value, name, out, kSeedRange);
 }
 
-std::string unknownKey(const Json& object, const std::string& prefix, const std::vector<std::string>& known,
-                       const std::vector<std::string>& old) {
+std::string unknownKey(const Json& object, const std::string& prefix, const std::vector<std::string>& known) {
   for (const auto& item : object.items()) {
     if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-    if (std::find(old.begin(), old.end(), item.key()) != old.end()) continue;
     return "unknown key " + inQuotes(prefix + item.key()) + "; " + suggestion(item.key(), known);
   }
   return "";
@@ -181,31 +179,20 @@ std::string readSection(const Json& value, Section section, const SettingsView& 
   const std::string sectionText = sectionName(section);
   if (!value.is_object()) return wrongType(sectionText, "an object", value);
   std::vector<std::string> known;
-  std::vector<std::string> old;
   std::string profile;
   for (const Setting& setting : settings()) {
     if (setting.section != section) continue;
     known.emplace_back(setting.key);
-    std::string used;
-    std::vector<std::string> keys = splitWords(setting.oldKeys);
-    old.insert(old.end(), keys.begin(), keys.end());
-    keys.insert(keys.begin(), setting.key);
-    for (const std::string& key : keys) {
-      const auto found = value.find(key);
-      if (found == value.end()) continue;
-      const std::string name = sectionText + "." + key;
-      if (!used.empty()) return name + " is an old name of " + used + "; one of them may be given";
-      used = fullName(setting);
-      if (std::string wrong = readSetting(setting, *found, name, view); !wrong.empty()) return wrong;
-      if (section == Section::Printer && setting.key == std::string_view("profile"))
-        profile = found->get<std::string>();
-    }
+    const auto found = value.find(setting.key);
+    if (found == value.end()) continue;
+    if (std::string wrong = readSetting(setting, *found, fullName(setting), view); !wrong.empty()) return wrong;
+    if (section == Section::Printer && setting.key == std::string_view("profile")) profile = found->get<std::string>();
   }
   // It depends on filament and nozzle, which are known only now.
   if (!profile.empty() && !value.contains("pressureAdvance") && !value.contains("setPressureAdvance")) {
     applyAdvance(profile, *view.printer);
   }
-  return unknownKey(value, sectionText + ".", known, old);
+  return unknownKey(value, sectionText + ".", known);
 }
 
 }  // namespace sillon

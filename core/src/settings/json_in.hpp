@@ -21,13 +21,12 @@ std::string readInteger(const nlohmann::json& value, const std::string& name, st
 /// "a list", "text": what a value is, in words.
 const char* typeName(const nlohmann::json& value);
 
-/// Reads the keys of one section, old names too; those that are not there leave their fields alone. The values of a
+/// Reads the keys of one section; those that are not there leave their fields alone. The values of a
 /// preset or profile that is named come first. Types only: ranges are the validator's.
 /// \return what is wrong, an unknown key too; empty: nothing.
 std::string readSection(const nlohmann::json& value, Section section, const SettingsView& view);
 
-/// Refuses keys that are neither known nor old. \param prefix  of the names in messages, such as "print.".
-std::string unknownKey(const nlohmann::json& object, const std::string& prefix, const std::vector<std::string>& known,
-                       const std::vector<std::string>& old);
+/// Refuses keys that are not known. \param prefix  of the names in messages, such as "print.".
+std::string unknownKey(const nlohmann::json& object, const std::string& prefix, const std::vector<std::string>& known);
 
 }  // namespace sillon

@@ -112,8 +112,6 @@ std::string settingJson(const Setting& setting, const Field& field) {
   add(out, "label", jsonString(words.label));
   add(out, "help", jsonString(words.help));
   if (*words.option != '\0') add(out, "option", jsonString(words.option));
-  if (*setting.oldKeys != '\0') add(out, "oldKeys", listJson(setting.oldKeys));
-  if (*words.oldOptions != '\0') add(out, "oldOptions", listJson(words.oldOptions));
   return "    {" + out + "}";
 }
 

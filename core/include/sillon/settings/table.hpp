@@ -70,15 +70,13 @@ struct Setting {
   double high = 0;
   Level level = Level::Advanced;
   const char* choices = "";  ///< with spaces between; in the order of the enumerators, or of false, true
-  const char* oldKeys = "";  ///< with spaces between; read too
 };
 
 /// What help and documentation say of a setting, in ASCII. Apart from it: the engines in browsers do without.
 struct SettingWords {
-  const char* label = "";       ///< at most a few words
-  const char* help = "";        ///< one sentence without full stop
-  const char* option = "";      ///< of the command line, with its hyphens; empty: none
-  const char* oldOptions = "";  ///< with spaces between; read too
+  const char* label = "";   ///< at most a few words
+  const char* help = "";    ///< one sentence without full stop
+  const char* option = "";  ///< of the command line, with its hyphens; empty: none
 };
 
 /// All of them, by section, in the order of the files that are written.
