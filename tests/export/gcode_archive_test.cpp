@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "export/md5.hpp"
 #include "export/zip_reader.hpp"
@@ -192,6 +193,39 @@ TEST_CASE("a donor's archive keeps every other entry and the order; plate, MD5, 
   CHECK(info.find("used_m=\"2.50\" used_g=\"9.5\"") != std::string::npos);
   CHECK(entry(other, "Metadata/plate_1.json").find("\"bbox_all\":[10.0,20.0,50.0,60.0]") != std::string::npos);
   CHECK(entry(other, "Metadata/plate_1.png").ends_with("\x01"));
+}
+
+TEST_CASE("what Bambu Studio predicts changes by as much as the whole print, not to the time of its beads") {
+  const auto header = [](const std::string& beads, const std::string& all) {
+    return "; HEADER_BLOCK_START\n; BambuStudio 02.04.00.70\n; model printing time: " + beads +
+           "; total estimated time: " + all + "\n; HEADER_BLOCK_END\nG28\n";
+  };
+  const std::string donor = packed(header("19m 4s", "26m 7s"));
+  const auto predicted = [](const std::string& zip) {
+    const std::string info = entry(zip, "Metadata/slice_info.config");
+    const std::size_t at = info.find("value=\"", info.find("key=\"prediction\"")) + 7;
+    return info.substr(at, info.find('"', at) - at);
+  };
+  CHECK(predicted(donor) == "1567");
+  const auto after = [&](const std::string& zip, const std::string& text) {
+    return predicted(writeGcodeContainer(readGcodeContainer(zip).value(), text).value());
+  };
+  CHECK(after(donor, header("19m 3s", "26m 6s")) == "1566");
+  CHECK(after(donor, header("1h 19m 4s", "1h 26m 7s")) == "5167");
+  CHECK(after(donor, "G28\n") == "1567");
+  // One that counts otherwise than its own header keeps what it counts more.
+  std::string info = entry(donor, "Metadata/slice_info.config");
+  info.replace(info.find("1567"), 4, "1600");
+  const ZipDirectory directory = readZip(donor).value();
+  std::vector<std::vector<std::string_view>> contents(directory.entries.size());
+  for (std::size_t k = 0; k < contents.size(); ++k) {
+    if (directory.entries[k].name == "Metadata/slice_info.config") contents[k] = {info};
+  }
+  std::string other;
+  withContents(donor, directory, contents, [&](std::string_view piece) { other += piece; });
+  CHECK(predicted(other) == "1600");
+  CHECK(after(other, header("19m 3s", "26m 6s")) == "1599");
+  CHECK(after(other, header("1s", "1s")) == "34");
 }
 
 TEST_CASE("a text in parts gives the bytes of the whole, in every kind of file") {

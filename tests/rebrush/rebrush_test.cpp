@@ -48,6 +48,7 @@
 #include "rebrush/region.hpp"
 #include "rebrush/replace.hpp"
 #include "rebrush/totals.hpp"
+#include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/rebrush/relief.hpp"
@@ -374,6 +375,26 @@ TEST_CASE("times and progress change by what the print takes longer, and nothing
   CHECK(with({}) == text);
   CHECK(told == 0);
   CHECK(with({{0, 30.0, true}}).find("(normal mode) = 1m 0s") != std::string::npos);
+}
+
+TEST_CASE("a packed Bambu plate predicts its whole print after re-brushing, in its header and beside its G-code") {
+  std::string text = Slices(kDialects[3], {}, 30).text();
+  const std::string mark = "; BambuStudio 02.04.00.70\n";
+  const std::size_t at = text.find(mark) + mark.size();
+  text.insert(at, "; model printing time: 19m 4s; total estimated time: 26m 7s\n");
+  const GcodeContainer container = readGcodeContainer(packGcode(text).value()).value();
+  const auto done = rebrush(container.gcode, options(30), RunContext(2));
+  REQUIRE(done);
+  const long long more = std::llround(done.value().seconds);
+  REQUIRE(std::abs(more) >= 1);  // else nothing is seen
+  const std::string file = writeGcodeContainer(container, withEdits(container.gcode, done.value().edits)).value();
+  CHECK(file.find("<metadata key=\"prediction\" value=\"" + std::to_string(1567 + more) + "\"/>") != std::string::npos);
+  std::string told = readGcodeContainer(file).value().gcode.substr(at);
+  told.resize(told.find('\n'));
+  const auto clock = [](long long seconds) {
+    return std::to_string(seconds / 60) + "m " + std::to_string(seconds % 60) + "s";
+  };
+  CHECK(told == "; model printing time: " + clock(1144 + more) + "; total estimated time: " + clock(1567 + more));
 }
 
 TEST_CASE("progress within replaced lines counts what lies before them alone") {

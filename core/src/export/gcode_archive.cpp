@@ -51,17 +51,18 @@ std::string metresOf(std::string_view gcode) {
   return value ? fixed(*value / 1000, 2) : "";
 }
 
-// Bambu's own files tell it in their header block.
-std::string secondsOf(std::string_view gcode) {
-  const std::string prusa = toldValue(gcode, "estimated printing time (normal mode)");
-  const std::string text = prusa.empty() ? toldValue(gcode, "model printing time") : prusa;
-  return text.empty() ? "" : std::to_string(toldSeconds(text));
+// This is the whole print's time. Bambu's own files tell it in their header block, behind that of the beads.
+std::optional<std::uint64_t> secondsOf(std::string_view gcode) {
+  std::string text = toldValue(gcode, "estimated printing time (normal mode)");
+  if (text.empty()) text = toldValue(gcode, "total estimated time", "");
+  if (text.empty()) text = toldValue(gcode, "model printing time");
+  return text.empty() ? std::nullopt : std::optional(toldSeconds(text));
 }
 
 std::string sliceInfo(std::string_view gcode) {
   std::string out = std::string(kXml) + "<config>\n  <plate>\n" + metadata("index", "1");
   out += metadata("nozzle_diameters", toldValue(gcode, "nozzle_diameter"));
-  out += metadata("prediction", secondsOf(gcode).empty() ? "0" : secondsOf(gcode));
+  out += metadata("prediction", std::to_string(secondsOf(gcode).value_or(0)));
   out += metadata("weight", weightOf(gcode));
   out += metadata("outside", "false") + metadata("support_used", "false") + metadata("label_object_enabled", "false");
   const std::string colour = toldValue(gcode, "filament_colour");
@@ -126,19 +127,43 @@ int widthOfPng(std::string_view png) {
   return width;
 }
 
-/// The text with another value in `name="..."`, the first after `from` and before `to`.
-void replaceAttribute(std::string& xml, std::string_view before, std::string_view name, const std::string& value,
-                      std::size_t from, std::size_t& to) {
-  if (value.empty()) return;
+/// Some bytes of a text.
+struct Place {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Finds the value of `name="..."`, the first after `from` and before `to`; both ends are 0 where there is none.
+Place attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from,
+                std::size_t to) {
   std::size_t at = xml.find(before, from);
-  if (at == std::string::npos || at >= to) return;
+  if (at == std::string::npos || at >= to) return {};
   at = xml.find(std::string(name) + "=\"", at + before.size());
-  if (at == std::string::npos || at >= to) return;
+  if (at == std::string::npos || at >= to) return {};
   at += name.size() + 2;
   const std::size_t end = xml.find('"', at);
-  if (end == std::string::npos || end >= to) return;
-  xml.replace(at, end - at, value);
-  to = to + value.size() - (end - at);
+  if (end == std::string::npos || end >= to) return {};
+  return {at, end};
+}
+
+/// Puts another value there; an empty one changes nothing.
+void replaceAttribute(std::string& xml, std::string_view before, std::string_view name, const std::string& value,
+                      std::size_t from, std::size_t& to) {
+  const Place place = attribute(xml, before, name, from, to);
+  if (value.empty() || place.end == 0) return;
+  xml.replace(place.begin, place.end - place.begin, value);
+  to = to + value.size() - (place.end - place.begin);
+}
+
+// A slicer's prediction changes by as much as the time in the file, whatever else it counts. Empty: it stays.
+std::string newPrediction(std::string_view old, std::string_view before, std::string_view after) {
+  const auto was = secondsOf(before);
+  const auto is = secondsOf(after);
+  if (!is || was == is) return "";
+  const auto told = plainNumber(old);
+  if (!was || !told) return std::to_string(*is);
+  const double more = static_cast<double>(*is) - static_cast<double>(*was);
+  return fixed(std::max(0.0, *told + more), 0);
 }
 
 // Time and weight of the plate, where the new file tells others than the old one.
@@ -147,9 +172,10 @@ std::string newSliceInfo(std::string xml, std::string_view plate, std::string_vi
   const std::size_t from = xml.find(index);
   if (from == std::string::npos) return xml;
   std::size_t to = std::min(xml.find("</plate>", from), xml.size());
-  if (secondsOf(before) != secondsOf(after)) {
-    replaceAttribute(xml, "<metadata key=\"prediction\"", "value", secondsOf(after), from, to);
-  }
+  constexpr std::string_view kPrediction = "<metadata key=\"prediction\"";
+  const Place old = attribute(xml, kPrediction, "value", from, to);
+  const std::string told = xml.substr(old.begin, old.end - old.begin);
+  replaceAttribute(xml, kPrediction, "value", newPrediction(told, before, after), from, to);
   if (weightOf(before) == weightOf(after) && metresOf(before) == metresOf(after)) return xml;
   replaceAttribute(xml, "<metadata key=\"weight\"", "value", weightOf(after), from, to);
   const std::size_t filament = xml.find("<filament ", from);

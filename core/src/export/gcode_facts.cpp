@@ -61,11 +61,11 @@ std::optional<double> word(std::string_view line, char letter) {
 
 }  // namespace
 
-std::string toldValue(std::string_view gcode, std::string_view key) {
+std::string toldValue(std::string_view gcode, std::string_view key, std::string_view before) {
   const std::string_view parts[] = {gcode.substr(gcode.size() - std::min(gcode.size(), kTold)), gcode.substr(0, kTold)};
   for (const std::string_view part : parts) {
     for (const char* joint : {" = ", " : ", ": "}) {
-      const std::string wanted = "\n; " + std::string(key) + joint;
+      const std::string wanted = std::string(before) + "; " + std::string(key) + joint;
       const std::size_t at = part.rfind(wanted);
       if (at == std::string_view::npos) continue;
       std::string out;

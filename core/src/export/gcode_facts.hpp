@@ -16,8 +16,9 @@ namespace sillon {
 inline constexpr std::size_t kTold = std::size_t{1} << 20;
 
 /// The value of "; key = value" or "; key: value" in the first or the last MiB of a file, the last one there; letters,
-/// digits, blanks and ".+-#" of it, at most 60. Empty: there is none.
-std::string toldValue(std::string_view gcode, std::string_view key);
+/// digits, blanks and ".+-#" of it, at most 60. Empty: there is none. \param before  stands before the ";"; empty: the
+/// comment may also follow another one in its line.
+std::string toldValue(std::string_view gcode, std::string_view key, std::string_view before = "\n");
 
 /// "1h 2m 3s" in seconds.
 std::uint64_t toldSeconds(std::string_view text);
