@@ -18,7 +18,6 @@ export class StatusBar extends StudioElement {
     css`
       :host {
         position: relative;
-        container-type: inline-size;
         display: flex;
         align-items: center;
         gap: 0 18px;
@@ -80,7 +79,8 @@ export class StatusBar extends StudioElement {
           padding-left: 10px;
         }
       }
-      /* Words go before figures are cut off: the bar is as wide as the plate's side of the page. */
+      /* Words go before figures are cut off. The container is the stage, which is as wide: Chromium gives no boxes to what
+         comes later into an element that measures itself. */
       @container (max-width: 600px) {
         .rest {
           display: none;

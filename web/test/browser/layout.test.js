@@ -1,11 +1,12 @@
 // Nothing lies over anything that is to be pressed: in all sizes from a phone's to a desk's, in the page and in frames, with
 // the words that come and go and without.
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
 import { test } from 'node:test';
 
 import { overlaps } from './support/covered.js';
 import { sharedBench } from './support/shared.js';
-import { skip, start } from './support/studio.js';
+import { fileAt, inputs, skip, start } from './support/studio.js';
 import { until } from './support/waits.js';
 import { settled } from './support/waits.js';
 
@@ -102,6 +103,55 @@ test('on the narrowest phones figures are whole in every language', { skip }, as
     const whole = ({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>
       scrollWidth <= clientWidth && scrollHeight <= clientHeight;
     assert.ok(await figures.evaluate(whole), `${language}: ${await figures.innerText()}`);
+  }
+});
+
+/** Runs in the page. The boxes of what tells how far the work is, by the parts of the status line; undefined: it tells nothing. */
+function boxesOfWork() {
+  const inside = (root, name) => root.querySelector(name).shadowRoot;
+  const line = inside(inside(inside(document, 'sillon-app'), 'sillon-stage'), 'sillon-status');
+  if (line.querySelector('.job') === null) return undefined;
+  return ['.stage', '.share', '.bar', '.job button'].map((part) => {
+    const { left, top, width, height } = line.querySelector(part).getClientRects()[0] ?? {};
+    const whole = left >= 0 && top >= 0 && left + width <= innerWidth && top + height <= innerHeight;
+    return { part, seen: whole && width > 0 && height > 0 };
+  });
+}
+
+const windows = [
+  [360, 740],
+  [721, 560],
+  [1024, 768],
+  [1200, 800],
+  [1280, 720],
+  [1440, 900],
+  [1920, 1080],
+];
+
+test('stage, bar and Cancel are seen in every window while a photograph is made', { skip }, async () => {
+  for (const [width, height] of windows) {
+    const visit = await bench.open({ small: true, viewport: { width, height } });
+    await visit.drop([fileAt(join(inputs, 'photo.png'))]);
+    await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+    await visit.idle();
+    await visit.page.evaluate(() => {
+      document.querySelector('sillon-app').studio.change((plate) => ({
+        ...plate,
+        width: 300,
+        height: (300 * plate.height) / plate.width,
+        // So many rounds that it is not done before the page comes to look, however slow that is.
+        toolpath: { ...plate.toolpath, spacing: 0.25, relaxationRounds: 100 },
+      }));
+    });
+    const boxes = await until(() => visit.page.evaluate(boxesOfWork), 'work on the photograph');
+    assert.deepEqual(
+      boxes.filter(({ seen }) => !seen),
+      [],
+      `${width} x ${height}`,
+    );
+    await visit.button('Cancel').click();
+    await visit.until((state) => state.cancelled && state.progress === undefined);
+    await visit.close();
   }
 });
 
