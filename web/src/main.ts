@@ -382,6 +382,7 @@ function keepUp(): void {
       const lamps = directions.kind === 'lamp' ? directions.pictures.length : 0;
       if (lamps > 0 && state.tool !== 'pan') store.set({ tool: 'pan' });
       if (state.lamp >= Math.max(1, lamps)) store.set({ lamp: 0 });
+      if (state.aimed !== undefined) store.set({ aimed: undefined });
       if (lamps < 2 && state.flipping) store.set({ flipping: false });
       const shown = { picture: pictureOf(state.plate, 0) !== undefined, zigzag: true, conflict: lamps > 1 };
       if (state.over !== undefined && !shown[state.over]) store.set({ over: undefined });

@@ -5,7 +5,14 @@ import { newPlateOn, onOwnPrinter } from './model/brought.js';
 import { newGenerator, newLampDirections, newPlate } from './model/defaults.js';
 import { withFilament } from './model/filaments.js';
 import { homeLight } from './model/lamp.js';
-import type { DirectionSource, Plate, ShapeSource, SourceFile } from './model/plate.js';
+import {
+  isExample,
+  ofExample,
+  type DirectionSource,
+  type Plate,
+  type ShapeSource,
+  type SourceFile,
+} from './model/plate.js';
 import { StudioError, type Problem } from './model/problem.js';
 import type { Example } from './panels/examples.js';
 import type { Opened, Opening, Role } from './model/file-role.js';
@@ -163,12 +170,10 @@ export function createOpener(
   return opener;
 }
 
-const ofExample = 'example/';
-
 /** Somebody's own picture takes the place of an example's, which else would stay beside it under a lamp of its own. */
 function withoutExample(plate: Plate): Plate {
   const { directions } = plate;
-  const example = directions.kind === 'lamp' && directions.pictures.every(({ file }) => file.id.startsWith(ofExample));
+  const example = directions.kind === 'lamp' && directions.pictures.every(({ file }) => isExample(file));
   return example ? { ...plate, name: '', directions: newGenerator('waves') } : plate;
 }
 

@@ -297,6 +297,7 @@ export const de: Translation = {
   'light.pointer': 'Folgt dem Zeiger',
   'light.tilt': 'Folgt der Neigung des Telefons',
   'light.sways': 'Schwingt von selbst',
+  'light.stands': 'Steht still',
   'light.orbit': 'Umlaufend',
   'light.fixed': 'Fest',
   'light.tiltDenied': 'Das Telefon meldet seine Neigung nicht. Bewegungssensoren für diese Seite erlauben.',

@@ -276,6 +276,7 @@ export const en = {
   'light.pointer': 'Follows the pointer',
   'light.tilt': 'Follows the tilt of the phone',
   'light.sways': 'Sways by itself',
+  'light.stands': 'Stands still',
   'light.orbit': 'Orbit',
   'light.fixed': 'Fixed',
   'light.tiltDenied': 'The phone does not report its tilt. Allow motion sensors for this page.',

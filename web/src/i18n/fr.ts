@@ -297,6 +297,7 @@ export const fr: Translation = {
   'light.pointer': 'Suit le pointeur',
   'light.tilt': 'Suit l’inclinaison du téléphone',
   'light.sways': 'Oscille d’elle-même',
+  'light.stands': 'Reste en place',
   'light.orbit': 'En orbite',
   'light.fixed': 'Fixe',
   'light.tiltDenied': 'Le téléphone ne donne pas son inclinaison. Autorisez les capteurs de mouvement pour cette page.',

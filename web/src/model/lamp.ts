@@ -2,7 +2,7 @@
 import type { Look, PictureInput, PictureReport } from 'sillon';
 import { appearance } from './appearance.js';
 import { filamentOf, slopesOf } from './filaments.js';
-import type { DirectionSource, LampPicture, Plate, SourceFile } from './plate.js';
+import { isExample, type DirectionSource, type LampPicture, type Plate, type SourceFile } from './plate.js';
 import type { Light } from './view.js';
 
 export type LampSource = Extract<DirectionSource, { kind: 'lamp' }>;
@@ -73,6 +73,12 @@ export function lampsOf(source: DirectionSource, look: Look | undefined): Light[
 export function pictureOf({ directions }: Plate, lamp: number): SourceFile | undefined {
   if (directions.kind === 'lamp') return directions.pictures[lamp]?.file;
   return 'file' in directions && directions.kind !== 'map' ? directions.file : undefined;
+}
+
+/** Tells a visitor's own picture, which is to be seen, from an example's, which may glitter under a light that moves by itself. */
+export function isOwnPicture(plate: Plate, lamp: number): boolean {
+  const file = pictureOf(plate, lamp);
+  return file !== undefined && !isExample(file);
 }
 
 export const usualLight: Readonly<Light> = { azimuth: 60, elevation: 35 };

@@ -9,6 +9,11 @@ export interface SourceFile {
   bytes: Blob;
 }
 
+/** The `id` of a file that came with the page begins with it. */
+export const ofExample = 'example/';
+
+export const isExample = ({ id }: SourceFile): boolean => id.startsWith(ofExample);
+
 /** The 2D shape on its page. Sizes are mm. */
 export type ShapeSource =
   | { kind: 'rectangle' }

@@ -11,7 +11,7 @@ import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../style/bench.js';
 import { panned, zoomed } from '../views/camera.js';
 import { freeOf, seenIn, type Box } from '../views/fit.js';
-import { between, lightOfTilt, lightUnder } from '../views/light.js';
+import { between, lightOfTilt } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from './element.js';
@@ -393,15 +393,11 @@ export class PlateCanvas extends StudioElement implements Stage {
   };
 
   #hover(point: { x: number; y: number } | undefined, leads: boolean): void {
-    this.#motion.hovered = leads && point !== undefined;
     this.#cursor = point === undefined ? undefined : this.#toPage(point);
-    const { lightMode, view, recording, tool } = this.state;
-    const lit = lightMode === 'pointer' && view === 'appearance' && !recording;
-    if (lit && tool === 'pan' && point !== undefined && this.#motion.leads()) {
-      const { width, height } = this.getBoundingClientRect();
-      const light = lightUnder((point.x - width / 2) / (width / 2), (height / 2 - point.y) / (height / 2));
-      this.studio.store.set({ light });
-    }
+    const { width, height } = this.getBoundingClientRect();
+    this.#motion.hover(
+      leads && point !== undefined ? [(2 * point.x) / width - 1, 1 - (2 * point.y) / height] : undefined,
+    );
     this.#redraw();
   }
 

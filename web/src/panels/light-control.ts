@@ -9,13 +9,9 @@ import type { LightMode } from './shown.js';
 
 const lightModes: readonly LightMode[] = ['pointer', 'tilt', 'orbit', 'fixed'];
 
-/** A finger does not float above the plate. */
-const label = (mode: LightMode): string =>
-  mode === 'pointer' && matchMedia('(hover: none)').matches ? t('light.sways') : t(`light.${mode}`);
-
 @customElement('sillon-light')
 export class LightControl extends StudioElement {
-  static override reads = ['light', 'lightMode'] as const;
+  static override reads = ['light', 'lightMode', 'plate', 'lamp'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -68,6 +64,12 @@ export class LightControl extends StudioElement {
     `,
   ];
 
+  /** A finger does not float above the plate. */
+  #label(mode: LightMode): string {
+    if (mode !== 'pointer' || !matchMedia('(hover: none)').matches) return t(`light.${mode}`);
+    return t(this.studio.keepsStill() ? 'light.stands' : 'light.sways');
+  }
+
   override render(): TemplateResult {
     const { light, lightMode } = this.state;
     return html`
@@ -88,7 +90,7 @@ export class LightControl extends StudioElement {
           void this.studio.setLightMode((event.currentTarget as HTMLSelectElement).value as LightMode);
         }}
       >
-        ${lightModes.map((mode) => html`<option value=${mode} ?selected=${mode === lightMode}>${label(mode)}</option>`)}
+        ${lightModes.map((mode) => html`<option value=${mode} ?selected=${mode === lightMode}>${this.#label(mode)}</option>`)}
       </select>
       <input
         type="range"

@@ -19,7 +19,7 @@ interface Choice {
 
 @customElement('sillon-looks')
 export class LooksBar extends StudioElement {
-  static override reads = ['plate', 'result', 'lamp', 'flipping', 'over', 'sizing'] as const;
+  static override reads = ['plate', 'result', 'lamp', 'aimed', 'flipping', 'over', 'sizing'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -119,7 +119,7 @@ export class LooksBar extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { plate, result, lamp, over, sizing } = this.state;
+    const { plate, result, lamp, aimed, over, sizing } = this.state;
     const { directions } = plate;
     const overs: (Over | '')[] = [
       '',
@@ -129,7 +129,11 @@ export class LooksBar extends StudioElement {
     ];
     const sizings: Sizing[] = ['whole', 'life', 'arm', ...(sizing === 'free' ? ['free' as const] : [])];
     return html`
-      ${directions.kind === 'lamp' && directions.pictures.length > 1 ? this.#pictures(directions.pictures) : nothing}
+      ${
+        directions.kind === 'lamp' && (directions.pictures.length > 1 || aimed !== undefined)
+          ? this.#pictures(directions.pictures)
+          : nothing
+      }
       ${this.#pick(
         'compare',
         rare('looks.over'),
@@ -152,13 +156,13 @@ export class LooksBar extends StudioElement {
   }
 
   #pictures(pictures: readonly LampPicture[]): TemplateResult {
-    const { lamp, flipping } = this.state;
+    const { lamp, aimed, flipping } = this.state;
     return html`<div class="pictures" role="group" aria-label=${t('lamp.shown')}>
         ${pictures.map(
           ({ file }, k) =>
             html`<button
               type="button"
-              aria-pressed=${String(k === lamp)}
+              aria-pressed=${String(k === lamp && aimed === undefined)}
               aria-label="${t('lamp.show')}: ${file.name}"
               title="${t('lamp.show')}: ${file.name}"
               @click=${() => {
@@ -169,17 +173,21 @@ export class LooksBar extends StudioElement {
             </button>`,
         )}
       </div>
-      <button
-        type="button"
-        class="turn"
-        aria-pressed=${String(flipping)}
-        title=${t('lamp.flip')}
-        @click=${() => {
-          this.studio.flip();
-        }}
-      >
-        ${icon(flipping ? 'pause' : 'turn')} <span class="words">${t('lamp.flip')}</span>
-      </button>`;
+      ${
+        pictures.length === 1
+          ? nothing
+          : html`<button
+              type="button"
+              class="turn"
+              aria-pressed=${String(flipping)}
+              title=${t('lamp.flip')}
+              @click=${() => {
+                this.studio.flip();
+              }}
+            >
+              ${icon(flipping ? 'pause' : 'turn')} <span class="words">${t('lamp.flip')}</span>
+            </button>`
+      }`;
   }
 
   #pick(

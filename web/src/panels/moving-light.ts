@@ -1,7 +1,7 @@
 // How the light over the plate moves by itself: it sways, circles, or turns from one picture's lamp to the next.
 import { homeLight, lampsOf } from '../model/lamp.js';
 import type { Light } from '../model/view.js';
-import { between, near, swayed, swayPeriod, turned } from '../views/light.js';
+import { Aim, between, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
 import type { Shown } from './shown.js';
 import type { Studio } from './studio.js';
 
@@ -14,7 +14,8 @@ const longestStep = 50; // [ms] of a frame: after a pause the light does not lea
 
 export class MovingLight {
   /** Whether a pointer floats above the plate. */
-  hovered = false;
+  #hovered = false;
+  readonly #aim = new Aim();
   #lastTouch = performance.now();
   #lastFrame = 0;
   /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
@@ -31,17 +32,34 @@ export class MovingLight {
     return rested;
   }
 
+  /** A pointer floats there, ±1 at the edges and y up; undefined: it has gone, or draws. */
+  hover(place: readonly [number, number] | undefined): void {
+    const now = performance.now();
+    const { lightMode, view, recording, tool, flipping, plate } = this.#state;
+    const left = this.#hovered && place === undefined;
+    const aimed = left ? this.#aim.leave(now) : undefined;
+    this.#hovered = place !== undefined;
+    if (lightMode !== 'pointer' || view !== 'appearance' || recording || tool !== 'pan') return;
+    if (place !== undefined && this.#leads()) {
+      const light = lightUnder(...place);
+      this.#aim.move(light, now);
+      this.studio.store.set({ light });
+    } else if (left && plate.directions.kind === 'lamp' && !flipping) {
+      this.studio.store.set({ aimed });
+    }
+  }
+
   /** Moves the light to where it is now. @returns [ms] until it moves again: 0 with the next frame, undefined not by itself */
   move(now: number): number | undefined {
-    const { lightMode, view, light, recording, tool, flipping } = this.#state;
+    const { lightMode, view, light, aimed, recording, tool, flipping } = this.#state;
     // It keeps still under a brush: else nobody could tell what a stroke changes.
     if (view !== 'appearance' || recording || document.hidden || tool !== 'pan') return undefined;
     const resting = this.#rests(now) || this.#calm.matches;
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
-    const free = lightMode === 'pointer' && !this.leads();
+    const free = lightMode === 'pointer' && !this.#leads();
     if (!orbits && !free) return undefined;
     const slow = this.#isSlow();
-    const sways = free && !resting && !slow;
+    const sways = free && !resting && !slow && !this.studio.keepsStill() && aimed === undefined;
     const elapsed = now - (this.#lastFrame || now);
     if (elapsed > slowFrame && elapsed < 1000) ++this.#slowFrames;
     else if (elapsed <= slowFrame) this.#slowFrames = 0;
@@ -54,7 +72,7 @@ export class MovingLight {
       return wait;
     }
     // Back to where the plate looks as it is meant to, and a little around it.
-    const home = this.#home(now);
+    const home = aimed ?? this.#home(now);
     const aim = sways && !flipping ? swayed(home, now) : home;
     const jumps = this.#calm.matches || slow || (flipping && near(light, aim, leap));
     const next = jumps ? aim : turned(light, aim, step);
@@ -63,9 +81,9 @@ export class MovingLight {
   }
 
   /** Whether the light is where the pointer is: over the plate, unless somebody has asked for the lamp to turn. */
-  leads(): boolean {
+  #leads(): boolean {
     const { flipping, welcome } = this.#state;
-    return this.hovered && (!flipping || welcome);
+    return this.#hovered && (!flipping || welcome);
   }
 
   get #state(): Readonly<Shown> {

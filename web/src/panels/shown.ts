@@ -5,7 +5,7 @@ import { sections, type Control, type Mode, type Units } from '../model/guest.js
 import type { Problem } from '../model/problem.js';
 import type { OpenedFiles } from '../model/file-role.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
-import type { Mark, Shimmer } from '../model/view.js';
+import type { Light, Mark, Shimmer } from '../model/view.js';
 
 /** What lies over the plate, from the left up to a line. */
 export type Over = 'picture' | 'zigzag' | 'conflict';
@@ -73,6 +73,8 @@ export interface Shown extends State {
   lightMode: LightMode;
   /** Of pictures under lamps: whose lamp shines. */
   lamp: number;
+  /** The light as a pointer has left it over pictures under lamps; undefined: it belongs where the picture's lamp stands. */
+  aimed: Light | undefined;
   /** The lamp turns from one picture to the next, and on. */
   flipping: boolean;
   over: Over | undefined;
@@ -130,6 +132,7 @@ export const newShown = (): Shown => ({
   playing: false,
   lightMode: 'pointer',
   lamp: 0,
+  aimed: undefined,
   flipping: false,
   over: undefined,
   wipe: 0.5,

@@ -5,7 +5,7 @@ import { plainName } from '../files/file-name.js';
 import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
-import { homeLight, lampsOf } from '../model/lamp.js';
+import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
 import { nothingLeft, type Left } from '../model/left.js';
 import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import type { Seen } from '../model/doubts.js';
@@ -216,23 +216,30 @@ export class Studio {
 
   /** The light moves to a picture's lamp and stays near it. */
   showLamp(lamp: number): void {
-    this.store.set({ lamp, flipping: false, lightMode: 'pointer', view: 'appearance' });
+    this.store.set({ lamp, aimed: undefined, flipping: false, lightMode: 'pointer', view: 'appearance' });
   }
 
   /** Whether the visitor asks for little motion. */
   calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+  /** The light stands still while nobody moves it: somebody's own picture would be lost beside its lamp. */
+  keepsStill(): boolean {
+    const { plate, lamp } = this.store.state;
+    return this.calm() || isOwnPicture(plate, lamp);
+  }
 
   /** The lamp turns from each picture to the next until it is told to stop. */
   flip(): void {
     const { flipping, lamp } = this.store.state;
     const next = (lamp + 1) % Math.max(1, this.lamps().length);
     if (this.calm()) this.showLamp(next);
-    else this.store.set({ flipping: !flipping, lightMode: 'pointer', view: 'appearance' });
+    else this.store.set({ flipping: !flipping, aimed: undefined, lightMode: 'pointer', view: 'appearance' });
   }
 
   /** By hand: whatever moved the light before leaves it alone. */
   setLight(change: Partial<Light>): void {
-    this.store.set({ light: { ...this.store.state.light, ...change }, lightMode: 'fixed', flipping: false });
+    const light = { ...this.store.state.light, ...change };
+    this.store.set({ light, aimed: undefined, lightMode: 'fixed', flipping: false });
   }
 
   async setLightMode(lightMode: LightMode): Promise<void> {
@@ -241,7 +248,7 @@ export class Studio {
       this.store.set({ lightMode: 'orbit' });
       return;
     }
-    this.store.set({ lightMode, flipping: false });
+    this.store.set({ lightMode, aimed: undefined, flipping: false });
   }
 
   lookAtMark(index: number): void {

@@ -15,6 +15,31 @@ export function lightUnder(dx: number, dy: number): Light {
   return { azimuth: (azimuth + 360) % 360, elevation: 90 - 75 * Math.min(1, Math.hypot(dx, dy)) };
 }
 
+const rests = 300; // [ms] in which a pointer that only passes has moved on
+
+/** Remembers the light that a pointer has aimed: where it came to rest last, not where it left the plate. Times are [ms]. */
+export class Aim {
+  #last: { light: Light; at: number } | undefined;
+  #light: Light | undefined;
+
+  move(light: Light, now: number): void {
+    this.#rest(now);
+    this.#last = { light, at: now };
+  }
+
+  /** @returns undefined where the pointer has only passed */
+  leave(now: number): Light | undefined {
+    this.#rest(now);
+    const light = this.#light;
+    this.#last = this.#light = undefined;
+    return light;
+  }
+
+  #rest(now: number): void {
+    if (this.#last !== undefined && now - this.#last.at >= rests) this.#light = this.#last.light;
+  }
+}
+
 /** A lamp that stands still above a phone, which lies at 40° in a hand. @param beta, gamma  of a DeviceOrientationEvent */
 export function lightOfTilt(beta: number, gamma: number): Light {
   const x = Math.sin((gamma * Math.PI) / 180);

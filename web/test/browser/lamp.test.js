@@ -90,11 +90,12 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
   await visit.button('Light the picture: photo.png').click();
   await visit.until('({ light, lamp }) => lamp === 0 && light.azimuth === 60');
 
-  // The pointer leads the light away; it comes back once the pointer has gone.
+  // The pointer leads the light away; the picture brings it back.
   const box = await visit.canvas();
   await visit.page.mouse.move(box.x + box.width * 0.2, box.y + box.height * 0.3, { steps: 4 });
   await visit.until('({ light }) => Math.abs(light.azimuth - 60) > 60');
   await visit.page.mouse.move(3, 3);
+  await visit.button('Light the picture: photo.png').click();
   await visit.until('({ light }) => light.azimuth === 60 && light.elevation === 35');
 
   // The picture over the plate: the overlay has its greys where it had nothing.
@@ -118,6 +119,72 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
   const measures = visit.page.locator('sillon-quality-panel .verdicts b');
   await measures.filter({ hasText: 'Picture: photo.png' }).waitFor();
   await measures.filter({ hasText: 'Picture: moon.jpg' }).waitFor();
+  assert.deepEqual(visit.problems, []);
+});
+
+/** Runs in the page: every place of the light in so many frames, as text. */
+const placesOfLight = async (frames) => {
+  const { store } = document.querySelector('sillon-app').studio;
+  const places = new Set([JSON.stringify(store.state.light)]);
+  const forget = store.subscribe(({ light }) => places.add(JSON.stringify(light)));
+  for (let k = 0; k < frames; ++k) await new Promise(requestAnimationFrame);
+  forget?.();
+  return [...places];
+};
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+test('the light stands where one’s own picture is to be seen until a hand moves it', { skip }, async () => {
+  for (const device of [{}, phone]) {
+    const visit = await bench.open({ small: true, reducedMotion: 'no-preference', ...device });
+    await visit.drop([photo()]);
+    await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+    await visit.idle();
+    const home = '({ light }) => light.azimuth === 60 && light.elevation === 35';
+    await visit.until(home);
+    assert.deepEqual(await visit.page.evaluate(placesOfLight, 40), ['{"azimuth":60,"elevation":35}']);
+    const moves = visit.page.getByLabel('Light', { exact: true });
+    const words = device === phone ? 'Stands still' : 'Follows the pointer';
+    assert.equal(await moves.locator('option:checked').innerText(), words);
+    // Asked to move, it does, and comes back.
+    await moves.selectOption('orbit');
+    await visit.until('({ light }) => Math.abs(light.azimuth - 60) > 1');
+    await moves.selectOption('pointer');
+    await visit.until(home);
+    await visit.page.reload();
+    await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+    await visit.idle();
+    await visit.until(home);
+    assert.equal((await visit.page.evaluate(placesOfLight, 40)).length, 1);
+    assert.deepEqual(visit.problems, []);
+  }
+});
+
+test('a picture can be made for the light that the pointer has aimed', { skip }, async () => {
+  const visit = await bench.open({ small: true, reducedMotion: 'no-preference' });
+  await visit.drop([photo()]);
+  await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+  await visit.idle();
+  const { x, y, width, height } = await visit.canvas();
+  const at = (across, down) => visit.page.mouse.move(x + across * width, y + down * height);
+  const stands = ({ light }) => Math.abs(light.azimuth - 146.3) < 0.5 && Math.abs(light.elevation - 35.9) < 0.5;
+  await at(0.2, 0.3);
+  await visit.until(stands);
+  await visit.page.waitForTimeout(400); // the pointer rests, and goes on to the panel
+  await at(0.02, 0.9);
+  await visit.until('({ light }) => light.azimuth > 200');
+  const button = visit.button('Use this light');
+  await button.hover();
+  await visit.until(stands);
+  await button.click();
+  await visit.until('({ plate }) => JSON.stringify(plate.directions.pictures[0].lamp) === "[146,36]"');
+  await visit.idle();
+  // Aimed once more, and brought back.
+  await at(0.8, 0.7);
+  await visit.until('({ light }) => light.azimuth > 300');
+  await visit.page.waitForTimeout(400);
+  await button.hover();
+  await visit.button('Light the picture: photo.png').click();
+  await visit.until('({ light }) => light.azimuth === 146 && light.elevation === 36');
   assert.deepEqual(visit.problems, []);
 });
 

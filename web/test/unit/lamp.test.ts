@@ -5,9 +5,9 @@ import { guessRoles } from '../../src/files/guess.js';
 import { newFileDirections, newGenerator, newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { withFilament } from '../../src/model/filaments.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
-import { greySteps, homeLight, lampFor, lampsOf, leastSeen, weaknessesOf } from '../../src/model/lamp.js';
+import { greySteps, homeLight, isOwnPicture, lampFor, lampsOf, leastSeen, weaknessesOf } from '../../src/model/lamp.js';
 import type { Plate } from '../../src/model/plate.js';
-import { between, near, swayed, turned } from '../../src/views/light.js';
+import { Aim, between, near, swayed, turned } from '../../src/views/light.js';
 import { fileOf } from './support/pictures.js';
 
 const [cat, dog] = [fileOf('cat.jpg'), fileOf('dog.jpg')];
@@ -143,4 +143,30 @@ test('the light springs back the shorter way, and sways no further than 25° to 
     azimuth: 40,
     elevation: 50,
   });
+});
+
+test('a pointer aims where it came to rest, and not where it passes', () => {
+  const aim = new Aim();
+  const light = (azimuth: number) => ({ azimuth, elevation: 40 });
+  assert.equal(aim.leave(0), undefined);
+  aim.move(light(10), 1000);
+  aim.move(light(20), 1100);
+  assert.equal(aim.leave(1200), undefined); // it has only passed
+  aim.move(light(30), 9000);
+  aim.move(light(40), 9100);
+  aim.move(light(50), 9500);
+  aim.move(light(60), 9550);
+  assert.deepEqual(aim.leave(9600), light(40));
+  assert.equal(aim.leave(9999), undefined);
+  aim.move(light(70), 20000);
+  assert.deepEqual(aim.leave(21000), light(70));
+});
+
+test('a picture is its visitor’s own unless it came with the page', () => {
+  const own = plateOf([60, 35], [115, 35]);
+  assert.ok(isOwnPicture(own, 0) && isOwnPicture(own, 1));
+  assert.ok(!isOwnPicture(newPlate(), 0));
+  const example = { ...cat, id: 'example/sun.png' };
+  assert.ok(!isOwnPicture({ ...own, directions: newFileDirections('tone', example) }, 0));
+  assert.ok(isOwnPicture({ ...own, directions: newFileDirections('tone', cat) }, 0));
 });
