@@ -58,6 +58,17 @@ TEST_CASE("hatched layers fill the shape at 45 and 135 degrees and stay half a l
   }
 }
 
+TEST_CASE("a strip just wider than its loops is hatched along all of its length") {
+  for (const bool falling : {false, true}) {
+    const std::vector<Polyline> lines = hatchLines(rectangle(20, 1.3), 0.4, falling, 0.36);
+    REQUIRE(lines.size() == 1);
+    Bounds box;
+    for (const Vec2 p : lines[0]) box.add(p);
+    CHECK(box.size().x > 18);
+    CHECK(box.size().y == about(1.3 - 2 * 0.556, 0.01));
+  }
+}
+
 TEST_CASE("shapes thinner than a line get no hatch, degenerate ones no crash") {
   CHECK(hatchLines(rectangle(20, 0.3), 0.4, false).empty());
   CHECK(hatchLines(Shape{}, 0.4, false).empty());

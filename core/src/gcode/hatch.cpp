@@ -52,9 +52,7 @@ Row intersection(const Row& a, const Row& b, double inset) {
 
 // Where a line's middle may run: the shape eroded by a regular octagon around the bead, tested at the octagon's
 // corners. Exact for borders along, across and at 45 degrees to the lines, at most 8 % too deep between.
-std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int rows, double lineWidth, double inset) {
-  const double radius =
-      inset + 0.49 * lineWidth;  // a hair less than half, so that a line along the border does not graze it
+std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int rows, double radius) {
   const double corner = (std::sqrt(2.0) - 1) * radius;
   std::vector<Row> result = insideIntervals(shape, firstY, step, rows);
   const auto erode = [&](double shift, double inset) {
@@ -68,6 +66,17 @@ std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int 
   return result;
 }
 
+bool holds(const Row& row, double x, double slack) {
+  return std::any_of(row.begin(), row.end(),
+                     [&](const Interval& piece) { return piece.begin - slack <= x && x <= piece.end + slack; });
+}
+
+double lengthOf(const Polyline& line) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) sum += length(line[k + 1] - line[k]);
+  return sum;
+}
+
 // A zigzag under construction: its last line and the end it stopped at.
 struct Run {
   std::size_t polyline;
@@ -75,27 +84,38 @@ struct Run {
   bool atEnd;
 };
 
-// Boustrophedon: each line continues the zigzag that stopped next to it in the row before, or starts a new one.
-std::vector<Polyline> zigzags(const std::vector<Row>& rows, double firstY, double step, double lineWidth) {
+// Boustrophedon: each line continues a zigzag that stopped next to it in the row before, or starts a new one.
+// \param halfRows  where a line's middle may run, half a step apart: every other row has lines.
+// \param radius    of the disc round each place of them that lies in the shape [mm].
+std::vector<Polyline> zigzags(const std::vector<Row>& halfRows, double firstY, double lineWidth, double radius) {
   std::vector<Polyline> result;
   std::vector<Run> previous;
   std::vector<Run> current;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const double y = firstY + static_cast<double>(r) * step;
+  const double longest = kLongestJoint * lineWidth;
+  for (std::size_t r = 0; r < halfRows.size(); r += 2) {
+    const double y = firstY + static_cast<double>(r / 2) * lineWidth;
     current.clear();
     std::size_t candidate = 0;
-    for (const Interval& line : rows[r]) {
-      if (line.end - line.begin < lineWidth) continue;
-      while (candidate < previous.size() && previous[candidate].line.end <= line.begin) ++candidate;
+    const auto joins = [&](const Run& before, const Interval& line) {
+      const double from = before.atEnd ? before.line.end : before.line.begin;
+      const double to = before.atEnd ? line.end : line.begin;
+      if (std::abs(to - from) > longest) return false;
+      if (before.line.begin < line.end && line.begin < before.line.end) return true;
+      // In narrow places lines do not overlap: the discs at both ends and in the middle hold the way between them.
+      // Along a straight border the middle lies on the edge of its row, along a hollow one a little beyond.
+      const double slack = 0.1 * radius;
+      return length(Vec2{to - from, lineWidth}) <= 4 * radius - 2 * slack &&
+             holds(halfRows[r - 1], (from + to) / 2, slack);
+    };
+    for (const Interval& line : halfRows[r]) {
+      while (candidate < previous.size() && previous[candidate].line.end + longest < line.begin) ++candidate;
       Run run{result.size(), line, true};
-      if (candidate < previous.size() && previous[candidate].line.begin < line.end) {
-        const Run& before = previous[candidate];
-        const double joint = before.atEnd ? line.end - before.line.end : line.begin - before.line.begin;
-        if (std::abs(joint) <= kLongestJoint * lineWidth) {
-          run.polyline = before.polyline;
-          run.atEnd = !before.atEnd;
-          ++candidate;
-        }
+      for (std::size_t k = candidate; k < previous.size() && previous[k].line.begin <= line.end + longest; ++k) {
+        if (!joins(previous[k], line)) continue;
+        run.polyline = previous[k].polyline;
+        run.atEnd = !previous[k].atEnd;
+        candidate = k + 1;
+        break;
       }
       if (run.polyline == result.size()) result.emplace_back();
       const Vec2 begin{line.begin, y};
@@ -106,6 +126,7 @@ std::vector<Polyline> zigzags(const std::vector<Row>& rows, double firstY, doubl
     }
     previous.swap(current);
   }
+  std::erase_if(result, [&](const Polyline& line) { return lengthOf(line) < lineWidth; });
   return result;
 }
 
@@ -125,8 +146,9 @@ std::vector<Polyline> hatchLines(const Shape& shape, double lineWidth, bool fall
 
   const int rows = std::max(1, static_cast<int>(box.size().y / lineWidth));
   const double firstY = box.min.y + (box.size().y - (rows - 1) * lineWidth) / 2;
-  const std::vector<Row> inside = erodedRows(level, firstY, lineWidth, rows, lineWidth, inset);
-  std::vector<Polyline> lines = zigzags(inside, firstY, lineWidth, lineWidth);
+  const double radius = inset + 0.49 * lineWidth;  // a hair less than half: a line along the border does not graze it
+  const std::vector<Row> inside = erodedRows(level, firstY, lineWidth / 2, 2 * rows - 1, radius);
+  std::vector<Polyline> lines = zigzags(inside, firstY, lineWidth, radius);
   for (Polyline& line : lines) {
     for (Vec2& p : line) p = frame.from(p);
   }
