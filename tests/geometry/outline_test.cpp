@@ -236,6 +236,31 @@ TEST_CASE("on the grid pieces meet at their ends only, and from each point as ma
   CHECK(outlineOnGrid(shapeOf({rectangle({0, 0}, {1e-4, 1e-4})}, {1, 1})).error().code == ErrorCode::EmptyShape);
 }
 
+TEST_CASE("paths that overlap, share an edge or all but touch are united into one ring") {
+  for (const double gap : {0.0, 1e-6, -1e-6, 4e-4, -0.5}) {
+    CAPTURE(gap);
+    Shape shape{{}, {20, 12}};
+    for (int y = 0; y < 4; ++y) {
+      for (int x = 0; x < 6; ++x) {
+        const Vec2 low{2.0 + 3 * x, 1.0 + 2 * y};
+        shape.paths.push_back({{rectangle(low, low + Vec2{3 - gap, 2 - gap})}, FillRule::NonZero});
+      }
+    }
+    const Shape united = unitedOnGrid(shape).value();
+    CHECK(united.page == shape.page);
+    REQUIRE(united.paths.size() == 1);
+    REQUIRE(united.paths[0].rings.size() == 1);
+    CHECK(scenes::shoelace(united.paths[0].rings[0]) == doctest::Approx(areaOf(shape)).epsilon(1e-3));
+    CHECK(intervalArea(united, 12, 240) == doctest::Approx(areaOf(shape)).epsilon(1e-3));
+  }
+  // Two squares at a corner, and a hole.
+  const Shape corner{
+      {{{rectangle({0, 0}, {4, 4})}}, {{rectangle({4, 4}, {8, 8}), rectangle({5, 5}, {6, 6})}, FillRule::EvenOdd}},
+      {8, 8}};
+  CHECK(areaOf(unitedOnGrid(corner).value()) == doctest::Approx(31));
+  CHECK(unitedOnGrid(Shape{}).error().code == ErrorCode::EmptyShape);
+}
+
 TEST_CASE("shapes without area say so") {
   for (const Shape& shape :
        {Shape{{}, {5, 5}}, shapeOf({{{0, 0}, {5, 0}, {2, 0}}}, {5, 5}), shapeOf({{{1, 1}, {1, 1}, {1, 1}}}, {5, 5})}) {

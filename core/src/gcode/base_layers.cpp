@@ -2,22 +2,65 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include "base/decimal_text.hpp"
 #include "gcode/hatch.hpp"
 #include "gcode/layout.hpp"
 #include "gcode/offset_loops.hpp"
+#include "gcode_reader/bead_raster.hpp"
+#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kMinHatch = 0.9;  // [area of the shape]
-constexpr double kOverlap = 0.1;   // [line width] of the hatch with its perimeter
-constexpr int kMaxLoops = 1000;    // of a concentric layer
+constexpr double kMinCover = 0.98;  // [area of the shape]
+constexpr double kCell = 0.125;     // [line width], of the raster that covered area is measured on
+constexpr double kOverlap = 0.1;    // [line width] of the hatch with its perimeter
+constexpr int kMaxLoops = 1000;     // of a concentric layer
 
-struct BasePaths {
-  std::vector<BeadPath> paths;
-  double areaMm2 = 0;
+// Cells of the plate, and which of them the body takes.
+class BaseCover {
+ public:
+  BaseCover(const Shape& body, PointUm offset, double lineWidth)
+      : lineWidth_(lineWidth), raster_(placedBox(body, offset), kCell * lineWidth), body_(raster_.none()) {
+    const Vec2 place = mm(offset);
+    const auto inside = insideIntervals(body, raster_.firstY() - place.y, raster_.cell(), raster_.rows());
+    for (int row = 0; row < raster_.rows(); ++row) {
+      for (const Interval& piece : inside[static_cast<std::size_t>(row)])
+        raster_.fill(row, piece.begin + place.x, piece.end + place.x, body_);
+    }
+  }
+
+  // The share of the body that lines cover. Gaps narrower than a cell are none: beads are squeezed into them.
+  // \param inset  that lines keep off the border [mm].
+  [[nodiscard]] double shareOf(const std::vector<BeadPath>& paths, double inset) const {
+    BeadRaster::Bits covered = raster_.none();
+    const auto point = [](PointUm p) { return Vec2f{static_cast<float>(mm(p).x), static_cast<float>(mm(p).y)}; };
+    for (const BeadPath& path : paths) {
+      for (std::size_t i = 0; i + (path.closed ? 0 : 1) < path.points.size(); ++i) {
+        const std::size_t next = i + 1 < path.points.size() ? i + 1 : 0;
+        raster_.draw(point(path.points[i]), point(path.points[next]), lineWidth_ + raster_.cell() + 2 * inset, covered);
+      }
+    }
+    for (std::size_t k = 0; k < covered.size(); ++k) covered[k] &= body_[k];
+    const std::int64_t all = countOf(body_);
+    return all > 0 ? static_cast<double>(countOf(covered)) / static_cast<double>(all) : 1;
+  }
+
+ private:
+  // Drawings like round numbers: the border should not run through centres of cells.
+  static Bounds placedBox(const Shape& body, PointUm offset) {
+    const Bounds box = bounds(body);
+    const Vec2 margin{0.019, 0.019};
+    return {box.min + mm(offset) - margin, box.max + mm(offset)};
+  }
+
+  double lineWidth_;
+  BeadRaster raster_;
+  BeadRaster::Bits body_;
 };
 
 // What hatched layers have along the border: the same for all of them.
@@ -30,18 +73,13 @@ Result<std::vector<Polyline>> borderLoops(const Shape& shape, const Printer& pri
   return offsetLoops(shape, -printer.nozzle / 2, -printer.nozzle, count, smaller, inset);
 }
 
-BasePaths basePaths(const Shape& shape, PointUm offset, const Printer& printer, const PrintParams& params,
-                    const std::vector<Polyline>& loops, int turn, double inset) {
+std::vector<BeadPath> basePaths(const Shape& shape, PointUm offset, const Printer& printer, const PrintParams& params,
+                                const std::vector<Polyline>& loops, int turn, double inset) {
   const double width = printer.nozzle;
-  BasePaths result;
+  std::vector<BeadPath> result;
   const auto addPath = [&](const Polyline& line, bool loop) {
     BeadPath path = placed(line, offset, width, loop);
-    if (path.points.size() < (loop ? 3U : 2U)) return;
-    for (std::size_t i = 0; i + (loop ? 0 : 1) < path.points.size(); ++i) {
-      const std::size_t next = i + 1 < path.points.size() ? i + 1 : 0;
-      result.areaMm2 += width * lengthMm(path.points[next] - path.points[i]);
-    }
-    result.paths.push_back(std::move(path));
+    if (path.points.size() >= (loop ? 3U : 2U)) result.push_back(std::move(path));
   };
   for (const Polyline& loop : loops) addPath(loop, true);
   if (params.basePattern == BasePattern::Concentric) return result;
@@ -54,8 +92,8 @@ BasePaths basePaths(const Shape& shape, PointUm offset, const Printer& printer, 
 }  // namespace
 
 // A base layer that is missing somewhere leaves the layers above it hanging in the air there.
-std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double area, PointUm offset,
-                                   const Printer& printer, const PrintParams& params) {
+std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& body, PointUm offset, const Printer& printer,
+                                   const PrintParams& params) {
   if (params.basePattern == BasePattern::Same) return std::nullopt;
   std::array<bool, 2> used{};
   for (int turn = 0; turn < params.base; ++turn) {
@@ -66,30 +104,32 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double are
   const bool firstIsPlain = used[0] && !(needsAcross(params) && params.base == 1);
   const bool firstIsSmaller =
       params.elephantFoot > 0 && firstIsPlain && params.showSide == ShowSide::Up && beginsOnBed(params);
-  double least = 1;
   std::vector<Polyline> smaller;
   const Result<std::vector<Polyline>> loops =
-      borderLoops(shape, printer, params, firstIsSmaller ? &smaller : nullptr, params.elephantFoot);
+      borderLoops(body, printer, params, firstIsSmaller ? &smaller : nullptr, params.elephantFoot);
   if (!loops) return loops.error();
+  const BaseCover cover(body, offset, printer.nozzle);
+  double least = 1;
   for (std::size_t k = 0; k < used.size(); ++k) {
     if (!used[k]) continue;
     if (k == 1 && params.basePattern == BasePattern::Concentric) {
       job.bases[1] = job.bases[0];
       break;
     }
-    BasePaths base = basePaths(shape, offset, printer, params, loops.value(), static_cast<int>(k), 0);
-    least = std::min(least, base.areaMm2 / area);
-    job.bases[k] = std::move(base.paths);
+    job.bases[k] = basePaths(body, offset, printer, params, loops.value(), static_cast<int>(k), 0);
+    if (job.bases[k].empty()) {
+      return Error{ErrorCode::InvalidArgument, "base is " + std::to_string(params.base) +
+                                                   ", but the shape is too thin for lines of " +
+                                                   decimal(printer.nozzle, 3) + " mm; it must be 0 here"};
+    }
+    const bool printed = k == 1 || !firstIsSmaller || params.base > 2;
+    if (printed) least = std::min(least, cover.shareOf(job.bases[k], 0));
   }
-  if (least <= 0) {
-    return Error{ErrorCode::InvalidArgument, "base is " + std::to_string(params.base) +
-                                                 ", but the shape is too thin for lines of " +
-                                                 decimal(printer.nozzle, 3) + " mm; it must be 0 here"};
-  }
-  if (least < kMinHatch) job.warn(WarningCode::BaseTooThin, {{"percent", percent(least)}});
   if (firstIsSmaller) {
-    job.firstBase = basePaths(shape, offset, printer, params, smaller, 0, params.elephantFoot).paths;
+    job.firstBase = basePaths(body, offset, printer, params, smaller, 0, params.elephantFoot);
+    least = std::min(least, cover.shareOf(job.firstBase, params.elephantFoot));
   }
+  if (least < kMinCover) job.warn(WarningCode::BaseTooThin, {{"percent", percent(least)}});
   return std::nullopt;
 }
 

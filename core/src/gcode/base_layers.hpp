@@ -9,8 +9,8 @@
 
 namespace sillon {
 
-/// \param area  of the shape [mm²]. \return InvalidArgument if no line fits into the shape, EmptyShape, TooLarge.
-std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& shape, double area, PointUm offset,
-                                   const Printer& printer, const PrintParams& params);
+/// \param body  the shape, united. \return InvalidArgument if no line fits into the shape, EmptyShape, TooLarge.
+std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& body, PointUm offset, const Printer& printer,
+                                   const PrintParams& params);
 
 }  // namespace sillon

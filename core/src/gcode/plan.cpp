@@ -13,6 +13,7 @@
 #include "gcode/seams.hpp"
 #include "gcode/shape_scan.hpp"
 #include "gcode/validation.hpp"
+#include "sillon/geometry/outline.hpp"
 #include "sillon/quality/metrics.hpp"
 
 namespace sillon {
@@ -150,6 +151,12 @@ Result<Bounds> fittedBox(GcodeJob& job, const Shape& shape, const Bounds& shapeB
   return box;
 }
 
+// The shape as base layers and brims see it: one body where paths touch, as in the oriented layers.
+Result<Shape> bodyOf(const Shape& shape, const PrintParams& params) {
+  const bool filled = params.base > 0 && params.basePattern != BasePattern::Same;
+  return filled || params.brim > 0 ? unitedOnGrid(shape) : shape;
+}
+
 // What is laid around the plates, and what comes before and after them.
 std::optional<Error> addSurroundings(GcodeJob& job, const Bounds& box, const Printer& printer,
                                      const PrintParams& params) {
@@ -213,7 +220,9 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
       job.bedAcross = std::move(onBed).value();
     }
   }
-  if (auto error = addBrim(job, shape, offset, printer, params)) return *error;
+  const Result<Shape> body = bodyOf(shape, params);
+  if (!body) return body.error();
+  if (auto error = addBrim(job, body.value(), offset, printer, params)) return *error;
 
   const Result<Bounds> box = fittedBox(job, shape, shapeBox, offset, printer);
   if (!box) {
@@ -240,7 +249,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   }
   markSeams(job.cycles, offset, shape, inside, job.spacing);
   markSeams(job.bedCycles, offset, shape, inside, job.spacing);
-  if (auto error = addBaseLayers(job, shape, inside.area, offset, printer, params)) return *error;
+  if (auto error = addBaseLayers(job, body.value(), offset, printer, params)) return *error;
   if (auto error = addSurroundings(job, box.value(), printer, params)) return *error;
   setShowSpeed(job, printer, cycles.lengthMm, params);
   addWarnings(job, printer, params);
@@ -282,10 +291,12 @@ Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer
     job.patches.push_back(std::move(placedPatch));
   }
   if (auto error = checkFlow(job, printer, params)) return *error;
-  if (auto error = addBrim(job, plate.shape, offset, printer, params)) return *error;
+  const Result<Shape> body = bodyOf(plate.shape, params);
+  if (!body) return body.error();
+  if (auto error = addBrim(job, body.value(), offset, printer, params)) return *error;
   const Result<Bounds> box = fittedBox(job, plate.shape, shapeBox, offset, printer);
   if (!box) return box.error();
-  if (auto error = addBaseLayers(job, plate.shape, inside.area, offset, printer, params)) return *error;
+  if (auto error = addBaseLayers(job, body.value(), offset, printer, params)) return *error;
   if (auto error = addSurroundings(job, box.value(), printer, params)) return *error;
   setShowSpeed(job, printer, lengthOfAll / params.layers, params);
   addWarnings(job, printer, params);

@@ -24,7 +24,7 @@ constexpr Row kRows[] = {
     {WarningCode::AccelerationHeld, "AccelerationHeld",
      "acceleration is {asked} mm/s2; it is held at machineAcceleration, {held}"},
     {WarningCode::BaseTooThin, "BaseTooThin",
-     "the base layers cover only {percent} % of the shape; what is thinner than their lines has nothing below it"},
+     "a base layer covers only {percent} % of the shape; places too narrow for its lines have nothing below them"},
     {WarningCode::BlockMovesLow, "BlockMovesLow", "{block} goes down to Z {z}; what stands there is {height} mm high"},
     {WarningCode::DetailLost, "DetailLost",
      "{area} mm2 are narrower than a bead and stay empty, in places: {n}; {share} % of that would print at a page "

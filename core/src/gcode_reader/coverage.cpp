@@ -1,96 +1,44 @@
 #include "gcode_reader/coverage.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-#include "base/capsule_rows.hpp"
+#include "gcode_reader/bead_raster.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kFinest = 0.05;  // [mm]
-constexpr double kMostCells = 4e6;
+constexpr double kFinest = 0.05;                   // [mm]
 constexpr std::int64_t kMostVisits = 200'000'000;  // of cells, a second; a plate of 120 x 80 mm takes a quarter
 
-// One bit per cell and kind of beads: whether one has touched its middle.
-class Raster {
+// Cells of base beads and of oriented ones.
+class Laid {
  public:
-  using Bits = std::vector<std::uint64_t>;
-
-  explicit Raster(const Bounds& box) : min_(box.min) {
-    const Vec2 size = box.size();
-    cell_ = std::max(kFinest, std::sqrt(size.x * size.y / kMostCells));
-    cell_ = std::max({cell_, size.x / kMostCells, size.y / kMostCells});
-    perMm_ = 1 / cell_;
-    columns_ = static_cast<int>(size.x / cell_) + 1;
-    rows_ = static_cast<int>(size.y / cell_) + 1;
-    rowWords_ = static_cast<std::size_t>(columns_ - 1) / 64 + 1;
-    base_.assign(rowWords_ * static_cast<std::size_t>(rows_), 0);
-    oriented_ = base_;
-  }
+  explicit Laid(const Bounds& box) : raster_(box, kFinest), base_(raster_.none()), oriented_(raster_.none()) {}
 
   /// \return how many cells it has looked at
   std::int64_t draw(const LaidBead& bead) {
-    const auto onRaster = [&](Vec2f p) {
-      return Vec2f{static_cast<float>((static_cast<double>(p.x) - min_.x) * perMm_ - 0.5),
-                   static_cast<float>((static_cast<double>(p.y) - min_.y) * perMm_ - 0.5)};
-    };
-    const auto radius = static_cast<float>(static_cast<double>(bead.width) / 2 * perMm_);
-    const Capsule capsule(onRaster(bead.from), onRaster(bead.to), radius, radius);
-    Bits& bits = bead.base ? base_ : oriented_;
-    std::int64_t visits = 0;
-    const int end = capsule.endRow(rows_);
-    PixelRuns runs;
-    for (int row = capsule.firstRow(rows_); row < end; row += PixelRuns::kMostRows) {
-      const int count = std::min(PixelRuns::kMostRows, end - row);
-      pixelsOf(capsule, row, count, columns_, runs);
-      for (int k = 0; k < count; ++k) {
-        const int from = runs.begin[k];
-        const int to = runs.end[k];
-        if (from < to) fill(&bits[static_cast<std::size_t>(row + k) * rowWords_], from, to - 1);
-        visits += std::max(1, to - from);
-      }
-    }
-    return visits;
+    return raster_.draw(bead.from, bead.to, static_cast<double>(bead.width), bead.base ? base_ : oriented_);
   }
 
   // Share of the base that is covered; the oriented layer is taken off again.
   double takeCoverage() {
-    std::int64_t all = 0;
+    const std::int64_t all = countOf(base_);
     std::int64_t covered = 0;
     for (std::size_t k = 0; k < base_.size(); ++k) {
-      all += std::popcount(base_[k]);
       covered += std::popcount(base_[k] & oriented_[k]);
       oriented_[k] = 0;
     }
     return all > 0 ? static_cast<double>(covered) / static_cast<double>(all) : -1;
   }
 
-  [[nodiscard]] std::int64_t cells() const { return static_cast<std::int64_t>(columns_) * rows_; }
+  [[nodiscard]] std::int64_t cells() const { return raster_.cells(); }
 
  private:
-  static void fill(std::uint64_t* row, int first, int last) {
-    std::uint64_t* word = row + first / 64;
-    std::uint64_t* const end = row + last / 64;
-    std::uint64_t mask = ~std::uint64_t{0} << first % 64;
-    for (; word != end; ++word) {
-      *word |= mask;
-      mask = ~std::uint64_t{0};
-    }
-    *word |= mask & ~std::uint64_t{0} >> (63 - last % 64);
-  }
-
-  Vec2 min_;
-  double cell_ = 0;
-  double perMm_ = 0;  ///< cells
-  int columns_ = 0;
-  int rows_ = 0;
-  std::size_t rowWords_ = 0;
-  Bits base_;
-  Bits oriented_;
+  BeadRaster raster_;
+  BeadRaster::Bits base_;
+  BeadRaster::Bits oriented_;
 };
 
 // Without a base, or where that would take too long, the shares are -1.
@@ -119,7 +67,7 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
     addUnknown(shares, begin, end);
     return;
   }
-  Raster raster(box);
+  Laid raster(box);
   rest -= raster.cells();
   for (const LaidBead* bead = begin; bead != end && rest >= 0; ++bead) {
     if (bead->base) rest -= raster.draw(*bead);

@@ -1,4 +1,4 @@
-// Rings round the area that a rule makes of several paths.
+// Rings round the area that several paths make.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -87,6 +87,14 @@ Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRu
   const Result<Outline> outline = borderOf(paths, &rule, Points::AsGiven);
   if (!outline) return outline.error();
   return FilledPath{Chains(outline.value().segments).rings(), FillRule::NonZero};
+}
+
+Result<Shape> unitedOnGrid(const Shape& shape) {
+  const Result<Outline> outline = outlineOnGrid(shape);
+  if (!outline) return outline.error();
+  Shape united = shape;
+  united.paths = {{Chains(outline.value().segments).rings(), FillRule::NonZero}};
+  return united;
 }
 
 }  // namespace sillon

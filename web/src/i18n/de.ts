@@ -1117,7 +1117,7 @@ export const de: Translation = {
     '{block} fährt bis auf {z} mm über das Druckbett hinab; was dort steht, ist {height} mm hoch.',
   'rare.warning.SkirtLeftOut': 'Der Skirt passt nicht auf das Druckbett und wurde weggelassen.',
   'rare.warning.BaseTooThin':
-    'Die Grundschichten decken nur {percent} % der Form; schmalere Teile haben nichts unter sich.',
+    'Eine Grundschicht deckt nur {percent} % der Form; wo es für ihre Linien zu eng ist, liegt nichts darunter.',
   'rare.warning.UnusualFilament': 'Der Filamentdurchmesser ist {value} mm; zu kaufen gibt es 1,75 und 2,85 mm.',
   'rare.warning.ThinLayers': 'Die Schichthöhe ist {value} mm; unter 0,2 Düsendurchmessern reißen Schichten.',
   'rare.warning.UnusualFlow': 'Der Fluss ist {value}; üblich sind 0,8 bis 1,1.',

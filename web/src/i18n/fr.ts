@@ -1129,7 +1129,7 @@ export const fr: Translation = {
     '{block} : la buse descend à {z} mm au-dessus du plateau, où se dresse une pièce de {height} mm.',
   'rare.warning.SkirtLeftOut': 'La jupe ne tient pas sur le plateau et a été omise.',
   'rare.warning.BaseTooThin':
-    'Les couches de base ne couvrent que {percent} % de la forme ; les parties plus fines n’ont rien au-dessous.',
+    'Une couche de base ne couvre que {percent} % de la forme ; les endroits trop étroits pour ses lignes n’ont rien au-dessous.',
   'rare.warning.UnusualFilament': 'Le diamètre du filament est de {value} mm ; on en vend de 1,75 et de 2,85 mm.',
   'rare.warning.ThinLayers':
     'La hauteur de couche est de {value} mm ; au-dessous de 0,2 fois la buse, les couches se déchirent.',

@@ -151,7 +151,7 @@ export const rareEn = {
   'rare.warning.BlockMovesLow': '{block} goes down to a height of {z} mm; what stands there is {height} mm high.',
   'rare.warning.SkirtLeftOut': 'The skirt does not fit the bed and was left out.',
   'rare.warning.BaseTooThin':
-    'The base layers cover only {percent}% of the shape; thinner parts have nothing below them.',
+    'A base layer covers only {percent}% of the shape; places too narrow for its lines have nothing below them.',
   'rare.warning.UnusualFilament': 'Filament diameter is {value} mm; filament is sold with 1.75 and 2.85 mm.',
   'rare.warning.ThinLayers': 'Layer height is {value} mm; layers below 0.2 nozzle tear.',
   'rare.warning.UnusualFlow': 'Flow is {value}; 0.8 to 1.1 is usual.',

@@ -40,6 +40,10 @@ using InsideRule = std::function<bool(const std::vector<char>& filled)>;
 ///   TooLarge beyond 4 million pieces.
 Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRule& rule);
 
+/// The shape as one path on the same page, with all points on the grid of 0.001 mm: paths that overlap, share an edge
+/// or lie less than the grid apart are one body. As outlineOnGrid, with its errors.
+Result<Shape> unitedOnGrid(const Shape& shape);
+
 /// A stretch of a horizontal line: x from begin to end [mm], begin < end.
 struct Interval {
   double begin = 0;
