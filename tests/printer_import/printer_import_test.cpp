@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sillon/gcode_reader/check.hpp"
 #include "sillon/settings/presets.hpp"
 #include "support/damaged.hpp"
 
@@ -173,20 +174,33 @@ TEST_CASE("a Z offset is read wherever slicers tell it, and one that is out of r
 
 namespace {
 
+/// Walls of a square, one within the other.
+struct Walls {
+  double perMm;         // filament for a mm of bead [mm]
+  double height;        // of layers [mm]
+  double distance = 0;  // between neighbours [mm]; 0: a single wall
+};
+
 /// What Cura writes of a square, which does not tell its filament.
-std::string curaSquare(double perMm, double height, const std::string& settings = "") {
+std::string curaSquare(const Walls& walls, const std::string& settings = "", const std::string& header = "") {
   std::string text =
-      ";FLAVOR:Marlin\n;Layer height: 0.2\n;Generated with Cura_SteamEngine 5.6.0\nM140 S60\nM190 S60\nM104 S205\n"
+      ";FLAVOR:Marlin\n" + header +
+      ";Layer height: 0.2\n;Generated with Cura_SteamEngine 5.6.0\nM140 S60\nM190 S60\nM104 S205\n"
       "M109 S205\nM82\nG28\nG92 E0\nG1 Z2.0 F3000\nG1 X10.1 Y20 Z0.28 F5000.0\nG1 X10.1 Y200.0 Z0.28 F1500.0 E15\n"
       "G92 E0\nG92 E0\nG1 F2700 E-5\n;LAYER_COUNT:3\n";
   double e = -5;
   for (int layer = 0; layer < 3; ++layer) {
     text += ";LAYER:" + std::to_string(layer) + "\n";
     if (layer == 0) text += "M107\n";
-    text += "G0 F6000 X90 Y90 Z" + std::to_string(height * (layer + 1)) + "\n;TYPE:WALL-OUTER\nG1 F2700 E" +
+    text += "G0 F6000 X90 Y90 Z" + std::to_string(walls.height * (layer + 1)) + "\n;TYPE:WALL-OUTER\nG1 F2700 E" +
             std::to_string(e += 5) + "\n";
-    for (const char* corner : {"X110 Y90", "X110 Y110", "X90 Y110", "X90 Y90"}) {
-      text += "G1 F1200 " + std::string(corner) + " E" + std::to_string(e += 20 * perMm) + "\n";
+    for (int wall = 0; wall < (walls.distance > 0 ? 4 : 1); ++wall) {
+      const double low = 90 + wall * walls.distance, high = 110 - wall * walls.distance;
+      const auto at = [](double x, double y) { return "X" + std::to_string(x) + " Y" + std::to_string(y); };
+      text += "G0 F6000 " + at(low, low) + "\n";
+      for (const std::string& corner : {at(high, low), at(high, high), at(low, high), at(low, low)}) {
+        text += "G1 F1200 " + corner + " E" + std::to_string(e += (high - low) * walls.perMm) + "\n";
+      }
     }
     text += "G1 F2700 E" + std::to_string(e -= 5) + "\n";
   }
@@ -200,34 +214,77 @@ double perMm(double width, double height, double diameter) {
 
 }  // namespace
 
-TEST_CASE("where a file does not tell the filament, it is the one that its beads are made of") {
-  for (const double width : {0.35, 0.4, 0.45, 0.6}) {
-    for (const double height : {0.1, 0.2, 0.28}) {
+TEST_CASE("where a file does not tell the filament, it is the one with which its beads touch") {
+  for (const double width : {0.15, 0.2, 0.25, 0.35, 0.4, 0.45, 0.6, 1.0}) {
+    for (const double height : {0.06, 0.1, 0.2, 0.28}) {
+      if (height > width) continue;
       CAPTURE(width);
       CAPTURE(height);
-      const ImportedPrinter thin = imported(curaSquare(perMm(width, height, 1.75), height));
+      const ImportedPrinter thin = imported(curaSquare({perMm(width, height, 1.75), height, width}));
       CHECK(thin.printer.filamentDiameter == 1.75);
-      CHECK_FALSE(notes(thin, "filament's diameter"));
-      const ImportedPrinter wide = imported(curaSquare(perMm(width, height, 2.85), height));
+      // A nozzle of 0.4 mm, which is taken, lays no beads finer than 0.3 mm or wider than 0.8 mm.
+      CHECK(notes(thin, "with the 1.75 mm that is taken its beads would be") == (width < 0.3 || width > 0.8));
+      if (width < 0.3 || width > 0.8) continue;
+      const ImportedPrinter wide = imported(curaSquare({perMm(width, height, 2.85), height, width}));
       CHECK(wide.printer.filamentDiameter == 2.85);
       CHECK(notes(wide, "the file does not tell the filament's diameter; its beads fit 2.85 mm, which is taken"));
+      const GcodeCheck check = checkGcode(curaSquare({perMm(width, height, 2.85), height, width}));
+      CHECK(check.mostFlow == doctest::Approx(20 * width * height).epsilon(0.01));
     }
   }
   // Told: as the file says, whatever its beads are.
   const auto told = [](const std::string& key) {
     return ";SETTING_3 {\"extruder_quality\": [\"[values]\\\\n" + key + "\\\\n\"]}\n";
   };
-  const ImportedPrinter other = imported(curaSquare(perMm(0.4, 0.2, 1.75), 0.2, told("material_diameter = 2.85")));
+  const ImportedPrinter other = imported(curaSquare({perMm(0.4, 0.2, 1.75), 0.2}, told("material_diameter = 2.85")));
   CHECK(other.printer.filamentDiameter == 2.85);
   CHECK_FALSE(notes(other, "filament's diameter"));
   // Beads are as wide as the nozzle that is told.
-  const ImportedPrinter large = imported(curaSquare(perMm(0.8, 0.4, 2.85), 0.4, told("machine_nozzle_size = 0.8")));
+  const ImportedPrinter large = imported(curaSquare({perMm(0.8, 0.4, 2.85), 0.4}, told("machine_nozzle_size = 0.8")));
   CHECK(large.printer.filamentDiameter == 2.85);
   CHECK(large.printer.nozzle == 0.8);
   // Neither fits.
-  const ImportedPrinter odd = imported(curaSquare(perMm(0.1, 0.2, 1.75), 0.2));
+  const ImportedPrinter odd = imported(curaSquare({perMm(0.1, 0.2, 1.75), 0.2}));
   CHECK(odd.printer.filamentDiameter == 1.75);
   CHECK(notes(odd, "with the 1.75 mm that is taken its beads would be 0.1 mm wide, from a nozzle of 0.4 mm"));
+}
+
+TEST_CASE("where beads of both filaments are possible, the file is refused and a line that tells it is asked for") {
+  const std::string open = curaSquare({perMm(0.25, 0.1, 1.75), 0.1});
+  const auto refused = importPrinter(open);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == ErrorCode::InvalidFile);
+  CHECK(refused.error().message ==
+        "the file does not tell the filament's diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
+        "0.66 mm wide from filament of 2.85 mm; add a line \"; filament_diameter = 1.75\" or \"; filament_diameter = "
+        "2.85\" at its end");
+  CHECK(imported(open + "; filament_diameter = 1.75\n").printer.filamentDiameter == 1.75);
+  CHECK(imported(open + "; filament_diameter = 2.85\n").printer.filamentDiameter == 2.85);
+  // Beads of 1 mm that touch, or beads of 0.38 mm that do not.
+  const auto far = importPrinter(curaSquare({perMm(1, 0.2, 2.85), 0.2, 1}));
+  CHECK_FALSE(far);
+  // Single walls of the usual nozzle, and those that would stand on edge, leave nothing open.
+  CHECK(imported(curaSquare({perMm(0.4, 0.2, 1.75), 0.2})).printer.filamentDiameter == 1.75);
+  CHECK(imported(curaSquare({perMm(0.4, 0.28, 2.85), 0.28})).printer.filamentDiameter == 2.85);
+  // Nor does a nozzle, or a machine that is known.
+  const std::string nozzle = ";EXTRUDER_TRAIN.0.NOZZLE.DIAMETER:";
+  CHECK(imported(curaSquare({perMm(0.25, 0.1, 1.75), 0.1}, "", nozzle + "0.25\n")).printer.filamentDiameter == 1.75);
+  CHECK(imported(curaSquare({perMm(0.66, 0.1, 2.85), 0.1}, "", nozzle + "0.4\n")).printer.filamentDiameter == 2.85);
+  const ImportedPrinter known =
+      imported(curaSquare({perMm(0.4, 0.2, 1.75), 0.2}, ";TARGET_MACHINE.NAME:Creality Ender-3\n"));
+  CHECK(known.profile == "creality-ender-3");
+  CHECK(known.printer.filamentDiameter == 1.75);
+}
+
+TEST_CASE("a header that counts the plastic in mm3 tells the filament") {
+  for (const double diameter : {1.75, 2.85}) {
+    const double perMmOfBead = perMm(0.25, 0.1, diameter);
+    const double volume = 3 * 80 * perMmOfBead * 3.14159265358979 * diameter * diameter / 4;
+    const ImportedPrinter read = imported(
+        curaSquare({perMmOfBead, 0.1}, "", ";EXTRUDER_TRAIN.0.MATERIAL.VOLUME_USED:" + std::to_string(volume) + "\n"));
+    CHECK(read.printer.filamentDiameter == diameter);
+    CHECK_FALSE(notes(read, "filament's diameter"));
+  }
 }
 
 TEST_CASE("a donor that is hotter than its printer bears is noted, and its heat is not taken") {

@@ -250,6 +250,14 @@ TEST_CASE("the surfaces of every dialect are found, with their region, width and
   }
 }
 
+TEST_CASE("where beads of both filaments are possible, the file is refused and a line that tells it is asked for") {
+  Variant thin;
+  thin.flow = 0.5;  // half of what touches: a fine nozzle's, or those of wider filament
+  const std::string text = Slices(kDialects[4], thin).text();
+  CHECK(why(text).find("the file does not tell the filament's diameter") != std::string::npos);
+  CHECK(why(text + "; filament_diameter = 1.75\n").find("the file does not tell") == std::string::npos);
+}
+
 TEST_CASE("beads that end at the edge of the surface, and another flow, leave its region and its spacing") {
   for (const bool separate : {false, true}) {
     for (const double flow : {0.9, 0.98, 1.0, 1.05}) {

@@ -59,12 +59,8 @@ void readSetting(FileSettings& settings, std::string_view comment) {
     if (value && *value >= low && *value <= high) out = *value;
   };
   number("nozzle_diameter =", 0.05, 2, settings.nozzle);
-  double diameter = 0;
-  number("filament_diameter =", 0.5, 5, diameter);
-  if (diameter > 0) {
-    settings.filamentDiameter = diameter;
-    settings.diameterTold = true;
-  }
+  number("EXTRUDER_TRAIN.0.NOZZLE.DIAMETER:", 0.05, 2, settings.nozzle);
+  number("filament_diameter =", 0.5, 5, settings.filamentDiameter);
   constexpr std::string_view kFlows = "filament_max_volumetric_speed =";
   if (comment.starts_with(kFlows)) settings.filamentFlows = readFlows(comment.substr(kFlows.size()));
   number("max_volumetric_speed =", 0.1, 1000, settings.printFlow);
@@ -95,14 +91,16 @@ std::optional<double> numberAfter(std::string_view text, std::string_view key) {
 }
 
 FileSettings readFileSettings(std::string_view text, const std::optional<Printer>& printer) {
+  const std::string_view gcode = text;
+  constexpr double kUntold = 0;
   FileSettings settings;
+  settings.filamentDiameter = kUntold;
   settings.printer = printer;
   if (printer) {
     settings.maxZ = printer->maxZ;
     settings.roundBed = printer->roundBed;
     settings.nozzle = printer->nozzle;
     settings.filamentDiameter = printer->filamentDiameter;
-    settings.diameterTold = true;
     settings.flavor = printer->flavor;
   }
   std::string_view model;
@@ -124,6 +122,12 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     const GcodeFlavor own = known ? known->printer.flavor : GcodeFlavor::Marlin;
     if (own == GcodeFlavor::PrusaBuddy || own == GcodeFlavor::Bambu) settings.flavor = own;
   }
+  if (settings.filamentDiameter != kUntold) return settings;
+  if (!settings.volumetric) {
+    const bool told = settings.nozzle > 0;
+    settings.weighed = weighFilament(gcode, settings.flavor, told ? std::optional(settings.nozzle) : std::nullopt);
+  }
+  settings.filamentDiameter = settings.weighed.diameter;
   return settings;
 }
 

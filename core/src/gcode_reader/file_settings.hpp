@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gcode_reader/filament_diameter.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/settings/printer.hpp"
 
@@ -18,7 +19,7 @@ struct FileSettings {
   double nozzle = 0;                  ///< [mm], 0: unknown
   double zOffset = 0;                 ///< [mm] of all heights
   double filamentDiameter = 1.75;     ///< [mm]
-  bool diameterTold = false;          ///< else it is only what most have
+  WeighedFilament weighed;            ///< where the diameter is not told: what the beads show
   std::vector<double> filamentFlows;  ///< [mm³/s] that each tool's filament may have, 0: unknown
   double printFlow = 0;               ///< the same of all of them
   GcodeFlavor flavor = GcodeFlavor::Marlin;

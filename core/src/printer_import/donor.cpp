@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -10,12 +9,12 @@
 #include "base/decimal_text.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode/template.hpp"
+#include "gcode_reader/filament_diameter.hpp"
 #include "gcode_reader/layer_mark.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
-#include "printer_import/filament_diameter.hpp"
 #include "printer_import/fold_settings.hpp"
 #include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
@@ -28,7 +27,6 @@
 namespace sillon {
 namespace {
 
-constexpr std::pair<double, double> kBeads{0.755, 1.99};  // [nozzle], widths; of one of both filaments alone
 constexpr double kMostAdvance = 2;  // [s]; linear advance 1.0 counted in units of its own, from 10 on
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
@@ -203,7 +201,7 @@ class Donor {
   void comment(std::string_view line);
   void takeOwnSettings();
   std::optional<Error> guessBed();
-  void guessFilament(std::string_view text);
+  std::optional<Error> weighFilament(std::string_view text);
   std::optional<Error> endBlock(std::string_view rest);
   void startBlock(std::string_view block);
   void startLine(std::string_view whole);
@@ -236,6 +234,8 @@ void Donor::comment(std::string_view line) {
   if (line.starts_with(kCura) && cura_.size() < kMaxSettingsBytes) cura_ += line.substr(kCura.size());
   constexpr std::string_view kMachine = ";TARGET_MACHINE.NAME:";
   if (line.starts_with(kMachine)) settings_.insert_or_assign("printer_model", line.substr(kMachine.size()));
+  constexpr std::string_view kNozzle = ";EXTRUDER_TRAIN.0.NOZZLE.DIAMETER:";  // Cura's, for the Ultimaker 3 and later
+  if (line.starts_with(kNozzle)) settings_.insert_or_assign("nozzle_diameter", line.substr(kNozzle.size()));
   if (line.starts_with(";FLAVOR:")) settings_.insert_or_assign("gcode_flavor", std::string(line.substr(8)));
   std::string_view key;
   std::string_view value;
@@ -498,26 +498,26 @@ std::optional<Error> Donor::guessBed() {
   return std::nullopt;
 }
 
-// Where nothing tells the filament, as in Cura's files, it is the one of which the beads are as wide as beads are.
-void Donor::guessFilament(std::string_view text) {
+// Where nothing tells the filament, as in Cura's files, its beads are weighed. A machine that is known settles what
+// they leave open.
+std::optional<Error> Donor::weighFilament(std::string_view text) {
   Printer& p = out_.printer;
   const bool told = settings_.contains("filament_diameter") || settings_.contains("material_diameter");
-  if (told || p.filamentDiameter != kThinFilament) return;
-  const auto perFace = filamentPerFace(text, p.flavor);
-  if (!perFace) return;
-  const auto width = [&](double diameter) { return *perFace * std::numbers::pi * diameter * diameter / 4; };
-  const auto fits = [&](double diameter) {
-    return width(diameter) >= kBeads.first * p.nozzle && width(diameter) <= kBeads.second * p.nozzle;
-  };
-  if (fits(kThinFilament)) return;
-  if (fits(kWideFilament)) {
-    p.filamentDiameter = kWideFilament;
-    note("FilamentGuessed", {{"diameter", decimal(kWideFilament, 2)}});
-  } else {
-    note("FilamentUnclear", {{"diameter", decimal(kThinFilament, 2)},
-                             {"width", decimal(width(kThinFilament), 2)},
+  if (told || p.filamentDiameter != kThinFilament) return std::nullopt;
+  const bool nozzle = settings_.contains("nozzle_diameter") || settings_.contains("machine_nozzle_size");
+  const bool known = nozzle || !out_.profile.empty();
+  const WeighedFilament weighed =
+      sillon::weighFilament(text, p.flavor, known ? std::optional<double>(p.nozzle) : std::nullopt);
+  if (weighed.evidence == FilamentEvidence::Open && out_.profile.empty()) return invalidFile(askForFilament(weighed));
+  p.filamentDiameter = weighed.diameter;
+  if (weighed.evidence == FilamentEvidence::Odd || weighed.evidence == FilamentEvidence::Open) {
+    note("FilamentUnclear", {{"diameter", decimal(weighed.diameter, 2)},
+                             {"width", decimal(weighed.widthWith(weighed.diameter), 2)},
                              {"nozzle", decimal(p.nozzle, 2)}});
+  } else if (weighed.evidence == FilamentEvidence::Fits && weighed.diameter != kThinFilament) {
+    note("FilamentGuessed", {{"diameter", decimal(weighed.diameter, 2)}});
   }
+  return std::nullopt;
 }
 
 std::optional<Error> Donor::endBlock(std::string_view rest) {
@@ -558,7 +558,7 @@ std::optional<Error> Donor::read(std::string_view text) {
 
   takeOwnSettings();
   if (auto error = guessBed()) return error;
-  guessFilament(text);
+  if (auto error = weighFilament(text)) return error;
   startBlock(text.substr(0, firstLayer_));
   Printer& p = out_.printer;
   if (p.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");

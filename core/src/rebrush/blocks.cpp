@@ -29,8 +29,6 @@ constexpr double kLooseFilament = 0.02;        // [mm] that retractions inside a
 constexpr double kShortWipe = 1;               // [mm] without plastic behind the last bead
 constexpr double kLongBead = 1;                // [mm], shorter beads tell no flow: E is rounded
 constexpr double kLongTravel = 1;              // [mm], shorter ones may be wipes
-constexpr double kThickDiameter = 2.85;        // [mm], of the other filament in use
-constexpr double kThinShare = 0.55;            // of a bead's section: less was reckoned with too thin a filament
 constexpr double kFullFlow = 0.01;             // by which flow may differ from 1 before it counts as set so
 constexpr double kMostFlow = 0.25;             // by which a slicer's flow may differ from 1
 constexpr double kJoined = 0.01;               // [mm] between the end of a bead and the beginning of the next
@@ -131,7 +129,6 @@ class Reader {
   Reader(std::string_view text, const FileSettings& settings) : text_(text), machine_(settings.flavor) {
     area_ = std::numbers::pi * settings.filamentDiameter * settings.filamentDiameter / 4;
     volumetric_ = settings.volumetric;
-    diameterKnown_ = settings.diameterTold;
     out_.settings = settings;
   }
 
@@ -144,7 +141,6 @@ class Reader {
   void beginOnBed();
   void endSkins();
   void endStretch();
-  void learnDiameter(const std::vector<Item>& items, double height);
   void addPart(const std::vector<Item>& items, const std::shared_ptr<const RegionField>& shared, int part,
                double breadth, double width, double flow, const std::vector<int>& partOf);
   void keep(SurfaceBlock& block, const Item& item, std::map<std::string, std::size_t>& places) const;
@@ -168,7 +164,6 @@ class Reader {
   double acceleration_ = 1000;  // [mm/s²], of most printers that say nothing
   double area_ = 0;
   bool volumetric_ = false;
-  bool diameterKnown_ = false;
   std::map<int, double> mostFeed_;  // of each tool's beads [mm of filament / s]
   bool changesTool_ = false;
   bool numbered_ = false;
@@ -299,19 +294,6 @@ void Reader::endSkins() {
   for (SurfaceBlock& top : skins_.endLayer()) out_.blocks.push_back(std::move(top));
 }
 
-// Cura's files do not tell the filament: beads as thick as their distance do.
-void Reader::learnDiameter(const std::vector<Item>& items, double height) {
-  const double distance = neighbourDistance(items);
-  if (!(distance > 0.05) || volumetric_) return;
-  std::vector<std::pair<double, double>> sections;
-  for (const Item& item : items) {
-    if (item.bead()) sections.emplace_back(beadSection(*item.move), item.move->length);
-  }
-  if (median(std::move(sections)) < kThinShare * distance * height)
-    area_ = std::numbers::pi * kThickDiameter * kThickDiameter / 4;
-  diameterKnown_ = true;
-}
-
 // Splits a stretch of one role into connected surfaces.
 void Reader::endStretch() {
   std::vector<Item> items = std::move(items_);
@@ -322,7 +304,6 @@ void Reader::endStretch() {
   const double height = heightTold_ ? height_ : std::max(0.0, z - previousZ_);
   if (!(height > 0.01 && height < 5)) return;
 
-  if (!diameterKnown_) learnDiameter(items, height);
   std::vector<std::pair<double, double>> sections;
   for (const Item& item : items) {
     if (item.bead()) sections.emplace_back(beadSection(*item.move), item.move->length);
@@ -602,6 +583,9 @@ Result<SlicedBlocks> Reader::finish() {
   if (!program_ || !marked_ || out_.file.layers == 0) {
     return refuse(
         "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do");
+  }
+  if (out_.settings.weighed.evidence == FilamentEvidence::Open) {
+    return Error{ErrorCode::InvalidFile, askForFilament(out_.settings.weighed)};
   }
   if (!pushed_) return refuse("no bead in it pushes filament by E; export it for a firmware that counts filament so");
   out_.file.slicer = program_->slicer;
