@@ -578,6 +578,8 @@ export interface PrinterValues {
   filamentDiameter: number;
   /** Filament density, used only to estimate weight. 0.1..25 g/cm³, default 1.24. */
   filamentDensity: number;
+  /** Flow ratio of the filament (extrusion multiplier), as calibrated in your slicer; it multiplies the flow of every layer, brim and purge line. 0.1..2, default 1. */
+  filamentFlow: number;
   /** Filament type, written into the G-code. Default "PLA". */
   filamentType: string;
   /** Highest nozzle temperature that the hot end is made for, such as 240 with a PTFE tube down to the nozzle. 170..300 °C, default 300. */
@@ -945,6 +947,7 @@ export type WarningCode =
   | 'SegmentsSlow'
   | 'SkirtLeftOut'
   | 'SpeedHeld'
+  | 'StartFlow'
   | 'StartLine'
   | 'StartScales'
   | 'StartTemperature'

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/lines.hpp"
 #include "printer/dialect.hpp"
+#include "sillon/settings/presets.hpp"
 #include "support/gcode_job.hpp"
 #include "support/told_reason.hpp"
 
@@ -44,14 +46,16 @@ TEST_CASE("blocks that go down to where a print stands are pointed out") {
   CHECK(job.write().result.value().warnings.empty());
 }
 
-TEST_CASE("what a start block leaves scaled is pointed out, and put back") {
+TEST_CASE("the flow that a start block sets holds for the whole print, its speed does not; both are pointed out") {
   Job job = plate(30, 20, 1.3);
   const auto warned = [&](const std::string& block) {
     job.printer.startGcode = "G28\nM190 S60\nM109 S[first_layer_temperature]\n" + block;
     const Written written = job.write();
     REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
     for (const GcodeWarning& warning : written.result.value().warnings) {
-      if (warning.code == WarningCode::StartScales) return warningSentence(warning);
+      if (warning.code == WarningCode::StartScales || warning.code == WarningCode::StartFlow) {
+        return warningSentence(warning);
+      }
     }
     return std::string();
   };
@@ -62,6 +66,29 @@ TEST_CASE("what a start block leaves scaled is pointed out, and put back") {
   CHECK(warned("M221 S95\nM221 S100").empty());
   CHECK(warned("M2210 S95").empty());
   CHECK(warned("M221 T0").empty());
+  // Set to 100 before the block alone, and back behind the last bead.
+  const auto flows = [&](const std::string& block) {
+    job.printer.startGcode = "G28\nM190 S60\nM109 S[first_layer_temperature]\n" + block;
+    const std::string text = job.write().text;
+    std::string all;
+    for (std::string_view rest = text; !rest.empty();) {
+      const std::string_view line = nextLine(rest);
+      if (line.starts_with("M221"))
+        all += std::string(line.substr(5)) +
+               (text.find("LAYER_CHANGE", text.size() - rest.size()) == std::string::npos ? " at the end" : "") + ", ";
+    }
+    return all;
+  };
+  CHECK(flows("M221 S95") == "S100, S95, S100 at the end, ");
+  CHECK(flows("M221 S{if layer_height < 0.075}100{else}95{endif}") == "S100, S95, S100 at the end, ");
+  CHECK(flows("PRINT_START") == "S100, ");
+  // A maker's own block is no news.
+  for (const char* id : {"prusa-mk3s", "prusa-mini"}) {
+    REQUIRE(applyProfile(ProfileKind::Printer, id, job.printer).empty());
+    const Written written = job.write();
+    CHECK(written.text.find("\nM221 S95\n") != std::string::npos);
+    for (const GcodeWarning& warning : written.result.value().warnings) CHECK(warning.code != WarningCode::StartFlow);
+  }
 }
 
 TEST_CASE("a start block that purges where the plate will lie is pointed out") {
@@ -197,7 +224,7 @@ TEST_CASE("a start block begins in the modes of a printer that was just switched
   Job job = plate(30, 20, 1.3);
   job.printer.startGcode = "G28\nM190 S60\nM109 S215\n";
   const std::string text = job.write().text;
-  CHECK(text.find("; FEATURE: Custom\nG21\nG90\nM82\nG28\n") != std::string::npos);
+  CHECK(text.find("; FEATURE: Custom\nG21\nG90\nM82\nM221 S100\nG28\n") != std::string::npos);
 }
 
 TEST_CASE("what a block's lines are indented by stays, as RepRapFirmware reads it") {
@@ -256,8 +283,8 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
       "G28\nM190 S{first_layer_bed_temperature}\nM109 S[nozzle_temperature_initial_layer]\nG20\nM82";
   job.printer.endGcode = "M104 S0\nM140 S0 ; bye\nG1 X0 Y200";
   const std::string text = job.write().text;
-  CHECK(text.find("\n; FEATURE: Custom\nG21\nG90\nM82\nG28\nM190 S60\nM109 S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") !=
-        std::string::npos);
+  CHECK(text.find("\n; FEATURE: Custom\nG21\nG90\nM82\nM221 S100\nG28\nM190 S60\nM109 "
+                  "S220\nG20\nM82\nG21\nG90\nM83\nG92 E0\n") != std::string::npos);
   CHECK(text.find("\nM104 S0\nM140 S0 ; bye\nG1 X0 Y200\nM73 P100 R0\n") != std::string::npos);
   CHECK(text.find("M84") == std::string::npos);
   const auto refusal = [&](const char* start) {
@@ -398,7 +425,7 @@ TEST_CASE("every start waits for heat above and aside, fills the nozzle off the 
       CHECK(start.lowestTravel >= 10);
       CHECK(start.firstBeadTravel >= 10);
       CHECK(start.lowersAbove);
-      CHECK(start.order == std::vector<std::string>{"M220 S100", "M221 S100", "M190 S60", "M109 S220"});
+      CHECK(start.order == std::vector<std::string>{"M220 S100", "M190 S60", "M109 S220"});
       CHECK(start.drawnBack == Approx(5));
       const bool own = block != donor && flavor != GcodeFlavor::Bambu;
       if (own) {

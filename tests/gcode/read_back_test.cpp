@@ -57,6 +57,7 @@ TEST_CASE("the path comes back from the file to where it was on the page, turned
           Job job = ringJob();
           job.params.showSide = side;
           job.params.rotate = rotate;
+          job.printer.filamentFlow = 0.94;
           job.params.mirror = mirror;
           job.params.copies = {copies, 1};
           job.params.layers = 2;

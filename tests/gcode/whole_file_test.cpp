@@ -78,6 +78,7 @@ TEST_CASE("a small file says what it must, line by line") {
 G21
 G90
 M82
+M221 S100
 M140 S60
 M104 S150
 G28
@@ -86,7 +87,6 @@ G90
 M83
 G92 E0
 M220 S100
-M221 S100
 G1 Z10.000 F600
 G1 X1.000 Y1.000 F7200
 M190 S60
@@ -178,6 +178,7 @@ TEST_CASE("two plates on a Klipper printer whose limits are known, line by line"
 G21
 G90
 M82
+M221 S100
 M140 S0
 M104 S150
 G28
@@ -186,7 +187,6 @@ G90
 M83
 G92 E0
 M220 S100
-M221 S100
 G1 Z10.000 F600
 G1 X1.000 Y1.000 F7200
 M140 S0

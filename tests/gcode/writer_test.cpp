@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
 #include <string_view>
@@ -171,8 +172,8 @@ TEST_CASE("the file has the skeleton hosts look for") {
           "\n; max_z_height: 0.65\n",
           "\n; total layer number: 3\n",
           "\nM73 P0 R",
-          "\n;TYPE:Custom\n; FEATURE: Custom\nG21\nG90\nM82\nM140 S60\nM104 S150\nG28\n",
-          "\nG21\nG90\nM83\nG92 E0\nM220 S100\nM221 S100\nG1 Z10.000 F600\nG1 X",
+          "\n;TYPE:Custom\n; FEATURE: Custom\nG21\nG90\nM82\nM221 S100\nM140 S60\nM104 S150\nG28\n",
+          "\nG21\nG90\nM83\nG92 E0\nM220 S100\nG1 Z10.000 F600\nG1 X",
           "\nM190 S60\nM109 S220\n",
           "\n;BEFORE_LAYER_CHANGE\n;0.25\n;LAYER_CHANGE\n;Z:0.25\n;HEIGHT:0.25\n",
           "\nM106 S0\n",
@@ -572,6 +573,7 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"nozzle is not a number", [](Job& j) { j.printer.nozzle = kNan; }},
       {"filamentDiameter", [](Job& j) { j.printer.filamentDiameter = 0; }},
       {"filamentDensity", [](Job& j) { j.printer.filamentDensity = -1; }},
+      {"filamentFlow", [](Job& j) { j.printer.filamentFlow = 3; }},
       {"startHeight is -1 mm; it must be 0 to 5000", [](Job& j) { j.params.startHeight = -1; }},
       {"startHeight is 201 mm", [](Job& j) { j.params.startHeight = 201; }},
       {"startHeight is not a number", [](Job& j) { j.params.startHeight = kNan; }},
@@ -715,6 +717,7 @@ TEST_CASE("what is odd but printable is written with a warning") {
       {"filamentDiameter is 2.2 mm", [](Job& j) { j.printer.filamentDiameter = 2.2; }},
       {"below 0.2 nozzle", [](Job& j) { j.params.layerHeight = 0.06; }},
       {"flow is 0.7; 0.8 to 1.1 is usual", [](Job& j) { j.params.flow = 0.7; }},
+      {"filamentFlow is 0.7; 0.8 to 1.1 is usual", [](Job& j) { j.printer.filamentFlow = 0.7; }},
       {"baseFlow is 1.2", [](Job& j) { j.params.baseFlow = 1.2; }},
       {"no wider than the layer is high",
        [](Job& j) {
@@ -827,6 +830,7 @@ TEST_CASE("hostile values end in a valid file or in an error") {
                         &p.nozzle,
                         &p.filamentDiameter,
                         &p.filamentDensity,
+                        &p.filamentFlow,
                         &p.nozzleTemperature,
                         &p.firstLayerNozzleTemperature,
                         &p.bedTemperature,
@@ -885,6 +889,49 @@ TEST_CASE("the time in the footer is the time of the summary") {
   // corners.
   CHECK(seconds > 135);
   CHECK(seconds < 200);
+}
+
+TEST_CASE("the filament's flow multiplies the plastic of every role, and the purge line still takes its length") {
+  Job job = plate(30, 20, 1.3);
+  job.params.base = 2;
+  job.params.skirt = 1;
+  job.params.brim = 2;
+  job.params.showSide = ShowSide::Both;
+  const auto byRole = [&] {
+    const Written written = job.write();
+    REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
+    std::map<std::string, double> all;
+    for (const ReadPath& path : readGcode(written.text).paths) {
+      all[path.role + (path.layer == 1 ? " of the first layer" : "")] += path.filament();
+    }
+    return all;
+  };
+  const std::map<std::string, double> whole = byRole();
+  job.printer.filamentFlow = 0.94;
+  const std::map<std::string, double> less = byRole();
+  REQUIRE(less.size() == whole.size());
+  CHECK(whole.size() >= 4);
+  for (const auto& [role, filament] : whole) {
+    CAPTURE(role);
+    CHECK(less.at(role) == Approx((role.starts_with("Custom") ? 1 : 0.94) * filament).epsilon(1e-4));
+  }
+  const std::string text = job.write().text;
+  CHECK(text.find("\n; extrusion_multiplier = 0.94\n") != std::string::npos);
+  const GcodeCheck check = checkGcode(text, job.printer);
+  CHECK(check.errors() == 0);
+  for (const GcodeFinding& finding : check.findings) CHECK(finding.rule != "totals");
+  for (const double share : check.coverage) CHECK((share < 0 || share > 0.97));
+}
+
+TEST_CASE("more flow of the filament slows what the hot end melts no faster") {
+  Job job = plate(30, 20, 1.3);
+  job.printer.maxFlow = 3;
+  for (const double flow : {1.0, 1.5}) {
+    job.printer.filamentFlow = flow;
+    const GcodeCheck check = checkGcode(job.write().text, job.printer);
+    CHECK(check.errors() == 0);
+    CHECK(check.mostFlow <= 3 * 1.0001);
+  }
 }
 
 TEST_CASE("the summary tells what an independent reader finds in the file, and what it weighs") {

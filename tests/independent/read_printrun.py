@@ -10,8 +10,8 @@ with open(sys.argv[1]) as file:
     read = gcoder.GCode(file)
 # The start block's purge lies beside the plate.
 first = next(k for k, line in enumerate(read.lines) if line.raw.startswith(";LAYER_CHANGE"))
-# What a start block of others purges is theirs; ours begins behind it, with the flow set back.
-own = max(k for k, line in enumerate(read.lines[:first]) if line.raw == "M221 S100")
+# What a start block of others purges is theirs; ours begins behind it, with the speed set back.
+own = max(k for k, line in enumerate(read.lines[:first]) if line.raw == "M220 S100")
 block = gcoder.GCode([line.raw for line in read.lines[:own]]).filament_length
 beads = [line for line in read.lines[first:] if line.extruding and (line.x is not None or line.y is not None)]
 xs, ys = [line.current_x for line in beads], [line.current_y for line in beads]

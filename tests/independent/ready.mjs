@@ -108,7 +108,7 @@ function independent(machine, { path, text }) {
 function approach(text) {
   const all = text.split('\n');
   const layer = all.findIndex((line) => line.startsWith(';LAYER_CHANGE'));
-  const ours = all.lastIndexOf('M221 S100', layer) + 1; // behind a block, ours or a donor's
+  const ours = all.lastIndexOf('M220 S100', layer) + 1; // behind a block, ours or a donor's
   const filament = (line) => Number(line.match(/^G[01] .*E([\d.]+)/)?.[1] ?? 0);
   const purge = (lines) => {
     const thick = lines.filter((line) => filament(line) >= 3);

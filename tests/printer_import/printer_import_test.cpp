@@ -828,11 +828,37 @@ TEST_CASE("a place to present the print that lies off the bed is left out of the
   CHECK(notes(read, "places more than 10 mm off the bed"));
 }
 
-TEST_CASE("a share of speed or flow in the start block is pointed out") {
+TEST_CASE("a share of speed or flow that the start block leaves is pointed out, and the flow stays") {
   std::string text = kDonor;
   text.replace(text.find("M486 S0\n"), 8, "M221 S95\nM220 S100\n");
-  CHECK(notes(imported(text), "M221 S95"));
+  CHECK(notes(imported(text), "M221 S95, a share of the flow, which holds for the whole of each print"));
   CHECK_FALSE(notes(imported(text), "M220"));
+  CHECK(imported(text).printer.startGcode.find("\nM221 S95\n") != std::string::npos);
+  CHECK(imported(text).printer.filamentFlow == 1);
+  text.replace(text.find("M221 S95\nM220 S100\n"), 19, "M221 S95\nM221 S100\nM220 S50\n");
+  CHECK_FALSE(notes(imported(text), "M221"));
+  CHECK(notes(imported(text), "M220 S50, a share of the speed; files written here go back to 100 %"));
+}
+
+TEST_CASE("the filament's flow as its owner has calibrated it is taken, in every slicer's words") {
+  const auto flow = [](const std::string& settings) { return imported(kDonor + settings).printer.filamentFlow; };
+  CHECK(flow("") == 1);
+  CHECK(flow("; extrusion_multiplier = 0.94\n") == 0.94);
+  CHECK(flow("; filament_flow_ratio = 0.98,0.98\n") == 0.98);
+  CHECK(flow("; filament_type = PLA;PETG\n; extrusion_multiplier = 0.95,1.02\n") == 0.95);
+  CHECK(flow("; filament_flow_ratio = 0.98\n; print_flow_ratio = 0.95\n") == doctest::Approx(0.931));
+  CHECK(flow("; extrusion_multiplier = nil\n") == 1);
+  CHECK(imported(curaSquare({perMm(0.4, 0.2, 1.75), 0.2},
+                            ";SETTING_3 {\"extruder_quality\": [\"[values]\\\\nmaterial_flow = 95.0\\\\n\"]}\n"))
+            .printer.filamentFlow == 0.95);
+  CHECK(imported("nozzle_diameter = 0.4\nextrusion_multiplier = 0.96\n").printer.filamentFlow == 0.96);
+  CHECK(imported(R"({"name": "Mine", "nozzle_diameter": ["0.4"], "printable_area": ["0x0", "200x0", "200x200", "0x200"],
+                     "filament_flow_ratio": ["0.97", "1"]})")
+            .printer.filamentFlow == 0.97);
+  CHECK(notes(imported(kDonor + "; extrusion_multiplier = 0.94\n"),
+              "the flow ratio of the file's filament is 0.94, which is taken: all that is laid is multiplied by it"));
+  CHECK_FALSE(notes(imported(kDonor + "; extrusion_multiplier = 1\n"), "flow ratio"));
+  CHECK(notes(imported(kDonor + "; extrusion_multiplier = 9\n"), "extrusion_multiplier is \"9\"; taken are 0.1 to 2"));
 }
 
 TEST_CASE("a donor's own pressure advance stays; a machine that is known gets its maker's where a donor sets none") {

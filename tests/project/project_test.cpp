@@ -120,6 +120,7 @@ Project unusualProject() {
   p.printer.nozzle = 0.6;
   p.printer.filamentDiameter = 2.85;
   p.printer.filamentDensity = 1.27;
+  p.printer.filamentFlow = 0.94;
   p.printer.filamentType = "PETG";
   p.printer.maxNozzleTemperature = 280;
   p.printer.maxBedTemperature = 100;

@@ -149,7 +149,8 @@ std::optional<Error> checkValues(const CalibrationRequest& request, const std::v
 const CalibrationRow& rowOf(CalibrationKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
 double fastest(const Printer& printer, const PrintParams& print, double width) {
-  const double byFlow = std::floor(printer.maxFlow / (print.flow * print.layerHeight * width * printer.nozzle));
+  const double byFlow =
+      std::floor(printer.maxFlow / (printer.filamentFlow * print.flow * print.layerHeight * width * printer.nozzle));
   return printer.machineSpeed > 0 ? std::min(byFlow, printer.machineSpeed) : byFlow;
 }
 

@@ -112,7 +112,8 @@ void addPurge(GcodeJob& job, const Bounds& box, const Printer& printer, const Pr
   const double section = kPurgeSection * printer.nozzle * printer.nozzle;
   const double width = section / job.purgeHeight;
   if (params.purgeLength <= 0) return;
-  const double length = (params.purgeLength + printer.retractLength) * filamentArea(printer.filamentDiameter) / section;
+  const double pushed = (params.purgeLength + printer.retractLength) * filamentArea(printer.filamentDiameter);  // [mm³]
+  const double length = pushed / (section * printer.filamentFlow);
   Bounds all = box;
   for (const BeadPath& path : job.skirt) addBeads(all, path);
   job.purge = purgePath(all, printer, width, length);

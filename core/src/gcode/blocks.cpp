@@ -15,6 +15,7 @@
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/settings/presets.hpp"
 
 namespace sillon {
 namespace {
@@ -207,16 +208,21 @@ std::string withoutBlankLines(std::string_view block) {
   return out;
 }
 
-// Percentages that the block leaves on all flow (M221) or speed (M220), which are put back to 100 after it.
-void warnScaled(GcodeJob& job, std::string_view block) {
-  for (const auto& [code, setting] : {std::pair<int, const char*>{221, "flow"}, {220, "speed"}}) {
-    double percent = 100;
-    for (std::string_view rest = block; !rest.empty();) {
-      const GcodeCommand command = commandOf(codeOf(nextLine(rest)));
-      if (command.is('M', code)) percent = wordsOf(command.rest).at('S', percent);
-    }
-    if (percent != 100) job.warn(WarningCode::StartScales, {{"setting", std::string(setting)}, {"percent", percent}});
+// The percentage that the block leaves by M221, on all flow, or by M220, on all speed.
+double percentAfter(std::string_view block, int code) {
+  double percent = 100;
+  while (!block.empty()) {
+    const GcodeCommand command = commandOf(codeOf(nextLine(block)));
+    if (command.is('M', code)) percent = wordsOf(command.rest).at('S', percent);
   }
+  return percent;
+}
+
+// A maker's own block sets what is usual for its machine.
+bool isOfProfile(const std::string& block) {
+  static const std::vector<PrinterProfile> all = profiles(ProfileKind::Printer);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const PrinterProfile& profile) { return profile.printer.startGcode == block; });
 }
 
 }  // namespace
@@ -279,7 +285,13 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
     warnLow(job, "endGcode", checkGcode(end.value(), printer), plate.height);
     if (auto error = checkEnd(end.value(), last, z, printer, job)) return error;
   }
-  warnScaled(job, start.value());
+  job.startFlow = percentAfter(start.value(), 221);
+  if (job.startFlow != 100 && !isOfProfile(printer.startGcode)) {
+    job.warn(WarningCode::StartFlow, {{"percent", job.startFlow}});
+  }
+  if (const double speed = percentAfter(start.value(), 220); speed != 100) {
+    job.warn(WarningCode::StartScales, {{"percent", speed}});
+  }
   job.ownStart = printer.startGcode.empty();
   job.startBlock = job.ownStart ? ownStart(printer) : withoutBlankLines(start.value());
   job.endBlock = withoutBlankLines(end.value());

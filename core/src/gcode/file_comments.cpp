@@ -140,6 +140,7 @@ void writeFooter(ChunkedOutput& out, const FileTotals& totals, const GcodeJob& j
       {"gcode_flavor", dialectName(printer.flavor)},
   };
   for (const auto& [key, value] : settings) out << "; " << key << " = " << value << "\n";
+  if (printer.filamentFlow != 1) out << "; extrusion_multiplier = " << decimal(printer.filamentFlow, 3) << "\n";
   if (printer.zOffset != 0) out << "; z_offset = " << decimal(printer.zOffset, 3) << "\n";
 }
 

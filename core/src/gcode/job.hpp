@@ -62,6 +62,7 @@ struct GcodeJob {
   double startRetracted = 0;                   ///< filament that the start block draws back and leaves so [mm]
   std::vector<int> otherHotTools;              ///< that the start block heats, beside the one that prints
   bool hotChamber = false;                     ///< the start block heats it
+  double startFlow = 100;                      ///< by M221 of the start block [%], for the whole print
   std::string startBlock;                      ///< values put in
   std::string endBlock;
   std::vector<GcodeWarning> warnings;

@@ -160,7 +160,7 @@ void LayerWriter::heat(double degrees) {
 MotionLimits LayerWriter::layerLimits(const FileLayer& layer, double flow) const {
   MotionLimits limits = nozzle_.machineLimits();
   limits.layerHeight = layer.height;
-  limits.flow = flow;
+  limits.flow = flow * printer_.filamentFlow;
   limits.filamentArea = filamentArea(printer_.filamentDiameter);
   limits.speed = layer.oriented ? job_.showSpeed : printer_.baseSpeed > 0 ? printer_.baseSpeed : printer_.speed;
   if (layer.first) limits.speed = std::min(printer_.firstLayerSpeed, limits.speed);

@@ -42,6 +42,7 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
     }
   }
   if (params.base > 0 || params.skirt > 0) area = std::max(area, params.baseFlow * height * printer.nozzle);
+  area *= printer.filamentFlow;
   if (printer.maxFlow >= kMinFlowSpeed * area) return std::nullopt;
   return invalid("maxFlow is " + decimal(printer.maxFlow, 3) + " mm3/s; beads of " + decimal(area, 4) +
                  " mm2 need at least " + decimal(kMinFlowSpeed * area, 3) + " to print at 5 mm/s");
@@ -108,6 +109,7 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
     if (flow >= 0.8 && flow <= 1.1) return;
     job.warn(WarningCode::UnusualFlow, {{"field", field}, {"value", flow}});
   };
+  unusualFlow("filamentFlow", printer.filamentFlow);
   unusualFlow("flow", params.flow);
   unusualFlow("baseFlow", params.baseFlow);
   if (params.showSide != ShowSide::Up) unusualFlow("bedFlow", params.bedFlow);

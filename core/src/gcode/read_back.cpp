@@ -23,7 +23,8 @@ class SeenLayer {
       : turn_(turning(params), shape.page), page_(shape.page), lowest_(params.showSide == ShowSide::Bed) {
     const Shape turned = turn_.none() ? shape : turn_.apply(shape);
     offset_ = mm(placement(bounds(turned), printer, params));
-    widthPerFilament_ = filamentArea(printer.filamentDiameter) / (params.layerHeight * params.flow);
+    widthPerFilament_ =
+        filamentArea(printer.filamentDiameter) / (params.layerHeight * params.flow * printer.filamentFlow);
     toolpath_.spacing = spacing;
   }
 

@@ -17,7 +17,7 @@ namespace {
 // what is given back before the first bead, so that no thread is drawn and no bead lacks filament, whether or not the
 // block drew back itself. Waiting again costs nothing where the block has waited for the same.
 void takeOver(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
-  nozzle.out() << "G21\nG90\n" << (printer.absoluteE ? "M82" : "M83") << "\nG92 E0\nM220 S100\nM221 S100\n";
+  nozzle.out() << "G21\nG90\n" << (printer.absoluteE ? "M82" : "M83") << "\nG92 E0\nM220 S100\n";
   nozzle.isRetracted(job.startRetracted);
   if (job.hotStart) nozzle.retract();
   nozzle.passOver(safeHeight(printer, params) - printer.lift);
@@ -33,6 +33,7 @@ void purge(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const Pr
   if (job.purge.points.empty()) return;
   MotionLimits limits = nozzle.machineLimits();
   limits.layerHeight = job.purgeHeight;
+  limits.flow = printer.filamentFlow;
   limits.filamentArea = filamentArea(printer.filamentDiameter);
   limits.speed = std::min(printer.firstLayerSpeed, printer.speed);
   limits.maxFlow = printer.maxFlow;
@@ -40,7 +41,7 @@ void purge(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const Pr
   const Motion motion = planMotion(job.purge, 0, limits);
   nozzle.moveZ(job.purgeHeight);
   nozzle.unretract();
-  nozzle.bead(motion, 1, job.purgeHeight);
+  nozzle.bead(motion, limits.flow, job.purgeHeight);
   nozzle.dropResidue();
   nozzle.leave(motion, limits.speed, job.purgeHeight);
   nozzle.passOver(safeHeight(printer, params) - printer.lift);
@@ -60,14 +61,16 @@ void restoreMachine(ChunkedOutput& out, const GcodeJob& job, const Printer& prin
   if (printer.machineCornerSpeed > 0 && capped) {
     out << cornerSpeedCommand(printer.flavor, printer.machineCornerSpeed);
   }
+  if (job.startFlow != 100) out << "M221 S100\n";
 }
 
 }  // namespace
 
 void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   writeRole(nozzle.out(), kCustomRole);
-  // A block is written for a printer that was just switched on, not for the modes that the last file left.
-  nozzle.out() << "G21\nG90\nM82\n" << job.startBlock;
+  // A block is written for a printer that was just switched on, not for the modes that the last file left. The flow
+  // that it sets, itself or in a macro, is the owner's or the maker's, and holds for the whole print.
+  nozzle.out() << "G21\nG90\nM82\nM221 S100\n" << job.startBlock;
   takeOver(nozzle, job, printer, params);
   if (printer.flavor == GcodeFlavor::Klipper) {
     nozzle.out() << "SET_PRINT_STATS_INFO TOTAL_LAYER=" << std::to_string(fileLayers(job, params)) << "\n";

@@ -112,6 +112,9 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     if (comment.starts_with("FLAVOR:UltiGCode")) settings.ultimaker = settings.volumetric = true;
     if (comment.starts_with("FLAVOR:Griffin")) settings.ultimaker = true;
     if (const auto offset = numberAfter(comment, "z_offset =")) settings.zOffset = std::clamp(*offset, -5.0, 5.0);
+    if (const auto flow = numberAfter(comment, "extrusion_multiplier =")) {
+      settings.filamentFlow = std::clamp(*flow, 0.1, 2.0);
+    }
     if (!printer) readSetting(settings, comment);
     constexpr std::string_view kModel = "printer_model = ";
     if (comment.starts_with(kModel)) model = comment.substr(kModel.size());

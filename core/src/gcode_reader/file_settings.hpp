@@ -20,6 +20,7 @@ struct FileSettings {
   double zOffset = 0;                 ///< [mm] of all heights
   double filamentDiameter = 1.75;     ///< [mm]
   WeighedFilament weighed;            ///< where the diameter is not told: what the beads show
+  double filamentFlow = 1;            ///< by which all plastic was multiplied, as our own files tell it
   std::vector<double> filamentFlows;  ///< [mm³/s] that each tool's filament may have, 0: unknown
   double printFlow = 0;               ///< the same of all of them
   GcodeFlavor flavor = GcodeFlavor::Marlin;

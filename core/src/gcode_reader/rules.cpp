@@ -486,7 +486,8 @@ void Rules::follow(Vec2 p) {
 
 void Rules::lay(Vec2 from, Vec2 to, double section) {
   if (layerHeight_ <= 0 || beads_.size() >= kMostBeads) return;
-  const double width = std::min(section / layerHeight_ / (base_ ? baseFlow_ : flow_), 10.0);
+  const double flow = settings_.filamentFlow * (base_ ? baseFlow_ : flow_);
+  const double width = std::min(section / layerHeight_ / flow, 10.0);
   const auto narrow = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
   beads_.push_back(
       {narrow(from), narrow(to), static_cast<float>(width), base_, layers_, static_cast<float>(machine_.z)});

@@ -226,7 +226,8 @@ class Donor {
   std::string template_;  // of the start block, as the slicer was told it
   int tool_ = 0;          // of its first bead
   Bounds beads_;
-  double advance_ = 0;  // [s], of the start block
+  double advance_ = 0;    // [s], of the start block
+  std::string flowLine_;  // that leaves another flow than 100 %, in the start block
 };
 
 void Donor::comment(std::string_view line) {
@@ -325,11 +326,11 @@ void Donor::lookAt(std::string_view code) {
     const auto value = firstNumber(firstWord(code.substr(at + key.size())));
     if (value && *value >= 0 && *value <= kMostAdvance) advance_ = *value;
   }
-  for (const std::string_view factor : {"M220", "M221"}) {
-    const std::size_t value = valueOf(code, 'S');
-    if (!isCommand(code, factor) || value == std::string_view::npos || firstWord(code.substr(value)) == "100") continue;
-    note("Factor", {{"line", std::string(code.substr(0, 60))}});
-  }
+  const auto share = numberOf(code, 'S');  // Bambu's "M221 S" keeps limits of the axes
+  if (!share) return;
+  const bool whole = *share == 100;
+  if (isCommand(code, "M221")) flowLine_ = whole ? "" : std::string(code.substr(0, 60));
+  if (isCommand(code, "M220") && !whole) note("Factor", {{"line", std::string(code.substr(0, 60))}});
 }
 
 // The slicer put the filament's own temperatures and type into the block. Those become the next job's; others, as for
@@ -560,6 +561,7 @@ std::optional<Error> Donor::read(std::string_view text) {
   if (auto error = guessBed()) return error;
   if (auto error = weighFilament(text)) return error;
   startBlock(text.substr(0, firstLayer_));
+  if (!flowLine_.empty()) note("FlowFactor", {{"line", flowLine_}});
   Printer& p = out_.printer;
   if (p.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
   recogniseKlipper(out_);

@@ -25,6 +25,8 @@ constexpr Sentence kSentences[] = {
     {"FilamentUnclear",
      "the file does not tell the filament's diameter; with the {diameter} mm that is taken its beads would be {width} "
      "mm wide, from a nozzle of {nozzle} mm; check both"},
+    {"FlowTaken",
+     "the flow ratio of the file's filament is {value}, which is taken: all that is laid is multiplied by it"},
     {"ExcludedArea", "{key} is {value}; it must be one box of corners"},
     {"Flavor", "{key} is {value}; known are Marlin, Klipper and RepRapFirmware; Marlin is taken"},
     {"BlockTooLong", "{key} is {value}; a block may have 65536 bytes"},
@@ -36,7 +38,8 @@ constexpr Sentence kSentences[] = {
     // Start and end blocks of a file that was printed.
     {"FixedArea", "the start block names a fixed area ({line}); check that it is where the plate lies"},
     {"FixedTemperatures", "the start block heats for purposes of its own ({lines}); these do not follow the filament"},
-    {"Factor", "the start block has {line}, a share of speed or flow; files written here go back to 100 % after it"},
+    {"Factor", "the start block has {line}, a share of the speed; files written here go back to 100 % after it"},
+    {"FlowFactor", "the start block has {line}, a share of the flow, which holds for the whole of each print"},
     {"EndHeights", "heights in the end block were left out; the nozzle is lifted by 10 mm before it"},
     {"EndPlaces", "places more than 10 mm off the bed were left out of the end block"},
     {"NoHoming", "the start block does not home"},

@@ -39,6 +39,7 @@ class SettingsReader {
     names();
     bed();
     numbers();
+    filamentFlow();
     flavor();  // after the name
     cornerSpeed();
     block({"start_gcode", "machine_start_gcode"}, p_.startGcode);
@@ -62,6 +63,7 @@ class SettingsReader {
   void numbers();
   void flavor();
   void cornerSpeed();
+  void filamentFlow();
   void block(Keys keys, std::string& out);
 
   const SlicerSettings& settings_;
@@ -207,6 +209,19 @@ void SettingsReader::numbers() {
   if (speed >= 5) p_.machineSpeed = speed;
   const double jerk = positive({"machine_max_jerk_x"}, 200);
   if (jerk > 0) p_.cornerSpeed = std::clamp(jerk / 2, 0.1, 100.0);
+}
+
+// What the owner measured for the filament; OrcaSlicer has another share for the whole print.
+void SettingsReader::filamentFlow() {
+  constexpr double kLeast = 0.1, kMost = 2;  // of the setting
+  double percent = 100;                      // Cura's
+  double print = 1;
+  number({"extrusion_multiplier", "filament_flow_ratio"}, kLeast, kMost, p_.filamentFlow);
+  number({"material_flow"}, 100 * kLeast, 100 * kMost, percent);
+  number({"print_flow_ratio"}, kLeast, kMost, print);
+  p_.filamentFlow = std::clamp(p_.filamentFlow * (percent / 100 * print), kLeast, kMost);
+  if (p_.filamentFlow == 1) return;
+  addNote(out_.notRead, importNote("FlowTaken", {{"value", decimal(p_.filamentFlow, 3)}}));
 }
 
 // Slicers write these firmwares' jerk into each file, so that it is known what the printer has; Klipper has another

@@ -427,6 +427,9 @@ export const de: Translation = {
   'help.printer.filamentDiameter': '1,75 mm, bei manchen Druckern 2,85 mm.',
   'setting.printer.filamentDensity': 'Filamentdichte',
   'help.printer.filamentDensity': 'Nur für das Gewicht.',
+  'setting.printer.filamentFlow': 'Filamentfluss',
+  'help.printer.filamentFlow':
+    'Flussverhältnis (Extrusionsmultiplikator) aus deinem Slicer; gilt für alles, was gelegt wird.',
   'setting.printer.firstLayerNozzleTemperature': 'Düse, erste Schicht',
   'help.printer.firstLayerNozzleTemperature': 'Etwas heißer haftet besser.',
   'setting.printer.firstLayerSpeed': 'Tempo der ersten Schicht',
@@ -1052,8 +1055,10 @@ export const de: Translation = {
   'rare.note.FixedArea': 'Der Startblock nennt einen festen Bereich ({line}); prüfen, ob die Platte dort liegt.',
   'rare.note.FixedTemperatures':
     'Der Startblock heizt zu eigenen Zwecken ({lines}); diese Temperaturen folgen dem Filament nicht.',
-  'rare.note.Factor':
-    'Der Startblock enthält {line}, einen Anteil an Tempo oder Fluss; nach dem Block wird er auf 100 % gesetzt.',
+  'rare.note.Factor': 'Der Startblock enthält {line}, einen Anteil am Tempo; nach dem Block wird er auf 100 % gesetzt.',
+  'rare.note.FlowFactor': 'Der Startblock enthält {line}, einen Anteil am Fluss; er gilt in jedem Druck bis zum Ende.',
+  'rare.note.FlowTaken':
+    'Das Flussverhältnis des Filaments ist {value}; es wird übernommen und gilt für alles, was gelegt wird.',
   'rare.note.EndHeights': 'Höhen im Endblock wurden weggelassen; die Düse wird vorher um 10 mm angehoben.',
   'rare.note.EndPlaces': 'Stellen mehr als 10 mm neben dem Druckbett wurden im Endblock weggelassen.',
   'rare.note.NoHoming': 'Der Startblock macht keine Referenzfahrt.',
@@ -1063,9 +1068,9 @@ export const de: Translation = {
   'rare.warning.MirroredUp':
     'Die Platte ist gespiegelt, wird aber von oben gezeigt: Schrift darauf ist spiegelverkehrt.',
   'rare.warning.StartScales':
-    'Der Start-G-Code setzt {setting} auf {percent} % (M220, M221); vor der ersten Bahn wird wieder auf 100 gestellt.',
-  'rare.scale.flow': 'den Fluss',
-  'rare.scale.speed': 'das Tempo',
+    'Der Start-G-Code setzt das Tempo auf {percent} % (M220); vor der ersten Bahn wird wieder auf 100 gestellt.',
+  'rare.warning.StartFlow':
+    'Der Start-G-Code setzt den Fluss auf {percent} % (M221); das gilt für den ganzen Druck, zusätzlich zum Filamentfluss.',
   'rare.warning.StartTemperature':
     'Nach dem Start-G-Code hat die Düse {hot} °C; für die erste Schicht sind {meant} vorgesehen.',
   'rare.warning.StartLine': 'Zeile {line} des Start-G-Codes: {what}',

@@ -348,6 +348,7 @@ export const en = {
   'setting.printer.filamentType': 'Filament type',
   'setting.printer.filamentDiameter': 'Filament diameter',
   'setting.printer.filamentDensity': 'Filament density',
+  'setting.printer.filamentFlow': 'Filament flow',
   'setting.printer.firstLayerNozzleTemperature': 'Nozzle, first layer',
   'setting.printer.firstLayerSpeed': 'First layer speed',
   'setting.print.basePerimeters': 'Perimeters of base layers',

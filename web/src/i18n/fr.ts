@@ -429,6 +429,9 @@ export const fr: Translation = {
   'help.printer.filamentDiameter': '1,75 mm, ou 2,85 mm sur certaines imprimantes.',
   'setting.printer.filamentDensity': 'Densité du filament',
   'help.printer.filamentDensity': 'Pour le poids seulement.',
+  'setting.printer.filamentFlow': 'Débit du filament',
+  'help.printer.filamentFlow':
+    'Rapport de débit (multiplicateur d’extrusion) de votre trancheur ; il s’applique à tout ce qui est déposé.',
   'setting.printer.firstLayerNozzleTemperature': 'Buse, première couche',
   'help.printer.firstLayerNozzleTemperature': 'Un peu plus chaude, elle adhère mieux.',
   'setting.print.basePerimeters': 'Périmètres des couches de base',
@@ -1065,8 +1068,10 @@ export const fr: Translation = {
   'rare.note.FixedArea': 'Le bloc de début nomme une zone fixe ({line}) ; vérifiez que la plaque s’y trouve.',
   'rare.note.FixedTemperatures':
     'Le bloc de début chauffe pour ses propres besoins ({lines}) ; ces températures ne suivent pas le filament.',
-  'rare.note.Factor':
-    'Le bloc de début contient {line}, un facteur de vitesse ou de débit ; il est remis à 100 % après le bloc.',
+  'rare.note.Factor': 'Le bloc de début contient {line}, un facteur de vitesse ; il est remis à 100 % après le bloc.',
+  'rare.note.FlowFactor': 'Le bloc de début contient {line}, un facteur de débit qui vaut pour toute l’impression.',
+  'rare.note.FlowTaken':
+    'Le rapport de débit du filament est {value} ; il est repris et s’applique à tout ce qui est déposé.',
   'rare.note.EndHeights': 'Les hauteurs du bloc de fin ont été retirées ; la buse monte de 10 mm avant.',
   'rare.note.EndPlaces': 'Les positions à plus de 10 mm hors du plateau ont été retirées du bloc de fin.',
   'rare.note.NoHoming': 'Le bloc de début ne prend pas les origines.',
@@ -1075,9 +1080,9 @@ export const fr: Translation = {
   'rare.note.BeyondBed': 'Le bloc de début sort du plateau : {detail}',
   'rare.warning.MirroredUp': 'La plaque est en miroir mais montrée de dessus : un texte s’y lit à l’envers.',
   'rare.warning.StartScales':
-    'Le G-code de début règle {setting} à {percent} % ; il est remis à 100 avant le premier cordon.',
-  'rare.scale.flow': 'le débit',
-  'rare.scale.speed': 'la vitesse',
+    'Le G-code de début règle la vitesse à {percent} % ; elle est remise à 100 avant le premier cordon.',
+  'rare.warning.StartFlow':
+    'Le G-code de début règle le débit à {percent} % (M221) ; cela vaut pour toute l’impression, en plus du débit du filament.',
   'rare.warning.StartTemperature':
     'Le G-code de début laisse la buse à {hot} °C ; la première couche est prévue pour {meant}.',
   'rare.warning.StartLine': 'Ligne {line} du G-code de début : {what}',

@@ -56,6 +56,7 @@ export const helpEn = {
   'help.printer.filamentType': 'Written into the G-code.',
   'help.printer.filamentDiameter': '1.75 mm, or 2.85 mm on some printers.',
   'help.printer.filamentDensity': 'For the weight only.',
+  'help.printer.filamentFlow': 'Flow ratio (extrusion multiplier) from your slicer; it multiplies all that is laid.',
   'help.printer.firstLayerNozzleTemperature': 'A little hotter sticks better.',
   'help.print.basePerimeters': 'Loops along the border of hatched base layers: a clean rim that holds them together.',
   'help.print.bedFlow': 'Flow of an oriented layer that lies on the bed; less than 1 leaves fine gaps there.',

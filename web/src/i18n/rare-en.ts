@@ -90,7 +90,10 @@ export const rareEn = {
   'rare.note.FixedArea': 'The start block names a fixed area ({line}); check that the plate lies there.',
   'rare.note.FixedTemperatures':
     'The start block heats for purposes of its own ({lines}); these temperatures do not follow the filament.',
-  'rare.note.Factor': 'The start block has {line}, a share of speed or flow; it is set back to 100 % after the block.',
+  'rare.note.Factor': 'The start block has {line}, a share of the speed; it is set back to 100 % after the block.',
+  'rare.note.FlowFactor': 'The start block has {line}, a share of the flow; it holds for the whole of each print.',
+  'rare.note.FlowTaken':
+    'The flow ratio of the file’s filament is {value}; it is taken and multiplies all that is laid.',
   'rare.note.EndHeights': 'Heights in the end block were left out; the nozzle is lifted by 10 mm before it.',
   'rare.note.EndPlaces': 'Places more than 10 mm off the bed were left out of the end block.',
   'rare.note.NoHoming': 'The start block does not home.',
@@ -99,9 +102,9 @@ export const rareEn = {
   'rare.note.BeyondBed': 'The start block moves beyond the bed: {detail}',
   'rare.warning.MirroredUp': 'The plate is mirrored but shown from above: writing on it reads backwards.',
   'rare.warning.StartScales':
-    'The start G-code sets the {setting} to {percent}% (M220, M221); it is put back to 100 before the first bead.',
-  'rare.scale.flow': 'flow',
-  'rare.scale.speed': 'speed',
+    'The start G-code sets the speed to {percent}% (M220); it is put back to 100 before the first bead.',
+  'rare.warning.StartFlow':
+    'The start G-code sets the flow to {percent}% (M221), which holds for the whole print, beside the filament flow.',
   'rare.warning.StartTemperature':
     'The start G-code leaves the nozzle at {hot} °C; the first layer is meant for {meant}.',
   'rare.warning.StartLine': 'Line {line} of the start G-code: {what}',

@@ -70,10 +70,9 @@ export function startLines(
 
 /** A warning of GcodeSummary in the page's language. */
 export function warningText({ code, values }: GcodeWarning): string {
-  const { block, setting } = values;
+  const { block } = values;
   return rare(`warning.${code}`, {
     ...values,
     ...(block === 'startGcode' || block === 'endGcode' ? { block: t(`setting.printer.${block}`) } : {}),
-    ...(setting === 'flow' || setting === 'speed' ? { setting: rare(`scale.${setting}`) } : {}),
   });
 }

@@ -63,6 +63,7 @@ export const table = {
     nozzle: { type: 'number', level: 'basic', default: 0.4, unit: 'mm', low: 0.05, high: 2 },
     filamentDiameter: { type: 'number', level: 'advanced', default: 1.75, unit: 'mm', low: 0.5, high: 5 },
     filamentDensity: { type: 'number', level: 'advanced', default: 1.24, unit: 'g/cm³', low: 0.1, high: 25 },
+    filamentFlow: { type: 'number', level: 'advanced', default: 1, low: 0.1, high: 2 },
     filamentType: { type: 'text', level: 'advanced', default: 'PLA' },
     maxNozzleTemperature: { type: 'number', level: 'advanced', default: 300, unit: '°C', low: 170, high: 300 },
     maxBedTemperature: { type: 'number', level: 'advanced', default: 120, unit: '°C', low: 0, high: 120 },

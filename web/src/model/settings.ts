@@ -136,6 +136,7 @@ const controls: Record<
   'printer.maxBedTemperature': { step: 1, usual: [60, 120] },
   'printer.filamentDiameter': { step: 0.01, usual: [1.5, 3] },
   'printer.filamentDensity': { step: 0.01, usual: [0.8, 2] },
+  'printer.filamentFlow': { step: 0.01, usual: [0.8, 1.1] },
   'printer.firstLayerNozzleTemperature': { step: 1, usual: [190, 260] },
   'printer.firstLayerSpeed': { step: 1, usual: [5, 60] },
   'printer.baseSpeed': { step: 1, usual: [0, 150] },

@@ -44,6 +44,7 @@ enum class WarningCode {
   SegmentsSlow,
   SkirtLeftOut,
   SpeedHeld,
+  StartFlow,
   StartLine,
   StartScales,
   StartTemperature,

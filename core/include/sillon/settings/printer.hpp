@@ -25,6 +25,7 @@ struct Printer {
   double nozzle = 0.4;  ///< 0.05..2
   double filamentDiameter = 1.75;
   double filamentDensity = 1.24;  ///< [g/cm³]
+  double filamentFlow = 1;  ///< the slicers' extrusion multiplier: of all that is laid, over the flows of PrintParams
   std::string filamentType = "PLA";
   double maxNozzleTemperature = 300;  ///< what the hot end bears, 170..300
   double maxBedTemperature = 120;     ///< 0..120
