@@ -230,8 +230,8 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
   std::string out = table(plate, summary.value());
   const std::string package = packageWarning(arguments.out, plate.printer.flavor);
   if (!package.empty()) out += "warning  " + package + "\n";
-  for (const sillon::GcodeWarning& warning : summary.value().warnings) {
-    out += "note     " + sillon::warningSentence(warning) + "\n";
+  for (const sillon::Warning& warning : summary.value().warnings) {
+    out += "note     " + warning.message + "\n";
   }
   for (const sillon::GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
   return Outcome{std::move(files), std::move(out)};

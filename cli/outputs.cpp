@@ -20,7 +20,7 @@
 #include "sillon/look/preview.hpp"
 #include "sillon/look/thumbnails.hpp"
 #include "sillon/look/view_file.hpp"
-#include "sillon/quality/report.hpp"
+#include "sillon/report/report.hpp"
 #include "words.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -113,8 +113,8 @@ std::optional<Error> judgePictures(Job& job, const std::string& gcode, const sil
 }
 
 // Of the plate, then of the G-code.
-std::vector<sillon::GcodeWarning> warningsOf(const Job& job) {
-  std::vector<sillon::GcodeWarning> all =
+std::vector<sillon::Warning> warningsOf(const Job& job) {
+  std::vector<sillon::Warning> all =
       sillon::plateWarnings(job.input.shape.drawing, job.plate.apart, pictureFacts(job.pictures, job.pictureMeasures),
                             job.measures, job.input.shape.page, job.plate.toolpath.spacing);
   if (job.gcode) all.insert(all.end(), job.gcode->warnings.begin(), job.gcode->warnings.end());
@@ -239,12 +239,19 @@ std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor) 
 
 namespace {
 
-/// The report with what the print takes.
-std::string withPrint(std::string report, const sillon::GcodeSummary& gcode) {
-  const nlohmann::ordered_json takes{{"seconds", std::round(gcode.seconds)},
-                                     {"filamentMm", std::round(100 * gcode.filamentMm) / 100},
-                                     {"grams", std::round(100 * gcode.filamentGrams) / 100}};
-  return sillon::withEntry(std::move(report), "print", takes.dump());
+/// With what the print takes, and what should be known of it.
+std::string reportText(const Job& job, int threads) {
+  sillon::Report report = sillon::reportOf(job.plate, job.measures);
+  report.threads = threads;
+  report.peakBytes = peakBytes();
+  for (std::size_t k = 0; k < job.pictureMeasures.size(); ++k) {
+    const sillon::ShownPicture& shown = job.pictures.shown[k];
+    report.pictures.push_back({shown.file, shown.lamp, job.pictureMeasures[k]});
+  }
+  report.fromGcode = job.gcode.has_value();
+  if (job.gcode) report.print = {job.gcode->seconds, job.gcode->filamentMm, job.gcode->filamentGrams};
+  report.warnings = warningsOf(job);
+  return sillon::reportJson(report);
 }
 
 /// The G-code in the kind of file that its name asks for.
@@ -322,10 +329,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
   // Last, so that the peak holds all that came before.
   if (!paths.report.empty() && job.measures) {
-    std::string report = sillon::reportJson(job.plate, *job.measures, run.threads(), peakBytes());
-    report = sillon::withPictures(std::move(report), job.pictures.shown, job.pictureMeasures, job.gcode.has_value());
-    if (job.gcode) report = withPrint(std::move(report), *job.gcode);
-    files.push_back({paths.report, sillon::withWarnings(std::move(report), warningsOf(job))});
+    files.push_back({paths.report, reportText(job, run.threads())});
   }
   return files;
 }
@@ -363,18 +367,18 @@ std::string summary(const Job& job, int threads, const std::vector<OutputFile>& 
     }
   }
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
-  const std::vector<sillon::GcodeWarning> warnings = warningsOf(job);
+  const std::vector<sillon::Warning> warnings = warningsOf(job);
   for (const OutputFile& file : files) {
     const std::string warning = packageWarning(file.path, job.project.printer.flavor);
     if (!warning.empty()) out += "warning    " + warning + "\n";
   }
-  for (const sillon::GcodeWarning& warning : warnings) {
-    out += "warning    " + sillon::warningSentence(warning) + "\n";
+  for (const sillon::Warning& warning : warnings) {
+    out += "warning    " + warning.message + "\n";
   }
   if (job.gcode) {
     for (const sillon::GcodeFinding& finding : job.findings) {
       // A line of the owner's start or end code has been told, by its place there.
-      if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::GcodeWarning& warning) {
+      if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::Warning& warning) {
             const sillon::NamedValue* what = warning.value("what");
             return what != nullptr && what->text == finding.message;
           })) {

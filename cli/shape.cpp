@@ -29,8 +29,8 @@ sillon::Result<Description> describe(const std::string& file, const ShapeArgumen
   const auto outline = sillon::resolveOutline(input.value().shape);
   if (!outline) return outline.error();
   Description out{input.value().shape.page, outline.value().area, inputNotes(project, input.value().shape.drawing)};
-  for (const sillon::GcodeWarning& warning : sillon::drawingWarnings(input.value().shape.drawing)) {
-    out.notes.push_back(sillon::warningSentence(warning));
+  for (const sillon::Warning& warning : sillon::drawingWarnings(input.value().shape.drawing)) {
+    out.notes.push_back(warning.message);
   }
   return out;
 }

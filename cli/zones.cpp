@@ -7,8 +7,8 @@
 #include "assemble.hpp"
 #include "files.hpp"
 #include "outputs.hpp"
-#include "sillon/gcode/warning.hpp"
 #include "sillon/project/pictures.hpp"
+#include "sillon/report/warning.hpp"
 #include "words.hpp"
 
 namespace cli {
@@ -74,8 +74,8 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
   std::string out;
   if (arguments.body.empty()) {
     for (const std::string& note : inputNotes(project, seen.drawing)) out += "note   " + note + "\n";
-    for (const sillon::GcodeWarning& warning : sillon::drawingWarnings(seen.drawing)) {
-      out += "warning " + sillon::warningSentence(warning) + "\n";
+    for (const sillon::Warning& warning : sillon::drawingWarnings(seen.drawing)) {
+      out += "warning " + warning.message + "\n";
     }
   }
   if (const std::size_t open = sillon::openEdges(body); open > 0) {

@@ -16,10 +16,11 @@ toolpath: settings geometry field
 look: settings input toolpath
 pipeline: settings geometry input field toolpath
 quality: settings geometry input field toolpath look pipeline
+report: settings geometry look pipeline quality
 printer: settings
 gcode_reader: settings printer
 rebrush: settings geometry input look pipeline quality gcode_reader
-gcode: settings geometry toolpath quality printer gcode_reader
+gcode: settings geometry toolpath quality report printer gcode_reader
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
 project: settings geometry input look pipeline quality

@@ -268,17 +268,17 @@ inline val toJs(const std::vector<sillon::NamedValue>& list) {
   return values;
 }
 
-inline val toJs(const sillon::GcodeWarning& warning) {
+inline val toJs(const sillon::Warning& warning) {
   val out = val::object();
   out.set("code", val(sillon::warningName(warning.code)));
   out.set("values", toJs(warning.values));
-  out.set("message", val(sillon::warningSentence(warning)));
+  out.set("message", val(warning.message));
   return out;
 }
 
 inline val toJs(const sillon::GcodeSummary& summary) {
   val warnings = val::array();
-  for (const sillon::GcodeWarning& warning : summary.warnings) warnings.call<void>("push", toJs(warning));
+  for (const sillon::Warning& warning : summary.warnings) warnings.call<void>("push", toJs(warning));
   val out = val::object();
   out.set("filamentMm", summary.filamentMm);
   out.set("filamentCm3", summary.filamentCm3);

@@ -10,7 +10,6 @@
 
 #include "call.hpp"
 #include "convert.hpp"
-#include "sillon/gcode/warning.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/pipeline/session.hpp"
 #include "sillon/project/pictures.hpp"
@@ -18,7 +17,8 @@
 #include "sillon/project/project.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/quality/picture_measures.hpp"
-#include "sillon/quality/report.hpp"
+#include "sillon/report/report.hpp"
+#include "sillon/report/warning.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace {
@@ -99,13 +99,17 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     val out = val::object();
     out.set("toolpath", path);
     if (pictures.value().shown.size() > 1) out.set("conflict", convert::conflictOf(plateInput, pictures.value()));
-    std::string report = sillon::reportJson(plate.value(), measures, run.threads(),
-                                            static_cast<std::int64_t>(emscripten_get_heap_size()));
-    report = sillon::withPictures(std::move(report), pictures.value().shown, seen, false);
-    const std::vector<sillon::GcodeWarning> warnings =
+    sillon::Report report = sillon::reportOf(plate.value(), measures);
+    report.threads = run.threads();
+    report.peakBytes = static_cast<std::int64_t>(emscripten_get_heap_size());
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const sillon::ShownPicture& shown = pictures.value().shown[k];
+      report.pictures.push_back({shown.file, shown.lamp, seen[k]});
+    }
+    report.warnings =
         sillon::plateWarnings(plateInput.shape.drawing, plate.value().apart, pictureFacts(pictures.value(), seen),
                               measures, plateInput.shape.page, toolpath.spacing);
-    out.set("report", val(sillon::withWarnings(std::move(report), warnings)));
+    out.set("report", val(sillon::reportJson(report)));
     return success(out);
   });
 }

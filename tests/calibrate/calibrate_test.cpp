@@ -239,7 +239,7 @@ TEST_CASE("every row of U-turns has its own advance, in the dialect's words, and
     CHECK(back != std::string::npos);
     CHECK(back > at);
     CHECK(std::any_of(file.summary.warnings.begin(), file.summary.warnings.end(),
-                      [](const GcodeWarning& warning) { return warning.code == WarningCode::PressureAdvanceReset; }));
+                      [](const Warning& warning) { return warning.code == WarningCode::PressureAdvanceReset; }));
   }
 }
 

@@ -1021,7 +1021,7 @@ TEST_CASE("pictures may stand one behind the other, and what of them cannot be s
 
   const Run lost = folder.run("generate checks.png" + coarse);
   REQUIRE(lost.code == 0);
-  CHECK(has(lost.out, "\nwarning    of picture 1 the beads show r "));
+  CHECK(has(lost.out, "\nwarning    picture 1 is hard to recognise in the beads (r "));
   const Json report = Json::parse(readAll(folder.at("r.json")));
   CHECK(report["warnings"][0]["code"] == "PictureLost");
   CHECK(report["warnings"][0]["values"]["r"] < 0.7);

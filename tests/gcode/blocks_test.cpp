@@ -52,10 +52,8 @@ TEST_CASE("the flow that a start block sets holds for the whole print, its speed
     job.printer.startGcode = "G28\nM190 S60\nM109 S[first_layer_temperature]\n" + block;
     const Written written = job.write();
     REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
-    for (const GcodeWarning& warning : written.result.value().warnings) {
-      if (warning.code == WarningCode::StartScales || warning.code == WarningCode::StartFlow) {
-        return warningSentence(warning);
-      }
+    for (const Warning& warning : written.result.value().warnings) {
+      if (warning.code == WarningCode::StartScales || warning.code == WarningCode::StartFlow) return warning.message;
     }
     return std::string();
   };
@@ -318,7 +316,7 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
   CHECK(endRefusal("G1 X1,5").find("line 1 of endGcode: no plain number: \"X1,5\"") == 0);
   Job own = job;
   own.printer.endGcode = "G91\nG1 E-2 X5 Y-5 F3000\nG1 Z5\nG90\nG1 X0\nM500";
-  const std::vector<GcodeWarning> warnings = own.write().result.value().warnings;
+  const std::vector<Warning> warnings = own.write().result.value().warnings;
   CHECK(contains(warnings, "line 6 of endGcode: M500 outlives the print"));
   CHECK(contains(warnings, "endGcode leaves a nozzle, the bed or the chamber hot"));
   CHECK(warnings.size() == 2);

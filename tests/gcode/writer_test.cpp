@@ -951,10 +951,9 @@ TEST_CASE("the summary tells what an independent reader finds in the file, and w
 }
 
 TEST_CASE("warnings are a code with values, and the sentence made of them") {
-  const GcodeWarning low{WarningCode::BlockMovesLow,
-                         {{"block", std::string("endGcode")}, {"z", 0.3}, {"height", 5.25}}};
+  const Warning low{WarningCode::BlockMovesLow, {{"block", std::string("endGcode")}, {"z", 0.3}, {"height", 5.25}}};
   CHECK(std::string(warningName(low.code)) == "BlockMovesLow");
-  CHECK(warningSentence(low) == "endGcode goes down to Z 0.3; what stands there is 5.25 mm high");
+  CHECK(low.message == "endGcode goes down to Z 0.3; what stands there is 5.25 mm high");
   REQUIRE(low.value("z") != nullptr);
   CHECK(low.value("z")->number == 0.3);
   CHECK(low.value("speed") == nullptr);
@@ -962,9 +961,9 @@ TEST_CASE("warnings are a code with values, and the sentence made of them") {
   Job job = plate();
   job.params.flow = 0.5;
   const Written written = job.write();
-  const std::vector<GcodeWarning>& warnings = written.result.value().warnings;
+  const std::vector<Warning>& warnings = written.result.value().warnings;
   const auto flow = std::find_if(warnings.begin(), warnings.end(),
-                                 [](const GcodeWarning& w) { return w.code == WarningCode::UnusualFlow; });
+                                 [](const Warning& w) { return w.code == WarningCode::UnusualFlow; });
   REQUIRE(flow != warnings.end());
   CHECK(flow->value("field")->text == "flow");
   CHECK(flow->value("value")->number == 0.5);
@@ -1034,9 +1033,9 @@ TEST_CASE("without pressure advance oriented layers run at 20 mm/s throughout, a
   };
   const Written without = job.write();
   CHECK(speeds(without.text) == std::pair<std::int64_t, std::int64_t>(1200, 1200));
-  const std::vector<GcodeWarning>& warnings = without.result.value().warnings;
+  const std::vector<Warning>& warnings = without.result.value().warnings;
   const auto told = std::find_if(warnings.begin(), warnings.end(),
-                                 [](const GcodeWarning& w) { return w.code == WarningCode::NoPressureAdvance; });
+                                 [](const Warning& w) { return w.code == WarningCode::NoPressureAdvance; });
   REQUIRE(told != warnings.end());
   CHECK(told->value("minutes")->number == std::ceil(9000.0 / 60 * (1 / 20.0 - 1 / 50.0)));  // 60 x 60 / 0.4 mm
   for (int way = 0; way < 3; ++way) {
@@ -1132,7 +1131,7 @@ TEST_CASE("what slows more than a tenth of the oriented beads is told with its s
     }
     const Written written = job.write();
     REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
-    for (const GcodeWarning& warning : written.result.value().warnings) {
+    for (const Warning& warning : written.result.value().warnings) {
       if (warning.code == code) return warning.value("percent")->number;
     }
     return 0.0;

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/gcode/warning.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "sillon/report/warning.hpp"
 #include "support/joinable.hpp"
 #include "support/random_plates.hpp"
 
@@ -107,10 +107,10 @@ TEST_CASE("120 random drawings of many solids keep the promises") {
       CHECK(std::abs(place.x - page.x / 2) <= page.x / 2 + bead);
       CHECK(std::abs(place.y - page.y / 2) <= page.y / 2 + bead);
     }
-    const std::vector<GcodeWarning> warnings = plateWarnings({}, apart, {}, std::nullopt, page, bead);
+    const std::vector<Warning> warnings = plateWarnings({}, apart, {}, std::nullopt, page, bead);
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0].value("n")->number == static_cast<double>(apart.size()));
-    CHECK(warningSentence(warnings[0]).find("too thin for a bead") != std::string::npos);
+    CHECK(warnings[0].message.find("too thin for a bead") != std::string::npos);
   }
   CHECK(made >= 100);
   CHECK(inPieces > 0);

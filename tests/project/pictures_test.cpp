@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/gcode/warning.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/quality/picture_measures.hpp"
+#include "sillon/report/warning.hpp"
 
 using namespace sillon;
 
@@ -160,7 +160,7 @@ TEST_CASE("pictures that leave one of them unseen are told, with how much of it 
   // Under one lamp a direction has one tone: of a picture and its negative, each is shown by half at most.
   const Vec2 lamp{60, 45};
   const Made contrary = made(projectOf({{"ball.png", lamp}, {"negative.png", lamp}}));
-  const std::vector<GcodeWarning> told = pictureWarnings(pictureFacts(contrary.pictures, {}));
+  const std::vector<Warning> told = pictureWarnings(pictureFacts(contrary.pictures, {}));
   REQUIRE(told.size() == 1);
   CHECK(told[0].code == WarningCode::PicturesCrowded);
   CHECK(told[0].value("n")->number == 2);
@@ -180,7 +180,7 @@ TEST_CASE("pictures that leave one of them unseen are told, with how much of it 
 TEST_CASE("of pictures the one that is shown least is told, and those with one tone") {
   const auto told = [](const std::vector<PictureFacts>& facts) {
     std::string out;
-    for (const GcodeWarning& warning : pictureWarnings(facts)) {
+    for (const Warning& warning : pictureWarnings(facts)) {
       out += std::string(warningName(warning.code)) + " " + std::to_string(int(warning.value("picture")->number)) + " ";
     }
     return out;

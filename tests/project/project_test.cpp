@@ -1,4 +1,4 @@
-// Project and scene files, and the report: what is written is read back, what is wrong is named.
+// Project and scene files: what is written is read back, what is wrong is named.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,12 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "sillon/pipeline/pipeline.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/quality/report.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
-#include "support/report_keys.hpp"
 #include "support/wrong_settings.hpp"
 
 using namespace sillon;
@@ -161,22 +158,6 @@ Project unusualProject() {
   p.printer.endGcode = "M84";
   p.printer.screenSizes = "16x16/QOI";
   return p;
-}
-
-ToolpathResult somePlate() {
-  ToolpathResult plate;
-  plate.toolpath.cycles.resize(1);
-  plate.toolpath.cycles[0].points = {{0, 0}, {1, 0}, {0, 1}};
-  plate.toolpath.cycles[0].widths = {0.4f, 0.4f, 0.4f};
-  plate.toolpath.spacing = 0.4;
-  plate.nx = 331;
-  plate.ny = 269;
-  plate.parts = 1;
-  plate.contourCycles = 125;
-  plate.longestJointMm = 0.41238;
-  plate.unjoined = 2;
-  plate.time = {{"sdf", 0.25}, {"line field", 0.5}};
-  return plate;
 }
 
 }  // namespace
@@ -632,90 +613,4 @@ TEST_CASE("a file name that is no UTF-8 is written all the same") {
   Project project;
   project.shapeFile = "\xFF.svg";
   CHECK(problem(writeProject(project)) == "");
-}
-
-TEST_CASE("the report is JSON with every key and the values it was given") {
-  Measures measures;
-  measures.lengthMm = 5310.1234;
-  measures.alignment = -0.94217;
-  measures.coverage = 97.65432;
-  measures.crossings = 2;
-  measures.uTurns = 523;
-  measures.kinks = 11;
-  measures.fillRatio = 1.00312;
-  measures.width = {0.51, 1, 1.49, 0.00001, 0.02};
-  measures.digest = "0123456789abcdef";
-  const std::string text = reportJson(somePlate(), measures, 3, 123456789012);
-  const Json report = Json::parse(text, nullptr, false);
-  REQUIRE(report.is_object());
-  checkReportKeys(report);
-  CHECK(report["grid"] == Json::array({331, 269}));
-  CHECK(report["parts"] == 1);
-  CHECK(report["cycles"] == 125);
-  CHECK(report["toolpaths"] == 1);
-  CHECK(report["lengthMm"] == 5310.123);
-  CHECK(report["alignment"] == -0.9422);
-  CHECK(report["coverage"] == 97.654);
-  CHECK(report["crossings"] == 2);
-  CHECK(report["uTurns"] == 523);
-  CHECK(report["kinks"] == 11);
-  CHECK(report["fillRatio"] == 1.0031);
-  CHECK(report["longestJointMm"] == 0.4124);
-  CHECK(report["unjoined"] == 2);
-  CHECK(report["width"]["p01"] == 0.51);
-  CHECK(report["width"]["belowHalf"] == 0.00001);
-  CHECK(report["time"]["line field"] == 0.5);
-  CHECK(report["time"]["total"] == 0.75);
-  CHECK(report["peakBytes"] == 123456789012);
-  CHECK(report["threads"] == 3);
-  CHECK(report["digest"] == "0123456789abcdef");
-  CHECK(has(text, "\"coverage\": 97.654,"));
-  CHECK_FALSE(has(text, "-0.0000"));
-}
-
-TEST_CASE("an unmeasured plate reports its facts and its digest, and no measure") {
-  const Json report = Json::parse(reportJson(somePlate(), std::nullopt, 1, 0), nullptr, false);
-  REQUIRE(report.is_object());
-  CHECK(report.contains("points"));
-  CHECK(report["digest"] == digestOf(somePlate().toolpath));
-  for (const char* key : {"lengthMm", "alignment", "coverage", "uTurns", "width"}) CHECK(!report.contains(key));
-}
-
-TEST_CASE("the notes say what made a plate, and how good it is where that is known") {
-  ToolpathParams params;
-  params.seed = 9;
-  CHECK(plateNotes(params, std::nullopt) == std::vector<std::string>{"seed = 9, perimeters = 1"});
-  params.perimeterMode = PerimeterMode::Soft;
-  Measures measures;
-  measures.alignment = -0.94217;
-  measures.coverage = 97.656;
-  measures.overlap = 0.25;
-  measures.crossings = 2;
-  measures.digest = "0123456789abcdef";
-  CHECK(plateNotes(params, measures) ==
-        std::vector<std::string>{"seed = 9, perimeters = soft",
-                                 "alignment = -0.9422, coverage = 97.66, overlap = 0.25, crossings = 2",
-                                 "toolpath digest = 0123456789abcdef"});
-}
-
-TEST_CASE("a report tells only of pictures that were measured, and what is no report stays as it was") {
-  const std::string report = reportJson(ToolpathResult{}, std::nullopt, 1, 0);
-  const std::vector<PictureMeasures> measures(2);
-  const std::vector<ShownPicture> one = {{"a.png", {}, {}}};
-  CHECK(withPictures(report, {}, measures, false) == report);
-  CHECK(withPictures("{}", one, measures, false) == "{}");
-  const Json with = Json::parse(withPictures(report, one, measures, false), nullptr, false);
-  REQUIRE(with.is_object());
-  CHECK(with["pictures"].size() == 1);
-}
-
-TEST_CASE("a report of nothing and of what is no number is JSON too") {
-  CHECK(Json::parse(reportJson(ToolpathResult{}, Measures{}, 1, 0), nullptr, false).is_object());
-  Measures measures;
-  measures.coverage = std::numeric_limits<double>::quiet_NaN();
-  measures.digest = "a\"\\\n";
-  const Json report = Json::parse(reportJson(somePlate(), measures, 1, 0), nullptr, false);
-  REQUIRE(report.is_object());
-  CHECK(report["coverage"].is_null());
-  CHECK(report["digest"] == "a\"\\\n");
 }

@@ -8,9 +8,9 @@
 #include <random>
 #include <utility>
 
-#include "sillon/gcode/warning.hpp"
 #include "sillon/pipeline/session.hpp"
-#include "sillon/quality/report.hpp"
+#include "sillon/report/report.hpp"
+#include "sillon/report/warning.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 
@@ -346,7 +346,7 @@ TEST_CASE("measures are the same whether dislocations were counted while the pla
     const auto report = [&](const std::optional<Dislocations>& known) {
       const auto measures = measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions,
                                             scene.input.modes, params, kRun, known);
-      return reportJson(ToolpathResult{}, measures.value(), 1, 0);
+      return reportJson(reportOf(ToolpathResult{}, measures.value()));
     };
     const std::string anew = report(std::nullopt);
     REQUIRE(plate.dislocations.has_value());

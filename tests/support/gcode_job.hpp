@@ -117,10 +117,9 @@ inline Job plate(double width = 30, double height = 20, double step = 5) {
   return job;
 }
 
-inline bool contains(const std::vector<GcodeWarning>& list, std::string_view part) {
-  return std::any_of(list.begin(), list.end(), [&](const GcodeWarning& warning) {
-    return warningSentence(warning).find(part) != std::string::npos;
-  });
+inline bool contains(const std::vector<Warning>& list, std::string_view part) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const Warning& warning) { return warning.message.find(part) != std::string::npos; });
 }
 
 // Everything that holds for every file.

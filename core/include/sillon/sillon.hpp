@@ -58,13 +58,12 @@
 #include "sillon/pipeline/stages.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/quality/picture_measures.hpp"
-#include "sillon/quality/report.hpp"
+#include "sillon/report/report.hpp"
 
 // G-code out, and any G-code in.
 #include "sillon/gcode/bed_fit.hpp"
 #include "sillon/gcode/patches.hpp"
 #include "sillon/gcode/read_back.hpp"
-#include "sillon/gcode/warning.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/gcode_reader/examine.hpp"
@@ -73,6 +72,7 @@
 #include "sillon/rebrush/rebrush.hpp"
 #include "sillon/rebrush/relief.hpp"
 #include "sillon/rebrush/surfaces.hpp"
+#include "sillon/report/warning.hpp"
 
 // Pictures, drawings and other files.
 #include "sillon/export/base_solid.hpp"

@@ -25,8 +25,8 @@ constexpr double kNozzleBody = 2;  // [mm] around its middle, and more than any 
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
-std::optional<Error> refusal(const GcodeWarning& warning) {
-  return Error{ErrorCode::InvalidArgument, warningSentence(warning), warningName(warning.code), warning.values};
+std::optional<Error> refusal(const Warning& warning) {
+  return Error{ErrorCode::InvalidArgument, warning.message, warningName(warning.code), warning.values};
 }
 
 // \param height  of what stands on the bed while the block runs [mm].
@@ -46,7 +46,7 @@ bool isDangerous(const GcodeFinding& finding) {
                            finding.code == "volumetric");
 }
 
-GcodeWarning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& finding) {
+Warning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& finding) {
   return {code, {{"line", static_cast<double>(line)}, {"what", finding.message}, {"rule", finding.rule}}};
 }
 
@@ -85,7 +85,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   warnLow(job, "startGcode", check, params.startHeight > 0 ? params.startHeight + printer.zOffset : 0);
   for (const GcodeFinding& finding : check.findings) {
     if (finding.line == 0) continue;  // of whole files
-    const GcodeWarning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
+    const Warning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
     const bool elsewhere = finding.code == "origin-shift";  // whoever wrote the block: the plate would lie there
     if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return refusal(warning);
     if (isWorthALook(finding)) job.warnings.push_back(warning);
@@ -181,7 +181,7 @@ std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height
   for (const GcodeFinding& finding : checkGcode(before + block, printer).findings) {
     hot = hot || finding.rule == "end";
     if (finding.line <= lines) continue;
-    const GcodeWarning warning = lineWarning(WarningCode::EndLine, finding.line - lines, finding);
+    const Warning warning = lineWarning(WarningCode::EndLine, finding.line - lines, finding);
     const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
     if (isDangerous(finding) || (fault && printer.flavor != GcodeFlavor::Bambu)) {
       return refusal(warning);

@@ -10,7 +10,7 @@
 
 #include "gcode/motion.hpp"
 #include "sillon/gcode/patches.hpp"
-#include "sillon/gcode/warning.hpp"
+#include "sillon/report/warning.hpp"
 #include "sillon/settings/print_params.hpp"
 #include "sillon/settings/printer.hpp"
 
@@ -65,7 +65,7 @@ struct GcodeJob {
   double startFlow = 100;                      ///< by M221 of the start block [%], for the whole print
   std::string startBlock;                      ///< values put in
   std::string endBlock;
-  std::vector<GcodeWarning> warnings;
+  std::vector<Warning> warnings;
 
   void warn(WarningCode code, std::vector<NamedValue> values = {}) { warnings.push_back({code, std::move(values)}); }
 };

@@ -236,10 +236,10 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   job.fillRatio = cycles.beadArea / inside.area;
   outside += countOutside(toolpath, inside);
   if (outside > 0) {
-    const GcodeWarning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
+    const Warning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
     if (params.strict) {
-      return Error{ErrorCode::InvalidArgument, warningSentence(warning) + "; strict refuses that",
-                   warningName(warning.code), warning.values};
+      return Error{ErrorCode::InvalidArgument, warning.message + "; strict refuses that", warningName(warning.code),
+                   warning.values};
     }
     job.warnings.push_back(warning);
   }

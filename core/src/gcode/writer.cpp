@@ -120,7 +120,7 @@ Result<GcodeSummary> write(const Prepare& prepare, const Printer& given, const P
                            const GcodeSink& sink) {
   if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};
   Printer printer = given;
-  std::vector<GcodeWarning> held;
+  std::vector<Warning> held;
   const auto hold = [&](const std::string& field, double& speed) {
     if (!(given.machineSpeed > 0 && speed > given.machineSpeed)) return;
     held.push_back({WarningCode::SpeedHeld, {{"field", field}, {"asked", speed}, {"held", given.machineSpeed}}});

@@ -1,5 +1,5 @@
 // Why a job is refused, as codes: what `Error::reason` may be, for those who say it in another language than English.
-// Besides: the name of a warning (gcode/warning.hpp) that is no mere warning here, with its values.
+// Besides: the name of a warning (report/warning.hpp) that is no mere warning here, with its values.
 #pragma once
 
 namespace sillon::reason {

@@ -9,8 +9,8 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/gcode/warning.hpp"
 #include "sillon/geometry/shape.hpp"
+#include "sillon/report/warning.hpp"
 #include "sillon/settings/print_params.hpp"
 #include "sillon/settings/printer.hpp"
 
@@ -26,7 +26,7 @@ struct GcodeSummary {
   std::int64_t bytes = 0;
   double clampedLengthMm = 0;  ///< extruded with a width held at 0.6 or 1.6 nozzle
   double curveSlowedMm = 0;    ///< of oriented beads that curveAcceleration slows, or that stay even beside slower ones
-  std::vector<GcodeWarning> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Receives the file in pieces; returning false stops the writing (Cancelled).

@@ -1,4 +1,4 @@
-// What the user should know of a file that was written: a code with its values, and the English sentence made of them.
+// What people should know of a plate or of its file: a code with its values, and the English sentence made of them.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace sillon {
 
-/// The values that each code carries stand in `gcode/warning.cpp`, in the braces of its sentence.
+/// The values that each code carries stand in `report/warning.cpp`, in the braces of its sentence.
 enum class WarningCode {
   AccelerationHeld,
   BaseTooThin,
@@ -54,9 +54,12 @@ enum class WarningCode {
   WidthHeld,
 };
 
-struct GcodeWarning {
+struct Warning {
+  Warning(WarningCode code, std::vector<NamedValue> values = {});
+
   WarningCode code;
   std::vector<NamedValue> values;
+  std::string message;  ///< one English sentence without a full stop
 
   /// Null if there is no value of that name.
   [[nodiscard]] const NamedValue* value(const std::string& name) const;
@@ -66,28 +69,22 @@ struct GcodeWarning {
 const char* warningName(WarningCode code);
 
 /// What a reader of a drawing should say, whatever becomes of it.
-std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing);
+std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);
 
 /// Of pictures with one tone, and of the one that is shown least, if that is below r 0.7, at which few recognise it:
 /// as one direction per place has to show several, or as the beads are too wide for it.
-std::vector<GcodeWarning> pictureWarnings(const std::vector<PictureFacts>& pictures);
+std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures);
 
 /// All that should be said of a plate before there is G-code: of its drawing, of toolpaths that could not be joined to
 /// the rest of their part, of its pictures, and of what is narrower than a bead, where that is more than 0.5 % of the
 /// shape.
 /// \param apart  ToolpathResult::apart. \param measures  none: nothing lost is told. \param page  of the plate [mm].
 /// \param spacing  tau [mm].
-std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
-                                        const std::vector<PictureFacts>& pictures,
-                                        const std::optional<Measures>& measures, Vec2 page, double spacing);
+std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
+                                   const std::vector<PictureFacts>& pictures, const std::optional<Measures>& measures,
+                                   Vec2 page, double spacing);
 
 /// A JSON list of objects with `code`, `values` and `message`.
-std::string warningsJson(const std::vector<GcodeWarning>& warnings);
-
-/// The JSON of a report with the warnings as its last entry: docs/reference/report.md.
-std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings);
-
-/// One English sentence without a full stop.
-std::string warningSentence(const GcodeWarning& warning);
+std::string warningsJson(const std::vector<Warning>& warnings);
 
 }  // namespace sillon

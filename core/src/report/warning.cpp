@@ -1,4 +1,4 @@
-#include "sillon/gcode/warning.hpp"
+#include "sillon/report/warning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "base/json_text.hpp"
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
-#include "sillon/quality/report.hpp"
 
 namespace sillon {
 namespace {
@@ -60,14 +59,14 @@ constexpr Row kRows[] = {
      "nothing is printed beside a print that stands on the bed; the nozzle is not primed"},
     {WarningCode::OutsideShape, "OutsideShape", "{n} points of the path lie more than 0.1 mm outside the shape"},
     {WarningCode::PictureLost, "PictureLost",
-     "of picture {picture} the beads show r {r}, where 0.7 can be recognised; a larger size or a smaller spacing shows "
-     "more of it"},
+     "picture {picture} is hard to recognise in the beads (r {r}; 0.7 is enough); a larger size or a smaller spacing "
+     "shows more of it"},
     {WarningCode::PictureOneTone, "PictureOneTone",
      "picture {picture} has one tone on this plate, so nothing can be seen in it; give a picture with bright and dark "
      "parts wider than a bead"},
     {WarningCode::PicturesCrowded, "PicturesCrowded",
-     "{n} pictures are too many for one plate: of picture {picture} its directions show r {r}, where 0.7 can be "
-     "recognised; ask for fewer pictures, or for ones that differ less"},
+     "{n} pictures are too many for one plate: picture {picture} is hard to recognise in its directions (r {r}; 0.7 is "
+     "enough); use fewer pictures, or ones that differ less"},
     {WarningCode::PressureAdvanceReset, "PressureAdvanceReset",
      "pressure advance is {value} after the print, until the printer restarts or another file sets it"},
     {WarningCode::PrintOnBed, "PrintOnBed",
@@ -105,7 +104,7 @@ static_assert(rowsStandInOrder(), "one row per code, in the order of WarningCode
 const Row& row(WarningCode code) { return kRows[static_cast<std::size_t>(code)]; }
 
 /// What is narrower than a bead.
-std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
+std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
   if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
   // The thinnest tenth may be hairlines that no size would save.
   std::vector<ThinPlace> byWidth = measures.lostPlaces;
@@ -126,7 +125,16 @@ std::vector<GcodeWarning> lossWarnings(const Measures& measures, Vec2 page, doub
             {"size", size}}}};
 }
 
-std::vector<GcodeWarning> apartWarnings(const std::vector<Vec2>& apart) {
+std::string sentenceOf(WarningCode code, const std::vector<NamedValue>& values) {
+  return filled(row(code).sentence, [&](std::string_view name) {
+    for (const NamedValue& value : values) {
+      if (name == value.name) return value.text.empty() ? decimal(value.number, 3) : value.text;
+    }
+    return std::string();
+  });
+}
+
+std::vector<Warning> apartWarnings(const std::vector<Vec2>& apart) {
   if (apart.empty()) return {};
   return {{WarningCode::PrintedApart,
            {{"n", static_cast<double>(apart.size())},
@@ -136,7 +144,10 @@ std::vector<GcodeWarning> apartWarnings(const std::vector<Vec2>& apart) {
 
 }  // namespace
 
-const NamedValue* GcodeWarning::value(const std::string& name) const {
+Warning::Warning(WarningCode of, std::vector<NamedValue> with)
+    : code(of), values(std::move(with)), message(sentenceOf(code, values)) {}
+
+const NamedValue* Warning::value(const std::string& name) const {
   const auto found =
       std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return name == value.name; });
   return found == values.end() ? nullptr : &*found;
@@ -144,8 +155,8 @@ const NamedValue* GcodeWarning::value(const std::string& name) const {
 
 const char* warningName(WarningCode code) { return row(code).name; }
 
-std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
-  std::vector<GcodeWarning> warnings;
+std::vector<Warning> drawingWarnings(const DrawingFacts& drawing) {
+  std::vector<Warning> warnings;
   if (drawing.faintMm2 > 0) warnings.push_back({WarningCode::DrawingFaint, {{"area", drawing.faintMm2}}});
   // Edges that only graze the page's are no loss.
   if (drawing.offPage >= 0.01) {
@@ -160,9 +171,9 @@ std::vector<GcodeWarning> drawingWarnings(const DrawingFacts& drawing) {
   return warnings;
 }
 
-std::vector<GcodeWarning> pictureWarnings(const std::vector<PictureFacts>& pictures) {
+std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures) {
   constexpr double kRecognised = 0.7;
-  std::vector<GcodeWarning> warnings;
+  std::vector<Warning> warnings;
   const PictureFacts* crowded = nullptr;
   const PictureFacts* lost = nullptr;
   const auto number = [&](const PictureFacts& one) { return static_cast<double>(&one - pictures.data() + 1); };
@@ -186,44 +197,29 @@ std::vector<GcodeWarning> pictureWarnings(const std::vector<PictureFacts>& pictu
   return warnings;
 }
 
-std::vector<GcodeWarning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
-                                        const std::vector<PictureFacts>& pictures,
-                                        const std::optional<Measures>& measures, Vec2 page, double spacing) {
-  std::vector<GcodeWarning> all = drawingWarnings(drawing);
-  const auto add = [&all](std::vector<GcodeWarning> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(all));
-  };
+std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
+                                   const std::vector<PictureFacts>& pictures, const std::optional<Measures>& measures,
+                                   Vec2 page, double spacing) {
+  std::vector<Warning> all = drawingWarnings(drawing);
+  const auto add = [&all](std::vector<Warning> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
   add(apartWarnings(apart));
   add(pictureWarnings(pictures));
   if (measures) add(lossWarnings(*measures, page, spacing));
   return all;
 }
 
-std::string warningsJson(const std::vector<GcodeWarning>& warnings) {
+std::string warningsJson(const std::vector<Warning>& warnings) {
   std::string list;
-  for (const GcodeWarning& warning : warnings) {
+  for (const Warning& warning : warnings) {
     std::string values;
     for (const NamedValue& value : warning.values) {
       values += (values.empty() ? "" : ",") + jsonString(value.name) + ":" +
                 (value.text.empty() ? jsonNumber(value.number) : jsonString(value.text));
     }
     list += (list.empty() ? "" : ",") + ("{\"code\":" + jsonString(warningName(warning.code))) + ",\"values\":{" +
-            values + "},\"message\":" + jsonString(warningSentence(warning)) + "}";
+            values + "},\"message\":" + jsonString(warning.message) + "}";
   }
   return "[" + list + "]";
-}
-
-std::string withWarnings(std::string report, const std::vector<GcodeWarning>& warnings) {
-  return withEntry(std::move(report), "warnings", warningsJson(warnings));
-}
-
-std::string warningSentence(const GcodeWarning& warning) {
-  return filled(row(warning.code).sentence, [&](std::string_view name) {
-    for (const NamedValue& value : warning.values) {
-      if (name == value.name) return value.text.empty() ? decimal(value.number, 3) : value.text;
-    }
-    return std::string();
-  });
 }
 
 }  // namespace sillon

@@ -1,0 +1,65 @@
+// The report of a plate: what was made, how good it is, what a print of it takes, and what should be known of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sillon/look/inversion.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/quality/picture_measures.hpp"
+#include "sillon/report/warning.hpp"
+#include "sillon/settings/toolpath_params.hpp"
+
+namespace sillon {
+
+/// One picture of a plate as it was judged.
+struct ReportedPicture {
+  std::string file;
+  Lamp lamp;
+  PictureMeasures measures;
+};
+
+/// The time and the plastic of a print.
+struct PrintTotals {
+  double seconds = 0;
+  double filamentMm = 0;
+  double grams = 0;
+};
+
+/// Keys of the JSON and their meaning: docs/reference/report.md.
+struct Report {
+  double spacing = 0;  ///< tau [mm]
+  int nx = 0;          ///< cells of tau/2
+  int ny = 0;
+  std::int64_t parts = 0;
+  std::int64_t cycles = 0;  ///< before stitching
+  std::int64_t toolpaths = 0;
+  std::int64_t points = 0;
+  std::optional<Measures> measures;  ///< none: their keys are left out
+  double longestJointMm = 0;
+  std::int64_t gapJoints = 0;
+  std::int64_t unjoined = 0;
+  std::vector<Vec2> apart;
+  std::vector<StageTime> time;
+  std::string digest;
+  std::int64_t peakBytes = 0;             ///< of the process, as measured by the caller; 0: unknown
+  int threads = 1;                        ///< that the run was allowed
+  std::vector<ReportedPicture> pictures;  ///< empty: left out
+  bool fromGcode = false;                 ///< the pictures were judged by the G-code, not by the toolpath
+  std::optional<PrintTotals> print;       ///< none: left out
+  std::vector<Warning> warnings;
+};
+
+/// The facts of a toolpath, and its measures where there are any.
+Report reportOf(const ToolpathResult& plate, const std::optional<Measures>& measures);
+
+/// The report as JSON, with the same bytes on every platform.
+std::string reportJson(const Report& report);
+
+/// What made a plate and how good it is, for the header of its G-code (PrintParams::notes).
+std::vector<std::string> plateNotes(const ToolpathParams& params, const std::optional<Measures>& measures);
+
+}  // namespace sillon
