@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 

@@ -21,7 +21,7 @@
 #include "progress.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/pipeline/plate_size.hpp"
+#include "sillon/input/plate_size.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"

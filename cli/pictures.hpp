@@ -7,7 +7,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/project/pictures.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/picture_measures.hpp"
 

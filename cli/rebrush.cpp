@@ -15,7 +15,7 @@
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/project/pictures.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
 

@@ -7,7 +7,7 @@
 #include "assemble.hpp"
 #include "files.hpp"
 #include "outputs.hpp"
-#include "sillon/project/pictures.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/report/warning.hpp"
 #include "words.hpp"
 

@@ -19,11 +19,12 @@ quality: settings geometry input field toolpath look pipeline
 report: settings geometry look pipeline quality
 printer: settings
 gcode_reader: settings printer
+project: settings geometry input
+pictures: geometry input look pipeline quality project
 rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality report printer gcode_reader
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
-project: settings geometry input look pipeline quality
 printer_import: settings look gcode_reader gcode export project
 "
 

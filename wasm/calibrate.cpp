@@ -19,7 +19,7 @@
 #include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/look/thumbnails.hpp"
-#include "sillon/project/pictures.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 
 namespace {

@@ -18,8 +18,8 @@
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/conflict.hpp"
 #include "sillon/look/preview.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/printer_import/printer_import.hpp"
-#include "sillon/project/pictures.hpp"
 #include "sillon/project/plate_input.hpp"
 
 namespace convert {

@@ -10,9 +10,9 @@
 
 #include "call.hpp"
 #include "convert.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/pipeline/session.hpp"
-#include "sillon/project/pictures.hpp"
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/metrics.hpp"

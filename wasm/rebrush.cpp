@@ -13,7 +13,7 @@
 #include "convert.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/project/pictures.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/rebrush/rebrush.hpp"

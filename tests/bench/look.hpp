@@ -15,8 +15,8 @@
 #include "assemble.hpp"
 #include "sillon/gcode/read_back.hpp"
 #include "sillon/gcode/writer.hpp"
+#include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/project/pictures.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/quality/picture_measures.hpp"
 

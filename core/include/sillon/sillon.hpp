@@ -7,8 +7,6 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/base/version.hpp"
-#include "sillon/calibrate/calibrate.hpp"
-#include "sillon/calibrate/read_photo.hpp"
 
 // What a person may choose.
 #include "sillon/settings/input_params.hpp"
@@ -30,6 +28,8 @@
 #include "sillon/geometry/signed_distance.hpp"
 #include "sillon/input/direction_map.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/input/plate_input.hpp"
+#include "sillon/input/plate_size.hpp"
 #include "sillon/input/svg.hpp"
 
 // The field of waves (Sec. 5.1 to 5.4).
@@ -51,14 +51,19 @@
 #include "sillon/toolpath/stitch.hpp"
 #include "sillon/toolpath/thin_features.hpp"
 
-// All of it in one call (Alg. 1), and how good the result is.
+// The way from a project to a plate.
+#include "sillon/pictures/pictures.hpp"
+#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
+
+// The toolpath in one call (Alg. 1), and how good the result is.
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/pipeline/plate_size.hpp"
 #include "sillon/pipeline/session.hpp"
 #include "sillon/pipeline/stages.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/quality/picture_measures.hpp"
 #include "sillon/report/report.hpp"
+#include "sillon/report/warning.hpp"
 
 // G-code out, and any G-code in.
 #include "sillon/gcode/bed_fit.hpp"
@@ -72,7 +77,6 @@
 #include "sillon/rebrush/rebrush.hpp"
 #include "sillon/rebrush/relief.hpp"
 #include "sillon/rebrush/surfaces.hpp"
-#include "sillon/report/warning.hpp"
 
 // Pictures, drawings and other files.
 #include "sillon/export/base_solid.hpp"
@@ -88,8 +92,7 @@
 #include "sillon/look/tones.hpp"
 #include "sillon/look/view_file.hpp"
 
-// Projects, and printers from the files of other slicers.
+// Test prints, and printers from the files of other slicers.
+#include "sillon/calibrate/calibrate.hpp"
+#include "sillon/calibrate/read_photo.hpp"
 #include "sillon/printer_import/printer_import.hpp"
-#include "sillon/project/pictures.hpp"
-#include "sillon/project/plate_input.hpp"
-#include "sillon/project/project.hpp"

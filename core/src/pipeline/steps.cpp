@@ -9,7 +9,7 @@
 #include "geometry/closed_curves.hpp"
 #include "sillon/base/reasons.hpp"
 #include "sillon/field/sine_field.hpp"
-#include "sillon/pipeline/plate_size.hpp"
+#include "sillon/input/plate_size.hpp"
 #include "sillon/toolpath/contour.hpp"
 #include "sillon/toolpath/simplify.hpp"
 #include "sillon/toolpath/small_cycles.hpp"

@@ -10,8 +10,8 @@
 #include "project/input_file.hpp"
 #include "sillon/geometry/keep_thin.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/input/plate_size.hpp"
 #include "sillon/input/svg.hpp"
-#include "sillon/pipeline/plate_size.hpp"
 
 namespace sillon {
 namespace {

@@ -17,7 +17,7 @@
 #include "quality/turns.hpp"
 #include "quality/width_measures.hpp"
 #include "sillon/geometry/signed_distance.hpp"
-#include "sillon/pipeline/plate_size.hpp"
+#include "sillon/input/plate_size.hpp"
 #include "toolpath/toolpath_check.hpp"
 
 namespace sillon {

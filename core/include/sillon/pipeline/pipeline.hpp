@@ -9,19 +9,10 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/field/dislocations.hpp"
-#include "sillon/geometry/shape.hpp"
-#include "sillon/input/direction_map.hpp"
+#include "sillon/input/plate_input.hpp"
 #include "sillon/settings/toolpath_params.hpp"
 
 namespace sillon {
-
-/// Decoded inputs of one plate.
-struct PlateInput {
-  Shape shape;
-  DirectionMap directions;
-  ModeMap modes;
-  bool showsPictures = false;  ///< tones depend on the directions: beads keep to them more closely than to even gaps
-};
 
 struct StageTime {
   std::string stage;

@@ -6,8 +6,9 @@
 #include <variant>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/input/plate_input.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon {

@@ -1,4 +1,4 @@
-#include "sillon/pipeline/plate_size.hpp"
+#include "sillon/input/plate_size.hpp"
 
 #include <algorithm>
 #include <cmath>

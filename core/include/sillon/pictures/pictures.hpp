@@ -63,6 +63,9 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
                                     const RunContext& run, std::optional<KeptPictures>* kept = nullptr,
                                     const OnTrial& onTrial = {});
 
+/// How many plates makeShownPlate makes: one, and one more per correction.
+int platesFor(const PictureParams& params);
+
 /// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
 using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
 

@@ -1,4 +1,4 @@
-#include "sillon/project/pictures.hpp"
+#include "sillon/pictures/pictures.hpp"
 
 #include <doctest/doctest.h>
 

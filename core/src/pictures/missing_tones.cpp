@@ -1,4 +1,4 @@
-#include "project/missing_tones.hpp"
+#include "pictures/missing_tones.hpp"
 
 #include <algorithm>
 #include <cmath>
