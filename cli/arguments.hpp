@@ -11,6 +11,7 @@
 #include "rebrush.hpp"
 #include "shape.hpp"
 #include "sillon/base/result.hpp"
+#include "sillon/job/plate.hpp"
 #include "sillon/project/project.hpp"
 #include "zones.hpp"
 
@@ -30,13 +31,6 @@ struct OutputPaths {
   std::string body;
 };
 
-/// What may be done to a plate that does not fit the bed where it is.
-enum class Placing {
-  AsGiven,
-  Rotate,  ///< centred, and turned by 90 degrees if only that fits
-  Fit,     ///< and scaled down if that does not fit either
-};
-
 struct Arguments {
   std::string answer;      ///< help, version or a list: print it, done
   std::string command;     ///< "generate", "check", ...: what was asked for, if there is no answer yet
@@ -54,7 +48,7 @@ struct Arguments {
   std::vector<Change> changes;
   PictureOptions pictures;
   OutputPaths outputs;
-  Placing placing = Placing::AsGiven;
+  sillon::Placing placing = sillon::Placing::AsGiven;
   int threads = 1;
   bool quiet = false;
 };

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "files.hpp"
-#include "sillon/gcode/bed_fit.hpp"
 
 namespace cli {
 namespace {
@@ -81,25 +80,6 @@ Result<sillon::InputFile> readInputFile(const std::string& name, const std::stri
   Result<std::string> bytes = readFile(name, what, kMaxInputBytes);
   if (!bytes) return bytes.error();
   return sillon::InputFile(std::move(bytes).value());
-}
-
-bool bringUponBed(Project& project, const sillon::Shape& shape, bool mayScale) {
-  const sillon::BedFit fit = sillon::fitBed(shape, project.printer, project.print);
-  if (fit.centred) return false;
-  if (fit.turned) {
-    project.print.rotate += project.print.rotate > 270 ? -270 : 90;
-    return false;
-  }
-  if (!mayScale || fit.percent < 1) return false;
-  const double scale = fit.percent / 100.0;
-  if (project.shapeFile.empty()) {
-    const bool disc = project.builtin == sillon::BuiltinShape::Disc;
-    project.builtinSize = {scale * shape.page.x, disc ? 0 : scale * shape.page.y};
-    project.builtinRadius *= scale;
-  } else {
-    project.pageWidth = scale * shape.page.x;
-  }
-  return true;
 }
 
 std::vector<std::string> inputFiles(const Project& project) {

@@ -21,11 +21,6 @@ sillon::Result<sillon::PlateInput> assemblePlate(const sillon::Project& project,
 /// Reads one file that a project names.
 sillon::Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what);
 
-/// Centres a plate that has no place of its own and does not fit the bed; turns it by 90 degrees if that helps, else,
-/// if it may be scaled, makes it as much smaller as it must be, in whole percent. What still does not fit stays as it
-/// is. \return whether its size has changed, so that it must be assembled anew.
-bool bringUponBed(sillon::Project& project, const sillon::Shape& shape, bool mayScale);
-
 /// The files a project names.
 std::vector<std::string> inputFiles(const sillon::Project& project);
 

@@ -21,7 +21,7 @@
 #include "progress.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/input/plate_size.hpp"
+#include "sillon/job/plate.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
@@ -118,48 +118,25 @@ int endWithoutMemory() {
 }
 
 /// Everything up to the first byte on the disk.
-sillon::Result<cli::Outcome> prepare(const cli::Arguments& arguments, cli::Job& job, sillon::RunContext& run) {
+sillon::Result<cli::Outcome> prepare(const cli::Arguments& arguments, sillon::Project project, cli::Job& job,
+                                     sillon::RunContext& run) {
   cli::ProgressBar bar(!arguments.quiet);
   run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
-
-  sillon::Result<sillon::PlateInput> input = cli::assemblePlate(job.project, run);
-  if (!input) return input.error();
-  if (arguments.placing != cli::Placing::AsGiven &&
-      cli::bringUponBed(job.project, input.value().shape, arguments.placing == cli::Placing::Fit)) {
-    input = cli::assemblePlate(job.project, run);
-    if (!input) return input.error();
-  }
-  job.input = std::move(input).value();
-  const sillon::Vec2 size = sillon::bounds(job.input.shape).size();
-  if (auto error = sillon::plateTooLarge(size, job.project.toolpath.spacing, run.memory())) return *error;
-  auto pictures = sillon::solvePictures(job.project, cli::readInputFile, job.input, run);
-  if (!pictures) return pictures.error();
-  job.pictures = std::move(pictures).value();
-
+  const cli::OutputPaths& outputs = arguments.outputs;
+  sillon::PlateOptions options;
+  options.placing = arguments.placing;
+  if (!outputs.gcode.empty() && sillon::needsAcross(project.print)) options.path = sillon::PlatePath::Both;
   // Measuring takes its time: only if the report, the header of the G-code or the summary shows it.
-  const bool measure = !arguments.outputs.report.empty() || !arguments.outputs.gcode.empty() || !arguments.quiet;
-  // Dislocations are shown by the report alone, and take a twentieth of the plate's time.
-  const bool count = !arguments.outputs.report.empty();
-  const auto make = [&](const sillon::PlateInput& input, int /*round*/, int /*rounds*/) {
-    return sillon::generateToolpath(input, job.project.toolpath, run, count);
-  };
-  sillon::Result<sillon::ToolpathResult> plate =
-      sillon::makeShownPlate(job.project, job.pictures, job.input, make, run);
+  options.measure = !outputs.report.empty() || !outputs.gcode.empty() || !arguments.quiet;
+  options.countDislocations = !outputs.report.empty();  // shown there alone
+  options.judgePictures = outputs.gcode.empty();
+  sillon::Result<sillon::Plate> plate = sillon::makePlate(std::move(project), cli::readInputFile, options, run);
   if (!plate) return plate.error();
   job.plate = std::move(plate).value();
-
-  if (measure) {
-    sillon::Result<sillon::Measures> measures =
-        sillon::measureToolpath(job.plate.toolpath, job.input.shape, job.input.directions, job.input.modes,
-                                job.project.toolpath, run, count ? job.plate.dislocations : sillon::Dislocations{});
-    if (!measures) return measures.error();
-    job.measures = std::move(measures).value();
-  }
-
-  auto files = cli::makeOutputs(job, arguments.outputs, run);
+  auto files = cli::makeOutputs(job, outputs, run);
   run.onProgress({});
   if (!files) return files.error();
-  std::string summary = arguments.quiet ? "" : cli::summary(job, run.threads(), files.value());
+  std::string summary = arguments.quiet ? "" : cli::summary(job.plate, files.value());
   return cli::Outcome{std::move(files).value(), std::move(summary)};
 }
 
@@ -274,15 +251,14 @@ int generate(const cli::Arguments& arguments) {
 
   sillon::Result<sillon::Project> project = readInput(arguments);
   if (!project) return fail(project.error());
-  job.project = std::move(project).value();
+  const std::size_t pictures = project.value().pictures.files.size();
 
   job.pictureOptions = arguments.pictures;
-  std::vector<std::string> inputs = cli::inputFiles(job.project);
+  std::vector<std::string> inputs = cli::inputFiles(project.value());
   for (const std::string* name : {&arguments.scene, &arguments.pictures.spoolsFile, &arguments.outputs.container}) {
     if (!name->empty()) inputs.push_back(*name);
   }
-  if (const std::optional<Error> problem =
-          cli::checkOutputs(cli::outputNames(arguments.outputs, job.project.pictures.files.size()), inputs)) {
+  if (const std::optional<Error> problem = cli::checkOutputs(cli::outputNames(arguments.outputs, pictures), inputs)) {
     return fail(*problem);
   }
 
@@ -290,12 +266,12 @@ int generate(const cli::Arguments& arguments) {
     return fail({ErrorCode::InvalidArgument,
                  "--container is \"" + arguments.outputs.container + "\"; it must go with --gcode"});
   }
-  if (!arguments.outputs.conflict.empty() && job.project.pictures.files.size() < 2) {
+  if (!arguments.outputs.conflict.empty() && pictures < 2) {
     return fail({ErrorCode::InvalidArgument,
                  "--conflict is \"" + arguments.outputs.conflict + "\"; it must go with two pictures or more"});
   }
 
-  const sillon::Result<cli::Outcome> made = prepare(arguments, job, run);
+  const sillon::Result<cli::Outcome> made = prepare(arguments, std::move(project).value(), job, run);
   if (made && made.value().files.empty() && job.bodyRefused) return fail(*job.bodyRefused);
   const int code = commit(made, run);
   return code == 0 && job.bodyRefused ? fail(*job.bodyRefused) : code;

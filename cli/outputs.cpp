@@ -1,13 +1,13 @@
 #include "outputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
@@ -15,10 +15,9 @@
 #include "sillon/export/base_solid.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
-#include "sillon/gcode/read_back.hpp"
 #include "sillon/look/conflict.hpp"
 #include "sillon/look/preview.hpp"
-#include "sillon/look/thumbnails.hpp"
+#include "sillon/look/spools.hpp"
 #include "sillon/look/view_file.hpp"
 #include "sillon/report/report.hpp"
 #include "words.hpp"
@@ -63,78 +62,39 @@ std::int64_t peakBytes() {
 #endif
 }
 
+/// As the project says, or as the file of own spools.
+std::optional<std::array<std::uint8_t, 3>> colourOf(const PictureOptions& options) {
+  const sillon::Spool* own = ownSpool(options);
+  return own == nullptr ? std::nullopt : std::optional(own->colour);
+}
+
 Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
-  sillon::PrintParams print = job.project.print;
-  print.date = job.date;
-  print.notes = sillon::plateNotes(job.project.toolpath, job.measures);
-  // Without a picture to show, as every other product draws them: the files are the same everywhere.
-  sillon::LookParams thumbnailLook;
-  if (!job.pictures.shown.empty()) thumbnailLook = previewLook(job.pictureOptions, job.project, job.pictures, 0);
-  auto thumbnails = sillon::lookThumbnails(job.plate.toolpath, job.input.shape.page, job.project.printer.screenSizes,
-                                           thumbnailLook, run);
-  if (!thumbnails) return thumbnails.error();
-  print.thumbnails = std::move(thumbnails).value();
-  sillon::Toolpath across;
-  if (sillon::needsAcross(print)) {
-    auto made = sillon::generateAcross(job.input, job.project.toolpath, run);
-    if (!made) return made.error();
-    across = std::move(made).value().toolpath;
-  }
   std::string text;
-  auto summary = sillon::writeGcode(
-      job.plate.toolpath, job.input.shape, job.project.printer, print,
-      [&](std::string_view piece) {
-        text += piece;
-        return !run.cancelled();
-      },
-      &across);
-  if (!summary) return summary.error();
-  job.gcode = std::move(summary).value();
-  job.findings = sillon::checkGcode(text, job.project.printer).findings;
-  return text;
-}
-
-/// Judges the pictures by the G-code, or by the toolpath where there is none.
-std::optional<Error> judgePictures(Job& job, const std::string& gcode, const sillon::RunContext& run) {
-  if (job.pictures.shown.empty() || !job.measures) return std::nullopt;
-  const sillon::Vec2 page = job.input.shape.page;
-  sillon::Toolpath read;
-  if (!gcode.empty()) {
-    auto seen =
-        sillon::readBack(gcode, job.input.shape, job.project.printer, job.project.print, job.plate.toolpath.spacing);
-    if (!seen) return seen.error();
-    read = std::move(seen).value();
+  const auto keep = [&text](std::string_view piece) {
+    text += piece;
+    return true;
+  };
+  if (const auto error = sillon::writePlateGcode(job.plate, {job.date, colourOf(job.pictureOptions)}, keep, run)) {
+    return *error;
   }
-  auto measures = sillon::measurePictures(gcode.empty() ? job.plate.toolpath : read, page, job.pictures.shown,
-                                          job.pictures.roughness, run);
-  if (!measures) return measures.error();
-  job.pictureMeasures = std::move(measures).value();
-  return std::nullopt;
-}
-
-// Of the plate, then of the G-code.
-std::vector<sillon::Warning> warningsOf(const Job& job) {
-  std::vector<sillon::Warning> all =
-      sillon::plateWarnings(job.input.shape.drawing, job.plate.apart, pictureFacts(job.pictures, job.pictureMeasures),
-                            job.measures, job.input.shape.page, job.plate.toolpath.spacing);
-  if (job.gcode) all.insert(all.end(), job.gcode->warnings.begin(), job.gcode->warnings.end());
-  return all;
+  if (const auto error = sillon::checkPlateGcode(job.plate, text, run)) return *error;
+  return text;
 }
 
 Result<std::string> previewPng(const Job& job, int width, std::size_t shown, const sillon::RunContext& run) {
   sillon::PreviewParams params;
   params.width = width;
-  params.look = previewLook(job.pictureOptions, job.project, job.pictures, shown);
-  const auto picture = sillon::renderPreview(job.plate.toolpath, job.input.shape.page, params, run);
+  params.look = previewLook(job.pictureOptions, job.plate.project, job.plate.pictures, shown);
+  const auto picture = sillon::renderPreview(job.plate.toolpath(), job.plate.input.shape.page, params, run);
   if (!picture) return picture.error();
   return pngFile(picture.value());
 }
 
-std::optional<Error> addConflicts(const Job& job, const std::string& path, std::vector<OutputFile>& files) {
+std::optional<Error> addConflicts(const sillon::Plate& plate, const std::string& path, std::vector<OutputFile>& files) {
   constexpr int kSide = 800;  // [pixels]
-  const sillon::PlatePictures& pictures = job.pictures;
+  const sillon::PlatePictures& pictures = plate.pictures;
   const sillon::PictureConflict conflict =
-      sillon::conflictOf(job.input.directions, pictures.shown, pictures.roughness, pictures.level);
+      sillon::conflictOf(plate.input.directions, pictures.shown, pictures.roughness, pictures.level);
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
     Result<std::string> png = pngFile(sillon::conflictImage(conflict, k, pictures.shown[k].tones, kSide));
     if (!png) return png.error();
@@ -150,32 +110,6 @@ std::string durationText(double seconds) {
 }
 
 }  // namespace
-
-std::vector<std::string> inputNotes(const sillon::Project& project, const sillon::DrawingFacts& drawing) {
-  const bool asDrawn = !project.shapeFile.empty() && project.pageWidth == 0;
-  std::vector<std::string> notes;
-  if (drawing.pixels && asDrawn) {
-    notes.emplace_back("the drawing is in pixels, each taken as 1/96 inch; --size sets its width");
-  }
-  if (project.shapeFile.empty() ? project.builtinSize.x == 0 : asDrawn && !drawing.svg) {
-    notes.emplace_back("no size is given, so it is 80 mm wide; --size sets it");
-  }
-  const auto left = [&](int count, const char* what) {
-    if (count == 0) return;
-    notes.push_back("the drawing has " + std::to_string(count) + " <" + what +
-                    ">, which is left out; convert it to paths in the program that made it");
-  };
-  left(drawing.texts, "text");
-  left(drawing.images, "image");
-  if (drawing.severalColours) {
-    notes.emplace_back(
-        "the drawing has several colours, all printed as one solid; the studio gives each a direction of its own");
-  }
-  if (drawing.linesOnly) {
-    notes.emplace_back("nothing in the drawing is filled, so its lines are the shape; --paint ignore fills them");
-  }
-  return notes;
-}
 
 namespace {
 
@@ -239,21 +173,6 @@ std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor) 
 
 namespace {
 
-/// With what the print takes, and what should be known of it.
-std::string reportText(const Job& job, int threads) {
-  sillon::Report report = sillon::reportOf(job.plate, job.measures);
-  report.threads = threads;
-  report.peakBytes = peakBytes();
-  for (std::size_t k = 0; k < job.pictureMeasures.size(); ++k) {
-    const sillon::ShownPicture& shown = job.pictures.shown[k];
-    report.pictures.push_back({shown.file, shown.lamp, job.pictureMeasures[k]});
-  }
-  report.fromGcode = job.gcode.has_value();
-  if (job.gcode) report.print = {job.gcode->seconds, job.gcode->filamentMm, job.gcode->filamentGrams};
-  report.warnings = warningsOf(job);
-  return sillon::reportJson(report);
-}
-
 /// The G-code in the kind of file that its name asks for.
 Result<std::string> packed(std::string gcode, const OutputPaths& paths, sillon::GcodeFlavor flavor) {
   if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
@@ -284,39 +203,38 @@ Result<std::string> packed(std::string gcode, const OutputPaths& paths, sillon::
 
 Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
   std::vector<OutputFile> files;
+  const sillon::Plate& plate = job.plate;
+  const sillon::Project& project = plate.project;
   if (!paths.gcode.empty()) {
     Result<std::string> text = gcodeText(job, run);
     if (!text) return text.error();
-    if (const auto error = judgePictures(job, text.value(), run)) return *error;
-    text = packed(std::move(text).value(), paths, job.project.printer.flavor);
+    text = packed(std::move(text).value(), paths, project.printer.flavor);
     if (!text) return text.error();
     files.push_back({paths.gcode, std::move(text).value()});
-  } else if (const auto error = judgePictures(job, "", run)) {
-    return *error;
   }
   if (!paths.svg.empty()) {
-    Result<std::string> svg = sillon::toolpathSvg(job.plate.toolpath, job.input.shape.page);
+    Result<std::string> svg = sillon::toolpathSvg(plate.toolpath(), plate.input.shape.page);
     if (!svg) return svg.error();
     files.push_back({paths.svg, std::move(svg).value()});
   }
   if (!paths.preview.empty()) {
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, job.pictures.shown.size()); ++k) {
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, plate.pictures.shown.size()); ++k) {
       Result<std::string> png = previewPng(job, paths.previewWidth, k, run);
       if (!png) return png.error();
       files.push_back({previewName(paths.preview, k), std::move(png).value()});
     }
   }
   if (!paths.conflict.empty()) {
-    if (const auto error = addConflicts(job, paths.conflict, files)) return *error;
+    if (const auto error = addConflicts(plate, paths.conflict, files)) return *error;
   }
   if (!paths.view.empty()) {
-    const sillon::LookParams look = previewLook(job.pictureOptions, job.project, job.pictures, 0);
-    const auto view = sillon::viewFile(job.plate.toolpath, job.input.shape.page, {look.colour, look.roughness});
+    const sillon::LookParams look = previewLook(job.pictureOptions, project, plate.pictures, 0);
+    const auto view = sillon::viewFile(plate.toolpath(), plate.input.shape.page, {look.colour, look.roughness});
     if (!view) return view.error();
     files.push_back({paths.view, std::string(view.value().begin(), view.value().end())});
   }
   if (!paths.body.empty()) {
-    const auto mesh = sillon::baseBody(job.input.shape, job.project.printer, job.project.print);
+    const auto mesh = sillon::baseBody(plate.input.shape, project.printer, project.print);
     if (mesh) {
       const bool zipped = endsWith(paths.body, ".3mf");
       Result<std::string> bytes = zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value());
@@ -326,57 +244,58 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
       job.bodyRefused = Error{mesh.error().code, "\"" + paths.body + "\" is not written: " + mesh.error().message};
     }
   }
-  if (!paths.project.empty()) files.push_back({paths.project, projectFor(job.project, paths.project)});
+  if (!paths.project.empty()) files.push_back({paths.project, projectFor(project, paths.project)});
   // Last, so that the peak holds all that came before.
-  if (!paths.report.empty() && job.measures) {
-    files.push_back({paths.report, reportText(job, run.threads())});
+  if (!paths.report.empty()) {
+    sillon::Report report = plate.report();
+    report.peakBytes = peakBytes();
+    files.push_back({paths.report, sillon::reportJson(report)});
   }
   return files;
 }
 
-std::string summary(const Job& job, int threads, const std::vector<OutputFile>& files) {
-  const sillon::ToolpathResult& plate = job.plate;
-  const std::size_t toolpaths = plate.toolpath.cycles.size();
+std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& files) {
+  const std::size_t toolpaths = plate.toolpath().cycles.size();
   double seconds = 0;
-  for (const sillon::StageTime& stage : plate.time) seconds += stage.seconds;
+  for (const sillon::StageTime& stage : plate.result.time) seconds += stage.seconds;
 
-  std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", job.input.shape.page.x, job.input.shape.page.y,
-                          plate.toolpath.spacing);
-  for (const std::string& note : inputNotes(job.project, job.input.shape.drawing)) out += "note       " + note + "\n";
-  out += "toolpath   " + plural(plate.contourCycles, "cycle") + " joined to " + plural(toolpaths, "toolpath");
-  if (job.measures) out += print(", %.2f m", job.measures->lengthMm / 1000);
+  std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", plate.input.shape.page.x,
+                          plate.input.shape.page.y, plate.toolpath().spacing);
+  for (const sillon::InputNote& note : plate.notes()) out += "note       " + note.message + "\n";
+  out += "toolpath   " + plural(plate.result.contourCycles, "cycle") + " joined to " + plural(toolpaths, "toolpath");
+  if (plate.measures) out += print(", %.2f m", plate.measures->lengthMm / 1000);
   out += "\n";
-  if (job.measures) {
-    const Measures& m = *job.measures;
+  if (plate.measures) {
+    const Measures& m = *plate.measures;
     out += print("quality    alignment %.3f (interior %.3f), coverage %.1f %%, overlap %.2f %%, crossings %lld\n",
                  m.alignment, m.alignmentInterior, m.coverage, m.overlap, static_cast<long long>(m.crossings));
   }
-  if (!job.input.shape.kept.empty()) {
+  if (!plate.input.shape.kept.empty()) {
     double area = 0;
-    for (const sillon::ThinPlace& place : job.input.shape.kept) area += place.areaMm2;
+    for (const sillon::ThinPlace& place : plate.input.shape.kept) area += place.areaMm2;
     out += print("kept       %.2f mm2 in %s narrower than a bead, widened to one\n", area,
-                 plural(job.input.shape.kept.size(), "place").c_str());
+                 plural(plate.input.shape.kept.size(), "place").c_str());
   }
-  out += pictureLines(job.pictures, job.pictureMeasures);
-  out += print("time       %.2f s on %s\n", seconds, plural(threads, "thread").c_str());
-  if (job.gcode) {
-    out += print("print      %s, %.2f m filament, %.1f g\n", durationText(job.gcode->seconds).c_str(),
-                 job.gcode->filamentMm / 1000, job.gcode->filamentGrams);
-    if (job.gcode->curveSlowedMm > 0) {
-      out += print("curves     %.2f m of the oriented path slower than the rest\n", job.gcode->curveSlowedMm / 1000);
+  out += pictureLines(plate.pictures, plate.shown);
+  out += print("time       %.2f s on %s\n", seconds, plural(plate.threads, "thread").c_str());
+  if (plate.gcode) {
+    out += print("print      %s, %.2f m filament, %.1f g\n", durationText(plate.gcode->seconds).c_str(),
+                 plate.gcode->filamentMm / 1000, plate.gcode->filamentGrams);
+    if (plate.gcode->curveSlowedMm > 0) {
+      out += print("curves     %.2f m of the oriented path slower than the rest\n", plate.gcode->curveSlowedMm / 1000);
     }
   }
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
-  const std::vector<sillon::Warning> warnings = warningsOf(job);
+  const std::vector<sillon::Warning> warnings = plate.warnings();
   for (const OutputFile& file : files) {
-    const std::string warning = packageWarning(file.path, job.project.printer.flavor);
+    const std::string warning = packageWarning(file.path, plate.project.printer.flavor);
     if (!warning.empty()) out += "warning    " + warning + "\n";
   }
   for (const sillon::Warning& warning : warnings) {
     out += "warning    " + warning.message + "\n";
   }
-  if (job.gcode) {
-    for (const sillon::GcodeFinding& finding : job.findings) {
+  if (plate.gcode) {
+    for (const sillon::GcodeFinding& finding : plate.findings) {
       // A line of the owner's start or end code has been told, by its place there.
       if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::Warning& warning) {
             const sillon::NamedValue* what = warning.value("what");

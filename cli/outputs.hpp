@@ -9,31 +9,18 @@
 #include "files.hpp"
 #include "pictures.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/gcode/writer.hpp"
-#include "sillon/gcode_reader/check.hpp"
-#include "sillon/pipeline/pipeline.hpp"
-#include "sillon/project/project.hpp"
-#include "sillon/quality/metrics.hpp"
+#include "sillon/job/plate.hpp"
+#include "sillon/settings/printer.hpp"
 
 namespace cli {
 
-/// A finished plate with all that its outputs tell of it.
+/// A finished plate, and what its outputs take besides.
 struct Job {
-  sillon::Project project;
-  sillon::PlateInput input;
-  sillon::ToolpathResult plate;
-  std::optional<sillon::Measures> measures;  ///< unset: nobody asked
+  sillon::Plate plate;
   PictureOptions pictureOptions;
-  sillon::PlatePictures pictures;  ///< empty: none were asked for
-  std::vector<sillon::PictureMeasures> pictureMeasures;
-  std::optional<sillon::GcodeSummary> gcode;   ///< unset: no G-code was asked for
-  std::vector<sillon::GcodeFinding> findings;  ///< of reading that G-code as a printer would
-  std::optional<sillon::Error> bodyRefused;    ///< why there is no body; the other outputs are made all the same
-  std::string date;                            ///< for line 1 of the G-code
+  std::optional<sillon::Error> bodyRefused;  ///< why there is no body; the other outputs are made all the same
+  std::string date;                          ///< for line 1 of the G-code
 };
-
-/// What was taken for granted of a shape, or left out of it, in sentences.
-std::vector<std::string> inputNotes(const sillon::Project& project, const sillon::DrawingFacts& drawing);
 
 /// The date of this run: SOURCE_DATE_EPOCH [s] if set, else the clock.
 sillon::Result<std::string> runDate();
@@ -49,10 +36,10 @@ sillon::Result<std::string> packedAs(const std::string& path, std::string gcode)
 /// Why a file of this name should not be printed; empty if nothing speaks against it.
 std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor);
 
-/// Makes every output; fills job.gcode, job.pictureMeasures and job.bodyRefused.
+/// Makes every output; fills job.bodyRefused, and what the plate tells of its G-code.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
 
 /// What a person wants to know of a plate, in a few lines.
-std::string summary(const Job& job, int threads, const std::vector<OutputFile>& files);
+std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& files);
 
 }  // namespace cli

@@ -15,6 +15,7 @@ namespace cli {
 
 using sillon::BuiltinShape;
 using sillon::PerimeterMode;
+using sillon::Placing;
 using sillon::ProfileKind;
 using sillon::Project;
 using sillon::Section;

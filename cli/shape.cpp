@@ -4,9 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "assemble.hpp"
-#include "outputs.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/project/plate_input.hpp"
+#include "sillon/report/input_note.hpp"
+#include "sillon/report/warning.hpp"
 
 namespace cli {
 namespace {
@@ -28,7 +29,10 @@ sillon::Result<Description> describe(const std::string& file, const ShapeArgumen
   if (!input) return input.error();
   const auto outline = sillon::resolveOutline(input.value().shape);
   if (!outline) return outline.error();
-  Description out{input.value().shape.page, outline.value().area, inputNotes(project, input.value().shape.drawing)};
+  Description out{input.value().shape.page, outline.value().area, {}};
+  for (const sillon::InputNote& note : sillon::inputNotes(project, input.value().shape.drawing)) {
+    out.notes.push_back(note.message);
+  }
   for (const sillon::Warning& warning : sillon::drawingWarnings(input.value().shape.drawing)) {
     out.notes.push_back(warning.message);
   }

@@ -6,8 +6,8 @@
 
 #include "assemble.hpp"
 #include "files.hpp"
-#include "outputs.hpp"
 #include "sillon/pictures/pictures.hpp"
+#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 #include "words.hpp"
 
@@ -73,7 +73,9 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
 
   std::string out;
   if (arguments.body.empty()) {
-    for (const std::string& note : inputNotes(project, seen.drawing)) out += "note   " + note + "\n";
+    for (const sillon::InputNote& note : sillon::inputNotes(project, seen.drawing)) {
+      out += "note   " + note.message + "\n";
+    }
     for (const sillon::Warning& warning : sillon::drawingWarnings(seen.drawing)) {
       out += "warning " + warning.message + "\n";
     }

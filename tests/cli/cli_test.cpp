@@ -521,7 +521,7 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><rect width='9' "
                "height='9'/><text>a</text></svg>");
   const Run told = folder.run("zones --shape text.svg --angle 30 -o told.3mf");
-  CHECK(has(told.out, "note   the drawing has 1 <text>, which is left out"));
+  CHECK(has(told.out, "note   1 <text> of the drawing is left out"));
   CHECK(has(told.out, "off    0.0 degrees on average"));
   folder.write("off.svg",
                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 9 9'><rect width='19' "
@@ -1144,9 +1144,10 @@ TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
   folder.picture("l.png", 8, 8, [](int, int) { return 255; });
   const std::string coarse = " --spacing 2 --nozzle 1";
   const Run drawn = folder.run("generate --shape a.svg" + coarse);
-  CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; --size sets its width\n"));
-  CHECK(has(drawn.out, "\nnote       the drawing has 1 <text>, which is left out; convert it to paths in the program"));
-  CHECK(has(drawn.out, "\nnote       the drawing has 1 <image>, which is left out"));
+  CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; shape.pageWidth (--size)"));
+  CHECK(has(drawn.out,
+            "\nnote       1 <text> of the drawing is left out; convert text and pictures to paths in the program"));
+  CHECK(has(drawn.out, "\nnote       1 <image> of the drawing is left out"));
   CHECK(has(drawn.out, "\nnote       the drawing has several colours, all printed as one solid"));
   CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));
   CHECK(has(folder.run("generate --shape l.png" + coarse).out, "\nnote       no size is given, so it is 80 mm wide"));

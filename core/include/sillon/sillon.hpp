@@ -52,6 +52,7 @@
 #include "sillon/toolpath/thin_features.hpp"
 
 // The way from a project to a plate.
+#include "sillon/job/plate.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
@@ -62,6 +63,7 @@
 #include "sillon/pipeline/stages.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/quality/picture_measures.hpp"
+#include "sillon/report/input_note.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
 

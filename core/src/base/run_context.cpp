@@ -169,7 +169,7 @@ void RunContext::beginJob() const {
   stage_ = {};
   stageBegin_ = 0;
   stageEnd_ = 1;
-  reported_ = 0;
+  if (shares_ == 0) reported_ = 0;
 }
 
 void RunContext::beginStage(std::string_view stage, double begin, double end) const {
@@ -180,9 +180,23 @@ void RunContext::beginStage(std::string_view stage, double begin, double end) co
 }
 
 void RunContext::report(double fraction) const {
-  const double total = stageBegin_ + (stageEnd_ - stageBegin_) * std::clamp(fraction, 0.0, 1.0);
+  const double ofJob = stageBegin_ + (stageEnd_ - stageBegin_) * std::clamp(fraction, 0.0, 1.0);
+  const double total = shareBegin_ + (shareEnd_ - shareBegin_) * ofJob;
   reported_ = std::max(reported_, std::min(total, 1.0));
   if (progress_) progress_(stage_, reported_);
+}
+
+ProgressShare::ProgressShare(const RunContext& run, double begin, double end)
+    : run_(run), begin_(run.shareBegin_), end_(run.shareEnd_) {
+  if (run.shares_++ == 0) run.reported_ = 0;
+  run.shareBegin_ = begin_ + (end_ - begin_) * begin;
+  run.shareEnd_ = begin_ + (end_ - begin_) * end;
+}
+
+ProgressShare::~ProgressShare() {
+  run_.shareBegin_ = begin_;
+  run_.shareEnd_ = end_;
+  --run_.shares_;
 }
 
 }  // namespace sillon

@@ -45,7 +45,7 @@ class RunContext {
   /// That a job may take [bytes]; infinite unless limited.
   [[nodiscard]] double memory() const { return memory_; }
 
-  /// Starts a job: progress back to 0. Does not clear a cancel request.
+  /// Starts a job: progress back to 0, or to where its share of a larger job begins. Does not clear a cancel request.
   void beginJob() const;
   /// Names the stage that runs now and the share [begin, end] of the whole job that it takes.
   void beginStage(std::string_view stage, double begin, double end) const;
@@ -53,6 +53,8 @@ class RunContext {
   void report(double fraction) const;
 
  private:
+  friend class ProgressShare;
+
   std::unique_ptr<ThreadPool> pool_;
   Progress progress_;
   std::function<bool()> poll_;
@@ -62,6 +64,24 @@ class RunContext {
   mutable double stageBegin_ = 0;
   mutable double stageEnd_ = 1;
   mutable double reported_ = 0;
+  mutable double shareBegin_ = 0;
+  mutable double shareEnd_ = 1;
+  mutable int shares_ = 0;
+};
+
+/// While one lives, jobs tell their progress as a share of a larger job; a share may lie within another.
+class ProgressShare {
+ public:
+  /// \param begin, end  the part of the larger job, in [0, 1].
+  ProgressShare(const RunContext& run, double begin, double end);
+  ~ProgressShare();
+  ProgressShare(const ProgressShare&) = delete;
+  ProgressShare& operator=(const ProgressShare&) = delete;
+
+ private:
+  const RunContext& run_;
+  double begin_;  // of the share around this one
+  double end_;
 };
 
 }  // namespace sillon

@@ -1,0 +1,102 @@
+// The way to a plate: from a project and the files it names to solved pictures, toolpath, measures, warnings and
+// report.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/gcode_reader/finding.hpp"
+#include "sillon/input/plate_input.hpp"
+#include "sillon/pictures/pictures.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/pipeline/session.hpp"
+#include "sillon/project/plate_input.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/quality/picture_measures.hpp"
+#include "sillon/report/input_note.hpp"
+#include "sillon/report/report.hpp"
+#include "sillon/report/warning.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace sillon {
+
+/// Ways to deal with a plate that does not fit the bed where it lies.
+enum class Placing {
+  AsGiven,
+  Rotate,  ///< centred, and turned by 90 degrees if only that fits
+  Fit,     ///< also made smaller, in whole percent, if that does not fit either
+};
+
+/// Which paths of a plate are made.
+enum class PlatePath {
+  Seen,   ///< the oriented path
+  Below,  ///< only the path of the layer below it, which nothing measures (generateAcross)
+  Both,
+};
+
+/// What is made of a project, and from what of the plate before.
+struct PlateOptions {
+  Placing placing = Placing::AsGiven;
+  PlatePath path = PlatePath::Seen;
+  bool measure = true;
+  bool countDislocations = false;  ///< among the measures; takes a twentieth of the plate's time
+  bool judgePictures = true;       ///< by the toolpath, where it is measured; no need to where checkPlateGcode follows
+  Session* session = nullptr;      ///< keeps stages from plate to plate
+  std::optional<KeptPictures>* keptPictures = nullptr;  ///< keeps solved pictures from plate to plate
+};
+
+/// A plate, and all that is known of it.
+struct Plate {
+  Project project;  ///< as it was made: placing may have turned it, or made it smaller
+  PlateInput input;
+  PlatePictures pictures;              ///< empty: the project names none
+  ToolpathResult result;               ///< of the path below, where only that was asked for
+  std::optional<Toolpath> below;       ///< path of the layer below, where both were asked for
+  std::optional<Measures> measures;    ///< none: not asked for
+  std::vector<PictureMeasures> shown;  ///< one per picture; empty: not judged
+  int threads = 1;                     ///< that the run was allowed
+  // Of its G-code, once it is written.
+  std::optional<GcodeSummary> gcode;
+  std::vector<GcodeFinding> findings;  ///< of reading it as a printer would
+  bool judgedByGcode = false;          ///< `shown` is what the G-code lays
+
+  [[nodiscard]] const Toolpath& toolpath() const { return result.toolpath; }
+  /// What was taken for granted of the input, or left out of it.
+  [[nodiscard]] std::vector<InputNote> notes() const;
+  /// Of the plate, then of its G-code.
+  [[nodiscard]] std::vector<Warning> warnings() const;
+  /// All but the memory that it took, which only the program knows.
+  [[nodiscard]] Report report() const;
+};
+
+/// Makes a plate. Its progress is one fraction, whatever is asked for. \param read  hands over the files that the
+/// project names.
+/// \return the errors of invalidSettings, readPlateInput, plateTooLarge, solvePictures, generateToolpath,
+/// measureToolpath and measurePictures.
+Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options, const RunContext& run);
+
+/// What the G-code of a plate takes besides the plate.
+struct PlateGcodeOptions {
+  std::string date;                                   ///< PrintParams::date
+  std::optional<std::array<std::uint8_t, 3>> colour;  ///< of thumbnails of pictures; none: the project's spool
+};
+
+/// Writes the G-code of a plate, with its notes and thumbnails, and with the path below it, which is made if the
+/// project needs one and the plate has none. Fills Plate::gcode. \return the errors of lookThumbnails, generateAcross
+/// and writeGcode.
+std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& options, const GcodeSink& sink,
+                                     const RunContext& run);
+
+/// Reads the plate's G-code as a printer would, and judges its pictures by what it lays, where the plate was measured.
+/// Fills Plate::findings and Plate::shown. \param gcode  the whole text that writePlateGcode wrote. \return the errors
+/// of readBack and measurePictures.
+std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run);
+
+}  // namespace sillon

@@ -1,0 +1,22 @@
+// What was taken for granted of a plate's input, or left out of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace sillon {
+
+struct InputNote {
+  const char* code;  ///< DrawingInPixels, NoSize, TextLeftOut, ImagesLeftOut, SeveralColours or LinesAsShape
+  std::vector<NamedValue> values;  ///< `n` of what is left out
+  std::string message;             ///< one English sentence without a full stop
+};
+
+/// \param drawing  of the shape that was read.
+std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& drawing);
+
+}  // namespace sillon

@@ -1,0 +1,52 @@
+#include <utility>
+
+#include "sillon/gcode/read_back.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/job/plate.hpp"
+#include "sillon/look/thumbnails.hpp"
+
+namespace sillon {
+
+std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& options, const GcodeSink& sink,
+                                     const RunContext& run) {
+  const Project& project = plate.project;
+  PrintParams print = project.print;
+  print.date = options.date;
+  print.notes = plateNotes(project.toolpath, plate.measures);
+  // A plate without pictures has the same thumbnails everywhere, whatever its spool.
+  LookParams look;
+  if (!plate.pictures.shown.empty()) {
+    look = lookOf(project, plate.pictures, 0);
+    if (options.colour) look.colour = *options.colour;
+  }
+  auto thumbnails = lookThumbnails(plate.toolpath(), plate.input.shape.page, project.printer.screenSizes, look, run);
+  if (!thumbnails) return thumbnails.error();
+  print.thumbnails = std::move(thumbnails).value();
+  if (needsAcross(print) && !plate.below) {
+    auto made = generateAcross(plate.input, project.toolpath, run);
+    if (!made) return made.error();
+    plate.below = std::move(made).value().toolpath;
+  }
+  const auto untilCancelled = [&](std::string_view piece) { return sink(piece) && !run.cancelled(); };
+  auto summary = writeGcode(plate.toolpath(), plate.input.shape, project.printer, print, untilCancelled,
+                            plate.below ? &*plate.below : nullptr);
+  if (!summary) return summary.error();
+  plate.gcode = std::move(summary).value();
+  return std::nullopt;
+}
+
+std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run) {
+  const Project& project = plate.project;
+  plate.findings = checkGcode(gcode, project.printer).findings;
+  if (plate.pictures.shown.empty() || !plate.measures) return std::nullopt;
+  const auto read = readBack(gcode, plate.input.shape, project.printer, project.print, plate.toolpath().spacing);
+  if (!read) return read.error();
+  auto shown =
+      measurePictures(read.value(), plate.input.shape.page, plate.pictures.shown, plate.pictures.roughness, run);
+  if (!shown) return shown.error();
+  plate.shown = std::move(shown).value();
+  plate.judgedByGcode = true;
+  return std::nullopt;
+}
+
+}  // namespace sillon
