@@ -63,12 +63,8 @@ struct SetField {
   void choice() const {
     const std::vector<std::string> words = sillon::splitWords(row.choices);
     const auto found = std::find(words.begin(), words.end(), text);
-    if (found != words.end()) return sillon::choose(field, static_cast<std::size_t>(found - words.begin()));
-    std::string wanted;
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      wanted += (k == 0 ? "" : k + 1 == words.size() ? " or " : ", ") + words[k];
-    }
-    refuse(option, text, wanted);
+    if (found == words.end()) refuse(option, text, listed(words));
+    sillon::choose(field, static_cast<std::size_t>(found - words.begin()));
   }
 };
 
@@ -80,44 +76,181 @@ const char* groupOf(Section section) {
                                                                     : "Shape and directions";
 }
 
-/// A whole number of a range; throws by refuse().
-std::function<void(const std::string&)> within(const std::string& name, int low, int high, int& out) {
-  return [=, &out](const std::string& text) {
+/// "--output" of "-o,--output".
+std::string longName(const std::string& names) {
+  const std::size_t begin = names.find("--");
+  return begin == std::string::npos ? names : names.substr(begin, names.find(',', begin) - begin);
+}
+
+}  // namespace
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == words.size() ? " or " : ", ") + words[k];
+  return out;
+}
+
+Options::Options(CLI::App& app, HelpPage& page, const char* common)
+    : app_(app), page_(page), common_(sillon::splitWords(common)) {}
+
+void Options::row(const std::string& names, const std::string& unit, const std::string& help,
+                  std::vector<ValueHelp> values) {
+  const bool common = std::find(common_.begin(), common_.end(), longName(names)) != common_.end();
+  page_.rows.push_back(
+      {group_, names + (unit.empty() ? "" : " " + unit), sentenceCase(help), std::move(values), common});
+}
+
+void Options::file(const std::string& name, const std::string& help, std::string& path, bool required) {
+  app_.add_option("file", path)->option_text(name)->required(required);
+  page_.rows.push_back({"", name, help, {}, true});
+}
+
+void Options::files(const std::string& name, const std::string& help, std::vector<std::string>& paths, bool required) {
+  app_.add_option("files", paths)->option_text(name)->required(required);
+  page_.rows.push_back({"", name, help, {}, true});
+}
+
+void Options::word(const std::string& name, const std::string& help, const std::vector<std::string>& words,
+                   std::string& out) {
+  app_.add_option_function<std::string>("kind",
+                                        [&out, words](const std::string& text) {
+                                          if (std::find(words.begin(), words.end(), text) == words.end()) {
+                                            refuse("kind", text, listed(words));
+                                          }
+                                          out = text;
+                                        })
+      ->option_text(name)
+      ->required();
+  page_.rows.push_back({"", name, help, {}, true});
+}
+
+void Options::flag(const std::string& names, const std::string& help, bool& out) {
+  app_.add_flag(names, out);
+  row(names, "", help);
+}
+
+void Options::take(const std::string& names, const std::string& unit, const std::string& help,
+                   const std::function<void(const std::string&)>& take, std::vector<ValueHelp> values) {
+  app_.add_option_function<std::string>(names, take);
+  row(names, unit, help, std::move(values));
+}
+
+void Options::text(const std::string& names, const std::string& unit, const std::string& help, std::string& out) {
+  take(names, unit, help, [&out](const std::string& text) { out = text; });
+}
+
+void Options::text(const std::string& names, const std::string& unit, const std::string& help,
+                   std::optional<std::string>& out) {
+  take(names, unit, help, [&out](const std::string& text) { out = text; });
+}
+
+void Options::list(const std::string& names, const std::string& unit, const std::string& help,
+                   const std::function<void(const std::string&)>& take, char separator) {
+  app_.add_option_function<std::vector<std::string>>(names,
+                                                     [take](const std::vector<std::string>& texts) {
+                                                       for (const std::string& text : texts) take(text);
+                                                     })
+      ->delimiter(separator)
+      ->allow_extra_args(false);
+  row(names, unit, help);
+}
+
+template <class Number>
+void Options::number(const std::string& name, const std::string& unit, const std::string& help, Number& out) {
+  take(name, unit, help, [name, &out](const std::string& text) { parseInto(name, text, out); });
+}
+template void Options::number(const std::string&, const std::string&, const std::string&, double&);
+template void Options::number(const std::string&, const std::string&, const std::string&, std::optional<double>&);
+template void Options::number(const std::string&, const std::string&, const std::string&, int&);
+
+void Options::whole(const std::string& name, const std::string& unit, const std::string& help, int low, int high,
+                    int& out) {
+  take(name, unit, help, [=, &out](const std::string& text) {
     int value = 0;
     parseInto(name, text, value);
     if (value < low || value > high) {
       refuse(name, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     }
     out = value;
-  };
+  });
 }
 
-}  // namespace
-
-template <class Number>
-CLI::Option* addNumber(CLI::App& app, const std::string& name, Number& out, const std::string& help) {
-  return app.add_option_function<std::string>(
-      name, [name, &out](const std::string& text) { parseInto(name, text, out); }, help);
-}
-template CLI::Option* addNumber(CLI::App&, const std::string&, double&, const std::string&);
-template CLI::Option* addNumber(CLI::App&, const std::string&, std::optional<double>&, const std::string&);
-template CLI::Option* addNumber(CLI::App&, const std::string&, int&, const std::string&);
-
-CLI::Option* addPreviewWidth(CLI::App& app, int& out, const std::string& help) {
-  const char* name = "--preview-width";
-  return app.add_option_function<std::string>(name, within(name, 16, 16384, out), help)->option_text("PX");
+void Options::refuseWord(const std::string& name, const std::string& text, const std::vector<std::string>& words) {
+  refuse(name, text, listed(words));
 }
 
-void addThreads(CLI::App& app, int& out) {
+void Options::change(const std::string& name, const std::string& unit, const std::string& help,
+                     std::vector<Change>& changes, const std::function<Change(const std::string&)>& read,
+                     std::vector<ValueHelp> values) {
+  take(
+      name, unit, help, [&changes, read](const std::string& text) { changes.push_back(read(text)); },
+      std::move(values));
+}
+
+void Options::setting(const Setting& row, std::vector<Change>& changes) {
+  const sillon::SettingWords words = sillon::wordsOf(row);
+  const std::string name = words.option;
+  if (row.type == SettingType::Flag) {
+    app_.add_flag_callback(name, [&changes, &row] {
+      changes.emplace_back([&row](Project& project) {
+        *std::get<bool*>(row.field(viewOf(project))) = true;
+        return std::string();
+      });
+    });
+    this->row(name, "", words.help);
+    return;
+  }
+  Project defaults;
+  const std::string standard = sillon::settingText(row, defaults);
+  change(name, valueName(row), words.help + (standard.empty() ? std::string() : " [" + standard + "]"), changes,
+         [&row, name](const std::string& text) {
+           Project scratch;
+           setField(row, scratch, name, text);
+           return [&row, name, text](Project& project) {
+             setField(row, project, name, text);
+             return std::string();
+           };
+         });
+}
+
+void Options::settings(std::vector<Change>& changes, const std::function<bool(const Setting&)>& wanted) {
+  for (const bool experts : {false, true}) {
+    for (const Setting& row : sillon::settings()) {
+      if (!wanted(row) || (row.level == Level::Expert) != experts) continue;
+      const char* option = sillon::wordsOf(row).option;
+      if (*option == '\0' || app_.get_option_no_throw(option) != nullptr) continue;
+      group(experts ? "For experts" : groupOf(row.section));
+      setting(row, changes);
+    }
+  }
+}
+
+void Options::threads(int& out) {
   out = threadsOfMachine();
-  const char* name = "--threads";
-  app.add_option_function<std::string>(name, within(name, 1, kMostThreads, out),
-                                       "how many may work; never changes the result [all]")
-      ->option_text("N");
+  whole("--threads", "N", "number of threads; results do not depend on it [all]", 1, kMostThreads, out);
 }
 
-void requireValues(CLI::App& command) {
-  for (CLI::Option* option : command.get_options()) {
+void Options::previewWidth(int& out) {
+  whole("--preview-width", "PX", "width of each panel of the preview [1600]", 16, 16384, out);
+}
+
+void Options::require(const std::string& name) { app_.get_option(name)->required(); }
+
+void Options::excludes(const std::string& one, const std::string& other) {
+  app_.get_option(one)->excludes(app_.get_option(other));
+}
+
+void Options::needs(const std::string& one, const std::string& other) {
+  app_.get_option(one)->needs(app_.get_option(other));
+}
+
+std::function<bool(const std::string&)> Options::given() const {
+  return [&app = app_](const std::string& name) { return app.count(name) > 0; };
+}
+
+void Options::finish() {
+  for (CLI::Option* option : app_.get_options()) {
     if (option->get_items_expected_max() == 0) continue;  // a flag
     const std::string name = option->get_name();
     const bool positional = option->get_positional();
@@ -136,62 +269,5 @@ void setField(const Setting& row, Project& project, const std::string& option, c
   const Field field = row.field(viewOf(project));
   std::visit(SetField{row, field, option, text}, field);
 }
-
-CLI::Option* Options::word(const std::string& name, const char* unit, const std::string& help,
-                           const std::function<Change(const std::string&)>& read) {
-  return app_
-      .add_option_function<std::string>(
-          name, [this, read](const std::string& text) { changes_.push_back(read(text)); }, help)
-      ->option_text(unit)
-      ->group(group_);
-}
-
-void Options::setting(const Setting& row) {
-  const sillon::SettingWords words = sillon::wordsOf(row);
-  const std::string name = words.option;
-  if (row.type == SettingType::Flag) {
-    app_.add_flag_callback(
-            name,
-            [this, &row] {
-              changes_.emplace_back([&row](Project& project) {
-                *std::get<bool*>(row.field(viewOf(project))) = true;
-                return std::string();
-              });
-            },
-            words.help)
-        ->group(group_);
-    return;
-  }
-  Project defaults;
-  const std::string standard = sillon::settingText(row, defaults);
-  word(name, valueName(row).c_str(), std::string(words.help) + (standard.empty() ? "" : " [" + standard + "]"),
-       [&row, name](const std::string& text) {
-         Project scratch;
-         setField(row, scratch, name, text);
-         return [&row, name, text](Project& project) {
-           setField(row, project, name, text);
-           return std::string();
-         };
-       });
-}
-
-void Options::settings(const std::function<bool(const Setting&)>& wanted) {
-  for (const Setting& row : sillon::settings()) {
-    if (!wanted(row)) continue;
-    const char* option = sillon::wordsOf(row).option;
-    if (*option == '\0' || app_.get_option_no_throw(option) != nullptr) continue;
-    group(row.level == Level::Expert ? "" : groupOf(row.section));  // no group: not in help
-    setting(row);
-  }
-}
-
-void Options::output(const std::string& name, const std::string& help, std::string& path) {
-  app_.add_option_function<std::string>(
-          name, [&path](const std::string& text) { path = text; }, help)
-      ->option_text("F")
-      ->group(group_);
-}
-
-void Options::previewWidth(const std::string& help, int& out) { addPreviewWidth(app_, out, help)->group(group_); }
 
 }  // namespace cli

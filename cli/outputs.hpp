@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "files.hpp"
 #include "pictures.hpp"
 #include "sillon/base/run_context.hpp"
@@ -13,6 +12,20 @@
 #include "sillon/settings/printer.hpp"
 
 namespace cli {
+
+/// Where each output goes; empty: not wanted.
+struct OutputPaths {
+  std::string gcode;
+  std::string container;  ///< read: a .gcode.3mf or .bgcode whose other parts the G-code keeps
+  std::string svg;
+  std::string report;
+  std::string preview;
+  int previewWidth = 1600;  ///< of each panel [pixels]
+  std::string conflict;
+  std::string project;
+  std::string view;
+  std::string body;
+};
 
 /// A finished plate, and what its outputs take besides.
 struct Job {

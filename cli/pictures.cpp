@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "files.hpp"
 #include "sillon/input/image_io.hpp"
@@ -54,10 +55,45 @@ std::string choose(const char* key, const std::string& word, const std::vector<s
 
 }  // namespace
 
+void addPictures(Options& options, PictureOptions& pictures) {
+  options.group("Pictures");
+  options.list("--picture", "F", "picture to show under a lamp; repeat for more, one lamp each",
+               [&pictures](const std::string& text) { pictures.files.push_back(text); });
+  options.excludes("--picture", "--directions");
+  options.excludes("--picture", "--angle");
+  options.list("--lamp", "AZ[,EL]",
+               "lamp azimuth and elevation in degrees, one per picture in order; --preview uses it too [chosen]",
+               [&pictures](const std::string& text) { pictures.lamps.push_back(text); });
+  options.text("--lamp-size", "SIZE", "size of the lamps: " + lampSizeRange() + " [softbox]", pictures.lampSize);
+  options.take("--proportions", "HOW", "how a picture of other proportions fits the page [keep]",
+               [&pictures](const std::string& text) { pictures.proportions = text; },
+               {{"keep", "cut off what sticks out of the page"}, {"stretch", "stretch the picture over the page"}});
+  addSpools(options, pictures);
+  options.number("--smoothness", "F", "higher values give fewer U-turns and less detail [0.02]", pictures.smoothness);
+  options.number("--local-contrast", "F", "how far to raise what differs from its surroundings [0]",
+                 pictures.localContrast);
+}
+
+void addSpools(Options& options, PictureOptions& pictures) {
+  options.text("--spool", "KEY", "look of the filament, as sillon spools lists it [bluePla]", pictures.spool);
+  options.text("--spools", "F.json", "file of your own spools, of which --spool names one", pictures.spoolsFile);
+}
+
+std::array<std::pair<const char*, double>, 3> lampSizes() {
+  return {{{"bulb", sillon::bulbSlope()}, {"softbox", sillon::softboxSlope()}, {"window", sillon::windowSlope()}}};
+}
+
+std::string lampSizeRange() {
+  std::vector<std::string> names;
+  for (const auto& [name, slope] : lampSizes()) names.emplace_back(name);
+  names.emplace_back("a slope from 0 to 2");
+  return listed(names);
+}
+
 std::optional<double> lampSlopeOf(const std::string& size) {
-  if (size == "bulb") return sillon::bulbSlope();
-  if (size == "softbox") return sillon::softboxSlope();
-  if (size == "window") return sillon::windowSlope();
+  for (const auto& [name, slope] : lampSizes()) {
+    if (size == name) return slope;
+  }
   return parseNumber(size);
 }
 
@@ -90,7 +126,7 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
   if (options.lampSize) {
     const std::optional<double> slope = lampSlopeOf(*options.lampSize);
     if (!slope || !(*slope >= 0 && *slope <= 2)) {
-      return "--lamp-size is \"" + *options.lampSize + "\"; it must be bulb, softbox, window or a slope from 0 to 2";
+      return "--lamp-size is \"" + *options.lampSize + "\"; it must be " + lampSizeRange();
     }
     project.pictures.lampSize = *slope;
   }
@@ -171,7 +207,7 @@ std::string cutOffNote(double leftOut) {
   if (leftOut < kTold) return {};
   char text[120];
   std::snprintf(text, sizeof text,
-                "%.0f %% of it is cut off, to keep its proportions; --proportions stretch squeezes all of it in",
+                "%.0f %% of it is cut off to keep its proportions; --proportions stretch squeezes all of it in",
                 100 * leftOut);
   return text;
 }

@@ -1,19 +1,18 @@
-// Pictures that a plate shall show, each under its lamp: their options, and what is told of them.
+// Pictures that a plate is to show, each under its lamp: their options, and lines of the summary about them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "options.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/picture_measures.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace cli {
 
@@ -30,14 +29,19 @@ struct PictureOptions {
   std::optional<double> localContrast;
 };
 
-/// Adds the options. \param app  has --directions and --angle already, which they exclude.
-void addPictures(CLI::App& app, PictureOptions& pictures);
+/// Adds the options. \param options  have --directions and --angle already, which they exclude.
+void addPictures(Options& options, PictureOptions& pictures);
 
 /// "bulb", "softbox", "window" or a slope from 0 to 2. \return nothing for any other text.
 std::optional<double> lampSlopeOf(const std::string& text);
 
+/// The names of sizes of lamps, and their slopes.
+std::array<std::pair<const char*, double>, 3> lampSizes();
+/// "bulb, softbox, window or a slope from 0 to 2"
+std::string lampSizeRange();
+
 /// Adds --spool and --spools alone.
-void addSpools(CLI::App& app, PictureOptions& pictures, const std::string& group);
+void addSpools(Options& options, PictureOptions& pictures);
 
 /// Reads the file of own spools, if one is named. \return what is wrong with it.
 std::optional<sillon::Error> readOwnSpools(PictureOptions& options);

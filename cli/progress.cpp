@@ -4,33 +4,13 @@
 #include <cstdio>
 #include <string>
 
-#if defined(__EMSCRIPTEN__)
-#include <emscripten.h>
-// isatty always says yes.
-EM_JS(int, nodeStderrIsTerminal, (), { return process.stderr.isTTY ? 1 : 0; });
-#elif defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#elif defined(_WIN32)
-#include <io.h>
-#endif
+#include "terminal.hpp"
 
 namespace cli {
 namespace {
 
 constexpr int kCells = 30;
 constexpr std::chrono::milliseconds kPause{50};  // 20 times a second is smooth enough and costs nothing
-
-bool stderrIsTerminal() {
-#if defined(__EMSCRIPTEN__)
-  return nodeStderrIsTerminal() != 0;
-#elif defined(__unix__) || defined(__APPLE__)
-  return ::isatty(STDERR_FILENO) != 0;
-#elif defined(_WIN32)
-  return _isatty(_fileno(stderr)) != 0;
-#else
-  return false;
-#endif
-}
 
 }  // namespace
 

@@ -8,8 +8,10 @@ namespace cli {
 using sillon::Vec2;
 
 void refuse(const std::string& option, const std::string& text, const std::string& wanted) {
-  throw CLI::ValidationError(option + " is \"" + text + "\"; it must be " + wanted, CLI::ExitCodes::ValidationError);
+  refuse(option + " is \"" + text + "\"; it must be " + wanted);
 }
+
+void refuse(const std::string& sentence) { throw CLI::ValidationError(sentence, CLI::ExitCodes::ValidationError); }
 
 std::optional<double> parseNumber(const std::string& text) {
   if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;

@@ -18,6 +18,9 @@ namespace cli {
 /// Throws what CLI11 reports as a parse error: OPTION is "TEXT"; it must be WANTED.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted);
 
+/// The same with a sentence of its own.
+[[noreturn]] void refuse(const std::string& sentence);
+
 /// "1 line", "2 lines".
 template <class Integer>
 requires std::is_integral_v<Integer> std::string plural(Integer count, const std::string& word) {

@@ -150,21 +150,85 @@ TEST_CASE("help and version answer on stdout") {
   run = folder.run("--help");
   CHECK(run.code == 0);
   CHECK(has(run.out, "generate"));
+  CHECK(folder.run("").out == run.out);
+  CHECK(folder.run("").code == 0);
   run = folder.run("generate --help");
   CHECK(run.code == 0);
   CHECK(run.err == "");
-  for (const char* word : {"--shape", "--directions", "--spacing MM", "[0.4]", "--max-width", "Examples:"}) {
+  for (const char* word : {"--shape", "--directions", "--spacing MM", "[0.4]", "Examples:"}) {
     CAPTURE(word);
     CHECK(has(run.out, word));
   }
+  CHECK_FALSE(has(run.out, "--max-width"));
+  CHECK(has(folder.run("generate --help-all").out, "--max-width"));
 }
 
-TEST_CASE("options of experts are no part of the help, but work") {
+TEST_CASE("help of every command is short, complete on demand, and fits the line") {
+  const Folder folder;
+  const std::string general = folder.run("--help").out;
+  const std::size_t begin = general.find("Commands:\n");
+  REQUIRE(begin != std::string::npos);
+  std::istringstream lines(general.substr(begin + 10, general.find("\n\n", begin) - begin - 10));
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() < 3 || line[2] == ' ') continue;  // a text that goes on
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    CAPTURE(name);
+    ++commands;
+    const std::string few = folder.run(name + " --help").out;
+    const std::string all = folder.run(name + " --help-all").out;
+    const auto count = [](const std::string& text) {
+      int options = 0;
+      for (std::size_t at = text.find("\n  -"); at != std::string::npos; at = text.find("\n  -", at + 1)) ++options;
+      return options;
+    };
+    CHECK(count(few) <= 15);
+    CHECK(count(all) >= count(few));
+    CHECK(has(few, "usage: sillon " + name));
+    CHECK(has(few, name + " --help-all shows") == (count(all) > count(few)));
+    for (const char* columns : {"", "COLUMNS=60 ", "COLUMNS=100 "}) {
+      const std::size_t most = *columns == '\0' ? 80 : columns[8] == '6' ? 60 : 100;
+      std::istringstream rows(folder.run(name + " --help-all", columns).out);
+      for (std::string row; std::getline(rows, row);) {
+        CAPTURE(row);
+        const bool whole = row.find_first_of(' ', row.find_first_not_of(' ')) == std::string::npos;  // one long word
+        const bool example = has(row, "  sillon ");
+        CHECK((row.size() <= most || whole || (example && most == 60)));
+      }
+    }
+    // Texts begin with small letters, but for abbreviations, names and headings.
+    std::istringstream rows(all);
+    for (std::string row; std::getline(rows, row);) {
+      if (row.rfind("  -", 0) != 0) continue;
+      const std::size_t text = row.find("  ", 3);
+      if (text == std::string::npos) continue;
+      const std::size_t at = row.find_first_not_of(' ', text);
+      CAPTURE(row);
+      const bool lower = std::isupper(static_cast<unsigned char>(row[at])) == 0;
+      CHECK((lower || std::islower(static_cast<unsigned char>(row[at + 1])) == 0));
+    }
+  }
+  CHECK(commands >= 11);
+}
+
+TEST_CASE("a word that is near a command or an option is answered with it") {
+  const Folder folder;
+  checkRefused(folder, "generat --shape disc", "did you mean generate?");
+  checkRefused(folder, "setings", "did you mean settings?");
+  checkRefused(folder, "generate --spcaing 3",
+               "--spcaing is not an option of sillon generate; did you mean --spacing?");
+  checkRefused(folder, "check a.gcode b.gcode", "\"b.gcode\" is unexpected; see sillon check --help");
+  CHECK_FALSE(has(folder.run("frobnicate").err, "did you mean"));
+}
+
+TEST_CASE("options of experts stand in the whole help alone, and work") {
   const Folder folder;
   const std::string help = folder.run("generate --help").out;
+  const std::string all = folder.run("generate --help-all").out;
   for (const char* expert : {"--kernel-radius", "--border-weight", "--sweeps"}) {
     CAPTURE(expert);
     CHECK_FALSE(has(help, expert));
+    CHECK(has(all, expert));
   }
   const std::string plate = "generate --shape disc --size 10 --spacing 1 --quiet --project p.json";
   CHECK(folder.run(plate).err == "");
@@ -266,7 +330,7 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
   CHECK((*same)["maker"] == "Creality");
   CHECK((*same)["printer"] == Json::parse(one.out)["printer"]);
   CHECK(Json::parse(folder.run("filaments --json").out)["filaments"][0]["id"] == "petg");
-  checkRefused(folder, "printers creality-k1 --json", "--json is of the list");
+  checkRefused(folder, "printers creality-k1 --json", "--json applies to the list");
   folder.write("k1.json", one.out);
   const Run made = folder.run("generate k1.json --shape disc --size 12 --spacing 0.8 --filament petg --gcode a.gcode");
   CAPTURE(made.err);
@@ -480,7 +544,7 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
       {"part.gcode --picture half.png --angle 3", "--angle"},
       {"part.gcode --picture nowhere.png", "cannot be read"},
       {"part.gcode --picture half.png --fit bed", "fit is bed, but the file does not give its bed"},
-      {"part.gcode --fit sideways", "must be one of face, object, bed, all"},
+      {"part.gcode --fit sideways", "must be face, object, bed or all"},
       {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or 0 to 100"},
       {"part.gcode --angle 3 -o part.gcode --report part.gcode", "two outputs"},
       {"part.gcode --angle 3 --report part.gcode", "two outputs"},
@@ -683,7 +747,7 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   checkRefused(folder, "calibrate read photo.jpg none.jpg", "none.jpg");
   checkRefused(folder, "calibrate read grey.png grey.png", "\"grey.png\": the photograph shows no coupon");
   folder.write("plain.json", R"({"sillon": 1})");
-  checkRefused(folder, "calibrate flow plain.json more.json -o a.gcode", "\"more.json\" is one file too many");
+  checkRefused(folder, "calibrate flow plain.json more.json -o a.gcode", "unexpected file \"more.json\"");
   checkRefused(folder, "calibrate read", "no photograph is given");
   checkRefused(folder, "calibrate read nothing.jpg", "nothing.jpg");
   checkRefused(folder, "calibrate read photo.jpg --lamp-size moon", "--lamp-size is \"moon\"; it must be bulb,");
@@ -691,7 +755,7 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   checkRefused(folder, "calibrate read photo.jpg --name 'a b'", "\"a b\"");
   checkRefused(folder, "calibrate read photo.jpg -o photo.jpg", "also an input");
   checkRefused(folder, "calibrate read photo.jpg --preview p.png", "--preview shows a print");
-  checkRefused(folder, "calibrate flow --lamp-size bulb -o a.gcode", "are of a photograph");
+  checkRefused(folder, "calibrate flow --lamp-size bulb -o a.gcode", "belong to a photograph");
 }
 
 TEST_CASE("a plate that does not fit is centred, turned or scaled if asked") {
@@ -1028,7 +1092,7 @@ TEST_CASE("pictures may stand one behind the other, and what of them cannot be s
   CHECK_FALSE(has(folder.run("generate ramp.png" + coarse).out, "warning"));
 
   folder.write("scene.json", R"({"sillon": 1})");
-  checkRefused(folder, "generate ramp.png scene.json" + kOutputs, "\"scene.json\" is one file too many");
+  checkRefused(folder, "generate ramp.png scene.json" + kOutputs, "unexpected file \"scene.json\"");
 }
 
 TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
@@ -1046,7 +1110,7 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, one + "--lamp 361" + kOutputs, "azimuth from -360 to 360");
   checkRefused(folder, one + "--lamp 60,90" + kOutputs, "choose a lower or a smaller lamp");
   checkRefused(folder, one + "--lamp 1 --lamp 2" + kOutputs, "--lamp is given 2 times for 1 picture;");
-  checkRefused(folder, one + "--conflict torn.png" + kOutputs, "it must go with two pictures or more");
+  checkRefused(folder, one + "--conflict torn.png" + kOutputs, "it must be given with two pictures or more");
   checkRefused(folder, one + "--lamp-size sun" + kOutputs, "it must be bulb, softbox, window or a slope from 0 to 2");
   checkRefused(folder, one + "--spool copper" + kOutputs,
                "it must be one of bluePla, clearPetg, goldPla, greyPla, redPetg");
@@ -1382,12 +1446,13 @@ TEST_CASE("command lines that make no sense are refused") {
   checkRefused(folder, "generate --shape disc --gcode /dev/stdout", "the output \"/dev/stdout\" is not a file");
   checkRefused(folder, "generate --shape disc --preview a.JPG",
                "\"a.JPG\" is named like a picture that is not written");
-  checkRefused(folder, "zones -o a.3mf --frob", "--frob; see sillon zones --help");
-  checkRefused(folder, "frobnicate",
-               "\"frobnicate\" is not a command; it must be generate, check, rebrush, shape, zones, import, printers,");
+  checkRefused(folder, "zones -o a.3mf --frob", "--frob is not an option of sillon zones; see sillon zones --help-all");
+  checkRefused(
+      folder, "frobnicate",
+      "\"frobnicate\" is not a command; it must be generate, rebrush, zones, calibrate, check, import, shape,");
   checkRefused(folder, "generate --directions l.png --gcode l.png", "also an input");
   checkRefused(folder, "generate --shape disc --container keep.json --gcode keep.json", "also an input");
-  checkRefused(folder, "generate --shape disc --container keep.json --svg x", "it must go with --gcode");
+  checkRefused(folder, "generate --shape disc --container keep.json --svg x", "it must be given with --gcode");
   folder.write("part.gcode.3mf", sillon::packGcode(slicedBlock()).value());
   checkRefused(folder, "generate --shape disc --size 9 --container part.gcode.3mf --gcode a.gcode.3mf",
                "is for a Bambu Lab printer, but the project's printer is not");

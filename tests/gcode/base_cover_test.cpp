@@ -220,7 +220,7 @@ GcodeJob jobOf(const Shape& shape, const Toolpath& face, const PrintParams& para
 }
 
 const NamedValue* toldCover(const GcodeJob& job) {
-  for (const GcodeWarning& warning : job.warnings) {
+  for (const Warning& warning : job.warnings) {
     if (warning.code == WarningCode::BaseTooThin) return warning.value("percent");
   }
   return nullptr;

@@ -85,7 +85,7 @@ TEST_CASE("the flow that a start block sets holds for the whole print, its speed
     REQUIRE(applyProfile(ProfileKind::Printer, id, job.printer).empty());
     const Written written = job.write();
     CHECK(written.text.find("\nM221 S95\n") != std::string::npos);
-    for (const GcodeWarning& warning : written.result.value().warnings) CHECK(warning.code != WarningCode::StartFlow);
+    for (const Warning& warning : written.result.value().warnings) CHECK(warning.code != WarningCode::StartFlow);
   }
 }
 

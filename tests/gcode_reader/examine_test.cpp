@@ -438,7 +438,7 @@ TEST_CASE("findings name their line, and unknown commands and macros are marked"
   CHECK(findings[3].line == 7);
   CHECK(findings[4].message == "M500 outlives the print");
   CHECK(findings[4].rule == "settings");
-  CHECK(findings[5].message == "M997 has no place in a print");
+  CHECK(findings[5].message == "M997 does not belong in a print file");
   CHECK(findings[5].error);
   CHECK(findings[5].values == std::vector<std::pair<std::string, std::string>>{{"command", "M997"}});
   CHECK(examineBlock("", GcodeFlavor::Marlin).empty());

@@ -17,7 +17,7 @@ struct Sentence {
 
 // Sorted by rule. A new sentence gets a row here, and its rule the studio's words for its rule.
 constexpr Sentence kSentences[] = {
-    {"never", "commands", "{command} has no place in a print"},
+    {"never", "commands", "{command} does not belong in a print file"},
     {"files", "commands", "{command} reaches files, the network or the printer's programs"},
     {"unfollowed", "commands", "{command} moves or heats in a way that nobody can follow"},
     {"runs", "commands", "{command} runs commands that are not in this file"},
@@ -49,7 +49,7 @@ constexpr Sentence kSentences[] = {
     {"cold-bed", "heating", "extrudes before it has waited for a hot bed (M190)"},
     {"cold-bead", "heating", "extrudes with the nozzle at {degrees} degrees"},
 
-    {"inches", "modes", "inches (G20); millimetres are what everything else here is in"},
+    {"inches", "modes", "the file switches to inches (G20); everything else is in millimetres"},
     {"origin", "modes", "G92 moves the origin of an axis; places on the bed can no longer be told"},
     {"origin-shift", "modes", "G92 leaves the origin of an axis {mm} mm off; the print would be laid there"},
     {"volumetric", "modes", "volumetric extrusion (M200) changes what every E means"},

@@ -137,7 +137,7 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
   const std::string_view old = gcode.substr(surface.begin, until);
   const std::string fresh = withEdits(old, local);
   if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
-    made.why = differs + " would be another behind it";
+    made.why = "replacing it would change " + differs + " of the moves that follow";
     return std::nullopt;
   }
   const Result<double> beyond = reachOver(toolpath.cycles.front(), input.shape, params.spacing, run);

@@ -1,34 +1,28 @@
-#include "presets.hpp"
-
-#include <algorithm>
+// sillon printers and sillon filaments: a table, or one profile as a project file.
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "commands/commands.hpp"
+#include "run.hpp"
+#include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace cli {
 namespace {
 
+using sillon::Error;
+using sillon::ErrorCode;
 using sillon::GcodeFlavor;
 using sillon::Printer;
 using sillon::PrinterProfile;
 using sillon::ProfileKind;
 
-/// "0.05 to 20 mm", "none|soft|count"
-std::string rangeText(const sillon::Setting& row) {
-  using sillon::SettingType;
-  if (row.type == SettingType::Choice) {
-    std::string words = row.choices;
-    std::replace(words.begin(), words.end(), ' ', '|');
-    return words;
-  }
-  if (row.type == SettingType::Flag) return "true|false";
-  if (row.type == SettingType::Text || row.type == SettingType::Block || row.type == SettingType::Name) return "text";
-  if (row.type == SettingType::PictureList) return "up to 4 files";
-  char range[96];
-  std::snprintf(range, sizeof range, "%.6g to %.6g %s", row.low, row.high, row.unit);
-  return range;
-}
+struct Arguments {
+  std::string id;  ///< empty: all of them
+  bool json = false;
+};
 
 std::string flavor(const Printer& printer) {
   sillon::Project project;
@@ -60,8 +54,7 @@ std::string filamentLine(const PrinterProfile& preset) {
   return line;
 }
 
-}  // namespace
-
+/// One line per profile, with a head.
 std::string presetTable(ProfileKind kind) {
   const bool printers = kind == ProfileKind::Printer;
   std::string out =
@@ -72,6 +65,8 @@ std::string presetTable(ProfileKind kind) {
   return out;
 }
 
+/// The same with all values, as an object with a list `printers` or `filaments`: `id`, `maker` where there is one, and
+/// `printer`, that section of a project.
 std::string presetsJson(ProfileKind kind) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
@@ -83,6 +78,7 @@ std::string presetsJson(ProfileKind kind) {
   return Json{{kind == ProfileKind::Printer ? "printers" : "filaments", list}}.dump(2) + "\n";
 }
 
+/// A project file with the printer of this profile; empty if there is none of that id.
 std::string presetFile(ProfileKind kind, const std::string& id) {
   for (const PrinterProfile& preset : sillon::profiles(kind)) {
     if (preset.id == id) return sillon::writePrinter(preset.printer);
@@ -90,19 +86,39 @@ std::string presetFile(ProfileKind kind, const std::string& id) {
   return "";
 }
 
-std::string settingsTable() {
-  const sillon::Project defaults;
-  std::string out = "setting                              default              range, unit; * for experts\n";
-  for (const sillon::Setting& row : sillon::settings()) {
-    const sillon::SettingWords words = sillon::wordsOf(row);
-    char line[512];
-    std::snprintf(line, sizeof line, "%-36s %-20s %s%s\n%36s %s%s%s%s\n", sillon::fullName(row).c_str(),
-                  sillon::settingText(row, defaults).c_str(), rangeText(row).c_str(),
-                  row.level == sillon::Level::Expert ? " *" : "", "", words.help, *words.option == '\0' ? "" : " (",
-                  words.option, *words.option == '\0' ? "" : ")");
-    out += line;
+int run(ProfileKind kind, const char* command, const Arguments& arguments) {
+  const std::string& id = arguments.id;
+  if (arguments.json && !id.empty()) {
+    return fail(
+        {ErrorCode::InvalidArgument, "--json applies to the list; a single profile, here " + id + ", is always JSON"});
   }
-  return out;
+  const std::string text = arguments.json ? presetsJson(kind) : id.empty() ? presetTable(kind) : presetFile(kind, id);
+  if (!text.empty()) return answer(text);
+  Printer printer;
+  return fail({ErrorCode::InvalidArgument, std::string(command) + ": " + applyProfile(kind, id, printer)});
 }
+
+template <ProfileKind kind>
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.file("ID", "write this one as a project file", arguments->id, false);
+  options.group("Options");
+  options.flag("--json", "print all of them with their values, as JSON", arguments->json);
+  const char* name = kind == ProfileKind::Printer ? "printers" : "filaments";
+  return [arguments, name] { return run(kind, name, *arguments); };
+}
+
+}  // namespace
+
+const Command printersCommand{"printers",
+                              "list the printers that come with the program",
+                              "[ID]",
+                              "--json",
+                              "Examples:\n"
+                              "  sillon printers prusa-mk4s > mine.json",
+                              add<ProfileKind::Printer>};
+
+const Command filamentsCommand{
+    "filaments", "list the filaments that come with the program", "[ID]", "--json", "", add<ProfileKind::Filament>};
 
 }  // namespace cli

@@ -1,17 +1,22 @@
-#include "calibrate.hpp"
-
+// sillon calibrate: test prints that find a setting, and photographs of one read back.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "check.hpp"
+#include "commands/commands.hpp"
 #include "files.hpp"
+#include "findings.hpp"
 #include "outputs.hpp"
+#include "project_arguments.hpp"
+#include "run.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "sillon/calibrate/read_photo.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -19,6 +24,7 @@
 #include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/look/thumbnails.hpp"
+#include "words.hpp"
 
 namespace cli {
 namespace {
@@ -29,6 +35,24 @@ using sillon::CalibrationValue;
 using sillon::Error;
 using sillon::ErrorCode;
 using sillon::Result;
+
+constexpr const char* kReadPhotograph = "read";
+
+struct Arguments {
+  std::string kind;                ///< a name of sillon::calibrationKinds, or kReadPhotograph
+  std::vector<std::string> files;  ///< a project; of kReadPhotograph, photographs of one coupon
+  ProjectArguments project;
+  std::optional<double> from;
+  std::optional<double> to;
+  std::string out;          ///< G-code; packed by its ending as --gcode of generate; of a photograph, a file of spools
+  std::string preview;      ///< PNG
+  int previewWidth = 1600;  ///< [pixels], as that of generate
+  bool json = false;
+  std::string name = "mySpool";         ///< of the spool in a photograph
+  std::optional<double> lampElevation;  ///< [degrees]
+  std::string lampSize;                 ///< of the photograph's lamp; empty: unknown
+  int threads = 1;
+};
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -168,24 +192,18 @@ std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace
-
-Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureOptions& options,
-                             const sillon::Project& project, const std::string& scene, const std::string& date,
-                             const sillon::RunContext& run) {
+Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& project, const std::string& date,
+                          const sillon::RunContext& run) {
   if (arguments.out.empty()) return Error{ErrorCode::InvalidArgument, "--output is required; it names the G-code"};
-  if (!arguments.further.empty()) {
-    return Error{ErrorCode::InvalidArgument,
-                 "\"" + arguments.further.front() + "\" is one file too many; only calibrate read takes several"};
-  }
   if (!arguments.lampSize.empty() || arguments.lampElevation) {
     return Error{ErrorCode::InvalidArgument,
-                 "--lamp-size and --lamp-elevation are of a photograph; only calibrate read has them"};
+                 "--lamp-size and --lamp-elevation belong to a photograph; only calibrate read takes them"};
   }
+  const PictureOptions& options = arguments.project.pictures;
   std::vector<std::string> outputs{arguments.out};
   if (!arguments.preview.empty()) outputs.push_back(arguments.preview);
   std::vector<std::string> inputs;
-  for (const std::string* name : {&scene, &options.spoolsFile}) {
+  for (const std::string* name : {&arguments.project.scene, &options.spoolsFile}) {
     if (!name->empty()) inputs.push_back(*name);
   }
   if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
@@ -237,8 +255,9 @@ Result<Outcome> runCalibrate(const CalibrateArguments& arguments, const PictureO
   return Outcome{std::move(files), std::move(out)};
 }
 
-Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const std::vector<std::string>& photographs,
-                                   const sillon::Project& project, const sillon::RunContext& run) {
+Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Project& project,
+                                const sillon::RunContext& run) {
+  const std::vector<std::string>& photographs = arguments.files;
   if (photographs.empty()) {
     return Error{ErrorCode::InvalidArgument, "no photograph is given; sillon calibrate read PHOTO reads one"};
   }
@@ -252,8 +271,8 @@ Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const st
   if (!arguments.lampSize.empty()) {
     request.lampSlope = lampSlopeOf(arguments.lampSize);
     if (!request.lampSlope) {
-      return Error{ErrorCode::InvalidArgument, "--lamp-size is \"" + arguments.lampSize +
-                                                   "\"; it must be bulb, softbox, window or a slope from 0 to 2"};
+      return Error{ErrorCode::InvalidArgument,
+                   "--lamp-size is \"" + arguments.lampSize + "\"; it must be " + lampSizeRange()};
     }
   }
   std::vector<sillon::CouponReading> readings;
@@ -291,5 +310,90 @@ Result<Outcome> runReadPhotographs(const CalibrateArguments& arguments, const st
                                               arguments.name, arguments.out);
   return outcome;
 }
+
+/// All files but photographs are a project.
+std::optional<Error> takeProject(Arguments& arguments) {
+  if (arguments.kind == kReadPhotograph) return std::nullopt;
+  for (const std::string& file : arguments.files) {
+    if (looksLikePicture(file)) {
+      return Error{ErrorCode::InvalidArgument, "\"" + file + "\" is a picture; calibrate takes a project file"};
+    }
+    if (&file != &arguments.files.front()) {
+      return Error{ErrorCode::InvalidArgument,
+                   "unexpected file \"" + file + "\"; only calibrate read takes several files"};
+    }
+    arguments.project.scene = file;
+  }
+  return std::nullopt;
+}
+
+int run(Arguments& arguments) {
+  Run run(arguments.threads);
+  if (const auto problem = takeProject(arguments)) return fail(*problem);
+  const Result<std::string> date = runDate();
+  if (!date) return fail(date.error());
+  const Result<sillon::Project> project = readProject(arguments.project);
+  if (!project) return fail(project.error());
+  return commit(arguments.kind == kReadPhotograph ? readPhotographs(arguments, project.value(), run.context())
+                                                  : makePrint(arguments, project.value(), date.value(), run.context()),
+                run);
+}
+
+/// How a printer prints, without what calibration plates choose themselves.
+bool isOfCalibrations(const sillon::Setting& row) {
+  if (row.section == sillon::Section::Printer) return true;
+  const std::vector<std::string> own = sillon::splitWords(
+      "layers base basePattern showSide constantFlow coast scarf copies copyGap startHeight rotate mirror strict "
+      "place");
+  return row.section == sillon::Section::Print && std::find(own.begin(), own.end(), row.key) == own.end();
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  std::vector<std::string> kinds = sillon::calibrationKinds();
+  kinds.emplace_back(kReadPhotograph);
+  options.word("KIND",
+               "print to make: " + listed(sillon::calibrationKinds()) + "; or read, for a photograph of the coupon",
+               kinds, arguments->kind);
+  options.files("FILES", "project to begin with; after read, photographs of one coupon", arguments->files, false);
+  options.group("Calibration");
+  options.text("-o,--output", "F",
+               "G-code, packed if F ends in .gcode.3mf, .bgcode or .gz; after read, a file for --spools",
+               arguments->out);
+  options.number("--from", "VALUE", "first value to try [the kind's own]", arguments->from);
+  options.number("--to", "VALUE", "last value to try [the kind's own]", arguments->to);
+  options.text("--preview", "F", "picture of directions and look, PNG", arguments->preview);
+  options.previewWidth(arguments->previewWidth);
+  options.flag("--json", "print the values as JSON", arguments->json);
+  options.group("After read");
+  options.text("--name", "KEY", "name for the spool [mySpool]", arguments->name);
+  options.text("--lamp-size", "SIZE", "size of the lamp: " + lampSizeRange() + " [unknown, small]",
+               arguments->lampSize);
+  options.number("--lamp-elevation", "DEG", "height of the lamp, measured within 2 degrees [47 within 9]",
+                 arguments->lampElevation);
+  options.group("Calibration");
+  addSpools(options, arguments->project.pictures);
+  addPrinter(options, arguments->project.changes);
+  options.settings(arguments->project.changes, isOfCalibrations);
+  options.group("Run");
+  options.threads(arguments->threads);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command calibrateCommand{
+    "calibrate",
+    "write calibration prints, or read a photograph of one",
+    "KIND [FILES]",
+    "--output --from --to --preview --json --name --lamp-size --lamp-elevation --printer --filament",
+    "Examples:\n"
+    "  sillon calibrate coupon --printer prusa-mk4 -o coupon.gcode\n"
+    "  sillon calibrate flow mine.json -o flow.gcode --preview flow.png\n"
+    "  sillon calibrate read photograph.jpg --name mySilk -o mine.json\n"
+    "  sillon calibrate read left.jpg right.jpg back.jpg\n\n"
+    "Several photographs show one coupon, each with the lamp elsewhere. docs/guide/calibrate.md shows what to look for "
+    "on each print, and where to enter the value.",
+    add};
 
 }  // namespace cli

@@ -1,19 +1,35 @@
-#include "check.hpp"
-
+// sillon check: any G-code, read as a printer would.
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "commands/commands.hpp"
+#include "files.hpp"
+#include "findings.hpp"
+#include "run.hpp"
+#include "sillon/export/gcode_archive.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/settings/presets.hpp"
 #include "words.hpp"
 
 namespace cli {
 namespace {
 
+struct Arguments {
+  std::string file;
+  std::optional<sillon::Printer> printer;
+  bool json = false;
+};
+
 nlohmann::ordered_json known(double value) {
   return value < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
 }
-
-}  // namespace
 
 std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   char line[512];
@@ -62,22 +78,6 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
   return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
 }
 
-nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& findings) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const sillon::GcodeFinding& finding : findings) {
-    nlohmann::ordered_json values = nlohmann::ordered_json::object();
-    for (const auto& [name, value] : finding.values) values[name] = value;
-    list.push_back({{"code", finding.code},
-                    {"rule", finding.rule},
-                    {"error", finding.error},
-                    {"line", finding.line},
-                    {"count", finding.count},
-                    {"values", std::move(values)},
-                    {"message", finding.message}});
-  }
-  return list;
-}
-
 std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   nlohmann::ordered_json out = {{"errors", check.errors()},
                                 {"findings", findingsJson(check.findings)},
@@ -106,5 +106,42 @@ std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::st
   }
   return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
+
+int run(const Arguments& arguments) {
+  sillon::Result<std::string> file = readFile(arguments.file, "G-code", kMaxGcodeBytes);
+  if (!file) return fail(file.error());
+  const sillon::Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(std::move(file).value());
+  if (!container) return fail(container.error());
+  if (container.value().plates > 1) return fail(severalPlates(arguments.file, container.value().plates));
+  const std::string& text = container.value().gcode;
+  const sillon::GcodeCheck result = sillon::checkGcode(text, arguments.printer);
+  const std::vector<std::string> unchecked = sillon::uncheckedIn(text, arguments.printer);
+  return answer(arguments.json ? checkJson(result, unchecked) : checkText(result, unchecked),
+                result.errors() == 0 ? 0 : 2);
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.file("FILE.gcode", "the file, which may be packed (.gcode.3mf, .bgcode, .gz)", arguments->file, true);
+  options.group("Options");
+  options.take("--printer", "ID", "printer whose bed and limits apply [those in the file]",
+               [arguments](const std::string& id) {
+                 const std::string wrong = applyProfile(sillon::ProfileKind::Printer, id, arguments->printer.emplace());
+                 if (!wrong.empty()) refuse("--printer: " + wrong);
+               });
+  options.flag("--json", "print JSON instead of text", arguments->json);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command checkCommand{"check",
+                           "read any G-code as a printer would, and tell what would go wrong",
+                           "FILE.gcode",
+                           "--printer --json",
+                           "Examples:\n"
+                           "  sillon check part.gcode --printer prusa-mk4s\n\n"
+                           "Exit codes: 0 no errors, 2 errors or a file that cannot be read.",
+                           add};
 
 }  // namespace cli

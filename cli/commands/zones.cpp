@@ -1,11 +1,16 @@
-#include "zones.hpp"
-
+// sillon zones: a body with zones of straight lines, for any slicer.
 #include <cstdio>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "assemble.hpp"
+#include "commands/commands.hpp"
 #include "files.hpp"
+#include "project_arguments.hpp"
+#include "run.hpp"
+#include "sillon/export/zones.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
@@ -18,9 +23,17 @@ using sillon::Error;
 using sillon::ErrorCode;
 using sillon::Result;
 
-}  // namespace
+struct Arguments {
+  ProjectArguments project;
+  std::string out;    ///< a .3mf
+  std::string body;   ///< STL; empty: a prism of the shape
+  double height = 2;  ///< of that prism [mm]
+  sillon::ZoneParams params;
+  sillon::ZoneLayers layers;
+  int threads = 1;
+};
 
-Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project project, const sillon::RunContext& run) {
+Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, const sillon::RunContext& run) {
   if (!endsWith(arguments.out, ".3mf")) {
     return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
   }
@@ -98,5 +111,54 @@ Result<Outcome> runZones(const ZonesArguments& arguments, sillon::Project projec
                 zones.value().error);
   return Outcome{{{arguments.out, std::move(package).value().bytes}}, out + line};
 }
+
+int run(Arguments& arguments) {
+  Run run(arguments.threads);
+  Result<sillon::Project> project = readProject(arguments.project);
+  if (!project) return fail(project.error());
+  return commit(makeZones(arguments, std::move(project).value(), run.context()), run);
+}
+
+/// What a plate is made of, before there is a toolpath.
+bool isOfInput(const sillon::Setting& row) {
+  using sillon::Section;
+  return row.section == Section::Shape || row.section == Section::Directions || row.section == Section::Modes;
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.file("SCENE.json", "project or scene to begin with", arguments->project.scene, false);
+  addShape(options, arguments->project.changes);
+  addPictures(options, arguments->project.pictures);
+  options.group("Zones");
+  options.text("-o,--output", "F.3mf", "file to write", arguments->out);
+  options.require("--output");
+  options.text("--body", "F.stl", "body whose top surfaces get the zones [a prism of the shape]", arguments->body);
+  options.number("--height", "MM", "height of that prism [2]", arguments->height);
+  for (const char* other : {"--height", "--shape", "--size"}) options.excludes("--body", other);
+  options.number("--zones", "N", "most directions, 2 to 12 [6]", arguments->params.most);
+  options.number("--least", "MM", "narrowest place of a zone, 0.5 to 100 [3]", arguments->params.least);
+  options.number("--layer-height", "MM", "layer height in your slicer's profile [0.2]", arguments->layers.height);
+  options.number("--first-layer-height", "MM", "first layer height in your slicer's profile [0.2]",
+                 arguments->layers.firstHeight);
+  options.settings(arguments->project.changes, isOfInput);
+  options.group("Run");
+  options.threads(arguments->threads);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command zonesCommand{
+    "zones",
+    "cut the directions into zones of straight lines, for any slicer",
+    "[SCENE.json]",
+    "--output --body --shape --size --directions --angle --picture --lamp --zones --layer-height --first-layer-height",
+    "Examples:\n"
+    "  sillon zones --shape badge.svg --directions waves.png -o badge.3mf\n"
+    "  sillon zones --body part.stl --picture face.png --lamp 60 -o part.3mf\n\n"
+    "Open the file in PrusaSlicer, OrcaSlicer or Bambu Studio and slice it with the layer heights given here: slicers "
+    "turn their lines by 90 degrees on every other layer.",
+    add};
 
 }  // namespace cli

@@ -1,36 +1,63 @@
-#include "rebrush.hpp"
-
+// sillon rebrush: other beads on the top of a sliced file.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "assemble.hpp"
+#include "commands/commands.hpp"
 #include "files.hpp"
+#include "pictures.hpp"
+#include "run.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
 
 namespace cli {
 namespace {
 
+using sillon::DirectionEncoding;
 using sillon::DirectionMode;
 using sillon::Error;
 using sillon::ErrorCode;
 using sillon::PerimeterMode;
+using sillon::PictureFit;
 using sillon::RebrushedSurface;
 using sillon::Result;
 using sillon::SlicedFile;
 using sillon::SlicedSurface;
 using sillon::SurfaceSide;
+
+struct Arguments {
+  std::string file;
+  std::string out;  ///< empty: in place
+  std::string report;
+  std::string preview;      ///< PNG of each replaced surface
+  int previewWidth = 1600;  ///< of each panel [pixels]
+  bool list = false;
+  bool json = false;
+  double angle = 0;  ///< [degrees]
+  std::string directions;
+  sillon::DirectionEncoding encoding = sillon::DirectionEncoding::Angle;
+  std::string modes;  ///< a word, or a picture's name
+  PictureOptions pictures;
+  bool perimeters = false;  ///< given
+  sillon::RebrushOptions options;
+  int threads = 1;
+};
 
 const char* sideName(const SlicedSurface& surface) { return surface.side == SurfaceSide::Top ? "top" : "bottom"; }
 
@@ -183,7 +210,7 @@ Result<sillon::Project> pictureProject(const PictureOptions& pictures) {
   return project;
 }
 
-Result<sillon::RebrushOptions> readOptions(const RebrushArguments& arguments, const sillon::PictureParams& asked) {
+Result<sillon::RebrushOptions> readOptions(const Arguments& arguments, const sillon::PictureParams& asked) {
   sillon::RebrushOptions options = arguments.options;
   if (!arguments.pictures.files.empty()) {
     Result<std::vector<sillon::LitPicture>> pictures = sillon::readPictures(asked, readInputFile);
@@ -234,15 +261,14 @@ Result<std::string> packed(const sillon::GcodeContainer& container, std::string 
   if (wanted == container.kind) return sillon::writeGcodeContainer(container, std::move(gcode));
   if (wanted == Kind::Text) return gcode;
   if (wanted == Kind::Gzip && container.kind == Kind::Text) return sillon::gzipGcode(gcode);
-  return Error{ErrorCode::InvalidArgument,
-               "\"" + out +
-                   "\" would be another kind of file than what the slicer wrote; give it the same ending, or "
-                   ".gcode for its text"};
+  return Error{
+      ErrorCode::InvalidArgument,
+      "\"" + out +
+          "\" would be another kind of file than the slicer wrote; give it the same ending, or .gcode for its text"};
 }
 
-Result<std::string> previewPng(const RebrushArguments& arguments, const sillon::Spool& spool,
-                               const sillon::Rebrushed& done, const RebrushedSurface& made,
-                               const sillon::RunContext& run) {
+Result<std::string> previewPng(const Arguments& arguments, const sillon::Spool& spool, const sillon::Rebrushed& done,
+                               const RebrushedSurface& made, const sillon::RunContext& run) {
   sillon::PreviewParams params;
   params.width = arguments.previewWidth;
   const SlicedSurface& surface = done.file.surfaces[made.surface];
@@ -259,9 +285,7 @@ Result<std::string> previewPng(const RebrushArguments& arguments, const sillon::
   return pngFile(picture.value());
 }
 
-}  // namespace
-
-Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunContext& run) {
+Result<Outcome> brush(const Arguments& arguments, const sillon::RunContext& run) {
   const Result<sillon::Project> project = pictureProject(arguments.pictures);
   if (!project) return project.error();
   const sillon::PictureParams& pictures = project.value().pictures;
@@ -318,5 +342,100 @@ Result<Outcome> runRebrush(const RebrushArguments& arguments, const sillon::RunC
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
   return Outcome{std::move(files), summaryText(done.value())};
 }
+
+int run(Arguments& arguments) {
+  Run run(arguments.threads);
+  if (const auto problem = readOwnSpools(arguments.pictures)) return fail(*problem);
+  return commit(brush(arguments, run.context()), run);
+}
+
+void addSurfaces(Options& options, Arguments& arguments) {
+  options.group("Surfaces");
+  options.flag("--list", "show the surfaces, write nothing", arguments.list);
+  options.flag("--json", "show the list as JSON", arguments.json);
+  options.choice<int>("--surfaces", "top|bottom|both", "surfaces to replace; bottoms lie on the bed [top]",
+                      {{"top", 1}, {"bottom", 2}, {"both", 3}}, [&arguments](int which) {
+                        arguments.options.tops = (which & 1) != 0;
+                        arguments.options.bottoms = (which & 2) != 0;
+                      });
+  options.list(
+      "--only", "N,N...", "these surfaces alone, by their numbers in --list",
+      [&arguments](const std::string& word) {
+        const std::optional<double> number = parseNumber(word);
+        if (!number || !(*number >= 1 && *number <= 1e6) || *number != std::floor(*number)) {
+          refuse("--only", word, "a number that --list shows; the first is 1");
+        }
+        arguments.options.only.push_back(static_cast<std::size_t>(*number) - 1);
+      },
+      ',');
+}
+
+void addDirections(Options& options, Arguments& arguments) {
+  options.group("Directions");
+  options.number("--angle", "DEG", "direction of the beads, counter-clockwise from +x [0]", arguments.angle);
+  options.text("--directions", "F", "picture of directions, instead of an angle", arguments.directions);
+  options.choice<DirectionEncoding>("--encoding", "angle|rotation|tangent",
+                                    "how the picture encodes directions [angle]",
+                                    {{"angle", DirectionEncoding::Angle},
+                                     {"rotation", DirectionEncoding::Rotation},
+                                     {"tangent", DirectionEncoding::Tangent}},
+                                    [&arguments](DirectionEncoding encoding) { arguments.encoding = encoding; });
+  options.text("--modes", "M", "parallel, orthogonal, smoothest, constrained, or a picture of modes [constrained]",
+               arguments.modes);
+  options.choice<PictureFit>(
+      "--fit", "face|object|bed|all",
+      "stretch pictures over each face, each object, the bed, or the box around all [face]",
+      {{"face", PictureFit::Face}, {"object", PictureFit::Object}, {"bed", PictureFit::Bed}, {"all", PictureFit::All}},
+      [&arguments](PictureFit fit) { arguments.options.fit = fit; });
+  options.take("--perimeters", "none|soft|N", "beads along the border of each surface [1; soft with --picture]",
+               [&arguments](const std::string& text) {
+                 sillon::ToolpathParams& params = arguments.options.toolpath;
+                 arguments.perimeters = true;
+                 if (text == "none" || text == "soft") {
+                   params.perimeterMode = text == "none" ? PerimeterMode::None : PerimeterMode::Soft;
+                   return;
+                 }
+                 if (text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string::npos) {
+                   refuse("--perimeters", text, "none, soft or 0 to 100");
+                 }
+                 params.perimeterMode = PerimeterMode::Count;
+                 params.perimeters = std::atoi(text.c_str());
+               });
+  options.excludes("--angle", "--directions");
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.file("FILE.gcode", "file of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura", arguments->file,
+               true);
+  addSurfaces(options, *arguments);
+  addDirections(options, *arguments);
+  addPictures(options, arguments->pictures);
+  options.group("Output");
+  options.text("-o,--output", "F", "new file [the file itself]", arguments->out);
+  options.text("--report", "F", "what became of each surface, JSON", arguments->report);
+  options.text("--preview", "F", "picture of each new surface: its directions, and its look", arguments->preview);
+  options.previewWidth(arguments->previewWidth);
+  options.group("Run");
+  options.threads(arguments->threads);
+  options.needs("--json", "--list");
+  for (const char* output : {"--output", "--report", "--preview"}) options.excludes("--list", output);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command rebrushCommand{
+    "rebrush",
+    "replace the beads of top surfaces in a file from your slicer",
+    "FILE.gcode",
+    "--list --surfaces --only --angle --directions --fit --perimeters --picture --lamp --output --report --preview",
+    "Examples:\n"
+    "  sillon rebrush part.gcode --list\n"
+    "  sillon rebrush part.gcode --angle 30 -o part_brushed.gcode\n"
+    "  sillon rebrush part.gcode --picture face.png --lamp 60 -o part_face.gcode\n\n"
+    "Without -o the file itself is changed, as slicers expect of post-processing scripts.\n\n"
+    "Exit codes: 0 done, 2 refused, 3 cancelled, 1 internal error. No files are written unless everything succeeds.",
+    add};
 
 }  // namespace cli

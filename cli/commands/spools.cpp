@@ -1,10 +1,17 @@
-#include "spools.hpp"
-
-#include <array>
+// sillon spools: the look of filaments, for people or for programs.
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "pictures.hpp"
+#include "run.hpp"
+#include "sillon/look/spools.hpp"
 
 namespace cli {
 namespace {
@@ -13,12 +20,13 @@ using Json = nlohmann::ordered_json;
 using sillon::Roughness;
 using sillon::Spool;
 
+struct Arguments {
+  PictureOptions own;  ///< of which the file of spools counts
+  bool json = false;
+};
+
 constexpr double kNozzle = 0.4;  // [mm], in the table
 constexpr int kSteps = 36;       // directions in the JSON
-
-std::array<std::pair<const char*, double>, 3> lampSizes() {
-  return {{{"bulb", sillon::bulbSlope()}, {"softbox", sillon::softboxSlope()}, {"window", sillon::windowSlope()}}};
-}
 
 Json rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -27,8 +35,7 @@ Json sidesJson(const sillon::SideRoughness& sides) {
   return {{"nozzleSide", pair(sides.nozzleSide)}, {"bedSide", pair(sides.bedSide)}};
 }
 
-}  // namespace
-
+/// One line per spool, with a head: how many times as bright as black its white is under each lamp.
 std::string spoolTable(const std::vector<Spool>& spools) {
   std::string out = "spool        colour     white to black under a bulb, softbox, window at 60,45; nozzle 0.4\n";
   for (const Spool& spool : spools) {
@@ -46,6 +53,8 @@ std::string spoolTable(const std::vector<Spool>& spools) {
   return out;
 }
 
+/// The constants of the appearance model, the spools, and for each the light of directions under each lamp: what the
+/// views on web pages are made from and tested against.
 std::string spoolJson(const std::vector<Spool>& spools) {
   const sillon::Lobe any = sillon::lobeOf({}, {});
   Json root{{"version", 1},
@@ -70,5 +79,25 @@ std::string spoolJson(const std::vector<Spool>& spools) {
   }
   return root.dump(1) + "\n";
 }
+
+int run(Arguments& arguments) {
+  if (const auto problem = readOwnSpools(arguments.own)) return fail(*problem);
+  std::vector<Spool> all = sillon::spools();
+  all.insert(all.end(), arguments.own.ownSpools.begin(), arguments.own.ownSpools.end());
+  return answer(arguments.json ? spoolJson(all) : spoolTable(all));
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.group("Options");
+  options.flag("--json", "print slopes, and light by direction, as JSON", arguments->json);
+  options.text("--spools", "F.json", "file of your own spools, listed after the others", arguments->own.spoolsFile);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command spoolsCommand{
+    "spools", "list the measured spools, and what they show under lamps", "", "--json --spools", "", add};
 
 }  // namespace cli

@@ -1,0 +1,14 @@
+#include "commands/commands.hpp"
+#include "command.hpp"
+
+namespace cli {
+
+const std::vector<const Command*>& commands() {
+  static const std::vector<const Command*> all{
+      &generateCommand, &rebrushCommand,  &zonesCommand,     &calibrateCommand, &checkCommand,    &importCommand,
+      &shapeCommand,    &printersCommand, &filamentsCommand, &spoolsCommand,    &settingsCommand,
+  };
+  return all;
+}
+
+}  // namespace cli

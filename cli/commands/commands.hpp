@@ -1,0 +1,20 @@
+// The commands of the program, one file each.
+#pragma once
+
+#include "command.hpp"
+
+namespace cli {
+
+extern const Command generateCommand;
+extern const Command rebrushCommand;
+extern const Command zonesCommand;
+extern const Command calibrateCommand;
+extern const Command checkCommand;
+extern const Command importCommand;
+extern const Command shapeCommand;
+extern const Command printersCommand;
+extern const Command filamentsCommand;
+extern const Command spoolsCommand;
+extern const Command settingsCommand;
+
+}  // namespace cli

@@ -1,0 +1,205 @@
+// sillon generate: a plate, as G-code, drawing, report and pictures.
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assemble.hpp"
+#include "commands/commands.hpp"
+#include "outputs.hpp"
+#include "progress.hpp"
+#include "project_arguments.hpp"
+#include "run.hpp"
+#include "sillon/job/plate.hpp"
+#include "words.hpp"
+
+namespace cli {
+namespace {
+
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::Placing;
+using sillon::Result;
+
+struct Arguments {
+  std::vector<std::string> files;  ///< a scene, or pictures
+  ProjectArguments project;
+  OutputPaths outputs;
+  Placing placing = Placing::AsGiven;
+  std::function<bool(const std::string&)> given;  ///< whether an option is
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// A scene comes first; pictures are each seen under a lamp, before those that are named so.
+std::optional<Error> sortFiles(Arguments& arguments) {
+  std::vector<std::string> pictures;
+  for (const std::string& file : arguments.files) {
+    if (looksLikePicture(file)) {
+      pictures.push_back(file);
+    } else if (&file == &arguments.files.front()) {
+      arguments.project.scene = file;
+    } else {
+      return Error{ErrorCode::InvalidArgument,
+                   "unexpected file \"" + file + "\"; only pictures may follow the first one"};
+    }
+  }
+  for (const char* option : {"--directions", "--angle"}) {
+    if (pictures.empty() || !arguments.given(option)) continue;
+    return Error{ErrorCode::InvalidArgument, "\"" + pictures.front() +
+                                                 "\" is a picture to show, which finds the directions: " + option +
+                                                 " cannot be given beside it; leave one of them out"};
+  }
+  std::vector<std::string>& all = arguments.project.pictures.files;
+  all.insert(all.begin(), pictures.begin(), pictures.end());
+  return std::nullopt;
+}
+
+/// Everything up to the first byte on the disk.
+Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job& job, sillon::RunContext& run) {
+  ProgressBar bar(!arguments.quiet);
+  run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
+  const OutputPaths& outputs = arguments.outputs;
+  sillon::PlateOptions options;
+  options.placing = arguments.placing;
+  if (!outputs.gcode.empty() && sillon::needsAcross(project.print)) options.path = sillon::PlatePath::Both;
+  // Measuring takes its time: only if the report, the header of the G-code or the summary shows it.
+  options.measure = !outputs.report.empty() || !outputs.gcode.empty() || !arguments.quiet;
+  options.countDislocations = !outputs.report.empty();  // shown there alone
+  options.judgePictures = outputs.gcode.empty();
+  Result<sillon::Plate> plate = sillon::makePlate(std::move(project), readInputFile, options, run);
+  if (!plate) return plate.error();
+  job.plate = std::move(plate).value();
+  auto files = makeOutputs(job, outputs, run);
+  run.onProgress({});
+  if (!files) return files.error();
+  std::string text = arguments.quiet ? "" : summary(job.plate, files.value());
+  return Outcome{std::move(files).value(), std::move(text)};
+}
+
+/// What can be known before the work begins.
+std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Project& project) {
+  const OutputPaths& outputs = arguments.outputs;
+  const std::size_t pictures = project.pictures.files.size();
+  std::vector<std::string> inputs = inputFiles(project);
+  for (const std::string* name :
+       {&arguments.project.scene, &arguments.project.pictures.spoolsFile, &outputs.container}) {
+    if (!name->empty()) inputs.push_back(*name);
+  }
+  if (auto problem = checkOutputs(outputNames(outputs, pictures), inputs)) return problem;
+  if (!outputs.container.empty() && outputs.gcode.empty()) {
+    return Error{ErrorCode::InvalidArgument,
+                 "--container is \"" + outputs.container + "\"; it must be given with --gcode"};
+  }
+  if (!outputs.conflict.empty() && pictures < 2) {
+    return Error{ErrorCode::InvalidArgument,
+                 "--conflict is \"" + outputs.conflict + "\"; it must be given with two pictures or more"};
+  }
+  return std::nullopt;
+}
+
+int run(Arguments& arguments) {
+  Run run(arguments.threads);
+  if (const auto problem = sortFiles(arguments)) return fail(*problem);
+  Job job;
+  Result<std::string> date = runDate();
+  if (!date) return fail(date.error());
+  job.date = std::move(date).value();
+  Result<sillon::Project> project = readProject(arguments.project);
+  if (!project) return fail(project.error());
+  job.pictureOptions = arguments.project.pictures;
+  if (const auto problem = checkPaths(arguments, project.value())) return fail(*problem);
+  const Result<Outcome> made = prepare(arguments, std::move(project).value(), job, run.context());
+  if (made && made.value().files.empty() && job.bodyRefused) return fail(*job.bodyRefused);
+  const int code = commit(made, run);
+  return code == 0 && job.bodyRefused ? fail(*job.bodyRefused) : code;
+}
+
+void addPrint(Options& options, Arguments& arguments) {
+  std::vector<Change>& changes = arguments.project.changes;
+  options.group("Print");
+  options.change("--copies", "NxM", "plates in a row and in a column [1x1]", changes, [](const std::string& text) {
+    const std::optional<sillon::Vec2> copies = parsePair(text, 'x');
+    if (!copies) refuse("--copies", text, "NxM, two whole numbers");
+    return [count = *copies](sillon::Project& project) {
+      project.print.copies = count;
+      return std::string();
+    };
+  });
+  addPrinter(options, changes);
+  options.change(
+      "--place", "PLACE", "where the page lies on the bed [centre]", changes,
+      [&arguments](const std::string& text) {
+        const std::optional<sillon::Vec2> place = parsePair(text, ',');
+        if (!place && text != "centre" && text != "rotate" && text != "fit") {
+          refuse("--place", text, "X,Y in mm, centre, rotate or fit");
+        }
+        arguments.placing = text == "fit" ? Placing::Fit : text == "rotate" ? Placing::Rotate : Placing::AsGiven;
+        return [place](sillon::Project& project) {
+          project.print.place = place;
+          return std::string();
+        };
+      },
+      {{"X,Y", "its lower left corner, in mm"},
+       {"centre", "in the middle of the bed"},
+       {"rotate", "there, and turned by 90 degrees if only that fits"},
+       {"fit", "also scaled down, if it does not fit otherwise"}});
+}
+
+void addOutputs(Options& options, OutputPaths& outputs) {
+  options.group("Output");
+  options.text("--gcode", "F", "G-code; packed if F ends in .gcode.3mf (Bambu Lab), .bgcode (Prusa) or .gz",
+               outputs.gcode);
+  options.text("--container", "F", "take everything but the G-code from this .gcode.3mf or .bgcode of your slicer",
+               outputs.container);
+  options.text("--svg", "F", "drawing of the toolpath", outputs.svg);
+  options.text("--report", "F", "measures, as JSON", outputs.report);
+  options.text("--preview", "F", "picture of directions and look, PNG", outputs.preview);
+  options.previewWidth(outputs.previewWidth);
+  options.text("--conflict", "F", "where several pictures take tones from each other, a PNG for each",
+               outputs.conflict);
+  options.text("--view", "F", "picture of directions for <sillon-view> on web pages, PNG", outputs.view);
+  options.text("--body", "F", "base layers as a solid for a slicer: STL, or 3MF if F ends in .3mf", outputs.body);
+  options.text("--project", "F", "everything needed to repeat the plate, JSON", outputs.project);
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.files("FILES", "project or scene to begin with, or pictures to show, each under a lamp", arguments->files,
+                false);
+  std::vector<Change>& changes = arguments->project.changes;
+  addShape(options, changes);
+  addPictures(options, arguments->project.pictures);
+  addToolpath(options, changes);
+  addPrint(options, *arguments);
+  addOutputs(options, arguments->outputs);
+  options.settings(changes, [](const sillon::Setting&) { return true; });
+  options.group("Run");
+  options.threads(arguments->threads);
+  options.flag("--quiet", "show neither summary nor progress", arguments->quiet);
+  arguments->given = options.given();
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command generateCommand{
+    "generate",
+    "make a toolpath and write it as G-code, drawing, report or picture",
+    "[FILES]",
+    "--shape --size --directions --angle --picture --lamp --spacing --perimeters --printer --filament --gcode "
+    "--preview "
+    "--project",
+    "Examples:\n"
+    "  sillon generate --shape disc --size 40 --angle 30 --gcode disc.gcode\n"
+    "  sillon generate face.jpg --size 100 --gcode face.gcode --preview look.png\n"
+    "  sillon generate --shape leaf.svg --directions veins.png --gcode leaf.gcode\n"
+    "  sillon generate scene.json --spacing 0.8 --svg coarse.svg\n\n"
+    "Options override the scene. Printer speeds, temperatures and the like live in the project file: --project F "
+    "writes one with every field, sillon settings lists them all, including expert options.\n\n"
+    "Exit codes: 0 done, 2 bad input, 3 cancelled, 1 internal error. No files are written unless everything succeeds.",
+    add};
+
+}  // namespace cli

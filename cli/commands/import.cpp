@@ -1,0 +1,56 @@
+// sillon import: a printer out of a file of the user's own.
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "commands/commands.hpp"
+#include "files.hpp"
+#include "run.hpp"
+#include "sillon/printer_import/printer_import.hpp"
+#include "sillon/settings/presets.hpp"
+
+namespace cli {
+namespace {
+
+struct Arguments {
+  std::string file;
+  std::string name;  ///< of a printer in a bundle; empty: the active one
+};
+
+/// The printer as a project on stdout, notes on stderr.
+int run(const Arguments& arguments) {
+  const sillon::Result<std::string> text = readFile(arguments.file, "file", kMaxInputBytes);
+  if (!text) return fail(text.error());
+  const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.name);
+  if (!imported) return fail(imported.error());
+  const sillon::ImportedPrinter& printer = imported.value();
+  const std::string under = printer.profile.empty() ? "" : ", the rest from the profile " + printer.profile;
+  if (const int code = answer(sillon::writePrinter(printer.printer)); code != 0) return code;
+  std::fprintf(stderr, "sillon: read %zu settings as %s%s\n", printer.read.size(), printer.source.c_str(),
+               under.c_str());
+  for (const sillon::ImportNote& note : printer.notRead)
+    std::fprintf(stderr, "sillon: note: %s\n", note.message.c_str());
+  return 0;
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.file("FILE", "G-code or settings of your slicer (.gcode, .ini, .json, .orca_printer, .3mf), or a project",
+               arguments->file, true);
+  options.group("Options");
+  options.text("--name", "NAME", "printer of a bundle [the active one]", arguments->name);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command importCommand{"import",
+                            "take a printer from a file of your slicer",
+                            "FILE",
+                            "--name",
+                            "Examples:\n"
+                            "  sillon import part.gcode > mine.json\n"
+                            "  sillon generate mine.json --shape disc --gcode disc.gcode",
+                            add};
+
+}  // namespace cli

@@ -1,0 +1,58 @@
+// sillon settings: the table of settings, for people or for programs.
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "commands/commands.hpp"
+#include "run.hpp"
+#include "sillon/settings/table.hpp"
+
+namespace cli {
+namespace {
+
+/// "0.05 to 20 mm", "none|soft|count"
+std::string rangeText(const sillon::Setting& row) {
+  using sillon::SettingType;
+  if (row.type == SettingType::Choice) {
+    std::string words = row.choices;
+    std::replace(words.begin(), words.end(), ' ', '|');
+    return words;
+  }
+  if (row.type == SettingType::Flag) return "true|false";
+  if (row.type == SettingType::Text || row.type == SettingType::Block || row.type == SettingType::Name) return "text";
+  if (row.type == SettingType::PictureList) return "up to 4 files";
+  char range[96];
+  std::snprintf(range, sizeof range, "%.6g to %.6g %s", row.low, row.high, row.unit);
+  return range;
+}
+
+/// One line per setting: name, default, range with unit, option.
+std::string settingsTable() {
+  const sillon::Project defaults;
+  std::string out = "setting                              default              range, unit; * for experts\n";
+  for (const sillon::Setting& row : sillon::settings()) {
+    const sillon::SettingWords words = sillon::wordsOf(row);
+    char line[512];
+    std::snprintf(line, sizeof line, "%-36s %-20s %s%s\n%36s %s%s%s%s\n", sillon::fullName(row).c_str(),
+                  sillon::settingText(row, defaults).c_str(), rangeText(row).c_str(),
+                  row.level == sillon::Level::Expert ? " *" : "", "", words.help, *words.option == '\0' ? "" : " (",
+                  words.option, *words.option == '\0' ? "" : ")");
+    out += line;
+  }
+  return out;
+}
+
+Action add(Options& options) {
+  const auto json = std::make_shared<bool>(false);
+  options.group("Options");
+  options.flag("--json", "print JSON instead of text", *json);
+  return [json] { return answer(*json ? sillon::settingsJson() : settingsTable()); };
+}
+
+}  // namespace
+
+const Command settingsCommand{
+    "settings", "list the settings of project files, with ranges and defaults", "", "--json", "", add};
+
+}  // namespace cli

@@ -1,0 +1,111 @@
+// sillon shape: how a drawing or a mask is read, without a plate.
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assemble.hpp"
+#include "commands/commands.hpp"
+#include "run.hpp"
+#include "sillon/geometry/outline.hpp"
+#include "sillon/project/plate_input.hpp"
+#include "sillon/report/input_note.hpp"
+#include "sillon/report/warning.hpp"
+#include "words.hpp"
+
+namespace cli {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::optional<double> width;  ///< of the page [mm]; unset: as drawn
+  bool ignorePaint = false;
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+struct Description {
+  sillon::Vec2 page;
+  double area = 0;
+  std::vector<std::string> notes;
+};
+
+sillon::Result<Description> describe(const std::string& file, const Arguments& arguments) {
+  sillon::Project project;
+  project.shapeFile = file;
+  project.pageWidth = arguments.width.value_or(0);
+  project.ignorePaint = arguments.ignorePaint;
+  const auto input = assemblePlate(project);
+  if (!input) return input.error();
+  const auto outline = sillon::resolveOutline(input.value().shape);
+  if (!outline) return outline.error();
+  Description out{input.value().shape.page, outline.value().area, {}};
+  for (const sillon::InputNote& note : sillon::inputNotes(project, input.value().shape.drawing)) {
+    out.notes.push_back(note.message);
+  }
+  for (const sillon::Warning& warning : sillon::drawingWarnings(input.value().shape.drawing)) {
+    out.notes.push_back(warning.message);
+  }
+  return out;
+}
+
+std::string line(const std::string& file, const sillon::Result<Description>& read) {
+  if (!read) return file + "\n  error: " + read.error().message + "\n";
+  char text[128];
+  std::snprintf(text, sizeof text, "\n  page %.2f x %.2f mm, area %.2f mm2\n", read.value().page.x, read.value().page.y,
+                read.value().area);
+  std::string out = file + text;
+  for (const std::string& note : read.value().notes) out += "  note: " + note + "\n";
+  return out;
+}
+
+Json jsonOf(const std::string& file, const sillon::Result<Description>& read) {
+  if (!read) return {{"file", file}, {"error", read.error().message}};
+  const Description& shape = read.value();
+  return {{"file", file}, {"page", {shape.page.x, shape.page.y}}, {"areaMm2", shape.area}, {"notes", shape.notes}};
+}
+
+/// Each file, one after the other, however many of them fail.
+int run(const Arguments& arguments) {
+  bool failed = false;
+  std::string text;
+  for (const std::string& file : arguments.files) {
+    const auto read = describe(file, arguments);
+    failed = failed || !read;
+    text += arguments.json ? jsonOf(file, read).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+                           : line(file, read);
+  }
+  return answer(text, failed ? 2 : 0);
+}
+
+Action add(Options& options) {
+  const auto arguments = std::make_shared<Arguments>();
+  options.files("FILE...", "SVG drawings or mask pictures", arguments->files, true);
+  options.group("Options");
+  options.take("--size", "MM", "page width [as drawn, masks 80]", [arguments](const std::string& text) {
+    arguments->width = parseNumber(text);
+    if (!(arguments->width.value_or(0) > 0) || *arguments->width > 10000) {
+      refuse("--size", text, "a width in mm, more than 0 and at most 10000");
+    }
+  });
+  options.choice<bool>("--paint", "shown|ignore", "read a drawing as it appears, or all its outlines [shown]",
+                       {{"shown", false}, {"ignore", true}},
+                       [arguments](bool ignore) { arguments->ignorePaint = ignore; });
+  options.flag("--json", "print one line of JSON for each file", arguments->json);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace
+
+const Command shapeCommand{"shape",
+                           "show how a drawing or mask is read: page, area, notes",
+                           "FILE...",
+                           "--size --paint --json",
+                           "Examples:\n"
+                           "  sillon shape badge.svg --size 60",
+                           add};
+
+}  // namespace cli

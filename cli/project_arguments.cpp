@@ -1,0 +1,213 @@
+#include "project_arguments.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "assemble.hpp"
+#include "sillon/settings/presets.hpp"
+#include "sillon/settings/table.hpp"
+#include "words.hpp"
+
+namespace cli {
+namespace {
+
+using sillon::BuiltinShape;
+using sillon::Error;
+using sillon::ErrorCode;
+using sillon::PerimeterMode;
+using sillon::ProfileKind;
+using sillon::Project;
+using sillon::Result;
+using sillon::Section;
+using sillon::Setting;
+using sillon::Vec2;
+
+std::string setShape(Project& project, const std::string& text) {
+  constexpr std::array<std::pair<const char*, BuiltinShape>, 4> kBuiltins{{{"rect", BuiltinShape::Rectangle},
+                                                                           {"rectangle", BuiltinShape::Rectangle},
+                                                                           {"rounded", BuiltinShape::RoundedRectangle},
+                                                                           {"disc", BuiltinShape::Disc}}};
+  project.shapeFile = text;
+  project.builtin = BuiltinShape::None;
+  project.builtinSize = {};
+  project.pageWidth = 0;
+  project.unitlessIsMm = false;
+  project.ignorePaint = false;
+  for (const auto& [name, builtin] : kBuiltins) {
+    if (text != name) continue;
+    project.shapeFile.clear();
+    project.builtin = builtin;
+  }
+  return "";
+}
+
+/// \param size  y is 0 where only a width was given.
+std::string setSize(Project& project, Vec2 size, const std::string& text) {
+  const bool square = project.builtin == BuiltinShape::Disc && size.y == size.x;
+  if (size.y != 0 && !square && (!project.shapeFile.empty() || project.builtin == BuiltinShape::Disc)) {
+    const std::string what = project.shapeFile.empty() ? "a disc" : "a shape from a file";
+    return "--size is \"" + text + "\" for " + what + "; it must be one number there, the width in mm";
+  }
+  if (project.shapeFile.empty()) {
+    project.builtinSize = square ? Vec2{size.x, 0} : size;
+  } else {
+    project.pageWidth = size.x;
+  }
+  return "";
+}
+
+}  // namespace
+
+Result<Project> readProject(ProjectArguments& arguments) {
+  if (const std::optional<Error> problem = readOwnSpools(arguments.pictures)) return *problem;
+  Project project;
+  // Beads along the border would frame the picture in tones that it does not have.
+  if (!arguments.pictures.files.empty()) project.toolpath.perimeterMode = sillon::PerimeterMode::None;
+  if (!arguments.scene.empty()) {
+    Result<Project> scene = loadProject(arguments.scene);
+    if (!scene) return scene.error();
+    project = std::move(scene).value();
+  }
+  const Project given = project;
+  for (const auto& change : arguments.changes) {
+    if (std::string problem = change(project); !problem.empty()) {
+      return Error{ErrorCode::InvalidArgument, std::move(problem)};
+    }
+  }
+  sillon::followAdvance(given, project);
+  if (std::string problem = applyPictures(arguments.pictures, project); !problem.empty()) {
+    return Error{ErrorCode::InvalidArgument, std::move(problem)};
+  }
+  if (auto wrong = sillon::invalidSettings(project)) return *std::move(wrong);
+  return project;
+}
+
+void addShape(Options& options, std::vector<Change>& changes) {
+  options.group("Shape and directions");
+  options.change("--shape", "SHAPE", "what the plate is cut to", changes,
+                 [](const std::string& text) { return [text](Project& project) { return setShape(project, text); }; },
+                 {{"F", "SVG file, or mask picture: bright is inside"}, {"rect, rounded, disc", "built-in shapes"}});
+  options.change("--size", "MM|WxH", "page width, or width and height of rect and rounded [as drawn, else 80]", changes,
+                 [](const std::string& text) {
+                   const std::optional<double> width = parseNumber(text);
+                   const std::optional<Vec2> both = parsePair(text, 'x');
+                   const Vec2 size = both ? *both : Vec2{width.value_or(0), 0};
+                   if (!(size.x > 0) || (both && !(size.y > 0)) || size.x > 10000 || size.y > 10000) {
+                     refuse("--size", text, "a width or WxH in mm, each more than 0 and at most 10000");
+                   }
+                   return [size, text](Project& project) { return setSize(project, size, text); };
+                 });
+  options.change("--directions", "F", "picture of the bead directions; alone it makes a rectangle of its proportions",
+                 changes, [](const std::string& text) {
+                   return [text](Project& project) {
+                     project.directionFile = text;
+                     project.pictures.files.clear();
+                     return std::string();
+                   };
+                 });
+  options.change("--angle", "DEG", "one bead direction everywhere, counter-clockwise from the right [0]", changes,
+                 [](const std::string& text) {
+                   double angle = 0;
+                   parseInto("--angle", text, angle);
+                   return [angle](Project& project) {
+                     project.directionFile.clear();
+                     project.pictures.files.clear();
+                     project.angle = angle;
+                     return std::string();
+                   };
+                 });
+  options.excludes("--angle", "--directions");
+  options.change("--modes", "F", "picture of the direction modes", changes, [](const std::string& text) {
+    return [text](Project& project) {
+      project.modeFile = text;
+      return std::string();
+    };
+  });
+  const Setting& mode = *sillon::findSetting(Section::Modes, "mode");
+  options.change("--mode", "MODE",
+                 "one mode everywhere: " + listed(sillon::splitWords(mode.choices)) + " [constrained]", changes,
+                 [&mode](const std::string& text) {
+                   Project scratch;
+                   setField(mode, scratch, "--mode", text);
+                   return [mode = scratch.mode](Project& project) {
+                     project.modeFile.clear();
+                     project.mode = mode;
+                     return std::string();
+                   };
+                 });
+  options.excludes("--mode", "--modes");
+}
+
+void addToolpath(Options& options, std::vector<Change>& changes) {
+  options.group("Toolpath");
+  options.change("--preset", "NAME", "named set of values: " + listed(sillon::presets()) + " [standard]", changes,
+                 [](const std::string& text) {
+                   return [text](Project& project) {
+                     const std::string wrong = sillon::applyPreset(text, project.toolpath);
+                     return wrong.empty() ? wrong : "--preset: " + wrong;
+                   };
+                 });
+  options.change("--perimeters", "none|soft|N", "how beads meet the border [1]", changes,
+                 [](const std::string& text) {
+                   PerimeterMode mode = PerimeterMode::Count;
+                   int count = 0;
+                   if (text == "soft") {
+                     mode = PerimeterMode::Soft;
+                   } else if (text != "none") {
+                     const std::optional<double> value = parseNumber(text);
+                     if (!value || *value != std::floor(*value) || *value < 0 || *value > 100) {
+                       refuse("--perimeters", text, "none, soft or a whole number from 0 to 100");
+                     }
+                     count = static_cast<int>(*value);
+                   }
+                   if (mode == PerimeterMode::Count && count == 0) mode = PerimeterMode::None;
+                   return [mode, count](Project& project) {
+                     project.toolpath.perimeterMode = mode;
+                     if (mode == PerimeterMode::Count) project.toolpath.perimeters = count;
+                     return std::string();
+                   };
+                 },
+                 {{"none", "they end there"},
+                  {"soft", "they follow it where the directions allow"},
+                  {"N", "N of them follow it"}});
+}
+
+void addPrinter(Options& options, std::vector<Change>& changes) {
+  options.group("Print");
+  options.change("--printer", "ID", "printer that sillon printers lists", changes, [](const std::string& text) {
+    return [text](Project& project) {
+      project.printerProfile = text;
+      // The plate was made for its nozzle, and its look for a speed and a fan: no profile knows them.
+      sillon::Printer printer;
+      printer.nozzle = project.printer.nozzle;
+      printer.showSpeed = project.printer.showSpeed;
+      printer.showFan = project.printer.showFan;
+      project.printer = printer;
+      if (const std::string wrong = applyProfile(ProfileKind::Printer, text, project.printer); !wrong.empty()) {
+        return "--printer: " + wrong;
+      }
+      return project.filamentProfile.empty()
+                 ? std::string()
+                 : applyProfile(ProfileKind::Filament, project.filamentProfile, project.printer);
+    };
+  });
+  options.change("--filament", "ID", "filament that sillon filaments lists", changes, [](const std::string& text) {
+    return [text](Project& project) {
+      project.filamentProfile = text;
+      const std::string wrong = applyProfile(ProfileKind::Filament, text, project.printer);
+      return wrong.empty() ? wrong : "--filament: " + wrong;
+    };
+  });
+  options.change("--bed", "WxH", "size of the bed in mm [220x220]", changes, [](const std::string& text) {
+    const std::optional<Vec2> size = parsePair(text, 'x');
+    if (!size || !(size->x > 0 && size->y > 0)) refuse("--bed", text, "WxH in mm, each more than 0");
+    return [bed = *size](Project& project) {
+      project.printer.bedMax = project.printer.bedMin + bed;
+      return std::string();
+    };
+  });
+}
+
+}  // namespace cli

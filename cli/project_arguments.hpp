@@ -1,0 +1,30 @@
+// The project that a command line means: a file, and the options laid over it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+#include "pictures.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/job/plate.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace cli {
+
+struct ProjectArguments {
+  std::string scene;  ///< JSON file; empty: options only
+  /// What the options change in the scene, in a fixed order whatever the order on the line.
+  std::vector<Change> changes;
+  PictureOptions pictures;
+};
+
+/// The scene with the options laid over it, every field in range. Reads the file of own spools, if one is named.
+sillon::Result<sillon::Project> readProject(ProjectArguments& arguments);
+
+// Options of several commands that change the project.
+void addShape(Options& options, std::vector<Change>& changes);
+void addToolpath(Options& options, std::vector<Change>& changes);
+void addPrinter(Options& options, std::vector<Change>& changes);
+
+}  // namespace cli

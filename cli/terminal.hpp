@@ -1,0 +1,12 @@
+// What the terminal is like.
+#pragma once
+
+namespace cli {
+
+/// Whether somebody sees what goes to stderr.
+bool stderrIsTerminal();
+
+/// Characters in a line of help: as COLUMNS or the terminal says, 40 to 100; 80 where neither does.
+int terminalWidth();
+
+}  // namespace cli
