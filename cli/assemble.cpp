@@ -39,7 +39,7 @@ std::string seenFrom(const fs::path& folder, const std::string& name) {
   return error ? name : relative.generic_string();
 }
 
-/// What a file is that was given in place of a project, with the way it is meant to be given.
+/// Tells what a file is that was given in place of a project, and how it is meant to be given.
 std::optional<std::string> otherThanJson(std::string_view text) {
   const std::string_view start = text.substr(0, 64);
   const std::size_t first = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");

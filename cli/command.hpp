@@ -1,4 +1,4 @@
-// What a command of the program is.
+// A command of the program.
 #pragma once
 
 #include <functional>

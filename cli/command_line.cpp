@@ -71,7 +71,7 @@ Error unknownCommand(const std::string& word) {
           "\"" + word + "\" is not a command; it must be " + listed(names) + didYouMean(word, names)};
 }
 
-/// What nobody has asked for.
+/// The refusal of a word that the command does not take.
 Error unexpected(const Added& added) {
   const std::vector<std::string> words = added.app->remaining();
   const std::string word = words.empty() ? std::string() : words.front();

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Where memory runs out in what may not throw: destructors, and some of the libraries.
+/// Ends the program if memory runs out in code that may not throw: destructors, and some of the libraries.
 [[noreturn]] void onTerminate() {
   try {
     if (const std::exception_ptr problem = std::current_exception()) std::rethrow_exception(problem);

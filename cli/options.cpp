@@ -68,7 +68,7 @@ struct SetField {
   }
 };
 
-/// Where help shows the settings of a section.
+/// The heading above the settings of a section.
 const char* groupOf(Section section) {
   return section == Section::Toolpath                               ? "Toolpath"
          : section == Section::Pictures                             ? "Pictures"

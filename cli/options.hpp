@@ -18,7 +18,7 @@ class Option;
 
 namespace cli {
 
-/// What an option changes in the project; returns what is wrong, or nothing.
+/// A change that an option makes to the project; returns what is wrong, or nothing.
 using Change = std::function<std::string(sillon::Project&)>;
 
 /// Puts options on the command line, in the order of the help.
@@ -67,7 +67,7 @@ class Options {
       refuseWord(name, text, all);
     });
   }
-  /// A word that changes the project; its order on the line is the order of the changes.
+  /// A word that changes the project. Changes stand in the order of the options here, not in that of the line.
   void change(const std::string& name, const std::string& unit, const std::string& help, std::vector<Change>& changes,
               const std::function<Change(const std::string&)>& read, std::vector<ValueHelp> values = {});
 

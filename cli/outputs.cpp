@@ -62,7 +62,7 @@ std::int64_t peakBytes() {
 #endif
 }
 
-/// As the project says, or as the file of own spools.
+/// The colour of a spool of one's own, if one is asked for.
 std::optional<std::array<std::uint8_t, 3>> colourOf(const PictureOptions& options) {
   const sillon::Spool* own = ownSpool(options);
   return own == nullptr ? std::nullopt : std::optional(own->colour);

@@ -13,7 +13,7 @@
 
 namespace cli {
 
-/// Where each output goes; empty: not wanted.
+/// The file of each output; empty: not wanted.
 struct OutputPaths {
   std::string gcode;
   std::string container;  ///< read: a .gcode.3mf or .bgcode whose other parts the G-code keeps
@@ -52,7 +52,7 @@ std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor);
 /// Makes every output; fills job.bodyRefused, and what the plate tells of its G-code.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
 
-/// What a person wants to know of a plate, in a few lines.
+/// The facts of a plate that a person wants to know, in a few lines.
 std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& files);
 
 }  // namespace cli

@@ -16,7 +16,7 @@
 
 namespace cli {
 
-/// As given: the first lamp is the first picture's.
+/// The options as given: the first lamp is the first picture's.
 struct PictureOptions {
   std::vector<std::string> files;
   std::vector<std::string> lamps;       ///< "AZ" or "AZ,EL"; fewer than files: the rest is chosen
@@ -53,7 +53,7 @@ const sillon::Spool* ownSpool(const PictureOptions& options);
 /// \return what is wrong; empty: nothing.
 std::string applyPictures(const PictureOptions& options, sillon::Project& project);
 
-/// Whether a file is a picture, by its name or by how it begins, and not a scene.
+/// Tells whether a file is a picture, by its name or by how it begins, and not a scene.
 bool looksLikePicture(const std::string& path);
 
 /// How the preview looks at the plate: as lookOf, but under the first lamp that was given, where there is no picture.
@@ -66,7 +66,7 @@ sillon::Result<std::string> pngFile(const sillon::RgbImage& image);
 /// "plate.png" for the first picture, "plate-2.png" for the second.
 std::string previewName(const std::string& path, std::size_t picture);
 
-/// What is told of a picture of which this share is cut off; empty: nothing, as it is little.
+/// A note on a picture of which this share is cut off; empty where that is little.
 std::string cutOffNote(double leftOut);
 
 /// Lines of the summary. \param measures  one per picture, or none.

@@ -14,7 +14,7 @@ namespace cli {
 
 struct ProjectArguments {
   std::string scene;  ///< JSON file; empty: options only
-  /// What the options change in the scene, in a fixed order whatever the order on the line.
+  /// Changes that the options make to the scene, in a fixed order whatever the order on the line.
   std::vector<Change> changes;
   PictureOptions pictures;
 };

@@ -34,7 +34,7 @@ int answer(const std::string& text, int code = 0);
 /// are there, a summary that gets lost is no failure.
 int commit(const sillon::Result<Outcome>& made, const Run& run);
 
-/// Where memory runs out. Takes none. \return the exit code.
+/// Says that memory has run out, without taking any. \return the exit code.
 int endWithoutMemory();
 
 }  // namespace cli

@@ -1,5 +1,4 @@
-// What words of the command line say: numbers and pairs, or a sentence that refuses them. Counts in words, and ends of
-// names.
+// Words of the command line as numbers and pairs, or a sentence that refuses them; and counts in words.
 #pragma once
 
 #include <cerrno>
@@ -49,7 +48,7 @@ void parseInto(const std::string& option, const std::string& text, Integer& out)
   const bool fits = negative ? std::is_signed_v<Integer> && magnitude <= static_cast<std::uint64_t>(kHigh)
                              : magnitude <= static_cast<std::uint64_t>(kHigh);
   if (!whole || !fits) {
-    // What the option itself takes is checked with the whole project; only a seed may be all that fits.
+    // The range of an option is checked with the whole project; only a seed may be all that fits.
     const bool seed = std::is_unsigned_v<Integer>;
     refuse(option, text, seed ? "a whole number from 0 to " + std::to_string(kHigh) : std::string("a whole number"));
   }

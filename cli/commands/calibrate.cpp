@@ -56,7 +56,7 @@ struct Arguments {
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
-/// What to do with the value that is found.
+/// The line that says what to do with the value that is found.
 std::string whatToSet(const CalibrationPlate& plate) {
   if (plate.kind == CalibrationKind::FirstLayer) return "add      the best value to " + plate.setting + "\n";
   if (plate.kind == CalibrationKind::Swatch) return "keep     the card with the spool\n";
@@ -96,7 +96,7 @@ std::string tableJson(const std::string& kind, const CalibrationPlate& plate, co
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// As the side looks that the nozzle has passed over.
+/// The look of the side that the nozzle has passed over.
 sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& project) {
   sillon::LookParams look;
   const sillon::Spool* own = ownSpool(options);

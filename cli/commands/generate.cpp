@@ -79,7 +79,7 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
   return Outcome{std::move(files).value(), std::move(text)};
 }
 
-/// What can be known before the work begins.
+/// Refuses what can be known to be wrong before the work begins.
 std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Project& project) {
   const OutputPaths& outputs = arguments.outputs;
   const std::size_t pictures = project.pictures.files.size();

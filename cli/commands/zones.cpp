@@ -58,7 +58,7 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
     Result<sillon::Shape> outline = sillon::silhouetteOf(body, corner);
     if (!outline) return Error{outline.error().code, "\"" + arguments.body + "\": " + outline.error().message};
     seen = std::move(outline).value();
-    // What is laid over the page lies over the body's box.
+    // The page is the body's box.
     project.shapeFile.clear();
     project.builtin = sillon::BuiltinShape::Rectangle;
     project.builtinSize = seen.page;
@@ -119,7 +119,7 @@ int run(Arguments& arguments) {
   return commit(makeZones(arguments, std::move(project).value(), run.context()), run);
 }
 
-/// What a plate is made of, before there is a toolpath.
+/// Settings of the shape and the directions, before there is a toolpath.
 bool isOfInput(const sillon::Setting& row) {
   using sillon::Section;
   return row.section == Section::Shape || row.section == Section::Directions || row.section == Section::Modes;

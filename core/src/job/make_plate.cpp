@@ -22,7 +22,7 @@ class Parts {
 
   /// A part that was not known before.
   void add(double weight) { ahead_ += weight; }
-  /// What runs from now on is the next part.
+  /// Begins the next part.
   void begin(double weight) {
     const double all = done_ + ahead_;
     part_.reset();

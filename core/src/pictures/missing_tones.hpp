@@ -1,4 +1,4 @@
-// What a plate leaves out of a picture, asked for on top of it.
+// Tones that a plate leaves out of a picture, asked for on top of it.
 #pragma once
 
 #include <span>

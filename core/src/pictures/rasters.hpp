@@ -14,8 +14,8 @@ namespace sillon {
 /// \param shape  outlives what is returned.
 InsideCells insideOf(const Shape& shape);
 
-/// What the directions alone show of each picture, on another raster. What pictures take from each other is missing
-/// from it: no correction brings that back.
+/// Each picture as the directions alone show it, on another raster. Tones that pictures take from each other are
+/// missing from it: no correction brings them back.
 std::vector<Tones> shownTones(const PlatePictures& pictures, const DirectionMap& directions, int width, int height);
 
 }  // namespace sillon

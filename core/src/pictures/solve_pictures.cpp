@@ -15,10 +15,10 @@ namespace sillon {
 
 namespace {
 
-/// Of larger pictures nothing is kept: 16 MB of tones.
+/// Larger pictures are not kept: 16 MB of tones.
 constexpr std::size_t kMostKeptTones = 4'000'000;
 
-/// As PlatePictures::fieldR.
+/// PlatePictures::fieldR of these directions.
 std::vector<double> fieldR(const PlatePictures& pictures, const DirectionMap& directions) {
   std::vector<double> r;
   if (pictures.shown.size() < 2) return r;

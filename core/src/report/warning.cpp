@@ -103,7 +103,7 @@ static_assert(rowsStandInOrder(), "one row per code, in the order of WarningCode
 
 const Row& row(WarningCode code) { return kRows[static_cast<std::size_t>(code)]; }
 
-/// What is narrower than a bead.
+/// The warning about places narrower than a bead.
 std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
   if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
   // The thinnest tenth may be hairlines that no size would save.

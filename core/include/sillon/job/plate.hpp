@@ -34,14 +34,14 @@ enum class Placing {
   Fit,     ///< also made smaller, in whole percent, if that does not fit either
 };
 
-/// Which paths of a plate are made.
+/// The paths of a plate that are made.
 enum class PlatePath {
   Seen,   ///< the oriented path
   Below,  ///< only the path of the layer below it, which nothing measures (generateAcross)
   Both,
 };
 
-/// What is made of a project, and from what of the plate before.
+/// How a plate is made, and what is kept for the next one.
 struct PlateOptions {
   Placing placing = Placing::AsGiven;
   PlatePath path = PlatePath::Seen;
@@ -62,15 +62,15 @@ struct Plate {
   std::optional<Measures> measures;    ///< none: not asked for
   std::vector<PictureMeasures> shown;  ///< one per picture; empty: not judged
   int threads = 1;                     ///< that the run was allowed
-  // Of its G-code, once it is written.
+  // The G-code, once it is written.
   std::optional<GcodeSummary> gcode;
   std::vector<GcodeFinding> findings;  ///< of reading it as a printer would
   bool judgedByGcode = false;          ///< `shown` is what the G-code lays
 
   [[nodiscard]] const Toolpath& toolpath() const { return result.toolpath; }
-  /// What was taken for granted of the input, or left out of it.
+  /// Tells what was taken for granted of the input, or left out of it.
   [[nodiscard]] std::vector<InputNote> notes() const;
-  /// Of the plate, then of its G-code.
+  /// Warnings about the plate, then about its G-code.
   [[nodiscard]] std::vector<Warning> warnings() const;
   /// All but the memory that it took, which only the program knows.
   [[nodiscard]] Report report() const;
@@ -82,7 +82,7 @@ struct Plate {
 /// measureToolpath and measurePictures.
 Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options, const RunContext& run);
 
-/// What the G-code of a plate takes besides the plate.
+/// Facts for the G-code that the plate does not know.
 struct PlateGcodeOptions {
   std::string date;                                   ///< PrintParams::date
   std::optional<std::array<std::uint8_t, 3>> colour;  ///< of thumbnails of pictures; none: the project's spool

@@ -28,7 +28,7 @@ struct PlatePictures {
   std::vector<double> fieldR;   ///< of what the directions alone show and what is asked for; beads only lower it
 };
 
-/// What solvePictures found last, and what it had been asked for.
+/// The last result of solvePictures, and what it had been asked for.
 struct KeptPictures {
   std::vector<LitPicture> lit;
   Shape shape;

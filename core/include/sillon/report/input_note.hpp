@@ -1,4 +1,4 @@
-// What was taken for granted of a plate's input, or left out of it.
+// Notes on a plate's input: what was taken for granted of it, and what was left out.
 #pragma once
 
 #include <string>

@@ -59,7 +59,7 @@ Report reportOf(const ToolpathResult& plate, const std::optional<Measures>& meas
 /// The report as JSON, with the same bytes on every platform.
 std::string reportJson(const Report& report);
 
-/// What made a plate and how good it is, for the header of its G-code (PrintParams::notes).
+/// Lines on how a plate was made and how good it is, for the header of its G-code (PrintParams::notes).
 std::vector<std::string> plateNotes(const ToolpathParams& params, const std::optional<Measures>& measures);
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// What people should know of a plate or of its file: a code with its values, and the English sentence made of them.
+// Warnings about a plate or its file: a code with its values, and the English sentence made of them.
 #pragma once
 
 #include <optional>
@@ -68,16 +68,15 @@ struct Warning {
 /// "SkirtLeftOut", as reports, the npm package and the studio call it.
 const char* warningName(WarningCode code);
 
-/// What a reader of a drawing should say, whatever becomes of it.
+/// Warnings about a drawing, whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);
 
-/// Of pictures with one tone, and of the one that is shown least, if that is below r 0.7, at which few recognise it:
-/// as one direction per place has to show several, or as the beads are too wide for it.
+/// Warnings about pictures with one tone, and about the one that is shown least, if that is below r 0.7, at which few
+/// recognise it: as one direction per place has to show several, or as the beads are too wide for it.
 std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures);
 
-/// All that should be said of a plate before there is G-code: of its drawing, of toolpaths that could not be joined to
-/// the rest of their part, of its pictures, and of what is narrower than a bead, where that is more than 0.5 % of the
-/// shape.
+/// All warnings about a plate before there is G-code: about its drawing, toolpaths that could not be joined to the rest
+/// of their part, its pictures, and places narrower than a bead, where they are more than 0.5 % of the shape.
 /// \param apart  ToolpathResult::apart. \param measures  none: nothing lost is told. \param page  of the plate [mm].
 /// \param spacing  tau [mm].
 std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
