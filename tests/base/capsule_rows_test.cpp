@@ -6,8 +6,6 @@
 #include <random>
 #include <vector>
 
-#include "base/simd.hpp"
-
 using namespace sillon;
 
 namespace {
@@ -51,7 +49,6 @@ TEST_CASE("the rows of a capsule hold the pixels whose centres lie in one of its
   const auto within = [&](float low, float high) {
     return low + (high - low) * static_cast<float>(random() % 10001) / 10000.0f;
   };
-  const bool eight = eightAtOnce;
   int inside = 0;
   int wrong = 0;
   for (int round = 0; round < 400; ++round) {
@@ -64,9 +61,6 @@ TEST_CASE("the rows of a capsule hold the pixels whose centres lie in one of its
     const float ra = within(0, 12);
     const float rb = round % 3 == 0 ? ra : within(0, 12);
     const std::vector<char> pixels = drawn(Capsule(a, b, ra, rb));
-    eightAtOnce = false;
-    CHECK(pixels == drawn(Capsule(a, b, ra, rb)));
-    eightAtOnce = eight;
     for (int y = 0; y < kRows; ++y) {
       for (int x = 0; x < kColumns; ++x) {
         const double off = outside({static_cast<double>(x), static_cast<double>(y)}, a, b, ra, rb);

@@ -6,7 +6,6 @@
 #include <complex>
 #include <vector>
 
-#include "base/simd.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -93,7 +92,7 @@ TEST_CASE("powers of a wave are those of its angle") {
   }
 }
 
-TEST_CASE("each node gets the weighted waves of the cells within reach, for four and for eight cells at once") {
+TEST_CASE("each node gets the weighted waves of the cells within reach") {
   scenes::Random random(6);
   for (int b = -kNodeReach; b <= kNodeReach; ++b) {
     const Waves waves(random);
@@ -115,9 +114,5 @@ TEST_CASE("each node gets the weighted waves of the cells within reach, for four
       CAPTURE(n);
       CHECK(std::abs(static_cast<double>(nodes[n]) - expected[n]) < 1e-5);
     }
-    const bool eight = eightAtOnce;
-    eightAtOnce = false;
-    CHECK(nodesOf(waves, b) == nodes);
-    eightAtOnce = eight;
   }
 }

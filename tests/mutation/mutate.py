@@ -37,7 +37,7 @@ ROOMS = {
     ),
     'width': (
         ['toolpath/bead_width.cpp'],
-        ['toolpath_bead_width_test', 'toolpath_relaxation_test', 'toolpath_eight_points_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
+        ['toolpath_bead_width_test', 'toolpath_relaxation_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
     ),
     'writer': (
         ['gcode/writer.cpp', 'gcode/layer_writer.cpp', 'gcode/nozzle.cpp', 'gcode/start_and_end.cpp'],

@@ -14,8 +14,8 @@ namespace sillon {
 /// Runs of pixels [begin, end) of rows that follow each other; none where end <= begin.
 struct PixelRuns {
   static constexpr int kMostRows = 32;
-  alignas(32) std::int32_t begin[kMostRows];
-  alignas(32) std::int32_t end[kMostRows];
+  std::int32_t begin[kMostRows];
+  std::int32_t end[kMostRows];
 };
 
 /// Pixels whose centres lie in the union of discs along a segment, the radius linear in between. Centres have whole
@@ -74,9 +74,5 @@ struct Capsule {
 /// The pixels of the rows y to y + count - 1, from 0 to `columns`.
 /// \param count  from 1 to PixelRuns::kMostRows
 void pixelsOf(const Capsule& capsule, int y, int count, int columns, PixelRuns& runs);
-
-/// The same, eight rows at a time: only where the processor has AVX2 (eightAtOnce). Checking the file of a large plate
-/// (wave) takes a sixth less time so.
-void pixelsByEight(const Capsule& capsule, int y, int count, int columns, PixelRuns& runs);
 
 }  // namespace sillon

@@ -5,15 +5,38 @@
 #include <cstdint>
 
 #include "base/simd.hpp"
-#include "base/sin_cos.hpp"
 
 namespace sillon {
 
 inline constexpr float kPi = 3.14159265358979f;
 
-using SinCos4 = SinCosOf<Four>;
+struct SinCos4 {
+  F4 sin;
+  F4 cos;
+};
 
-inline SinCos4 sinCos(F4 x) { return sinCosOf<Four>(x); }
+/// sin and cos of |x| <= 8192, error below 3e-7 for |x| <= 10 and below 2e-6 + 1e-7 |x| beyond. Quadrants are removed
+/// in three steps (Cody-Waite), then minimax polynomials on [-pi/4, pi/4].
+inline SinCos4 sinCos(F4 x) {
+  const F4 half = select4(x < splat(0), splat(-0.5f), splat(0.5f));
+  const I4 quadrant = toInt(x * splat(0.636619772f) + half);
+  const F4 q = toFloat(quadrant);
+  const F4 r = ((x - q * splat(1.5703125f)) - q * splat(4.837512969970703125e-4f)) - q * splat(7.54978995489188216e-8f);
+  const F4 r2 = r * r;
+  const F4 s = r + r * r2 * (splat(-1.6666654611e-1f) + r2 * (splat(8.3321608736e-3f) + r2 * splat(-1.9515295891e-4f)));
+  const F4 c =
+      splat(1) - splat(0.5f) * r2 +
+      r2 * r2 *
+          (splat(4.166664568298827e-2f) + r2 * (splat(-1.388731625493765e-3f) + r2 * splat(2.443315711809948e-5f)));
+  const I4 one = splatInt(1);
+  const I4 two = splatInt(2);
+  const I4 odd = (quadrant & one) == one;
+  const I4 sinNegative = (quadrant & two) == two;
+  const I4 cosNegative = ((quadrant + one) & two) == two;
+  const F4 sine = select4(odd, c, s);
+  const F4 cosine = select4(odd, s, c);
+  return {select4(sinNegative, -sine, sine), select4(cosNegative, -cosine, cosine)};
+}
 
 struct SinCos {
   float sin;

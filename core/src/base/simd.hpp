@@ -97,6 +97,7 @@ inline I4 loadInt4(const std::uint32_t* p) noexcept {
 }
 inline void storeInt4(std::uint32_t* p, I4 v) noexcept { std::memcpy(p, &v, sizeof v); }
 inline void store4(float* p, F4 v) noexcept { std::memcpy(p, &v, sizeof v); }
+inline void store4(std::int32_t* p, I4 v) noexcept { std::memcpy(p, &v, sizeof v); }
 
 /// Correctly rounded on every platform. The vector types have no square root, hence the intrinsics.
 inline F4 sqrt4(F4 v) noexcept {
@@ -124,28 +125,5 @@ inline F4 max4(F4 a, F4 b) noexcept { return select4(a > b, a, b); }
 inline F4 min4(F4 a, F4 b) noexcept { return select4(a < b, a, b); }
 #endif
 inline F4 abs4(F4 a) noexcept { return max4(a, -a); }
-
-/// What loops need that are written for four or eight floats at a time (eight_lanes.hpp).
-struct Four {
-  using F = F4;
-  using I = I4;
-  static constexpr int count = 4;
-
-  static F load(const float* p) { return load4(p); }
-  static void store(float* p, F v) { store4(p, v); }
-  static void store(std::int32_t* p, I v) { std::memcpy(p, &v, sizeof v); }
-  static F all(float v) { return splat(v); }
-  static I all(std::int32_t v) { return splatInt(v); }
-  static F select(I mask, F a, F b) { return select4(mask, a, b); }
-  static F max(F a, F b) { return max4(a, b); }
-  static F min(F a, F b) { return min4(a, b); }
-  static F sqrt(F v) { return sqrt4(v); }
-  static I toInt(F v) { return sillon::toInt(v); }
-  static F toFloat(I v) { return sillon::toFloat(v); }
-};
-
-/// Whether loops that can take eight at a time do: whether the processor has AVX2, and the program code for it. Tests
-/// clear it to compare.
-extern bool eightAtOnce;
 
 }  // namespace sillon

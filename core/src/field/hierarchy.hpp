@@ -24,10 +24,10 @@ struct LevelShape {
 
   LevelShape() = default;
   LevelShape(int width, int height)
-      : nx(width), ny(height), px((width + 1) / 2), py((height + 1) / 2), stride((px + 7) / 8 * 8 + 2) {}
+      : nx(width), ny(height), px((width + 1) / 2), py((height + 1) / 2), stride((px + 3) / 4 * 4 + 2) {}
 
   [[nodiscard]] std::size_t planeSize() const {
-    return static_cast<std::size_t>(stride) * static_cast<std::size_t>(py + 2) + 8;  // 8: the last vector load
+    return static_cast<std::size_t>(stride) * static_cast<std::size_t>(py + 2) + 4;  // 4: the last vector load
   }
   [[nodiscard]] std::size_t at(int x, int y) const {  ///< index of plane cell (x, y)
     return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x + 1);

@@ -1,5 +1,4 @@
-// The two loops over rows of cells that aligning phases is made of. They take four cells at a time, or eight on
-// processors with AVX2 (eight_cells.cpp), with the same result to the last bit.
+// The two loops over rows of cells that aligning phases is made of. They take four cells at a time.
 #pragma once
 
 #include <cstddef>
@@ -57,9 +56,5 @@ struct ColourSweep {
 /// Eq. 10 for some cells of one row of one colour, in place: q_i <- the normalised sum of the neighbours' transported
 /// phases. \param cells  as of fillEdges.
 void sweepCells(const ColourSweep& sweep, std::size_t first, int cells);
-
-/// The same with AVX2.
-void fillEdgesByEight(const EdgeRow& row, int cells);
-void sweepCellsByEight(const ColourSweep& sweep, std::size_t first, int cells);
 
 }  // namespace sillon

@@ -1,5 +1,4 @@
-// The two loops over rows of cells that evaluating the sine field is made of. They take four cells at a time, or eight
-// on processors with AVX2 (eight_cells.cpp), with the same result to the last bit.
+// The two loops over rows of cells that evaluating the sine field is made of. They take four cells at a time.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@ namespace sillon {
 inline constexpr int kNodeReach = 4;
 
 /// Cells are taken in whole vectors: rows are as long as a multiple of this, with no wave after their end.
-inline constexpr std::size_t kRowMultiple = 8;
+inline constexpr std::size_t kRowMultiple = 4;
 
 /// e^{i k angle} for k from 1 to kNodeReach.
 struct PowerRow {
@@ -38,9 +37,5 @@ struct NodeSums {
 };
 /// Eq. 13 for the waves of one row of cells and one row of nodes.
 void addToNodes(const NodeSums& sums, std::size_t cells);
-
-/// The same with AVX2.
-void fillPowersByEight(const PowerRow& row, std::size_t cells);
-void addToNodesByEight(const NodeSums& sums, std::size_t cells);
 
 }  // namespace sillon

@@ -13,14 +13,6 @@
 
 namespace sillon {
 
-/// Runs of sorted points: run k is begin[k * stride] .. end[k * stride] - 1, and may be empty.
-struct PointRuns {
-  const std::int32_t* begin;
-  const std::int32_t* end;
-  std::ptrdiff_t stride;
-  int count;
-};
-
 /// Buckets are kept row by row, so that the buckets [x0, x1] of one row are one contiguous run of points.
 class PointGrid {
  public:
@@ -79,12 +71,6 @@ class PointGrid {
   }
 
   [[nodiscard]] int count() const { return static_cast<int>(id.size()) - 4; }
-
-  /// The runs of sorted points that hold all points of a rectangle, lowest row first.
-  [[nodiscard]] PointRuns within(Vec2f low, Vec2f high) const {
-    const std::int32_t* const first = &begin_[static_cast<std::size_t>(row(low.y)) * static_cast<std::size_t>(nx_)];
-    return {first + column(low.x), first + column(high.x) + 1, nx_, row(high.y) - row(low.y) + 1};
-  }
 
   /// Calls visit(begin, end) with the runs of sorted points that hold all points within `reach` of p, lowest row first.
   template <class Visit>

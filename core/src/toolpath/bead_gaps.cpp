@@ -7,7 +7,6 @@
 #include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
-#include "toolpath/eight_points.hpp"
 
 namespace sillon {
 
@@ -28,7 +27,7 @@ float laneMin(F4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])
 float laneMax(F4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
 
 // Over all sorted points: (N . to) / |to|² is the signed curvature of the circle through `to` touching the path at p.
-Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int point, int first, int size) {
+Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, const OwnChain& own) {
   F4 left = splat(1 / cap);
   F4 right = splat(1 / cap);
   F4 closest = splat(cap * cap);
@@ -36,7 +35,6 @@ Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, int p
   const F4 py = splat(p.y);
   const F4 nx = splat(normal.x);
   const F4 ny = splat(normal.y);
-  const OwnChain own(point, first, size, kOwnChain);
   grid.around(p, cap, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
@@ -95,46 +93,29 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
   BeadGaps gaps{std::vector<float>(count, cap), std::vector<float>(count, cap), std::vector<char>(count, 0)};
   const float tight = kTight * static_cast<float>(spacing);
   const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
-  const auto note = [&](int k, Vec2f normal, Nearest nearest, bool back, BorderDepth& depth) {
-    const std::size_t i = static_cast<std::size_t>(k);
-    // Deeper inside, twice the distance is more than the cap.
-    if (const auto b = depth.nearerThan(0.5f * cap, curves.points[i])) {
-      const float along = dot(b->normal, normal);
-      if (std::abs(along) > 0.5f) {
-        const float curvature = std::abs(along) / std::max(2 * std::abs(b->distance), 1e-6f);
-        (along > 0 ? nearest.left : nearest.right) = std::max(along > 0 ? nearest.left : nearest.right, curvature);
-      }
-    }
-    gaps.tight[i] = nearest.distance2 < tight * tight || back ? 1 : 0;
-    gaps.left[i] = 1 / nearest.left;
-    gaps.right[i] = 1 / nearest.right;
-  };
   // In path order: the next point's buckets are mostly the same.
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
     BorderDepth depth(border);
     for (int k = begin; k < end; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
       const int curve = curveOf[i];
-      const int first = curves.begin[static_cast<std::size_t>(curve)];
-      const int size = curves.size(curve);
-#if defined(SILLON_AVX2)
-      if (eightAtOnce && k + kEight <= end && k - first >= kOwnChain && k + kEight + kFollowing <= first + size) {
-        const EightInRow row = eightInRow(&curves.points[i], k, kFollowing, cap);
-        const EightNearest nearest =
-            nearestOfEight({grid.x.data(), grid.y.data(), grid.id.data()},
-                           grid.within({row.lowX, row.lowY}, {row.highX, row.highY}), row.points, cap, kOwnChain);
-        for (int l = 0; l < kEight; ++l) {
-          note(k + l, {-row.points.tangentY[l], row.points.tangentX[l]},
-               {nearest.left[l], nearest.right[l], nearest.distance2[l]}, row.turnsBack[l] != 0, depth);
-        }
-        k += kEight - 1;
-        continue;
-      }
-#endif
+      const Vec2f p = curves.points[i];
       const Vec2f tangent = tangentAt(curves, curve, k);
       const Vec2f normal{-tangent.y, tangent.x};
-      note(k, normal, nearestOn(grid, curves.points[i], normal, cap, k, first, size), turnsBack(curves, curve, k),
-           depth);
+      const OwnChain own(k, curves.begin[static_cast<std::size_t>(curve)], curves.size(curve), kOwnChain);
+      Nearest nearest = nearestOn(grid, p, normal, cap, own);
+      // Deeper inside, twice the distance is more than the cap.
+      if (const auto b = depth.nearerThan(0.5f * cap, p)) {
+        const float along = dot(b->normal, normal);
+        if (std::abs(along) > 0.5f) {
+          const float curvature = std::abs(along) / std::max(2 * std::abs(b->distance), 1e-6f);
+          float& side = along > 0 ? nearest.left : nearest.right;
+          side = std::max(side, curvature);
+        }
+      }
+      gaps.tight[i] = nearest.distance2 < tight * tight || turnsBack(curves, curve, k) ? 1 : 0;
+      gaps.left[i] = 1 / nearest.left;
+      gaps.right[i] = 1 / nearest.right;
     }
   });
   markFollowing(curves, gaps.tight);

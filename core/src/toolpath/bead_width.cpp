@@ -10,7 +10,6 @@
 #include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
-#include "toolpath/eight_points.hpp"
 
 namespace sillon {
 namespace {
@@ -73,38 +72,6 @@ Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedHalf, V
   return {std::sqrt(least[lane]), beside[lane]};
 }
 
-#if defined(SILLON_AVX2)
-// Some open points near to each other on a curve.
-struct OpenEight {
-  EightPoints points{};  // lanes that are not taken look around the origin, in the box of the others
-  EightBeads beads{};
-  int count = 0;
-  Vec2f low{1e30f, 1e30f};  // box around all that they may meet
-  Vec2f high{-1e30f, -1e30f};
-
-  void add(int id, Vec2f p, Vec2f tangent, float width, float reach, const WidthLimits& limits) {
-    points.id[count] = id;
-    points.x[count] = p.x;
-    points.y[count] = p.y;
-    points.tangentX[count] = tangent.x;
-    points.tangentY[count] = tangent.y;
-    beads.half[count] = 0.5f * width - limits.allowed;
-    beads.reach2[count] = reach * reach * 0.99999f;
-    ++count;
-    // Farther than the search from one point is sure to look: shares are as if points lay up to tau/8 nearer.
-    const float beyond = 1.0001f * std::sqrt(reach * reach + ahead2(limits));
-    low = {std::min(low.x, p.x - beyond), std::min(low.y, p.y - beyond)};
-    high = {std::max(high.x, p.x + beyond), std::max(high.y, p.y + beyond)};
-  }
-
-  [[nodiscard]] EightShares shares(const PointGrid& grid, const std::vector<float>& sortedHalf,
-                                   const WidthLimits& limits) const {
-    return sharesOfEight({grid.x.data(), grid.y.data(), grid.id.data()}, sortedHalf.data(), grid.within(low, high),
-                         points, beads, ahead2(limits), limits.growth * limits.growth, kOwnChain);
-  }
-};
-#endif
-
 // Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
 // point it is wider than its own end by up to half the step. Longer steps are written as several moves.
 std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<float>& width) {
@@ -153,28 +120,6 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(k);
         if (open[i] == 0) continue;
-#if defined(SILLON_AVX2)
-        const int c = curveOf[i];
-        const int first = curves.begin[static_cast<std::size_t>(c)] + kOwnChain;
-        const int last = std::min({k + 2 * kEight, end, curves.begin[static_cast<std::size_t>(c) + 1] - kOwnChain});
-        if (eightAtOnce && k >= first && k < last) {
-          OpenEight eight;
-          for (; k < last && eight.count < kEight; ++k) {
-            const std::size_t at = static_cast<std::size_t>(k);
-            if (open[at] != 0) eight.add(k, curves.points[at], tangentAt(curves, c, k), moves[at], reachOf(at), limits);
-          }
-          --k;
-          const EightShares found = eight.shares(grid, sortedHalf, limits);
-          for (int l = 0; l < eight.count; ++l) {
-            if (found.unsure[l] != 0) {
-              look(eight.points.id[l]);
-            } else {
-              note(static_cast<std::size_t>(eight.points.id[l]), {std::sqrt(found.factor2[l]), found.beside[l]});
-            }
-          }
-          continue;
-        }
-#endif
         look(k);
       }
     });
