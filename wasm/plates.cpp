@@ -79,8 +79,7 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     std::vector<sillon::PictureMeasures> seen;
     if (measure) {
       tell(run, onProgress, kMakingShare, 1);
-      const auto measured = sillon::measureToolpath(toolpath, plateInput.shape, plateInput.directions, plateInput.modes,
-                                                    params, run, plate.value().dislocations);
+      const auto measured = sillon::measureToolpath(toolpath, plateInput, params, run, plate.value().dislocations);
       if (!measured) return failure(measured.error());
       measures = measured.value();
       if (!pictures.value().shown.empty()) {

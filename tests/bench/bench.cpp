@@ -155,7 +155,7 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
       continue;
     }
     const auto measured = [&](const sillon::Toolpath& toolpath) {
-      return measureToolpath(toolpath, scene.input.shape, scene.input.directions, scene.input.modes, params, run);
+      return measureToolpath(toolpath, scene.input, params, run);
     };
     const auto m = measured(plate.value().toolpath);
     if (!m) continue;
@@ -189,13 +189,12 @@ void added(const Loaded& scene, const RunContext& run) {
     ToolpathResult plate;
     reports.push_back(processorSeconds([&] {
       plate = generateToolpath(scene.input, scene.project.toolpath, run, true).value();
-      (void)measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
-                            scene.project.toolpath, run, plate.dislocations);
+      (void)measureToolpath(plate.toolpath, scene.input, scene.project.toolpath, run, plate.dislocations);
     }));
     files.push_back(processorSeconds([&] {
       plate = generateToolpath(scene.input, scene.project.toolpath, run).value();
-      (void)measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions, scene.input.modes,
-                            scene.project.toolpath, run, sillon::Dislocations{});  // which no file shows
+      (void)measureToolpath(plate.toolpath, scene.input, scene.project.toolpath, run,
+                            sillon::Dislocations{});  // which no file shows
       sillon::PrintParams print = scene.project.print;
       print.thumbnails =
           sillon::lookThumbnails(plate.toolpath, scene.input.shape.page, scene.project.printer.screenSizes, {}, run)

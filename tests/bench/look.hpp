@@ -60,8 +60,7 @@ inline LookRow judged(const sillon::Project& project, const sillon::PlateInput& 
     return row;
   }
   const sillon::Toolpath& toolpath = plate.value().toolpath;
-  const auto measures =
-      sillon::measureToolpath(toolpath, input.shape, input.directions, input.modes, project.toolpath, run);
+  const auto measures = sillon::measureToolpath(toolpath, input, project.toolpath, run);
   if (measures) {
     row.turns = measures.value().uTurns;
     row.kinks = measures.value().kinks;

@@ -50,7 +50,7 @@ inline bool measure(const sillon::PlateInput& input, const sillon::ToolpathParam
   } else if (!readPaths(file, toolpath)) {
     return std::printf("%s holds no paths: lines of x, y and width in mm\n", file.c_str()), false;
   }
-  const auto measured = measureToolpath(toolpath, input.shape, input.directions, input.modes, params, run);
+  const auto measured = measureToolpath(toolpath, input, params, run);
   if (!measured) return std::printf("%s\n", measured.error().message.c_str()), false;
   const sillon::Measures& m = measured.value();
   std::printf(

@@ -69,7 +69,7 @@ inline void addPlate(std::uint64_t seed, const scenes::RandomPlate& plate, doubl
   }
   const sillon::ToolpathResult& made = result.value();
   const auto measuredAs = [&](const sillon::Toolpath& toolpath) {
-    return measureToolpath(toolpath, plate.input.shape, plate.input.directions, plate.input.modes, plate.params, run);
+    return measureToolpath(toolpath, plate.input, plate.params, run);
   };
   const auto measured = measuredAs(made.toolpath);
   if (!measured) return;

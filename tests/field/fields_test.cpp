@@ -487,9 +487,7 @@ TEST_CASE("where beads fan out they widen, by no more than asked, and the signs 
   const auto turnsWith = [&](double bend) {
     params.spacingVariation = bend;
     const ToolpathResult plate = generateToolpath(waves, params, RunContext(2)).value();
-    return measureToolpath(plate.toolpath, waves.shape, waves.directions, waves.modes, params, RunContext(2))
-        .value()
-        .uTurns;
+    return measureToolpath(plate.toolpath, waves, params, RunContext(2)).value().uTurns;
   };
   CHECK(turnsWith(0.2) < 0.95 * static_cast<double>(turnsWith(0)));
 }

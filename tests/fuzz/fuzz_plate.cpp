@@ -115,7 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(width > 0 && static_cast<double>(width) <= params.maxWidth * params.spacing + 0.001);
     }
   }
-  const auto measures = measureToolpath(toolpath, input.shape, input.directions, input.modes, params, run);
+  const auto measures = measureToolpath(toolpath, input, params, run);
   require(measures.ok());
   require(measures.value().crossings == 0);
   require(measures.value().coverage <= 100);

@@ -28,7 +28,7 @@ ToolpathResult buildResult(const PlateInput& input, const ToolpathParams& params
 }
 
 Measures measuresOf(const ToolpathResult& plate, const PlateInput& input, const ToolpathParams& params = {}) {
-  return measureToolpath(plate.toolpath, input.shape, input.directions, input.modes, params, kRun).value();
+  return measureToolpath(plate.toolpath, input, params, kRun).value();
 }
 
 std::map<std::string, std::string> goldens() {

@@ -41,8 +41,7 @@ Made makeScene(const fs::path& path, const std::string& preset = "standard") {
   const RunContext run(2);
   auto plate = generateToolpath(input.value(), params, run);
   REQUIRE(plate.ok());
-  auto measures = measureToolpath(plate.value().toolpath, input.value().shape, input.value().directions,
-                                  input.value().modes, params, run);
+  auto measures = measureToolpath(plate.value().toolpath, input.value(), params, run);
   REQUIRE(measures.ok());
   return {std::move(plate).value(), std::move(measures).value()};
 }

@@ -30,9 +30,7 @@ TEST_CASE("plates that once came out wrong keep the promises") {
     const auto result = generateToolpath(plate.input, plate.params, run);
     REQUIRE(result.ok());
     CHECK(static_cast<int>(result.value().toolpath.cycles.size()) == result.value().parts);
-    const Measures m = measureToolpath(result.value().toolpath, plate.input.shape, plate.input.directions,
-                                       plate.input.modes, plate.params, run)
-                           .value();
+    const Measures m = measureToolpath(result.value().toolpath, plate.input, plate.params, run).value();
     CHECK(m.crossings == 0);
     CHECK(m.spill <= scenes::spillAllowed(plate, result.value()));
   }
@@ -49,8 +47,7 @@ bool keepsPromises(const scenes::RandomPlate& plate, const RunContext& run, Meas
     return false;
   }
   const ToolpathResult& made = result.value();
-  const auto measures =
-      measureToolpath(made.toolpath, plate.input.shape, plate.input.directions, plate.input.modes, plate.params, run);
+  const auto measures = measureToolpath(made.toolpath, plate.input, plate.params, run);
   REQUIRE(measures.ok());
   m = measures.value();
   apart = made.apart;

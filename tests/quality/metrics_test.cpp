@@ -28,8 +28,8 @@ Toolpath toolpathOf(std::vector<Vec2f> points, float width, double spacing = 0.4
 }
 
 Measures measured(const Toolpath& path, const Shape& shape, double angle = 0) {
-  const auto m = measureToolpath(path, shape, scenes::mapOf(1, [=](double, double) { return angle; }),
-                                 uniformMode(DirectionMode::Constrained), {}, kRun);
+  const auto m =
+      measureToolpath(path, scenes::plate(shape, scenes::mapOf(1, [=](double, double) { return angle; })), {}, kRun);
   REQUIRE(m.ok());
   return m.value();
 }
@@ -236,8 +236,8 @@ TEST_CASE("lost pieces of less than a quarter of a squared spacing do not count"
 TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing") {
   const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {5, 5})}, {5, 5});
   const auto refusal = [&](const Toolpath& toolpath) {
-    const auto m = measureToolpath(toolpath, shape, scenes::mapOf(1, [](double, double) { return 0.0; }),
-                                   uniformMode(DirectionMode::Constrained), {}, kRun);
+    const auto m =
+        measureToolpath(toolpath, scenes::plate(shape, scenes::mapOf(1, [](double, double) { return 0.0; })), {}, kRun);
     return m ? std::string() : m.error().message;
   };
   CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "toolpath.spacing is 0 mm; it must be 0.05 to 20");
@@ -257,7 +257,7 @@ TEST_CASE("maps, parameters and memory that no plate could be made with are refu
   const DirectionMap map = scenes::mapOf(1, [](double, double) { return 0.0; });
   const ModeMap mode = uniformMode(DirectionMode::Constrained);
   const auto refusal = [&](const DirectionMap& directions, const ModeMap& modes, const ToolpathParams& params) {
-    const auto m = measureToolpath(toolpath, shape, directions, modes, params, kRun);
+    const auto m = measureToolpath(toolpath, {shape, directions, modes}, params, kRun);
     return m ? std::string() : m.error().message;
   };
   CHECK(refusal(map, mode, {}).empty());
@@ -268,7 +268,7 @@ TEST_CASE("maps, parameters and memory that no plate could be made with are refu
   CHECK(refusal(map, mode, params).find("toolpath.kernelRadius is") == 0);
   RunContext little;
   little.limitMemory(1e5);
-  const auto refused = measureToolpath(toolpath, shape, map, mode, {}, little);
+  const auto refused = measureToolpath(toolpath, {shape, map, mode}, {}, little);
   REQUIRE(!refused.ok());
   CHECK(refused.error().code == ErrorCode::OutOfMemory);
 }
@@ -278,10 +278,8 @@ TEST_CASE("measures are equal for any number of threads, and digests tell plates
   const auto plate = generateToolpath(scene.input, {}, kRun);
   REQUIRE(plate.ok());
   const Toolpath& path = plate.value().toolpath;
-  const auto one =
-      measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(1));
-  const auto many =
-      measureToolpath(path, scene.input.shape, scene.input.directions, scene.input.modes, {}, RunContext(5));
+  const auto one = measureToolpath(path, scene.input, {}, RunContext(1));
+  const auto many = measureToolpath(path, scene.input, {}, RunContext(5));
   CHECK(one.value().coverage == many.value().coverage);
   CHECK(one.value().overlap == many.value().overlap);
   CHECK(one.value().alignment == many.value().alignment);
@@ -307,7 +305,7 @@ TEST_CASE(
   params.spacingVariation = 0;
   const auto of = [&](const std::function<double(double, double)>& angle) {
     const DirectionMap map = scenes::mapOf(480, [&](double x, double y) { return angle(24 * x, 24 * y); });
-    return measureToolpath(any, square, map, uniformMode(DirectionMode::Constrained), params, kRun).value();
+    return measureToolpath(any, scenes::plate(square, map), params, kRun).value();
   };
   const Measures straight = of([](double, double) { return 0.7; });
   CHECK(straight.dislocations == 0);
@@ -344,8 +342,7 @@ TEST_CASE("measures are the same whether dislocations were counted while the pla
     const ToolpathResult plate = generateToolpath(scene.input, params, kRun, true).value();
     const ToolpathResult kept = session.generateToolpath(scene.input, params, kRun, true).value();
     const auto report = [&](const std::optional<Dislocations>& known) {
-      const auto measures = measureToolpath(plate.toolpath, scene.input.shape, scene.input.directions,
-                                            scene.input.modes, params, kRun, known);
+      const auto measures = measureToolpath(plate.toolpath, scene.input, params, kRun, known);
       return reportJson(reportOf(ToolpathResult{}, measures.value()));
     };
     const std::string anew = report(std::nullopt);
@@ -365,8 +362,8 @@ TEST_CASE("measuring tells its progress: from 0 to 1, never falling") {
     seen.push_back(fraction);
   });
   const Shape square = scenes::shapeOf({scenes::rectangle({0, 0}, {40, 40})}, {40, 40});
-  const auto m = measureToolpath(toolpathOf(ringOf(scenes::rectangle({5, 5}, {35, 35})), 0.4f), square, scenes::waves(),
-                                 uniformMode(DirectionMode::Constrained), {}, run);
+  const auto m = measureToolpath(toolpathOf(ringOf(scenes::rectangle({5, 5}, {35, 35})), 0.4f),
+                                 scenes::plate(square, scenes::waves()), {}, run);
   REQUIRE(m.ok());
   REQUIRE(seen.size() > 10);
   CHECK(seen.front() == 0);
@@ -378,8 +375,8 @@ TEST_CASE("a toolpath that reaches far away is refused, not counted on more tile
   const Shape shape = scenes::shapeOf({scenes::rectangle({0, 0}, {10, 10})}, {10, 10});
   for (const float far : {1e4f, 6e4f, 1e5f}) {  // up to 10^12 tiles
     const Toolpath path = toolpathOf({{0, 0}, {far, 0}, {far, far}, {0, far}}, 0.4f, 0.05);
-    const auto m = measureToolpath(path, shape, scenes::mapOf(1, [](double, double) { return 0.0; }),
-                                   uniformMode(DirectionMode::Constrained), {}, kRun);
+    const auto m =
+        measureToolpath(path, scenes::plate(shape, scenes::mapOf(1, [](double, double) { return 0.0; })), {}, kRun);
     REQUIRE(!m.ok());
     CHECK(m.error().code == ErrorCode::TooLarge);
     CHECK(m.error().message.find("million cells at spacing 0.05 mm") != std::string::npos);

@@ -137,8 +137,7 @@ TEST_CASE("lines from one bead on are printed over their whole length, wherever 
     CAPTURE(width);
     const Plate plate = plateOf(std::move(rings), {20, 120});
     CHECK(plate.toolpath.cycles.size() == 13);
-    const auto measures = measureToolpath(plate.toolpath, plate.input.shape, plate.input.directions, plate.input.modes,
-                                          plate.params, RunContext(2));
+    const auto measures = measureToolpath(plate.toolpath, plate.input, plate.params, RunContext(2));
     REQUIRE(measures.ok());
     CHECK(measures.value().coverage > 88);
     CHECK(measures.value().spill < 0.1);

@@ -116,7 +116,7 @@ class Maker {
     if (!measures()) return std::nullopt;
     parts_.begin(kMeasures);
     const PlateInput& input = plate_.input;
-    auto measured = measureToolpath(plate_.toolpath(), input.shape, input.directions, input.modes, params(), run_,
+    auto measured = measureToolpath(plate_.toolpath(), input, params(), run_,
                                     options_.countDislocations ? plate_.result.dislocations : Dislocations{});
     if (!measured) return measured.error();
     plate_.measures = std::move(measured).value();

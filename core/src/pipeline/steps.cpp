@@ -1,46 +1,114 @@
 #include "pipeline/steps.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 #include "base/cancelled.hpp"
 #include "base/decimal_text.hpp"
 #include "base/free_memory.hpp"
+#include "field/double_angle.hpp"
 #include "geometry/closed_curves.hpp"
+#include "input/map_defect.hpp"
 #include "sillon/base/reasons.hpp"
+#include "sillon/field/direction_tolerance.hpp"
 #include "sillon/field/sine_field.hpp"
+#include "sillon/field/spacing_field.hpp"
 #include "sillon/input/plate_size.hpp"
+#include "sillon/settings/table.hpp"
 #include "sillon/toolpath/contour.hpp"
 #include "sillon/toolpath/simplify.hpp"
 #include "sillon/toolpath/small_cycles.hpp"
 #include "sillon/toolpath/thin_features.hpp"
+#include "toolpath/toolpath_check.hpp"
 
 namespace sillon {
 namespace {
 
-/// Of plates with pictures, at least: joints off the lines show. Those along them leave a tenth fewer U-turns.
+/// Plates with pictures have at least this `stitchAlignment`: joints off the lines show. The price is a tenth more
+/// U-turns than with joints wherever they are shortest.
 constexpr double kPictureStitchAlignment = 4;
 
-template <class T>
-void release(Fields fields, T& field) {
-  if (fields == Fields::Freed) sillon::release(field);
+/// Rounds in which lines give way to the beads and waves are aligned anew, where `directionTolerance` allows it.
+constexpr int kGivingRounds = 3;
+
+Error noBeadFits(double spacing) {
+  return Error{
+      ErrorCode::EmptyShape,
+      "no bead fits into this shape at spacing " + decimal(spacing, 3) + " mm; use a smaller spacing or a larger shape",
+      reason::kNoBeadFits,
+      {{"spacing", spacing}}};
+}
+
+// Asks each cell for the line across the one it got. Those along the border stay: no bead can cross it.
+void askAcross(const LineField& lines, CellConstraints& cells) {
+  for (std::size_t i = 0; i < cells.zone.size(); ++i) {
+    if (lines.direction[i] == Vec2f{}) continue;
+    cells.mapLine[i] = -lineOf(lines.direction[i]);
+    cells.mode[i] = DirectionMode::Constrained;
+  }
+}
+
+// Sec. 5.4: the closed curves on which the sum of the waves is zero. The waves are freed once they are summed.
+Result<ClosedCurves> contourStep(const Shape& shape, const ShapeFields& fields, SineField waves, const Making& making) {
+  const ToolpathParams& params = making.params;
+  const Grid nodes = nodeLattice(waves.grid);
+  const Result<std::vector<float>> distance =
+      bandDistance(shape, fields.border, nodes, static_cast<float>(params.spacing), making.run);
+  if (!distance) return distance.error();
+  Result<std::vector<float>> values = evaluateSineField(waves, distance.value(), params, making.run);
+  if (!values) return values.error();
+  release(waves);
+  fillThinFeatures(nodes, distance.value(), fields.border, params.spacing, values.value());
+  keepThinParts(fields.parts, fields.sdf, fields.border, params.spacing, values.value());
+  Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, making.run);
+  if (!contour) return contour.error();
+  making.record(&Stages::nodeDistance, distance.value());
+  making.record(&Stages::nodeValues, values.value());
+  making.record(&Stages::contour, contour.value());
+  return contour;
+}
+
+// Sec. 5.5: one cycle per part, along the lines where pictures are shown.
+Result<Stitched> stitchStep(ClosedCurves cycles, const ShapeFields& fields, const LineField& lines,
+                            bool showsPictures, const Making& making) {
+  ToolpathParams params = making.params;
+  if (showsPictures) params.stitchAlignment = std::max(params.stitchAlignment, kPictureStitchAlignment);
+  cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), making.run);
+  cycles = regularizeSmallCycles(cycles, fields.border, params.spacing, making.run);
+  if (making.run.cancelled()) return cancelledRun();
+  if (cycles.count() == 0) return noBeadFits(params.spacing);
+  making.record(&Stages::cycles, cycles);
+  Result<Stitched> stitched = stitchCycles(cycles, lines, fields.border, fields.parts, params, making.run);
+  if (stitched) making.record(&Stages::stitched, stitched.value());
+  return stitched;
 }
 
 }  // namespace
 
-Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, StageClock& clock,
-                              const RunContext& run, Stages* record) {
-  clock.start("outline", 0.02);
+std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params) {
+  if (auto wrong = invalidSettings(params)) return wrong;
+  const DirectionMap& directions = input.directions;
+  const ModeMap& modes = input.modes;
+  std::string bad = pageDefect(input.shape.page);
+  if (bad.empty()) bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
+  if (bad.empty()) bad = mapDefect("mode", modes.width, modes.height, modes.mode.size());
+  if (bad.empty()) return std::nullopt;
+  return Error{ErrorCode::InvalidArgument, std::move(bad)};
+}
+
+Result<ShapeFields> shapeStep(const Shape& shape, const Making& making) {
+  const ToolpathParams& params = making.params;
+  making.start("outline", 0.02);
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   const Vec2 size = outline.value().bounds.size();
-  if (auto error = plateTooLarge(size, params.spacing, run.memory())) return *error;
+  if (auto error = plateTooLarge(size, params.spacing, making.run.memory())) return *error;
 
-  clock.start("distance", 0.06);
+  making.start("distance", 0.06);
   const Grid grid = makeGrid(outline.value().bounds, params.spacing);
-  Result<BorderIndex> border = buildBorderIndex(outline.value(), grid, run);
+  Result<BorderIndex> border = buildBorderIndex(outline.value(), grid, making.run);
   if (!border) return border.error();
-  Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
+  Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, making.run);
   if (!sdf) return sdf.error();
   Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
   if (parts.count == 0) {
@@ -51,128 +119,115 @@ Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, 
                  reason::kNoBeadFits,
                  {{"spacing", params.spacing}}};
   }
-  if (record != nullptr) {
-    record->outline = outline.value();
-    record->border = border.value();
-    record->sdf = sdf.value();
-    record->parts = parts;
-  }
+  making.record(&Stages::outline, outline.value());
+  making.record(&Stages::border, border.value());
+  making.record(&Stages::sdf, sdf.value());
+  making.record(&Stages::parts, parts);
   return ShapeFields{std::move(border).value(), std::move(sdf).value(), std::move(parts)};
 }
 
-Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
-                            StageClock& clock, const RunContext& run, Stages* record, Lines which) {
-  clock.start("lines", 0.12);
-  WaveRecord seen;
-  Result<WaveFields> waves = waveFields(
-      shape.sdf, input.directions, input.modes, input.shape.page, params, run, [&] { clock.start("phases", 0.35); },
-      record == nullptr ? nullptr : &seen, which);
-  if (waves && record != nullptr) {
-    record->cells = std::move(seen.cells);
-    record->frequency = std::move(seen.frequency);
-    record->lines = waves.value().lines;
-    record->waves = waves.value().waves;
+Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& sdf, BeadLines which,
+                            const Making& making) {
+  const ToolpathParams& params = making.params;
+  const RunContext& run = making.run;
+  // Sec. 5.1: a line per cell.
+  making.start("lines", 0.12);
+  Result<CellConstraints> cells = cellConstraints(sdf, input.directions, input.modes, input.shape.page, params, run);
+  if (!cells) return cells.error();
+  Result<LineField> lines = lineField(sdf, cells.value(), params, run);
+  if (!lines) return lines.error();
+  if (which == BeadLines::Across) {
+    askAcross(lines.value(), cells.value());
+    lines = lineField(sdf, cells.value(), params, run);
+    if (!lines) return lines.error();
   }
-  return waves;
+  making.record(&Stages::cells, cells.value());
+  making.record(&Stages::lines, lines.value());
+  release(cells.value().mapLine);  // memory peaks in the alignment
+
+  // Sec. 5.2 and 5.3: waves along the lines, aligned with each other.
+  making.start("phases", 0.35);
+  Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
+  if (!frequency) return frequency.error();
+  making.record(&Stages::frequency, frequency.value());
+  const bool gives = params.directionTolerance > 0;
+  const std::vector<float> kept = gives ? frequency.value() : std::vector<float>();
+  Result<SineField> waves = alignPhases(lines.value(), std::move(frequency).value(), sdf, cells.value(), params, run);
+  for (int round = 0; waves && gives && round < kGivingRounds; ++round) {
+    Result<RelaxedDirections> given = relaxDirections(lines.value(), kept, waves.value(), cells.value(), params, run);
+    if (!given) return given.error();
+    waves = alignPhases(given.value().lines, std::move(given.value().frequency), sdf, cells.value(), params, run);
+  }
+  if (!waves) return waves.error();
+  making.record(&Stages::waves, waves.value());
+  return WaveFields{std::move(cells).value(), std::move(lines).value(), std::move(waves).value()};
 }
 
-Result<Dislocations> dislocationStep(const WaveFields& waves, const ShapeFields& shape, const ToolpathParams& params,
-                                     StageClock& clock, const RunContext& run) {
-  clock.stop();
-  const Dislocations found = findDislocations(waves.lines, waves.waves, waves.cells, shape.sdf, params, run);
-  if (run.cancelled()) return cancelledRun();
+Result<Dislocations> dislocationStep(const WaveFields& waves, const SignedDistanceField& sdf, const Making& making) {
+  making.stop();
+  const Dislocations found = findDislocations(waves.lines, waves.waves, waves.cells, sdf, making.params, making.run);
+  if (making.run.cancelled()) return cancelledRun();
   return found;
 }
 
-Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
-                             const ToolpathParams& params, StageClock& clock, const RunContext& run, Stages* record) {
-  ToolpathResult plate;
-  const Grid grid = waves.lines.grid;
-  plate.nx = grid.nx;
-  plate.ny = grid.ny;
+Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, const PathOptions& options,
+                             const Making& making) {
+  RelaxedPath path;
+  ToolpathResult& seen = path.seen;
 
-  clock.start("contour", 0.5);
-  const Grid nodes = nodeLattice(grid);
-  ClosedCurves cycles;
-  {
-    const Result<std::vector<float>> distance =
-        bandDistance(input.shape, shape.border, nodes, static_cast<float>(params.spacing), run);
-    if (!distance) return distance.error();
-    Result<std::vector<float>> values = evaluateSineField(waves.waves, distance.value(), params, run);
-    if (!values) return values.error();
-    release(fields, waves.waves);
-    fillThinFeatures(nodes, distance.value(), shape.border, params.spacing, values.value());
-    keepThinParts(shape.parts, shape.sdf, shape.border, params.spacing, values.value());
-    release(fields, shape.sdf);
-    Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, run);
-    if (!contour) return contour.error();
-    if (record != nullptr) {
-      record->nodeDistance = distance.value();
-      record->nodeValues = values.value();
-      record->contour = contour.value();
-    }
-    cycles = std::move(contour).value();
+  Result<WaveFields> waves = waveStep(input, shape.sdf, options.lines, making);
+  if (!waves) return waves.error();
+  LineField& lines = waves.value().lines;
+  seen.nx = lines.grid.nx;
+  seen.ny = lines.grid.ny;
+  if (options.countDislocations) {
+    const Result<Dislocations> found = dislocationStep(waves.value(), shape.sdf, making);
+    if (!found) return found.error();
+    seen.dislocations = found.value();
   }
-  plate.contourCycles = cycles.count();
-  const auto noBead = [&] {
-    return Error{ErrorCode::EmptyShape,
-                 "no bead fits into this shape at spacing " + decimal(params.spacing, 3) +
-                     " mm; use a smaller spacing or a larger shape",
-                 reason::kNoBeadFits,
-                 {{"spacing", params.spacing}}};
-  };
-  if (plate.contourCycles == 0) return noBead();
 
-  clock.start("stitch", 0.65);
-  cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), run);
-  cycles = regularizeSmallCycles(cycles, shape.border, params.spacing, run);
-  if (run.cancelled()) return cancelledRun();
-  if (cycles.count() == 0) return noBead();
-  ToolpathParams joining = params;
-  if (input.showsPictures) joining.stitchAlignment = std::max(joining.stitchAlignment, kPictureStitchAlignment);
-  Result<Stitched> stitched = stitchCycles(cycles, waves.lines, shape.border, shape.parts, joining, run);
+  making.start("contour", 0.5);
+  Result<ClosedCurves> contour = contourStep(input.shape, shape, std::move(waves.value().waves), making);
+  if (!contour) return contour.error();
+  seen.contourCycles = contour.value().count();
+  if (seen.contourCycles == 0) return noBeadFits(making.params.spacing);
+
+  making.start("stitch", 0.65);
+  Result<Stitched> stitched = stitchStep(std::move(contour).value(), shape, lines, input.showsPictures, making);
   if (!stitched) return stitched.error();
-  if (record != nullptr) {
-    record->cycles = cycles;
-    record->stitched = stitched.value();
-  }
-  sillon::release(cycles);
-  if (!input.showsPictures) release(fields, waves.lines);
-  release(fields, shape.parts);
-  plate.parts = stitched.value().parts;
-  plate.longestJointMm = stitched.value().longestJoint;
-  plate.gapJoints = stitched.value().gapJoints;
-  plate.unjoined = stitched.value().unjoined();
-  plate.apart = std::move(stitched.value().apart);
-  plate.stitchWork = stitched.value().work;
+  seen.parts = stitched.value().parts;
+  seen.longestJointMm = stitched.value().longestJoint;
+  seen.gapJoints = stitched.value().gapJoints;
+  seen.unjoined = stitched.value().unjoined();
+  seen.apart = std::move(stitched.value().apart);
+  seen.stitchWork = stitched.value().work;
 
-  clock.start("relaxation", 0.88);
-  Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, params, run,
-                                         input.showsPictures ? &waves.lines : nullptr);
-  release(fields, waves.lines);
+  // Sec. 5.6: even gaps, beads of pictures along their lines.
+  making.start("relaxation", 0.88);
+  Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, making.params, making.run,
+                                         input.showsPictures ? &lines : nullptr);
   if (!relaxed) return relaxed.error();
-  if (record != nullptr) record->relaxed = relaxed.value();
-  return RelaxedPath{std::move(relaxed).value(), std::move(plate)};
+  making.record(&Stages::relaxed, relaxed.value());
+  path.relaxed = std::move(relaxed).value();
+  return path;
 }
 
-Result<ToolpathResult> widthStep(RelaxedPath& path, const BorderIndex& border, Fields fields,
-                                 const ToolpathParams& params, StageClock& clock, const RunContext& run,
-                                 Stages* record) {
+Result<ToolpathResult> widthStep(const RelaxedPath& path, const BorderIndex& border, const Making& making) {
   const ClosedCurves& curves = path.relaxed.curves;
-  clock.start("width", 0.95);
-  const Result<BeadWidths> widths = beadWidths(curves, path.relaxed.gaps, border, params, run);
+  // Eq. 16.
+  making.start("width", 0.95);
+  const Result<BeadWidths> widths = beadWidths(curves, path.relaxed.gaps, border, making.params, making.run);
   if (!widths) return widths.error();
-  if (record != nullptr) record->widths = widths.value();
-  release(fields, path.relaxed.gaps);
+  making.record(&Stages::widths, widths.value());
 
-  clock.start("simplify", 1);
-  Result<Toolpath> toolpath = finishToolpath(curves, widths.value(), params, run);
+  making.start("simplify", 1);
+  Result<Toolpath> toolpath = finishToolpath(curves, widths.value(), making.params, making.run);
   if (!toolpath) return toolpath.error();
   ToolpathResult plate = path.seen;
   plate.toolpath = std::move(toolpath).value();
-  plate.time = clock.takeTimes();
-  run.report(1);
-  if (record != nullptr) record->result = plate;
+  if (making.clock != nullptr) plate.time = making.clock->takeTimes();
+  making.run.report(1);
+  making.record(&Stages::result, plate);
   return plate;
 }
 

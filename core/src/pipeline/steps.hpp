@@ -1,13 +1,77 @@
-// The order of the stages (Alg. 1), in four steps: what the shape decides, what the directions decide, where the path
-// runs, and how wide its beads are.
+// The order of the stages (Alg. 1), in three steps: what the shape decides, where the path runs, and how wide its beads
+// are.
 #pragma once
 
-#include "field/wave_fields.hpp"
-#include "pipeline/stage_clock.hpp"
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/pipeline/stages.hpp"
 
 namespace sillon {
+
+/// Times stages and tells the run where in the job they lie.
+class StageClock {
+ public:
+  explicit StageClock(const RunContext& run) : run_(run) { run.beginJob(); }
+
+  /// \param end  share of the job done when this stage is; measured on plates of a million cells.
+  void start(const char* stage, double end) {
+    stop();
+    run_.beginStage(stage, done_, end);
+    done_ = end;
+    stage_ = stage;
+    begin_ = std::chrono::steady_clock::now();
+  }
+  void stop() {
+    if (stage_ == nullptr) return;
+    times_.push_back({stage_, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()});
+    stage_ = nullptr;
+  }
+  /// The times of all stages until now, in order.
+  std::vector<StageTime> takeTimes() {
+    stop();
+    return std::move(times_);
+  }
+
+ private:
+  const RunContext& run_;
+  std::vector<StageTime> times_;
+  const char* stage_ = nullptr;
+  double done_ = 0;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+/// Copies what the stages make into `Stages`, if somebody asked for them (generateStages).
+class Recorder {
+ public:
+  explicit Recorder(Stages* stages = nullptr) : stages_(stages) {}
+
+  template <class T>
+  void operator()(T Stages::*field, const T& made) const {
+    if (stages_ != nullptr) stages_->*field = made;
+  }
+
+ private:
+  Stages* stages_;
+};
+
+/// What every step is given besides the results of those before it.
+struct Making {
+  const ToolpathParams& params;
+  const RunContext& run;
+  StageClock* clock = nullptr;  ///< null: stages are neither timed nor reported
+  Recorder record = Recorder();
+
+  void start(const char* stage, double end) const {
+    if (clock != nullptr) clock->start(stage, end);
+  }
+  void stop() const {
+    if (clock != nullptr) clock->stop();
+  }
+};
 
 /// What the shape, the spacing and the bridge decide.
 struct ShapeFields {
@@ -16,43 +80,48 @@ struct ShapeFields {
   Parts parts;
 };
 
+/// The waves whose zeros are the beads.
+struct WaveFields {
+  CellConstraints cells;  ///< without the map's lines: they are in `lines` now
+  LineField lines;
+  SineField waves;
+};
+
 /// Where the path runs.
 struct RelaxedPath {
   Relaxed relaxed;
   ToolpathResult seen;  ///< without a toolpath: what was seen on the way
 };
 
-/// What becomes of what a step is given.
-enum class Fields {
-  Freed,  ///< emptied as soon as they are not needed any more
-  Kept,   ///< left as they are, for another path
+/// Which lines the beads follow.
+enum class BeadLines {
+  Asked,   ///< those that the maps ask for
+  Across,  ///< at right angles to those, except along the border
 };
 
-/// \param record  where not null, the step's results are copied there. \return TooLarge, EmptyShape, Cancelled.
-Result<ShapeFields> shapeStep(const Shape& shape, const ToolpathParams& params, StageClock& clock,
-                              const RunContext& run, Stages* record = nullptr);
+struct PathOptions {
+  BeadLines lines = BeadLines::Asked;
+  bool countDislocations = false;
+};
 
-Result<WaveFields> waveStep(const PlateInput& input, const ShapeFields& shape, const ToolpathParams& params,
-                            StageClock& clock, const RunContext& run, Stages* record = nullptr,
-                            Lines which = Lines::Asked);
+/// \return TooLarge, EmptyShape or Cancelled.
+Result<ShapeFields> shapeStep(const Shape& shape, const Making& making);
 
-/// Not a stage: the clock stands still.
-Result<Dislocations> dislocationStep(const WaveFields& waves, const ShapeFields& shape, const ToolpathParams& params,
-                                     StageClock& clock, const RunContext& run);
+/// The first part of pathStep. \return Cancelled.
+Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& sdf, BeadLines which,
+                            const Making& making);
 
-Result<RelaxedPath> pathStep(const PlateInput& input, ShapeFields& shape, WaveFields& waves, Fields fields,
-                             const ToolpathParams& params, StageClock& clock, const RunContext& run,
-                             Stages* record = nullptr);
+/// \return EmptyShape, TooLarge or Cancelled.
+Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, const PathOptions& options,
+                             const Making& making);
 
-Result<ToolpathResult> widthStep(RelaxedPath& path, const BorderIndex& border, Fields fields,
-                                 const ToolpathParams& params, StageClock& clock, const RunContext& run,
-                                 Stages* record = nullptr);
+/// \return Cancelled.
+Result<ToolpathResult> widthStep(const RelaxedPath& path, const BorderIndex& border, const Making& making);
 
-/// InvalidArgument if the parameters, the page or the maps are out of range. Points of the shape: resolveOutline.
-std::optional<Error> wrongInput(const Shape& shape, const DirectionMap& directions, const ModeMap& modes,
-                                const ToolpathParams& params);
-inline std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params) {
-  return wrongInput(input.shape, input.directions, input.modes, params);
-}
+/// The clock stands still meanwhile: this is not a stage. \return Cancelled.
+Result<Dislocations> dislocationStep(const WaveFields& waves, const SignedDistanceField& sdf, const Making& making);
+
+/// InvalidArgument if the parameters, the page or the maps are out of range. resolveOutline judges the shape's points.
+std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params);
 
 }  // namespace sillon

@@ -92,11 +92,17 @@ Alignment sumsOf(const Stretch& stretch, const Asked& asked) {
 
 }  // namespace
 
-Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, Vec2 page, const DirectionMap& directions,
-                      const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const PlateInput& input,
+                      const ToolpathParams& params, const RunContext& run) {
   const std::vector<Vec2f> lines = beadLines();
   const double perimeters = std::max(countedPerimeters(params), 1);
-  const Asked asked{border, page, directions, lines, modes, params.spacing, (perimeters + 0.05) * params.spacing};
+  const Asked asked{border,
+                    input.shape.page,
+                    input.directions,
+                    lines,
+                    input.modes,
+                    params.spacing,
+                    (perimeters + 0.05) * params.spacing};
   const std::vector<Stretch> stretches = stretchesOf(toolpath);
   std::vector<Alignment> sums(stretches.size());
   parallelFor(run, static_cast<int>(stretches.size()), 1, [&](int begin, int end) {

@@ -4,7 +4,7 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/signed_distance.hpp"
-#include "sillon/input/direction_map.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 #include "sillon/settings/toolpath_params.hpp"
 
 namespace sillon {
@@ -33,7 +33,7 @@ struct Alignment {
 };
 
 /// Eq. 17 over pieces of at most tau/8, against the nearest texel of the map as stored. The same for any thread count.
-Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, Vec2 page, const DirectionMap& directions,
-                      const ModeMap& modes, const ToolpathParams& params, const RunContext& run);
+Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const PlateInput& input,
+                      const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -7,7 +7,6 @@
 #include "base/fast_math.hpp"
 #include "base/sort_key.hpp"
 #include "base/whole_number.hpp"
-#include "field/wave_fields.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/crossings.hpp"
 #include "geometry/lost_cells.hpp"
@@ -56,17 +55,18 @@ ClosedCurves curvesOf(const Toolpath& toolpath) {
   return curves;
 }
 
-// Of the waves as the pipeline makes them: the path itself no longer shows them.
-Result<Dislocations> dislocationsOf(const Outline& outline, const Shape& shape, const DirectionMap& directions,
-                                    const ModeMap& modes, const ToolpathParams& params, const RunContext& run) {
+// The waves are made as the pipeline makes them: the path itself no longer shows their dislocations.
+Result<Dislocations> dislocationsOf(const Outline& outline, const PlateInput& input, const ToolpathParams& params,
+                                    const RunContext& run) {
   const Grid grid = makeGrid(outline.bounds, params.spacing);
   const Result<BorderIndex> border = buildBorderIndex(outline, grid, run);
   if (!border) return border.error();
-  const Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, run);
+  const Result<SignedDistanceField> sdf = signedDistanceField(input.shape, border.value(), grid, run);
   if (!sdf) return sdf.error();
-  const Result<WaveFields> fields = waveFields(sdf.value(), directions, modes, shape.page, params, run);
-  if (!fields) return fields.error();
-  return findDislocations(fields.value().lines, fields.value().waves, fields.value().cells, sdf.value(), params, run);
+  const Making making{params, run};
+  const Result<WaveFields> waves = waveStep(input, sdf.value(), BeadLines::Asked, making);
+  if (!waves) return waves.error();
+  return dislocationStep(waves.value(), sdf.value(), making);
 }
 
 }  // namespace
@@ -92,9 +92,9 @@ std::string digestOf(const Toolpath& toolpath) {
   return digits;
 }
 
-Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
-                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
-                                 const std::optional<Dislocations>& known) {
+Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& input, const ToolpathParams& params,
+                                 const RunContext& run, const std::optional<Dislocations>& known) {
+  const Shape& shape = input.shape;
   if (std::string defect = toolpathDefect(toolpath, shape.page); !defect.empty())
     return Error{ErrorCode::InvalidArgument, std::move(defect)};
   for (const Cycle& cycle : toolpath.cycles) {
@@ -104,7 +104,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
   ToolpathParams made = params;
   made.spacing = toolpath.spacing;
   for (const ToolpathParams& each : {made, params}) {
-    if (auto wrong = wrongInput(shape, directions, modes, each)) return *wrong;
+    if (auto wrong = wrongInput(input, each)) return *wrong;
   }
   const double making = known ? 0 : 0.3;  // the waves' share
   run.beginJob();
@@ -116,8 +116,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
     for (const Vec2f p : cycle.points) box.add(wide(p));
   }
   if (auto error = plateTooLarge(box.size(), std::min(toolpath.spacing, params.spacing), run.memory())) return *error;
-  const Result<Dislocations> dislocations =
-      known ? *known : dislocationsOf(outline.value(), shape, directions, modes, params, run);
+  const Result<Dislocations> dislocations = known ? *known : dislocationsOf(outline.value(), input, params, run);
   if (!dislocations) return dislocations.error();
   run.beginStage("measure", making, 1);
   const Result<BorderIndex> border = buildBorderIndex(outline.value(), makeGrid(box, params.spacing), run);
@@ -139,7 +138,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, c
       laidArea += size * 0.5 * static_cast<double>(cycle.widths[k] + cycle.widths[next]);
     }
   }
-  const Alignment alignment = alignmentOf(toolpath, border.value(), shape.page, directions, modes, params, run);
+  const Alignment alignment = alignmentOf(toolpath, border.value(), input, params, run);
   out.alignment = alignment.all.value();
   out.alignmentInterior = alignment.interior.value();
   out.alignmentConstrained = alignment.constrained.value();

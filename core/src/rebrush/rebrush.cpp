@@ -87,7 +87,7 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
     return laid;
   }
   for (float& width : cycles.front().widths) width *= static_cast<float>(laid.replacement.flow / surface.flow);
-  Result<Measures> measures = measureToolpath(laid.toolpath, input.shape, input.directions, input.modes, params, run);
+  Result<Measures> measures = measureToolpath(laid.toolpath, input, params, run);
   if (!measures) return measures.error();
   laid.measures = std::move(measures).value();
   return laid;

@@ -7,11 +7,11 @@
 
 namespace sillon {
 
-/// Keeps the fields that depend on the shape (some 17 bytes a cell), those of its waves (some 27 more) and the path
-/// before its widths (some 16 more) from one call to the next, with copies of the inputs they were made of. Whatever
-/// changed is made anew, so that results are those of generateToolpath, to the byte. Of a plate of more
-/// than 40 million cells (3.2 million where pointers have 32 bits) nothing is kept. One call at a time. A session that
-/// was moved from may only be assigned to or destroyed.
+/// Keeps the fields that depend on the shape (some 17 bytes a cell) and the path before its widths (some 16 more) from
+/// one call to the next, with copies of the inputs they were made of. Whatever changed is made anew, so that results
+/// are those of generateToolpath, to the byte. Of a plate of more than 40 million cells (3.2 million where pointers
+/// have 32 bits) nothing is kept. One call at a time. A session that was moved from may only be assigned to or
+/// destroyed.
 class Session {
  public:
   Session();

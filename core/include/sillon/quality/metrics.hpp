@@ -12,7 +12,7 @@
 #include "sillon/base/types.hpp"
 #include "sillon/field/dislocations.hpp"
 #include "sillon/geometry/outline.hpp"
-#include "sillon/input/direction_map.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 #include "sillon/settings/toolpath_params.hpp"
 
 namespace sillon {
@@ -55,12 +55,12 @@ struct Measures {
 };
 
 /// Judges a toolpath as delivered. Takes a fifth to two fifths as long as making it.
+/// \param input         what the toolpath was made of.
+/// \param dislocations  those of the waves of this input, where they are known (ToolpathResult::dislocations).
 /// \return InvalidArgument (what of the toolpath, the maps or the parameters is out of range), TooLarge, OutOfMemory,
-/// the errors of resolveOutline, or Cancelled. \param dislocations  of the waves that these arguments make, where they
-/// are known (ToolpathResult::dislocations).
-Result<Measures> measureToolpath(const Toolpath& toolpath, const Shape& shape, const DirectionMap& directions,
-                                 const ModeMap& modes, const ToolpathParams& params, const RunContext& run,
-                                 const std::optional<Dislocations>& dislocations = std::nullopt);
+/// the errors of resolveOutline, or Cancelled.
+Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& input, const ToolpathParams& params,
+                                 const RunContext& run, const std::optional<Dislocations>& dislocations = std::nullopt);
 
 /// Pairs of non-consecutive segments that share a point, all cycles together, exact on integers of 1 µm.
 std::int64_t countCrossings(const Toolpath& toolpath);
