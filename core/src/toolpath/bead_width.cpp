@@ -14,63 +14,42 @@
 namespace sillon {
 namespace {
 
-constexpr float kThread =
-    0.002f;  ///< what a joint across a gap or a neck keeps, or the cycle would not print as one [tau]
+// A joint across a gap or a neck keeps at least this width [tau]. It is far too little to be seen, and without any the
+// cycle would not print as one.
+constexpr float kThread = 0.002f;
 
-constexpr float kWidthStep =
-    0.006f;                 ///< of two points of which a move has to be the mean [mm]; see docs/internals/quality.md
-constexpr int kRounds = 3;  ///< one to give way, two to grow; more gain less than 0.02 points of coverage
-constexpr float kGrowth = 1.2f;      ///< at most, in one round
-constexpr float kYielding = 0.995f;  ///< less is not worth another look: half of the time of this stage
+// A written move has the mean width of its ends, so that it is too wide at the narrower one. Beads leave room for steps
+// up to this [mm]. More room would leave more uncovered; less would let written moves overlap
+// (docs/internals/quality.md).
+constexpr float kWidthStep = 0.006f;
 
-constexpr int kOwnChain = 7;  ///< points tau/4 apart: a U-turn's legs do not count as neighbours of each other
+// The first round lets beads give way, the others let them grow again. More rounds gain less than 0.02 points of
+// coverage.
+constexpr int kRounds = 3;
+
+// Beads grow by no more than this factor in one round. It also sets how far each point looks for others.
+constexpr float kGrowth = 1.2f;
+
+// A neighbour has given way to somebody else if it is narrowed to less than this share of what this bead is. To look
+// again at smaller differences would take half of the time of this stage.
+constexpr float kYielding = 0.995f;
+
+// Points of the same curve fewer than this many steps of tau/4 away are no neighbours: a U-turn's legs shall not count
+// as neighbours of each other round its tip.
+constexpr int kOwnChain = 7;
 
 // How wide beads may become between others: see holdApart.
 struct WidthLimits {
   float spacing;  ///< [mm]
   float low;      ///< widths do not fall below it [mm]
   float allowed;  ///< overlap [mm]
-  float growth;   ///< widths grow by no more than this factor
 };
-
-// Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
-float ahead2(const WidthLimits& limits) { return limits.spacing * limits.spacing / 64; }
 
 // How much wider a bead may be before it meets another.
 struct Share {
-  float factor;  // both give way, or grow, alike
-  int beside;    // the point it would meet first; -1: none
+  float factor = 1;  ///< both give way, or grow, alike
+  int beside = -1;   ///< the point it would meet first; -1: none
 };
-
-// `width`, and the halves in `sortedHalf`, are as wide as moves are that meet there.
-Share shareBeside(const PointGrid& grid, const std::vector<float>& sortedHalf, Vec2f p, Vec2f tangent, float width,
-                  float reach, const WidthLimits& limits, const OwnChain& chain) {
-  const F4 px = splat(p.x);
-  const F4 py = splat(p.y);
-  const F4 tx = splat(tangent.x);
-  const F4 ty = splat(tangent.y);
-  const F4 own = splat(0.5f * width - limits.allowed);
-  const F4 mostAhead2 = splat(ahead2(limits));
-  F4 least = splat(limits.growth * limits.growth);
-  I4 beside = splatInt(-1);
-  grid.around(p, reach, [&](int from, int to) {
-    for (int k = from; k < to; k += 4) {
-      const std::size_t s = static_cast<std::size_t>(k);
-      const F4 dx = load4(&grid.x[s]) - px;
-      const F4 dy = load4(&grid.y[s]) - py;
-      const F4 along = tx * dx + ty * dy;
-      const F4 distance2 = dx * dx + dy * dy - min4(along * along, mostAhead2);
-      const F4 needed = max4(own + load4(&sortedHalf[s]), splat(1e-6f));
-      const I4 id = load4(&grid.id[s]);
-      const F4 share2 = select4(chain.holds(id), splat(limits.growth * limits.growth), distance2 / (needed * needed));
-      beside = beside + ((share2 < least) & (id - beside));
-      least = min4(least, share2);
-    }
-  });
-  int lane = 0;
-  for (int k = 1; k < 4; ++k) lane = least[k] < least[lane] ? k : lane;
-  return {std::sqrt(least[lane]), beside[lane]};
-}
 
 // Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
 // point it is wider than its own end by up to half the step. Longer steps are written as several moves.
@@ -87,52 +66,99 @@ std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<flo
   return widths;
 }
 
+// All beads of a path, each as wide as the moves that meet at its points.
+class Beads {
+ public:
+  Beads(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const PointGrid& grid,
+        const WidthLimits& limits)
+      : curves_(curves), curveOf_(curveOf), grid_(grid), limits_(limits), sortedHalf_(grid.id.size(), 0.0f) {}
+
+  void setWidths(const std::vector<float>& width) {
+    moves_ = movesWidths(curves_, width);
+    widest_ = moves_.empty() ? 0 : *std::max_element(moves_.begin(), moves_.end());
+    for (std::size_t s = 0; s < static_cast<std::size_t>(grid_.count()); ++s) {
+      sortedHalf_[s] = 0.5f * moves_[static_cast<std::size_t>(grid_.id[s])];
+    }
+  }
+
+  /// \param growth  the largest factor looked for.
+  [[nodiscard]] Share shareOf(int point, float growth) const {
+    const std::size_t i = static_cast<std::size_t>(point);
+    const int c = curveOf_[i];
+    const OwnChain chain(point, curves_.begin[static_cast<std::size_t>(c)], curves_.size(c), kOwnChain);
+    const float reach = std::max(growth * (0.5f * (moves_[i] + widest_) - limits_.allowed), 0.0f);
+    // Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
+    const F4 mostAhead2 = splat(limits_.spacing * limits_.spacing / 64);
+    const Vec2f tangent = tangentAt(curves_, c, point);
+    const F4 px = splat(curves_.points[i].x);
+    const F4 py = splat(curves_.points[i].y);
+    const F4 tx = splat(tangent.x);
+    const F4 ty = splat(tangent.y);
+    const F4 own = splat(0.5f * moves_[i] - limits_.allowed);
+    const F4 most = splat(growth * growth);
+    F4 least = most;
+    I4 beside = splatInt(-1);
+    grid_.around(curves_.points[i], reach, [&](int from, int to) {
+      for (int k = from; k < to; k += 4) {
+        const std::size_t s = static_cast<std::size_t>(k);
+        const F4 dx = load4(&grid_.x[s]) - px;
+        const F4 dy = load4(&grid_.y[s]) - py;
+        const F4 along = tx * dx + ty * dy;
+        const F4 distance2 = dx * dx + dy * dy - min4(along * along, mostAhead2);
+        const F4 needed = max4(own + load4(&sortedHalf_[s]), splat(1e-6f));
+        const I4 id = load4(&grid_.id[s]);
+        const F4 share2 = select4(chain.holds(id), most, distance2 / (needed * needed));
+        beside = beside + ((share2 < least) & (id - beside));
+        least = min4(least, share2);
+      }
+    });
+    int lane = 0;
+    for (int k = 1; k < 4; ++k) lane = least[k] < least[lane] ? k : lane;
+    return {std::sqrt(least[lane]), beside[lane]};
+  }
+
+ private:
+  const ClosedCurves& curves_;
+  const std::vector<std::int32_t>& curveOf_;
+  const PointGrid& grid_;
+  const WidthLimits& limits_;
+  std::vector<float> moves_;       ///< by points of the path
+  std::vector<float> sortedHalf_;  ///< half of these, as the grid has the points; its padding has no width
+  float widest_ = 0;
+};
+
+// Whether the bead that a point would meet first has given way to a third one, so that there is room now.
+bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
+  const Share& share = shares[point];
+  return share.beside >= 0 && shares[static_cast<std::size_t>(share.beside)].factor < kYielding * share.factor;
+}
+
 // Narrows beads where two would overlap by more than `allowed`. Then they grow again where a neighbour has given way to
 // another: those that touch grow alike, so that none meets one that stays as it is.
-void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, WidthLimits limits,
+void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const WidthLimits& limits,
                std::vector<float>& width, const RunContext& run) {
   const PointGrid grid(curves.points, 0.75f * limits.spacing, run);
+  Beads beads(curves, curveOf, grid, limits);
   const std::vector<float> wanted = width;
-  std::vector<Share> shares(width.size(), {1, -1});
-  std::vector<char> open(width.size(), 1);              // whether the width may still change; all at first, later a few
-  std::vector<float> sortedHalf(grid.id.size(), 0.0f);  // as the grid has them, and no width for its padding
+  std::vector<Share> shares(width.size());
+  std::vector<char> open(width.size(), 1);  // whether the width may still change; all at first, later a few
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
-    const std::vector<float> moves = movesWidths(curves, width);
-    for (std::size_t s = 0; s < static_cast<std::size_t>(grid.count()); ++s) {
-      sortedHalf[s] = 0.5f * moves[static_cast<std::size_t>(grid.id[s])];
-    }
-    const float widest = moves.empty() ? 0 : *std::max_element(moves.begin(), moves.end());
-    const auto reachOf = [&](std::size_t i) {
-      return std::max(limits.growth * (0.5f * (moves[i] + widest) - limits.allowed), 0.0f);
-    };
-    const auto note = [&](std::size_t i, Share share) {
-      shares[i] = share;
-      width[i] = std::min(wanted[i], std::max(std::min(limits.low, width[i]), width[i] * share.factor));
-    };
-    const auto look = [&](int k) {
-      const std::size_t i = static_cast<std::size_t>(k);
-      const int c = curveOf[i];
-      const OwnChain chain(k, curves.begin[static_cast<std::size_t>(c)], curves.size(c), kOwnChain);
-      note(i, shareBeside(grid, sortedHalf, curves.points[i], tangentAt(curves, c, k), moves[i], reachOf(i), limits,
-                          chain));
-    };
+    const float growth = round == 0 ? 1 : kGrowth;
+    beads.setWidths(width);
     parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) {
-        const std::size_t i = static_cast<std::size_t>(k);
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
         if (open[i] == 0) continue;
-        look(k);
+        shares[i] = beads.shareOf(static_cast<int>(i), growth);
+        const float least = std::min(limits.low, width[i]);
+        width[i] = std::min(wanted[i], std::max(least, width[i] * shares[i].factor));
       }
     });
     parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) {
-        const std::size_t i = static_cast<std::size_t>(k);
-        const int beside = shares[i].beside;
-        const bool gaveWay =  // to another, so that there is room now
-            beside >= 0 && shares[static_cast<std::size_t>(beside)].factor < kYielding * shares[i].factor;
-        open[i] = static_cast<char>(open[i] != 0 && width[i] < wanted[i] && (round > 0 || gaveWay));
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        const bool mayGrow = width[i] < wanted[i] && (round > 0 || gaveWay(shares, i));
+        open[i] = static_cast<char>(open[i] != 0 && mayGrow);
       }
     });
-    limits.growth = kGrowth;
   }
 }
 
@@ -177,7 +203,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
   });
   // What simplification may still move counts as overlap already.
   const float allowed = static_cast<float>(params.beadOverlap * params.spacing - params.simplifyTolerance);
-  holdApart(curves, curveOf, {spacing, low, allowed, 1}, widths.width, run);
+  holdApart(curves, curveOf, {spacing, low, allowed}, widths.width, run);
   if (run.cancelled()) return cancelledRun();
   return widths;
 }

@@ -15,22 +15,38 @@
 namespace sillon {
 namespace {
 
-constexpr float kCap =
-    1.5f;  ///< gaps wider than this count as this [tau]; also the width a bead has with nothing beside it
-constexpr float kMaxMove = 0.15f;  ///< per round [tau]
-// Small differences are drift of the spacing, and evening them out tilts beads over long stretches: wave loses 0.0019
-// of alignment per round at a strength of 0.25. What is larger is room that a U-turn left, worth filling at once.
-constexpr float kDrift = 0.24f;          ///< [tau]
-constexpr float kVoidStrength = 0.7f;    ///< of the difference beyond kDrift
-constexpr float kBorderStrength = 0.2f;  ///< at least, nearer to the border than one spacing, where U-turns lie
-// Where lines are kept to, which leaves gaps uneven:
-constexpr float kAskedStrength = 0.25f;  ///< at least
-constexpr float kAskedSmoothing = 0.3f;  ///< at most: what runs along the lines needs less
-constexpr int kAskedRounds = 2;          ///< more, for lines and gaps in turns; none if one round is all there is
-constexpr float kAskedPull = 0.003f;     ///< of line keeping: is felt over 18 points, or 4.5 tau
-constexpr float kLastPull = 0.03f;       ///< the last time, so that gaps even again in the round left: 1.4 tau
+// Gaps wider than this count as this [tau]. It is also the width of a bead with nothing beside it.
+constexpr float kCap = 1.5f;
+
+// The largest move of a point in one round [tau].
+constexpr float kMaxMove = 0.15f;
+
+// Differences up to this [tau] are drift of the spacing. Evening them out tilts beads over long stretches: wave loses
+// 0.0019 of alignment per round at a strength of 0.25. The difference beyond is room that a U-turn left, worth filling
+// at once.
+constexpr float kDrift = 0.24f;
+constexpr float kVoidStrength = 0.7f;
+
+// The least strength nearer to the border than one spacing, where U-turns lie.
+constexpr float kBorderStrength = 0.2f;
+
+// Keeping to lines leaves gaps uneven. So there are more rounds, for lines and gaps in turns (none more if one round is
+// all there is), with at least this strength, and at most this smoothing: beads along the lines need less.
+constexpr float kAskedStrength = 0.25f;
+constexpr float kAskedSmoothing = 0.3f;
+constexpr int kAskedRounds = 2;
+
+// The pull of line keeping: a move is felt over 18 points, or 4.5 tau. The last time it is felt over 1.4 tau, so that
+// the round that is left makes gaps even again.
+constexpr float kAskedPull = 0.003f;
+constexpr float kLastPull = 0.03f;
+
+// Tries of a round with ever smaller moves, until the path does not meet itself. The later ones make no moves at all
+// around crossings.
 constexpr int kAttempts = 8;
-constexpr float kDot = 1.8f;  ///< length of a cycle [tau]
+
+// Cycles shorter than this [tau] are dots, which stay as they are.
+constexpr float kDot = 1.8f;
 
 // Instead of Eq. 15, which moves a point half-way to where its neighbours push it: towards the wider side, smoothed
 // along the path with (1, 2, 4, 2, 1) / 10.
