@@ -148,7 +148,7 @@ inline void lookTime(const char* name, std::size_t pictures, bool chooses, doubl
   for (int k = 0; k < kRuns; ++k) {
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t from = std::clock();
-    (void)sillon::solveDirections(lit, {2.36, 17.32}, {side, side}, 0.4, {}, run);
+    (void)sillon::solveDirections(lit, {2.36, 17.32}, {{side, side}, 0.4}, {}, run);
     processor.push_back(static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC);
     wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }

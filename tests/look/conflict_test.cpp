@@ -34,7 +34,7 @@ Solved solved(const std::vector<Tones>& pictures, double level) {
   params.level = level;
   params.smoothness = 0.001;
   params.sharpness = 0;
-  auto result = solveDirections(lit, kBlue, {8, 8}, 0.4, params, RunContext(1));
+  auto result = solveDirections(lit, kBlue, {{8, 8}, 0.4}, params, RunContext(1));
   REQUIRE(result.ok());
   Solved out;
   out.directions = std::move(result).value();

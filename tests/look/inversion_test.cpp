@@ -75,13 +75,13 @@ double divergence(const DirectionMap& map) {
 }
 
 SolvedDirections solved(std::vector<LitPicture> pictures, InversionParams params = {}, int threads = 1) {
-  auto result = solveDirections(pictures, kBlue, {20, 20}, kSpacing, params, RunContext(threads));
+  auto result = solveDirections(pictures, kBlue, {{20, 20}, kSpacing}, params, RunContext(threads));
   REQUIRE(result.ok());
   return std::move(result).value();
 }
 
 std::string refused(std::vector<LitPicture> pictures, InversionParams params = {}, Vec2 page = {20, 20}) {
-  const auto result = solveDirections(pictures, kBlue, page, kSpacing, params, RunContext(1));
+  const auto result = solveDirections(pictures, kBlue, {page, kSpacing}, params, RunContext(1));
   REQUIRE(!result.ok());
   CHECK(result.error().code == ErrorCode::InvalidArgument);
   return result.error().message;
@@ -221,7 +221,7 @@ TEST_CASE("a picture of one tone, of one pixel or far larger than the plate is s
   CHECK(solved({{{1, 1, {0.5f}}, lamp}}).directions.width == 100);
   CHECK(solved({{drawn(700, [](double x, double) { return x > 0; }), lamp}}).directions.width == 100);
   const auto tiny =
-      solveDirections(std::vector<LitPicture>{{ball(), lamp, true}}, kBlue, {0.1, 0.1}, 1, {}, RunContext(1));
+      solveDirections(std::vector<LitPicture>{{ball(), lamp, true}}, kBlue, {{0.1, 0.1}, 1}, {}, RunContext(1));
   REQUIRE(tiny.ok());
   CHECK(tiny.value().directions.angle.size() == 1);
 }
@@ -244,6 +244,7 @@ TEST_CASE("what cannot be solved is refused with the reason") {
 
   RunContext stopped(1);
   stopped.requestCancel();
-  CHECK(solveDirections(std::vector<LitPicture>{{ball(), lamp}}, kBlue, {20, 20}, kSpacing, {}, stopped).error().code ==
-        ErrorCode::Cancelled);
+  CHECK(
+      solveDirections(std::vector<LitPicture>{{ball(), lamp}}, kBlue, {{20, 20}, kSpacing}, {}, stopped).error().code ==
+      ErrorCode::Cancelled);
 }

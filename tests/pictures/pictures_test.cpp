@@ -289,7 +289,7 @@ TEST_CASE("a lamp that nobody chose is the one of three whose plate shows the pi
   };
   const std::vector<LitPicture> lit = readPictures(project.pictures, readBall).value();
   const auto first =
-      solveDirections(lit, chosen.roughness, input.shape.page, kSpacing, inversionOf(project.pictures), run).value();
+      solveDirections(lit, chosen.roughness, {input.shape.page, kSpacing}, inversionOf(project.pictures), run).value();
   REQUIRE(first.azimuths.size() == 2);
   const double best = worth(chosen.shown[0].lamp.azimuth);
   for (const double azimuth : {first.lamps[0].azimuth, first.azimuths[0], first.azimuths[1]}) {

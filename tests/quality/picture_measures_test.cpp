@@ -198,7 +198,7 @@ TEST_CASE("beads rendered as rough round solids agree with the formula: the inve
   const Lamp lamp{60, 45, 0.1};
   InversionParams params;
   const auto solved =
-      solveDirections(std::vector<LitPicture>{{portrait(80), lamp}}, kBlue, {kPage, kPage}, kSpacing, params, run);
+      solveDirections(std::vector<LitPicture>{{portrait(80), lamp}}, kBlue, {{kPage, kPage}, kSpacing}, params, run);
   REQUIRE(solved.ok());
   DirectionMap straight = solved.value().directions;
   for (std::size_t k = 0; k < straight.angle.size(); ++k) {

@@ -62,7 +62,8 @@ Lobe lobeOf(const Lamp& lamp, const Roughness& roughness) {
 }
 
 float highlightAt(const Lobe& lobe, Vec2f direction, float slope) {
-  const float along = dot(lobe.tilt, direction), across = cross(direction, lobe.tilt) - slope;
+  const float along = dot(lobe.tilt, direction);
+  const float across = cross(direction, lobe.tilt) - slope;
   return decay(along * along / (2 * lobe.alongVariance) + across * across / (2 * lobe.acrossVariance));
 }
 

@@ -10,8 +10,10 @@
 namespace sillon {
 namespace {
 
-constexpr int kSteps = 1024;                          // directions of the table; angles between them are interpolated
-constexpr float kPalest = 0.78f, kBrightest = 0.97f;  // greys of black and white, as codes
+constexpr int kSteps = 1024;  // directions of the table; angles between them are interpolated
+// The greys of black and white [codes].
+constexpr float kPalest = 0.78f;
+constexpr float kBrightest = 0.97f;
 constexpr std::array<float, 3> kDark{0.88f, 0.36f, 0.0f};  // orange and blue, which all eyes tell apart
 constexpr std::array<float, 3> kBright{0.0f, 0.34f, 0.8f};
 
@@ -64,7 +66,8 @@ RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, con
     for (int x = 0; x < image.width; ++x) {
       const std::size_t cell = static_cast<std::size_t>(y / scale) * columns + static_cast<std::size_t>(x / scale);
       const float grey = kPalest + (kBrightest - kPalest) * greys.value[cell];
-      const float off = conflict.missing[picture][cell], full = std::abs(off);
+      const float off = conflict.missing[picture][cell];
+      const float full = std::abs(off);
       for (const float ink : off > 0 ? kDark : kBright) {
         image.rgb.push_back(static_cast<std::uint8_t>((grey + full * (ink - grey)) * 255 + 0.5f));
       }

@@ -23,7 +23,8 @@ inline constexpr int kDirectionColours = 256;
 /// (Ottosson 2020) at constant lightness and nearly the largest chroma for which all hues exist in sRGB.
 inline const std::array<Rgb, kDirectionColours>& directionColours() {
   static const std::array<Rgb, kDirectionColours> colours = [] {
-    constexpr double kLightness = 0.74, kChroma = 0.122;
+    constexpr double kLightness = 0.74;
+    constexpr double kChroma = 0.122;
     constexpr double kFirstHue = 0.13;  // [turns] of direction 0: amber; vertical beads are blue
     const auto toByte = [](double linear) {
       const double clamped = std::clamp(linear, 0.0, 1.0);
@@ -33,11 +34,14 @@ inline const std::array<Rgb, kDirectionColours>& directionColours() {
     std::array<Rgb, kDirectionColours> made;
     for (int k = 0; k < kDirectionColours; ++k) {
       const double hue = 2 * std::numbers::pi * (kFirstHue + static_cast<double>(k) / kDirectionColours);
-      const double a = kChroma * std::cos(hue), b = kChroma * std::sin(hue);
+      const double a = kChroma * std::cos(hue);
+      const double b = kChroma * std::sin(hue);
       const double lRoot = kLightness + 0.3963377774 * a + 0.2158037573 * b;
       const double mRoot = kLightness - 0.1055613458 * a - 0.0638541728 * b;
       const double sRoot = kLightness - 0.0894841775 * a - 1.2914855480 * b;
-      const double l = lRoot * lRoot * lRoot, m = mRoot * mRoot * mRoot, s = sRoot * sRoot * sRoot;
+      const double l = lRoot * lRoot * lRoot;
+      const double m = mRoot * mRoot * mRoot;
+      const double s = sRoot * sRoot * sRoot;
       made[static_cast<std::size_t>(k)] = {toByte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
                                            toByte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
                                            toByte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};

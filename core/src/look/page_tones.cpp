@@ -22,7 +22,8 @@ Tones pageTones(Tones tones, Vec2 page, PictureProportions proportions, double& 
   if (width == tones.width && height == tones.height) return tones;
   Tones cut{width, height, {}};
   cut.value.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  const int left = middle(tones.width, width), top = middle(tones.height, height);
+  const int left = middle(tones.width, width);
+  const int top = middle(tones.height, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) cut.value.push_back(tones.at(left + x, top + y));
   }

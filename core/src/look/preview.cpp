@@ -39,7 +39,8 @@ float reliefOf(const Bead& bead) {
 /// Brightness across a bead: full on its top, dark towards the furrow, with the same mean where beads are too fine to
 /// see.
 float furrow(float squaredOffset, float relief) {
-  constexpr float kDepth = 0.66f, kMean = 0.88f;
+  constexpr float kDepth = 0.66f;
+  constexpr float kMean = 0.88f;
   const float t = std::clamp((squaredOffset - 0.3f) / 0.7f, 0.0f, 1.0f);
   const float shade = 1 - kDepth * t * t * (3 - 2 * t);
   return kMean + (shade - kMean) * relief;
@@ -131,7 +132,8 @@ Colour lookShade(const Bead& bead, float t, float side, const Lobe& lobe, const 
 
 /// sRGB byte of linear light: as it is up to 0.8, with a soft shoulder above.
 std::uint8_t toneMapped(float linear) {
-  constexpr float kShoulder = 0.8f, kRoom = 1 - kShoulder;
+  constexpr float kShoulder = 0.8f;
+  constexpr float kRoom = 1 - kShoulder;
   const float over = std::max(0.0f, linear - kShoulder);
   const float shown = std::min(linear, kShoulder) + kRoom * over / (kRoom + over);
   return static_cast<std::uint8_t>(codeOfLight(shown) * 255 + 0.5f);
@@ -150,7 +152,8 @@ struct Scene {
 /// The plate in both panels, rows of one band. \param covered  samples of each pixel of the page that show the plate.
 void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
   const Layout& layout = scene.layout;
-  const int pageWidth = layout.look.width, pageHeight = layout.look.height;
+  const int pageWidth = layout.look.width;
+  const int pageHeight = layout.look.height;
   const int top = static_cast<int>(band) * kBandRows;
   const int rows = std::min(kBandRows, pageHeight - top);
   const int width = pageWidth * kSamples;
@@ -173,7 +176,8 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector
       Colour direction, look;
       int count = 0;
       for (int k = 0; k < kSamples * kSamples; ++k) {
-        const int column = x * kSamples + k % kSamples, row = y * kSamples + k / kSamples;
+        const int column = x * kSamples + k % kSamples;
+        const int row = y * kSamples + k / kSamples;
         const std::size_t at = static_cast<std::size_t>(row - top * kSamples) * static_cast<std::size_t>(width) +
                                static_cast<std::size_t>(column);
         const float squaredOffset = hits.squaredOffset[at];
@@ -210,7 +214,8 @@ void drawBackground(const Scene& scene, const Shadow& shadow, const std::vector<
   const Vec2f from{0.5f + scene.look.lampSide.x * away, 0.5f - scene.look.lampSide.y * away};
   for (int x = 0; x < image.width; ++x) {
     if (holds(scene.layout.directions, x, y)) continue;
-    const int column = x - page.x, row = y - page.y;
+    const int column = x - page.x;
+    const int row = y - page.y;
     int free = kSamples * kSamples;
     if (holds(page, x, y)) {
       free -= covered[static_cast<std::size_t>(row) * static_cast<std::size_t>(page.width) +

@@ -68,7 +68,8 @@ Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
   Bands sorted{rows, std::vector<std::size_t>(static_cast<std::size_t>(bands) + 1, 0), {}};
   const auto forEachBand = [&](const Bead& bead, const auto& body) {
     const float reach = std::max(bead.radiusA, bead.radiusB) + 1;
-    const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
+    const float top = std::min(bead.a.y, bead.b.y) - reach;
+    const float bottom = std::max(bead.a.y, bead.b.y) + reach;
     if (bottom < 0 || top >= static_cast<float>(height)) return;
     const int first = static_cast<int>(std::max(top, 0.0f)) / rows;
     const int last = static_cast<int>(std::min(bottom, static_cast<float>(height - 1))) / rows;
@@ -89,7 +90,8 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
   const float squared = dot(d, d);
   const float perSquared = squared > 0 ? 1 / squared : 0;
   const float reach = std::max(bead.radiusA, bead.radiusB);
-  const float top = std::min(bead.a.y, bead.b.y) - reach, bottom = std::max(bead.a.y, bead.b.y) + reach;
+  const float top = std::min(bead.a.y, bead.b.y) - reach;
+  const float bottom = std::max(bead.a.y, bead.b.y) + reach;
   // Rows and columns whose middles are within reach: few on small pictures.
   const int rowBegin = std::max(firstRow, static_cast<int>(std::max(top + kBeyond, 0.0f)));
   const int rowEnd = std::min(firstRow + rows, static_cast<int>(std::clamp(bottom + 1 - kBeyond, 0.0f, 1e6f)));
@@ -97,14 +99,18 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
   for (int row = rowBegin; row < rowEnd; ++row) {
     const float y = static_cast<float>(row) + 0.5f;
     // Only the part of the axis within reach of this row can colour it: keeps long slanted beads cheap.
-    float t0 = 0, t1 = 1;
+    float t0 = 0;
+    float t1 = 1;
     if (std::abs(d.y) > reach) {
-      const float u = (y - reach - bead.a.y) / d.y, v = (y + reach - bead.a.y) / d.y;
+      const float u = (y - reach - bead.a.y) / d.y;
+      const float v = (y + reach - bead.a.y) / d.y;
       t0 = std::clamp(std::min(u, v), 0.0f, 1.0f);
       t1 = std::clamp(std::max(u, v), 0.0f, 1.0f);
     }
-    const float x0 = bead.a.x + t0 * d.x, x1 = bead.a.x + t1 * d.x;
-    const float left = std::min(x0, x1) - reach, right = std::max(x0, x1) + reach;
+    const float x0 = bead.a.x + t0 * d.x;
+    const float x1 = bead.a.x + t1 * d.x;
+    const float left = std::min(x0, x1) - reach;
+    const float right = std::max(x0, x1) + reach;
     const int begin = static_cast<int>(std::clamp(left + kBeyond, 0.0f, static_cast<float>(width)));
     const int end = static_cast<int>(std::clamp(right + 1 - kBeyond, 0.0f, static_cast<float>(width)));
     const std::size_t line = static_cast<std::size_t>(row - firstRow) * static_cast<std::size_t>(width);

@@ -12,10 +12,16 @@ namespace sillon {
 
 /// One bead segment in samples, y down, with what shading needs at both ends.
 struct Bead {
-  Vec2f a, b;
-  float radiusA = 0, radiusB = 0;
-  Vec2f tangentA, tangentB;            // unit, y up
-  float colourA = 0, colourDelta = 0;  // place among the direction colours; change towards b, the short way round
+  Vec2f a;
+  Vec2f b;
+  float radiusA = 0;
+  float radiusB = 0;
+  // unit, y up
+  Vec2f tangentA;
+  Vec2f tangentB;
+  // place among the direction colours; change towards b, the short way round
+  float colourA = 0;
+  float colourDelta = 0;
 };
 
 inline Vec2f unit(Vec2f v) {

@@ -14,7 +14,9 @@ inline constexpr Rgb kBackground{38, 36, 34};  ///< warm grey, dark enough for b
 inline constexpr Rgb kInk{168, 162, 154};      ///< ticks of the legend
 
 struct Colour {
-  float red = 0, green = 0, blue = 0;
+  float red = 0;
+  float green = 0;
+  float blue = 0;
 
   friend Colour operator+(Colour a, Colour b) { return {a.red + b.red, a.green + b.green, a.blue + b.blue}; }
   friend Colour operator*(Colour a, Colour b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }

@@ -54,8 +54,10 @@ float shadowAt(const Shadow& shadow, float x, float y) {
   const float v = y / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;
   if (!(u >= 0 && v >= 0 && u < static_cast<float>(shadow.width - 1) && v < static_cast<float>(shadow.height - 1)))
     return 0;
-  const int i = static_cast<int>(u), j = static_cast<int>(v);
-  const float fu = u - static_cast<float>(i), fv = v - static_cast<float>(j);
+  const int i = static_cast<int>(u);
+  const int j = static_cast<int>(v);
+  const float fu = u - static_cast<float>(i);
+  const float fv = v - static_cast<float>(j);
   const float* row =
       &shadow.dark[static_cast<std::size_t>(j) * static_cast<std::size_t>(shadow.width) + static_cast<std::size_t>(i)];
   const float* below = row + shadow.width;

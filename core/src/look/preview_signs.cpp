@@ -21,7 +21,8 @@ void paintAround(RgbImage& image, double cx, double cy, double radius, const Col
     for (int x = x0; x < x1; ++x) {
       Colour sum;
       for (int k = 0; k < kFine * kFine; ++k) {
-        const double dx = x + (k % kFine + 0.5) / kFine - cx, dy = cy - (y + (k / kFine + 0.5) / kFine);
+        const double dx = x + (k % kFine + 0.5) / kFine - cx;
+        const double dy = cy - (y + (k / kFine + 0.5) / kFine);
         sum = sum + asColour(colourAt(dx, dy));
       }
       put(image, x, y, rounded(sum * (1.0f / (kFine * kFine))));
@@ -33,7 +34,10 @@ void paintAround(RgbImage& image, double cx, double cy, double radius, const Col
 
 void drawLegend(RgbImage& image, const Layout& layout) {
   const double radius = layout.legendRadius;
-  const double outer = 0.86 * radius, inner = 0.46 * radius, tick = 0.91 * radius, half = std::max(0.5, radius * 0.008);
+  const double outer = 0.86 * radius;
+  const double inner = 0.46 * radius;
+  const double tick = 0.91 * radius;
+  const double half = std::max(0.5, radius * 0.008);
   paintAround(image, layout.legendX, layout.legendY, radius + 1, [&](double dx, double dy) {
     const double distance = std::sqrt(dx * dx + dy * dy);
     if (dy >= 0 && distance >= inner && distance <= outer) return directionColourAt(directionColourPlace(dx, dy));
@@ -44,10 +48,13 @@ void drawLegend(RgbImage& image, const Layout& layout) {
 }
 
 void drawLamp(RgbImage& image, const Layout& layout, const Lamp& lamp) {
-  const double radius = layout.lampRadius, half = std::max(0.5, radius * 0.02), dot = radius * 0.16;
+  const double radius = layout.lampRadius;
+  const double half = std::max(0.5, radius * 0.02);
+  const double dot = radius * 0.16;
   const double azimuth = lamp.azimuth * std::numbers::pi / 180;
   const double reach = radius * std::cos(lamp.elevation * std::numbers::pi / 180);
-  const double lampX = reach * std::cos(azimuth), lampY = reach * std::sin(azimuth);
+  const double lampX = reach * std::cos(azimuth);
+  const double lampY = reach * std::sin(azimuth);
   paintAround(image, layout.lampX, layout.lampY, radius + dot + 2, [&](double dx, double dy) {
     const double toLamp = (dx - lampX) * (dx - lampX) + (dy - lampY) * (dy - lampY);
     if (toLamp <= dot * dot) return Rgb{255, 236, 200};

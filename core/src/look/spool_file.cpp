@@ -18,7 +18,9 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMostSpools = 1000;
 constexpr std::size_t kLongestKey = 40;
-constexpr double kLeastSlope = 0.1, kMostSlope = 45;  // [degrees], as of pictures.slopes
+// The range of pictures.slopes [degrees].
+constexpr double kLeastSlope = 0.1;
+constexpr double kMostSlope = 45;
 
 Error fault(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 

@@ -9,7 +9,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kFineNozzle = 0.4, kWideNozzle = 0.8;  // [mm], of Tab. 1
+// The nozzles of Tab. 1 [mm].
+constexpr double kFineNozzle = 0.4;
+constexpr double kWideNozzle = 0.8;
 
 Roughness roughness(const Json& pair) { return {pair[0].get<double>(), pair[1].get<double>()}; }
 

@@ -13,7 +13,8 @@ namespace {
 RgbImage reduced(const RgbImage& large, int width, int height) {
   RgbImage small{width, height, {}};
   for (int k = 0; k < width * height; ++k) {
-    const int x = k % width, y = k / width;
+    const int x = k % width;
+    const int y = k / width;
     std::array<unsigned, 3> sum{};
     unsigned count = 0;
     for (int v = y * large.height / height; v < (y + 1) * large.height / height; ++v) {

@@ -86,7 +86,8 @@ std::vector<Span> spansOf(int from, int to) {
       if (from > 1) span.weights.push_back(share);
       continue;
     }
-    const double begin = k * step, end = std::min<double>(from, (k + 1) * step);
+    const double begin = k * step;
+    const double end = std::min<double>(from, (k + 1) * step);
     span.first = static_cast<int>(begin);
     for (int i = span.first; i < from && i < end; ++i) {
       span.weights.push_back(
@@ -172,10 +173,12 @@ Tones levelled(const Tones& tones, const std::vector<char>& inside) {
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(k), sorted.end());
     return sorted[k];
   };
-  const float low = percentile(1), high = percentile(99);
+  const float low = percentile(1);
+  const float high = percentile(99);
   if (!(high - low > kRounding)) {
     const auto [least, most] = std::minmax_element(sorted.begin(), sorted.end());
-    const float from = *least, to = *most;
+    const float from = *least;
+    const float to = *most;
     for (float& v : out.value) v = to - from > kRounding ? std::clamp((v - from) / (to - from), 0.0f, 1.0f) : 0.5f;
     return out;
   }

@@ -55,8 +55,10 @@ Raster emptyRaster(Vec2 page, double spacing, double most) {
 
 /// A piece of bead in texels, y down.
 struct Capsule {
-  Vec2f a, b;
-  float radiusA = 0, radiusB = 0;
+  Vec2f a;
+  Vec2f b;
+  float radiusA = 0;
+  float radiusB = 0;
   Vec2f z;          // of its direction, y up
   float width = 0;  // [mm]
 };
@@ -89,7 +91,8 @@ void draw(const Capsule& capsule, Raster& raster) {
   const auto last = [&](float p, float q, int count) {
     return static_cast<int>(std::min(static_cast<float>(count - 1), std::max(p, q) + reach));
   };
-  const int x1 = last(capsule.a.x, capsule.b.x, raster.width), y1 = last(capsule.a.y, capsule.b.y, raster.height);
+  const int x1 = last(capsule.a.x, capsule.b.x, raster.width);
+  const int y1 = last(capsule.a.y, capsule.b.y, raster.height);
   for (int y = first(capsule.a.y, capsule.b.y); y <= y1; ++y) {
     for (int x = first(capsule.a.x, capsule.b.x); x <= x1; ++x) {
       const std::uint16_t bits = samplesWithin(capsule, x, y);
@@ -111,7 +114,8 @@ void drawCycle(const Cycle& cycle, Vec2 page, Raster& raster) {
   const std::size_t count = cycle.points.size();
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t next = (k + 1) % count;
-    const Vec2f a = cycle.points[k], b = cycle.points[next];
+    const Vec2f a = cycle.points[k];
+    const Vec2f b = cycle.points[next];
     const Vec2f d = b - a;
     const float squared = dot(d, d);
     if (!(squared > 0)) continue;

@@ -22,7 +22,7 @@ Result<double> chosenAzimuth(std::vector<LitPicture> lit, const Roughness& rough
   ToolpathParams params;
   params.spacing = std::clamp(std::max(shape.page.x, shape.page.y) / kTrialBeads, kFinestTrial, kCoarsestTrial);
   const auto solve = [&] {
-    return solveDirections(lit, roughness, shape.page, params.spacing, inversion, run, insideOf(shape));
+    return solveDirections(lit, roughness, {shape.page, params.spacing, insideOf(shape)}, inversion, run);
   };
   Result<SolvedDirections> solved = solve();
   if (!solved) return solved.error();

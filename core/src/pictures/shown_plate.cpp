@@ -50,8 +50,8 @@ Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePicture
     for (std::size_t k = 0; k < lit.size(); ++k) {
       addMissingTones(light[k], asked[k], lobeOf(lamps[k], pictures.roughness), pictures.level, lit[k].tones);
     }
-    auto solved = solveDirections(lit, pictures.roughness, input.shape.page, project.toolpath.spacing, inversion, run,
-                                  insideOf(input.shape));
+    auto solved = solveDirections(lit, pictures.roughness,
+                                  {input.shape.page, project.toolpath.spacing, insideOf(input.shape)}, inversion, run);
     if (!solved) return solved.error();
     tried.directions = std::move(solved.value().directions);
     plate = make(tried, round, rounds);

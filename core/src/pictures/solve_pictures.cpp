@@ -122,7 +122,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
     placed[0].lamp.azimuth = *azimuth;
     placed[0].chooseAzimuth = false;
   }
-  auto solved = solveDirections(placed, pictures.roughness, page, spacing, inversion, run, insideOf(input.shape));
+  auto solved = solveDirections(placed, pictures.roughness, {page, spacing, insideOf(input.shape)}, inversion, run);
   if (!solved) return solved.error();
   std::size_t tones = 0;
   for (std::size_t k = 0; k < lit.size(); ++k) {

@@ -118,7 +118,7 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
       picture.tones = cutMap(picture.tones, &Tones::value, box, stretched.value());
     }
     if (options_.fit == PictureFit::Face) solved_.clear();  // nobody asks for it again
-    auto solved = solveDirections(pictures, wanted.roughness, box.size(), surface.spacing, options_.inversion, run);
+    auto solved = solveDirections(pictures, wanted.roughness, {box.size(), surface.spacing}, options_.inversion, run);
     if (!solved) return solved.error();
     found = solved_.emplace(key, Solved{std::move(solved).value(), std::move(leftOut)}).first;
   }

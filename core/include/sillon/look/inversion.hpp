@@ -51,6 +51,14 @@ struct InversionParams {
 /// Which cells of a raster of this size lie in the shape, row 0 on top; of a raster without any outside: nothing.
 using InsideCells = std::function<std::vector<char>(int width, int height)>;
 
+/// The page over which pictures are stretched.
+struct PicturePage {
+  Vec2 size;       ///< [mm]
+  double spacing;  ///< tau [mm]
+  InsideCells inside =
+      {};  ///< cells outside of the shape count neither for levels nor for tones; unset: all are inside
+};
+
 struct SolvedDirections {
   DirectionMap directions;       ///< cells of half a spacing, at most 4096 on a side
   std::vector<Lamp> lamps;       ///< one per picture, as given or chosen
@@ -62,12 +70,10 @@ struct SolvedDirections {
 
 /// Minimises, over directions on a hierarchy of grids, the squared errors of the tones (sRGB codes of lightOf, levels
 /// at the 1st and 99th percentile, laid between the darkest and the brightest direction) plus `smoothness` times the
-/// squared divergence of the beads' direction, which forces U-turns, and a little of its squared gradient. \param page
-/// [mm]. \param spacing  tau [mm]. \return InvalidArgument (no pictures or too many, a lamp or parameter out of range,
-/// a lamp that tells no directions apart) or Cancelled. The same bytes for any number of threads. \param inside  cells
-/// outside of the shape count neither for levels nor for tones; unset: the whole page is shape.
-Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, const Roughness& roughness, Vec2 page,
-                                         double spacing, const InversionParams& params, const RunContext& run,
-                                         const InsideCells& inside = {});
+/// squared divergence of the beads' direction, which forces U-turns, and a little of its squared gradient. The same
+/// bytes for any number of threads. \return InvalidArgument (no pictures or too many, a lamp or parameter out of range,
+/// a lamp that tells no directions apart) or Cancelled.
+Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, const Roughness& roughness,
+                                         const PicturePage& page, const InversionParams& params, const RunContext& run);
 
 }  // namespace sillon

@@ -1,0 +1,188 @@
+#include "look/lamp_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/fast_math.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kTrialCells = 96;  // on the longer side: enough to tell lamps apart
+constexpr int kAzimuths = 12;
+constexpr std::size_t kOthers = 2;  // azimuths besides the chosen one
+constexpr double kBetter = 0.99;    // a later choice must be better by this: equal ones differ by rounding only
+
+/// How many beads the directions force to end, in cells: the sum of |divergence|.
+double forcedEnds(const ToneCells& cells) {
+  double sum = 0;
+  for (int y = 1; y < cells.height; ++y) {
+    for (int x = 0; x + 1 < cells.width; ++x) {
+      if (cells.isOutside(cells.at(x, y))) continue;
+      const Vec2f z = cells.z[cells.at(x, y)];
+      const auto turned = [&](std::size_t to) { return atan2Approx(cross(z, cells.z[to]), dot(z, cells.z[to])) / 2; };
+      const float across = turned(cells.at(x + 1, y));
+      const float up = turned(cells.at(x, y - 1));
+      const float angle = atan2Approx(z.y, z.x) / 2;
+      const SinCos d = sinCos(angle);
+      sum += static_cast<double>(std::abs(d.cos * up - d.sin * across));
+    }
+  }
+  return sum;
+}
+
+/// The forced ends of a single picture on a side of its lamp.
+double endsOf(const LampTrial& trial, const Lamp& lamp, LampSide side, double level) {
+  const LampTables tables = tablesOf({lamp}, trial.roughness, side);
+  ToneCells cells = cellsOf(trial.tones, trial.inside, tables, level);
+  solve(cells, tables, trial.smoothness, trial.run);
+  return forcedEnds(cells);
+}
+
+/// The side on which the directions of a single picture force the fewest beads to end.
+LampSide sideOf(const LampTrial& trial, const Lamp& lamp, double level) {
+  double least = 1e300;
+  LampSide best = LampSide::Both;
+  for (const LampSide side : {LampSide::Both, LampSide::Left, LampSide::Right}) {
+    const double ends = endsOf(trial, lamp, side, level);
+    if (ends < kBetter * least) {
+      least = ends;
+      best = side;
+    }
+  }
+  return best;
+}
+
+/// Of the worst picture: the mean |error| after the best affine fit, by the picture's standard deviation. Unlike
+/// squares it counts pale traces of the other pictures on large areas for as much as errors at edges.
+double errorOf(const ToneCells& cells, const LampTables& tables, const std::vector<Tones>& shown) {
+  double worst = 0;
+  for (std::size_t p = 0; p < shown.size(); ++p) {
+    std::vector<double> seen, wanted;
+    double sx = 0;
+    double sy = 0;
+    double sxx = 0;
+    double syy = 0;
+    double sxy = 0;
+    for (std::size_t k = 0; k < cells.z.size(); ++k) {
+      if (cells.isOutside(k)) continue;
+      const float turn = atan2Approx(cells.z[k].y, cells.z[k].x) / (2 * kPi) + 1;
+      const auto label = static_cast<std::size_t>(turn * kLabels + 0.5f) % kLabels;
+      seen.push_back(static_cast<double>(tables.code[p][label]));
+      const double asked = static_cast<double>(shown[p].value[k]);
+      wanted.push_back(asked);
+      sx += seen.back();
+      sy += asked;
+      sxx += seen.back() * seen.back();
+      syy += asked * asked;
+      sxy += seen.back() * asked;
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, seen.size()));
+    const double vx = sxx / count - sx / count * (sx / count);
+    const double vy = syy / count - sy / count * (sy / count);
+    if (!(vy > 1e-9)) continue;
+    const double slope = vx > 1e-9 ? (sxy / count - sx / count * (sy / count)) / vx : 0;
+    const double offset = (sy - slope * sx) / count;
+    double error = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      error += std::abs(offset + slope * seen[k] - wanted[k]);
+    }
+    worst = std::max(worst, error / count / std::sqrt(vy));
+  }
+  return worst;
+}
+
+/// Chooses the azimuth of a single lamp that forces the fewest beads to end, both sides of the lamp being used. The
+/// choice's `azimuths` become those with the fewest ends on their better side.
+void chooseAzimuth(const LampTrial& trial, LampChoice& choice) {
+  double least = 1e300;
+  Lamp lamp = choice.lamps[0];
+  std::vector<std::pair<double, double>> ends;  // of either side, azimuth
+  for (int k = 0; k < kAzimuths; ++k) {
+    // 60 degrees, from the upper right as in the previews, unless another azimuth is better.
+    lamp.azimuth = (60 + 180 / kAzimuths * k) % 180;
+    const auto endsOn = [&](LampSide side) { return endsOf(trial, lamp, side, choice.level); };
+    const double both = endsOn(LampSide::Both);
+    ends.emplace_back(std::min({both, endsOn(LampSide::Left), endsOn(LampSide::Right)}), lamp.azimuth);
+    if (both < kBetter * least) {
+      least = both;
+      choice.lamps[0] = lamp;
+    }
+  }
+  std::vector<double>& others = choice.azimuths;
+  const auto isTaken = [&](double azimuth) {
+    return azimuth == choice.lamps[0].azimuth || std::find(others.begin(), others.end(), azimuth) != others.end();
+  };
+  while (others.size() < kOthers) {
+    const std::pair<double, double>* next = nullptr;
+    for (const auto& one : ends) {
+      if (!isTaken(one.second) && (next == nullptr || one.first < next->first)) next = &one;
+    }
+    if (next == nullptr) return;
+    others.push_back(next->second);
+  }
+}
+
+/// Chooses how far several lamps stand apart and how bright white is, as far as both were left open.
+void chooseSeparation(const LampTrial& trial, const std::vector<bool>& open, double level, LampChoice& choice) {
+  std::vector<Lamp> lamps = choice.lamps;
+  const double first = lamps[0].azimuth;
+  // The nearer two lamps stand, the more tones of both a direction can show, and the more each shows of the other
+  // picture; lobes of more lamps must not overlap.
+  std::vector<double> apart{180.0 / static_cast<double>(lamps.size())};
+  if (lamps.size() == 2) apart = {40, 35, 30, 25, 50};
+  if (std::find(open.begin(), open.end(), true) == open.end()) apart = {0};
+  std::vector<double> whites{0.5, 0.7, 1, 0.85, 0.35};
+  if (level > 0) whites = {level};
+  double least = 1e300;
+  choice.level = whites[0];
+  for (const double separation : apart) {
+    for (std::size_t p = 0; p < lamps.size(); ++p) {
+      if (open[p]) lamps[p].azimuth = first + separation * static_cast<double>(p);
+    }
+    const LampTables tables = tablesOf(lamps, trial.roughness);
+    for (const double white : whites) {
+      ToneCells cells = cellsOf(trial.tones, trial.inside, tables, white);
+      solve(cells, tables, trial.smoothness, trial.run);
+      const double error = errorOf(cells, tables, trial.tones);
+      if (error < kBetter * least) {
+        least = error;
+        choice.level = white;
+        choice.lamps = lamps;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+LampTrial lampTrial(const std::vector<Tones>& tones, const InsideCells& inside, const Roughness& roughness,
+                    double smoothness, const RunContext& run) {
+  const int longer = std::max(tones[0].width, tones[0].height);
+  const auto side = [&](int cells) { return std::max(1, cells * std::min(kTrialCells, longer) / longer); };
+  LampTrial trial{{}, {}, roughness, smoothness, run};
+  for (const Tones& t : tones) trial.tones.push_back(resampled(t, side(t.width), side(t.height)));
+  if (inside) trial.inside = inside(trial.tones[0].width, trial.tones[0].height);
+  return trial;
+}
+
+LampChoice chooseLamps(const LampTrial& trial, std::span<const LitPicture> pictures, double level) {
+  LampChoice choice;
+  std::vector<bool> open;
+  for (const LitPicture& picture : pictures) {
+    choice.lamps.push_back(picture.lamp);
+    open.push_back(picture.chooseAzimuth);
+  }
+  if (pictures.size() > 1) {
+    chooseSeparation(trial, open, level, choice);
+    return choice;
+  }
+  if (level > 0) choice.level = level;
+  if (open[0]) chooseAzimuth(trial, choice);
+  choice.side = sideOf(trial, choice.lamps[0], choice.level);
+  return choice;
+}
+
+}  // namespace sillon
