@@ -1,4 +1,4 @@
-#include "toolpath/damping.hpp"
+#include "toolpath/relaxation_steps.hpp"
 
 #include <doctest/doctest.h>
 

@@ -16,7 +16,6 @@
 #include "sillon/toolpath/stitch.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
-#include "toolpath/facing_points.hpp"
 
 using namespace sillon;
 

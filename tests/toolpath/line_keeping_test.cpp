@@ -1,5 +1,5 @@
 // Beads that are turned towards the lines asked for.
-#include "toolpath/line_keeping.hpp"
+#include "toolpath/relaxation_steps.hpp"
 
 #include <doctest/doctest.h>
 

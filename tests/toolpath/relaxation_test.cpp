@@ -13,7 +13,7 @@
 #include "sillon/toolpath/simplify.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
-#include "toolpath/corner_rounding.hpp"
+#include "toolpath/relaxation_steps.hpp"
 
 using namespace sillon;
 

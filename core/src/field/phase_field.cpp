@@ -10,13 +10,17 @@
 #include "base/simd.hpp"
 #include "field/double_angle.hpp"
 #include "field/hierarchy.hpp"
-#include "field/phase_rows.hpp"
 
 namespace sillon {
 namespace {
 
+// Edges kept per cell: to the neighbours at (1,0), (0,1), (1,1), (-1,1).
+constexpr std::size_t kEdges = 4;
 constexpr int kEdgeX[kEdges] = {1, 0, 1, -1};
 constexpr int kEdgeY[kEdges] = {0, 1, 1, 1};
+
+// A sum of phases shorter than this keeps the old phase.
+constexpr float kNoPhase = 1e-9f;
 
 // How the phase of one cell follows from a neighbour's: with a = w |d_i.d_j| e^{i theta0} and s = sign(d_i.d_j),
 // q_i += (s Re(a q_j), Im(a q_j)) (Eq. 8 and 10). The other way round is the transposed 2 x 2 matrix; as published,
@@ -61,6 +65,8 @@ class Jitter {
   float most_;
 };
 
+Jitter jitterOf(const ToolpathParams& params) { return {params.seed, static_cast<float>(params.jitter)}; }
+
 Vec2f multiply(Vec2f a, Vec2f b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
 // The wave of j seen from i, without weight: the phase flips to pi - phase where the lines oppose each other.
@@ -99,56 +105,97 @@ PhaseLevel makeLevel(LevelShape shape, float step, int depth, PhaseTransport tra
   return level;
 }
 
+// The way between the sample points of two cells, beyond that between the cells, for the cells of a row.
+struct RowMoves {
+  std::vector<float> x;
+  std::vector<float> y;
+};
+
+// Eq. 8 for one edge of the cells of a row, four at a time: it may run over the row's end, to the end of a vector.
+// \param i  index of the row's first cell in its plane. \param move  added to the way from j to i for each cell; empty
+// for none.
+void fillEdges(PhaseLevel& level, std::size_t e, std::size_t colour, std::size_t i, const RowMoves& move) {
+  const NeighbourPlane n = neighbourPlane(level.shape, colour, kEdgeX[e], kEdgeY[e]);
+  const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
+  const bool midpoint = level.transport == PhaseTransport::Midpoint;
+  const F4 edgeWeight = splat(kEdgeX[e] != 0 && kEdgeY[e] != 0 ? kCornerWeight : kSideWeight);
+  const F4 step = splat(level.step);
+  const F4 share = splat(midpoint ? 0.5f * level.step : level.step);
+  Transport& edge = level.edges[e];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(level.shape.px); k += 4) {
+    F4 ox = splat(static_cast<float>(-kEdgeX[e]));
+    F4 oy = splat(static_cast<float>(-kEdgeY[e]));
+    if (!move.x.empty()) {
+      ox = ox + load4(&move.x[k]);
+      oy = oy + load4(&move.y[k]);
+    }
+    const F4 dix = load4(&level.dx[colour][i + k]);
+    const F4 diy = load4(&level.dy[colour][i + k]);
+    const F4 djx = load4(&level.dx[n.colour][j + k]);
+    const F4 djy = load4(&level.dy[n.colour][j + k]);
+    const F4 along = dix * djx + diy * djy;
+    const F4 sign = select4(along > splat(0), splat(1), splat(-1));
+    const F4 fi = sign * load4(&level.f[colour][i + k]);
+    const F4 fj = load4(&level.f[n.colour][j + k]);
+    const F4 weight = edgeWeight * (sign * along);
+    const F4 kx = midpoint ? fj * djx + fi * dix : fj * djx;
+    const F4 ky = midpoint ? fj * djy + fi * diy : fj * djy;
+    const SinCos4 turn = sinCos(share * (ox * kx + oy * ky));
+    store4(&edge.re[colour][i + k], weight * turn.cos);
+    store4(&edge.im[colour][i + k], weight * turn.sin);
+    store4(&edge.sign[colour][i + k], sign);
+    if (midpoint) continue;
+    const SinCos4 back = sinCos(step * (ox * fi * dix + oy * fi * diy));
+    store4(&edge.backRe[colour][i + k], weight * back.cos);
+    store4(&edge.backIm[colour][i + k], weight * back.sin);
+  }
+}
+
 // Precomputes w |d_i.d_j| e^{i theta} per edge; masked ends get 0.
 void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run) {
   const LevelShape& shape = level.shape;
-  const bool midpoint = level.transport == PhaseTransport::Midpoint;
   for (std::size_t e = 0; e < kEdges; ++e) {
     level.edges[e] = {makePlanes(shape), makePlanes(shape), makePlanes(shape), {}, {}};
-    Transport& edge = level.edges[e];
-    if (!midpoint) edge.backRe = edge.backIm = makePlanes(shape);
-    const bool corner = kEdgeX[e] != 0 && kEdgeY[e] != 0;
+    if (level.transport != PhaseTransport::Midpoint) {
+      level.edges[e].backRe = level.edges[e].backIm = makePlanes(shape);
+    }
     for (std::size_t colour = 0; colour < kColours; ++colour) {
-      const NeighbourPlane n = neighbourPlane(shape, colour, kEdgeX[e], kEdgeY[e]);
       parallelFor(run, shape.py, rowGrain(run, shape.py, 10.0 * shape.px), [&](int begin, int end) {
-        std::vector<float> moveX;
-        std::vector<float> moveY;
-        if (!jitter.none()) moveX = moveY = std::vector<float>(static_cast<std::size_t>(shape.stride));
+        RowMoves move;
+        if (!jitter.none()) move.x = move.y = std::vector<float>(static_cast<std::size_t>(shape.stride));
         for (int y = begin; y < end; ++y) {
           for (int x = 0; x < shape.px && !jitter.none(); ++x) {
             const int cx = 2 * x + colourX(colour);
             const int cy = 2 * y + colourY(colour);
-            const Vec2f move = jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
-            moveX[static_cast<std::size_t>(x)] = move.x;
-            moveY[static_cast<std::size_t>(x)] = move.y;
+            const Vec2f way = jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
+            move.x[static_cast<std::size_t>(x)] = way.x;
+            move.y[static_cast<std::size_t>(x)] = way.y;
           }
-          const std::size_t i = shape.at(0, y);
-          const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
-          fillEdges({.dix = &level.dx[colour][i],
-                     .diy = &level.dy[colour][i],
-                     .fi = &level.f[colour][i],
-                     .djx = &level.dx[n.colour][j],
-                     .djy = &level.dy[n.colour][j],
-                     .fj = &level.f[n.colour][j],
-                     .offsetX = static_cast<float>(-kEdgeX[e]),
-                     .offsetY = static_cast<float>(-kEdgeY[e]),
-                     .moveX = jitter.none() ? nullptr : moveX.data(),
-                     .moveY = jitter.none() ? nullptr : moveY.data(),
-                     .weight = corner ? kCornerWeight : kSideWeight,
-                     .step = level.step,
-                     .midpoint = midpoint,
-                     .re = &edge.re[colour][i],
-                     .im = &edge.im[colour][i],
-                     .sign = &edge.sign[colour][i],
-                     .backRe = midpoint ? nullptr : &edge.backRe[colour][i],
-                     .backIm = midpoint ? nullptr : &edge.backIm[colour][i]},
-                    shape.px);
+          fillEdges(level, e, colour, shape.at(0, y), move);
         }
       });
     }
   }
 }
 
+struct SweepSource {
+  const float* re;
+  const float* im;
+  const float* sign;
+  const float* qr;
+  const float* qi;
+};
+
+// What the update of one colour reads and writes.
+struct ColourSweep {
+  SweepSource ahead[kEdges];   ///< edges the cell owns
+  SweepSource behind[kEdges];  ///< edges owned by the neighbour
+  float* qr;
+  float* qi;
+  const float* free;
+  const float* ar;  ///< null without a soft border
+  const float* ai;
+};
 ColourSweep colourSweep(PhaseLevel& level, std::size_t colour) {
   const bool anchors = !level.ar[colour].empty();
   ColourSweep sweep{{},
@@ -172,6 +219,39 @@ ColourSweep colourSweep(PhaseLevel& level, std::size_t colour) {
                        level.qi[b.colour].data() + b.offset};
   }
   return sweep;
+}
+
+// Eq. 10 for some cells of one row of one colour, in place and four at a time: q_i <- the normalised sum of the
+// neighbours' transported phases. It may run over the row's end, to the end of a vector.
+void sweepCells(const ColourSweep& sweep, std::size_t first, int cells) {
+  for (std::size_t i = first; i < first + static_cast<std::size_t>(cells); i += 4) {
+    F4 sumRe = sweep.ar != nullptr ? load4(sweep.ar + i) : splat(0);
+    F4 sumIm = sweep.ai != nullptr ? load4(sweep.ai + i) : splat(0);
+    for (std::size_t e = 0; e < kEdges; ++e) {
+      const SweepSource& s = sweep.ahead[e];
+      const F4 re = load4(s.re + i);
+      const F4 im = load4(s.im + i);
+      const F4 jr = load4(s.qr + i);
+      const F4 ji = load4(s.qi + i);
+      sumRe = sumRe + load4(s.sign + i) * (re * jr - im * ji);
+      sumIm = sumIm + (re * ji + im * jr);
+    }
+    for (std::size_t e = 0; e < kEdges; ++e) {
+      const SweepSource& s = sweep.behind[e];
+      const F4 sign = load4(s.sign + i);
+      const F4 re = load4(s.re + i);
+      const F4 im = load4(s.im + i);
+      const F4 jr = load4(s.qr + i);
+      const F4 ji = load4(s.qi + i);
+      sumRe = sumRe + (sign * (re * jr) + im * ji);
+      sumIm = sumIm + (re * ji - sign * (im * jr));
+    }
+    const F4 size2 = sumRe * sumRe + sumIm * sumIm;
+    const I4 change = (size2 > splat(kNoPhase * kNoPhase)) & (load4(sweep.free + i) > splat(0));
+    const F4 scale = splat(1) / sqrt4(max4(size2, splat(kNoPhase * kNoPhase)));
+    store4(sweep.qr + i, select4(change, sumRe * scale, load4(sweep.qr + i)));
+    store4(sweep.qi + i, select4(change, sumIm * scale, load4(sweep.qi + i)));
+  }
 }
 
 // One sweep over the four colours: the update of Eq. 11, which lowers the field's energy (Eq. 9). The colours of even
@@ -301,8 +381,8 @@ Vec2f borderPhase(float distance, float spacing) {
 }
 
 PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequency, const SignedDistanceField& sdf,
-                       const CellConstraints& cells, const ToolpathParams& params, const Jitter& jitter,
-                       const RunContext& run) {
+                       const CellConstraints& cells, const ToolpathParams& params, const RunContext& run) {
+  const Jitter jitter = jitterOf(params);
   const Grid& grid = lines.grid;
   const float spacing = static_cast<float>(params.spacing);
   const bool soft = params.perimeterMode == PerimeterMode::Soft;
@@ -354,9 +434,9 @@ float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequen
 
 Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequency, const SignedDistanceField& sdf,
                               const CellConstraints& cells, const ToolpathParams& params, const RunContext& run) {
-  const Jitter jitter(params.seed, static_cast<float>(params.jitter));
+  const Jitter jitter = jitterOf(params);
   std::vector<PhaseLevel> levels;
-  levels.push_back(finestLevel(lines, frequency, sdf, cells, params, jitter, run));
+  levels.push_back(finestLevel(lines, frequency, sdf, cells, params, run));
   release(frequency);  // memory peaks in the finest sweeps
   while (!levels.back().shape.coarsest() && !run.cancelled()) levels.push_back(restricted(levels.back(), jitter, run));
   for (std::size_t k = levels.size() - 1; k-- > 0;) {

@@ -7,10 +7,16 @@
 #include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
-#include "field/sine_rows.hpp"
+#include "base/simd.hpp"
 
 namespace sillon {
 namespace {
+
+/// Nodes reached by a cell in each direction, in half cells.
+constexpr int kNodeReach = 4;
+
+/// Cells are taken in vectors: rows are as long as a multiple of this, with no wave after their end.
+constexpr std::size_t kLanes = 4;
 
 using Weights = std::array<float, kNodeReach + 1>;
 
@@ -37,7 +43,33 @@ Weights weights(double sigma) {
   return weights;
 }
 
-using Powers = std::array<std::vector<float>, kNodeReach + 1>;
+// e^{i k angle} for k from 0 to kNodeReach, of each cell of a row.
+struct Powers {
+  std::array<std::vector<float>, kNodeReach + 1> cos;
+  std::array<std::vector<float>, kNodeReach + 1> sin;
+
+  explicit Powers(std::size_t cells) {
+    for (std::vector<float>& v : cos) v.resize(cells);
+    for (std::vector<float>& v : sin) v.resize(cells);
+    std::fill(cos[0].begin(), cos[0].end(), 1.0f);
+  }
+
+  void fill(const std::vector<float>& angle) {
+    for (std::size_t x = 0; x < angle.size(); x += kLanes) {
+      const SinCos4 first = sillon::sinCos(load4(&angle[x]));
+      F4 c = first.cos;
+      F4 s = first.sin;
+      for (std::size_t k = 1;; ++k) {
+        store4(&cos[k][x], c);
+        store4(&sin[k][x], s);
+        if (k == kNodeReach) break;
+        const F4 next = c * first.cos - s * first.sin;
+        s = c * first.sin + s * first.cos;
+        c = next;
+      }
+    }
+  }
+};
 
 // The waves of one row of cells (Eq. 6) at the nodes around them: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y},
 // k = 0..4, by which a wave advances k nodes.
@@ -45,15 +77,11 @@ struct CellRow {
   std::size_t cells;   ///< without those after the row's end
   std::size_t padded;  ///< with them
   std::vector<float> qr, qi, angleX, angleY;
-  Powers cx, sx, cy, sy;
+  Powers alongX, alongY;
 
-  explicit CellRow(std::size_t nx) : cells(nx), padded((nx + kRowMultiple - 1) / kRowMultiple * kRowMultiple) {
+  explicit CellRow(std::size_t nx)
+      : cells(nx), padded((nx + kLanes - 1) / kLanes * kLanes), alongX(padded), alongY(padded) {
     for (auto* v : {&qr, &qi, &angleX, &angleY}) v->resize(padded);
-    for (auto* powers : {&cx, &sx, &cy, &sy}) {
-      for (std::vector<float>& v : *powers) v.resize(padded);
-    }
-    std::fill(cx[0].begin(), cx[0].end(), 1.0f);
-    std::fill(cy[0].begin(), cy[0].end(), 1.0f);
   }
 
   void fill(const SineField& field, int y) {
@@ -64,51 +92,61 @@ struct CellRow {
       angleX[x] = 0.25f * kPi * field.wave[first + x].x;
       angleY[x] = 0.25f * kPi * field.wave[first + x].y;
     }
-    power(angleX, cx, sx);
-    power(angleY, cy, sy);
-  }
-
- private:
-  void power(const std::vector<float>& angle, Powers& cos, Powers& sin) const {
-    PowerRow row{angle.data(), {}, {}};
-    for (std::size_t k = 0; k <= kNodeReach; ++k) {
-      row.cos[k] = cos[k].data();
-      row.sin[k] = sin[k].data();
-    }
-    fillPowers(row, padded);
+    alongX.fill(angleX);
+    alongY.fill(angleY);
   }
 };
 
-// Sums of one row of nodes, split by parity of the column: see NodeSums.
+// Sums of one row of nodes, split by parity of the column: node 2m is even[m + 2], node 2x + 1 is odd[x + 2].
 struct NodeRow {
   std::vector<float> even, odd;
   explicit NodeRow(std::size_t padded) : even(padded + 6), odd(padded + 6) {}
 };
 
-// Adds the waves of a cell row to a node row `b` half cells above it. \param r, i  room for as many cells
-void addRow(const CellRow& cells, const Weights& weight, int b, std::vector<float>& r, std::vector<float>& i,
-            NodeRow& out) {
-  const std::size_t k = static_cast<std::size_t>(std::abs(b));
-  std::array<const float*, kNodeReach + 1> cx{};
-  std::array<const float*, kNodeReach + 1> sx{};
-  for (std::size_t a = 0; a <= kNodeReach; ++a) {
-    cx[a] = cells.cx[a].data();
-    sx[a] = cells.sx[a].data();
+// A row's waves in the row of nodes to which they are added.
+struct WaveRow {
+  std::vector<float> re, im;
+  explicit WaveRow(std::size_t padded) : re(padded), im(padded) {}
+};
+
+// Eq. 13 for one row of cells and the row of nodes `b` half cells above it. \param waves  room for them.
+void addRow(const CellRow& cells, const Weights& weights, int b, WaveRow& waves, NodeRow& out) {
+  const std::size_t up = static_cast<std::size_t>(std::abs(b));
+  const F4 weightY = splat(weights[up]);
+  const F4 sign = splat(b < 0 ? -1.0f : 1.0f);
+  const F4 weight0 = splat(weights[0]);
+  const float* const cy = cells.alongY.cos[up].data();
+  const float* const sy = cells.alongY.sin[up].data();
+  float* const re = waves.re.data();
+  float* const im = waves.im.data();
+  float* const centre = out.odd.data() + 2;
+  for (std::size_t x = 0; x < cells.padded; x += kLanes) {
+    const F4 qr = load4(&cells.qr[x]);
+    const F4 qi = load4(&cells.qi[x]);
+    const F4 c = load4(cy + x);
+    const F4 s = sign * load4(sy + x);
+    const F4 i = weightY * (qr * s + qi * c);
+    store4(re + x, weightY * (qr * c - qi * s));
+    store4(im + x, i);
+    store4(centre + x, load4(centre + x) + weight0 * i);
   }
-  addToNodes({.qr = cells.qr.data(),
-              .qi = cells.qi.data(),
-              .cy = cells.cy[k].data(),
-              .sy = cells.sy[k].data(),
-              .sign = b < 0 ? -1.0f : 1.0f,
-              .weightY = weight[k],
-              .weightX = weight.data(),
-              .cx = cx.data(),
-              .sx = sx.data(),
-              .r = r.data(),
-              .i = i.data(),
-              .even = out.even.data(),
-              .odd = out.odd.data()},
-             cells.padded);
+  for (std::size_t a = 1; a <= kNodeReach; ++a) {
+    const float* const cx = cells.alongX.cos[a].data();
+    const float* const sx = cells.alongX.sin[a].data();
+    // Column 2x + 1 + a: odd row entry x + a/2, or even row entry x + (a + 1)/2; likewise to the left.
+    float* const right = a % 2 == 0 ? out.odd.data() + 2 + a / 2 : out.even.data() + 2 + (a + 1) / 2;
+    float* const left = a % 2 == 0 ? out.odd.data() + 2 - a / 2 : out.even.data() + 2 - (a - 1) / 2;
+    const F4 weight = splat(weights[a]);
+    // One after the other: where both are added in one go, loads wait for stores to nearly the same place.
+    for (std::size_t x = 0; x < cells.padded; x += kLanes) {
+      const F4 wave = load4(im + x) * load4(cx + x) + load4(re + x) * load4(sx + x);
+      store4(right + x, load4(right + x) + weight * wave);
+    }
+    for (std::size_t x = 0; x < cells.padded; x += kLanes) {
+      const F4 wave = load4(im + x) * load4(cx + x) - load4(re + x) * load4(sx + x);
+      store4(left + x, load4(left + x) + weight * wave);
+    }
+  }
 }
 
 float borderRamp(float value, float distance, float spacing) {
@@ -134,8 +172,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     const int firstNode = 2 * begin;
     const int lastNode = std::min(2 * end - 1, nodeRows - 1);
     CellRow cells(nx);
-    std::vector<float> r(cells.padded);
-    std::vector<float> i(cells.padded);
+    WaveRow waves(cells.padded);
     constexpr int kOpen = 2 * kNodeReach + 1;  // node rows still receiving
     std::vector<NodeRow> rows(kOpen, NodeRow(cells.padded));
     // Eq. 13: the nodes' sums of the weighted waves of the cells around them. The sum of the weights is in `weights`.
@@ -158,7 +195,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
       cells.fill(field, y);
       for (int b = -kNodeReach; b <= kNodeReach; ++b) {
         const int j = 2 * y + 1 + b;
-        if (j >= firstNode && j <= lastNode) addRow(cells, weight, b, r, i, rows[static_cast<std::size_t>(j % kOpen)]);
+        if (j >= firstNode && j <= lastNode) addRow(cells, weight, b, waves, rows[static_cast<std::size_t>(j % kOpen)]);
       }
     }
     for (; flushed <= lastNode; ++flushed) flush(flushed);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "geometry/border_of.hpp"
+#include "geometry/outline_steps.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/covered_paths.hpp"
+#include "geometry/outline_steps.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,10 +6,7 @@
 #include <utility>
 
 #include "base/decimal_text.hpp"
-#include "geometry/border_of.hpp"
-#include "geometry/covered_paths.hpp"
-#include "geometry/piece_sides.hpp"
-#include "geometry/split_edges.hpp"
+#include "geometry/outline_steps.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/piece_sides.hpp"
+#include "geometry/outline_steps.hpp"
 
 #include <algorithm>
 #include <array>

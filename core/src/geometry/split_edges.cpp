@@ -1,4 +1,4 @@
-#include "geometry/split_edges.hpp"
+#include "geometry/outline_steps.hpp"
 
 #include <algorithm>
 #include <bit>

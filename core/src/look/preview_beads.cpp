@@ -1,4 +1,4 @@
-#include "look/preview_beads.hpp"
+#include "look/preview_parts.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "look/preview_layout.hpp"
+#include "look/preview_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "look/preview_shadow.hpp"
+#include "look/preview_parts.hpp"
 
 #include <algorithm>
 #include <cstddef>

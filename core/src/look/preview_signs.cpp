@@ -1,10 +1,9 @@
-#include "look/preview_signs.hpp"
+#include "look/preview_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "look/preview_paint.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "quality/alignment.hpp"
+#include "quality/measured_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "quality/bead_area.hpp"
+#include "quality/measured_parts.hpp"
 
 #include <algorithm>
 #include <array>

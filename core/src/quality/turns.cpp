@@ -1,4 +1,4 @@
-#include "quality/turns.hpp"
+#include "quality/measured_parts.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "quality/width_measures.hpp"
+#include "quality/measured_parts.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "toolpath/corner_rounding.hpp"
+#include "toolpath/relaxation_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

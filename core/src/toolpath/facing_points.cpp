@@ -1,4 +1,4 @@
-#include "toolpath/facing_points.hpp"
+#include "toolpath/joining.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "toolpath/line_keeping.hpp"
+#include "toolpath/relaxation_steps.hpp"
 
 #include <cmath>
 #include <cstddef>

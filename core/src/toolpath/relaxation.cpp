@@ -8,9 +8,7 @@
 #include "geometry/border_depth.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/crossings.hpp"
-#include "toolpath/corner_rounding.hpp"
-#include "toolpath/damping.hpp"
-#include "toolpath/line_keeping.hpp"
+#include "toolpath/relaxation_steps.hpp"
 
 namespace sillon {
 namespace {

@@ -11,7 +11,6 @@
 #include "base/sort_key.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
-#include "toolpath/facing_points.hpp"
 #include "toolpath/joining.hpp"
 
 namespace sillon {

@@ -1,0 +1,69 @@
+// The measures of a toolpath, each by itself: docs/reference/metrics.md.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/closed_curves.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/geometry/signed_distance.hpp"
+#include "sillon/pipeline/pipeline.hpp"
+#include "sillon/quality/metrics.hpp"
+#include "sillon/settings/toolpath_params.hpp"
+
+namespace sillon {
+
+/// Of pieces of beads, weighed by their length.
+struct AlignmentSums {
+  double length = 0;
+  double along = 0;  ///< length times cos²
+
+  void add(double size, double cos2) {
+    length += size;
+    along += size * cos2;
+  }
+  void add(const AlignmentSums& other) {
+    length += other.length;
+    along += other.along;
+  }
+  /// Eq. 17: -1 perfect, -0.5 chance, 0 orthogonal or nothing.
+  [[nodiscard]] double value() const { return length > 0 ? -along / length : 0; }
+};
+
+struct Alignment {
+  AlignmentSums all;
+  AlignmentSums interior;     ///< deeper than 1.05 tau
+  AlignmentSums constrained;  ///< of constrained cells inside all counted perimeters
+};
+
+/// Eq. 17 over pieces of at most tau/8, against the nearest texel of the map as stored. The same for any thread count.
+Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const PlateInput& input,
+                      const ToolpathParams& params, const RunContext& run);
+
+/// Pixels of a raster of tau/20, judged at their centres.
+struct BeadArea {
+  std::int64_t shape = 0;       ///< inside the shape
+  std::int64_t covered = 0;     ///< of those, below a bead
+  std::int64_t spilled = 0;     ///< below a bead, outside the shape by more than 1 um, to which paths are rounded
+  std::int64_t overlapped = 0;  ///< passed over more than once
+};
+
+/// Where the run takes most of its time: reports up to 0.8 of the current stage. What a cancelled run returns means
+/// nothing.
+/// \param border  of the shape. \param box  around the toolpath's points and the shape [mm].
+BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
+                  const RunContext& run);
+
+struct Turns {
+  std::int64_t uTurns = 0;  ///< by 120° and more within one and a half spacings
+  std::int64_t kinks = 0;   ///< by 60° and more within a quarter of a spacing
+};
+
+/// Turns that follow each other without a pause count once. \param spacing  [mm]
+Turns countTurns(const ClosedCurves& curves, double spacing, const RunContext& run);
+
+/// \param totalLength  of all beads [mm]
+WidthMeasures widthMeasures(const Toolpath& toolpath, const ToolpathParams& params, double totalLength);
+
+}  // namespace sillon
