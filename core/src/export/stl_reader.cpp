@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/sort_key.hpp"
 #include "export/bytes.hpp"
 #include "sillon/export/zones.hpp"
 
@@ -79,21 +78,21 @@ Result<Mesh> readStl(std::string_view bytes) {
   if (corners.empty() || corners.size() % 3 != 0) return broken("has no triangles, or an unfinished one");
 
   // Corners at the same place, to 1 µm, are one point.
-  std::vector<SortKey> keys;
+  std::vector<std::pair<std::array<std::int64_t, 3>, std::size_t>> keys;
   keys.reserve(corners.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {
     for (const double value : corners[k]) {
       if (!(std::abs(value) <= kLargest)) return broken("reaches further than 10000 mm");
     }
     const auto micrometres = [&](std::size_t axis) { return std::llround(1000 * corners[k][axis]); };
-    keys.push_back({{micrometres(0), micrometres(1), micrometres(2), 0}, k});
+    keys.push_back({{micrometres(0), micrometres(1), micrometres(2)}, k});
   }
   std::sort(keys.begin(), keys.end());
   Mesh mesh;
   std::vector<std::uint32_t> pointOf(corners.size());
   for (std::size_t k = 0; k < keys.size(); ++k) {
     if (k == 0 || keys[k].first != keys[k - 1].first) {
-      const auto& [x, y, z, none] = keys[k].first;
+      const auto& [x, y, z] = keys[k].first;
       mesh.points.push_back(
           {static_cast<double>(x) / 1000, static_cast<double>(y) / 1000, static_cast<double>(z) / 1000});
     }

@@ -177,12 +177,10 @@ bool Ears::isEar(std::uint32_t node) {
 bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& triangles) {
   gone_.assign(nodes_.size(), 0);
   // A convex corner stays one while its neighbours are cut off, so that none is missing here later.
-  std::vector<SortKey> byX;
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
-    if (turn(at(nodes_[k].before), at(k), at(nodes_[k].after)) <= 0) byX.push_back({{at(k).x, 0, 0, 0}, k});
+    if (turn(at(nodes_[k].before), at(k), at(nodes_[k].after)) <= 0) dents_.push_back(k);
   }
-  std::sort(byX.begin(), byX.end());
-  for (const auto& [x, k] : byX) dents_.push_back(static_cast<std::uint32_t>(k));
+  sortBy(dents_, [&](std::uint32_t k) { return at(k).x; });
   for (const std::uint32_t start : starts) {
     std::uint32_t node = start;
     std::size_t left = 1;
@@ -217,7 +215,11 @@ bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& 
 Triangulation triangulate(const std::vector<Point>& points, const std::vector<std::vector<std::uint32_t>>& rings) {
   Triangulation result;
   Ears ears(points);
-  std::vector<SortKey> holes;  // by their leftmost points
+  struct Hole {
+    Point tip;  ///< its leftmost point
+    std::size_t ring;
+  };
+  std::vector<Hole> holes;
   std::vector<std::uint32_t> starts;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     double area = 0;
@@ -232,13 +234,14 @@ Triangulation triangulate(const std::vector<Point>& points, const std::vector<st
       starts.push_back(ears.addRing(rings[r]));
       result.rings.push_back(rings[r]);
     } else if (area < 0) {
-      holes.push_back({{tip.x, tip.y, 0, 0}, r});
+      holes.push_back({tip, r});
     }
   }
   // From the left, so that what a hole is joined to is joined already.
-  std::sort(holes.begin(), holes.end());
-  for (const auto& [tip, ring] : holes) {
-    if (ears.bridge(ears.addRing(rings[ring]))) result.rings.push_back(rings[ring]);
+  sortBy(holes, [](const Hole& hole) { return hole.tip.y; });
+  sortBy(holes, [](const Hole& hole) { return hole.tip.x; });
+  for (const Hole& hole : holes) {
+    if (ears.bridge(ears.addRing(rings[hole.ring]))) result.rings.push_back(rings[hole.ring]);
   }
   result.complete = ears.cut(starts, result.triangles);
   return result;
