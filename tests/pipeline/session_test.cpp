@@ -104,7 +104,7 @@ TEST_CASE("a session does again only what an edit asks for") {
   CHECK(did(redirected, "phases"));
   params.relaxationRounds = 3;
   const ToolpathResult relaxed = session.generateToolpath(input, params, run).value();
-  CHECK_FALSE(did(relaxed, "phases"));
+  CHECK_FALSE(did(relaxed, "distance"));
   CHECK(did(relaxed, "relaxation"));
   // What only widths and simplification read: nothing before them is done again, in whatever order the edits come.
   const std::vector<std::function<void(ToolpathParams&)>> ofWidths = {

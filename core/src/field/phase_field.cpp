@@ -186,7 +186,7 @@ struct SweepSource {
   const float* qi;
 };
 
-// What the update of one colour reads and writes.
+// The arrays that the update of one colour reads and writes.
 struct ColourSweep {
   SweepSource ahead[kEdges];   ///< edges the cell owns
   SweepSource behind[kEdges];  ///< edges owned by the neighbour

@@ -217,7 +217,9 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
       for (int x = -kCoarsening / 2; x < grid.nx; x += kCoarsening) {
         const int x0 = (x + kCoarsening / 2) / kCoarsening - 1;
         Vec2f d[kCoarsening] = {};
-        F4 dx = splat(0), dy = splat(0), gx = splat(0);
+        F4 dx = splat(0);
+        F4 dy = splat(0);
+        F4 gx = splat(0);
         for (int k = 0; k < kCoarsening; ++k) {
           gx[k] = (static_cast<float>(x + k) + 0.5f) / kCoarsening - 0.5f;
           if (x + k < 0 || x + k >= grid.nx) continue;

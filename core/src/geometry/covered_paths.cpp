@@ -24,7 +24,8 @@ Bounds boxOf(const FilledPath& path) {
 template <class Coordinate>
 int reversals(const Ring& ring, const Coordinate& coordinate) {
   int count = 0;
-  double first = 0, last = 0;
+  double first = 0;
+  double last = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const double step = coordinate(ring[(k + 1) % ring.size()]) - coordinate(ring[k]);
     if (step == 0) continue;
@@ -40,7 +41,8 @@ int turnOf(const FilledPath& path) {
   if (path.rings.size() != 1 || path.rings[0].size() < 3) return 0;
   const Ring& ring = path.rings[0];
   const std::size_t n = ring.size();
-  bool left = false, right = false;
+  bool left = false;
+  bool right = false;
   for (std::size_t k = 0; k < n; ++k) {
     const double turn = cross(ring[(k + 1) % n] - ring[k], ring[(k + 2) % n] - ring[(k + 1) % n]);
     left = left || turn > 0;

@@ -32,7 +32,7 @@ inline Vec2 onGrid(Vec2 p) { return {std::round(p.x) + 0.0, std::round(p.y) + 0.
 /// \return none if there are more than 4 million pieces, or that would take too long.
 std::optional<std::vector<PathEdge>> splitEdges(const std::vector<PathEdge>& edges, const Bounds& box, Points points);
 
-/// Whether the inside lies on the left and on the right of a piece, seen from a to b.
+/// Tells for both sides of a piece, seen from a to b, whether the inside lies there.
 struct Sides {
   bool left = false;
   bool right = false;

@@ -95,7 +95,7 @@ class SideRays {
   /// \param sides  of all pieces; those of the asked ones are set, seen upwards
   void answer(const std::vector<FilledPath>& paths, const InsideRule* rule, std::vector<Sides>& sides) const {
     WindingState winding(paths, rule);
-    Row row;
+    PieceRow row;
     std::vector<std::size_t> rank(pieces_.size(), kNowhere);  // of the pieces across the row
     std::vector<std::pair<int, int>> extra;                   // pieces, and how often a ray crosses them
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
@@ -132,8 +132,12 @@ class SideRays {
   // A piece as rays see it. Pieces that lie in a bucket are scattered in memory, and a ray meets hundreds: read from
   // there, all rays of a map's strokes took three times as long.
   struct Span {
-    double low, high;    ///< of y; a ray at `high` passes over it, as in crossesRow
-    double left, right;  ///< of x
+    /// The range of y. A ray at `high` passes over it, as in crossesRow.
+    double low;
+    double high;
+    /// The range of x.
+    double left;
+    double right;
     int piece;
     double at = 0;  ///< x in the row's middle
   };
@@ -145,17 +149,18 @@ class SideRays {
   };
 
   // Pieces meet at their ends alone: those across all rays of a row have one order, and a ray need not meet each.
-  struct Row {
+  struct PieceRow {
     std::vector<Ray> rays;     ///< by what is before them
     std::vector<Span> across;  ///< from left to right
     std::vector<Span> ending;  ///< within the row
   };
 
-  void fill(Row& row, std::size_t bucket) const {
+  void fill(PieceRow& row, std::size_t bucket) const {
     row.rays.clear();
     row.across.clear();
     row.ending.clear();
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
     for (const int index : buckets_[bucket]) {
       const auto piece = static_cast<std::size_t>(index);
       const Vec2 p = middleOf(piece);

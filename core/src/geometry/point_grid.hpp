@@ -136,7 +136,10 @@ class OwnChain {
   [[nodiscard]] I4 holds(I4 id) const { return ((id > before_) & (id < end_)) | ((id > before2_) & (id < end2_)); }
 
  private:
-  I4 before_, end_, before2_, end2_;
+  I4 before_;
+  I4 end_;
+  I4 before2_;
+  I4 end2_;
 };
 
 }  // namespace sillon

@@ -101,8 +101,10 @@ enum class Side { Top, Right, Bottom, Left };
 // Where a contour that enters a cell through `entry` leaves it. The cell's corners are the samples (x, y) .. (x+1,
 // y+1).
 Side exitOf(const MaskField& field, int x, int y, Side entry) {
-  const double topLeft = field.at(x, y), topRight = field.at(x + 1, y);
-  const double bottomLeft = field.at(x, y + 1), bottomRight = field.at(x + 1, y + 1);
+  const double topLeft = field.at(x, y);
+  const double topRight = field.at(x + 1, y);
+  const double bottomLeft = field.at(x, y + 1);
+  const double bottomRight = field.at(x + 1, y + 1);
   const std::array<bool, 4> crossed{(topLeft >= 0) != (topRight >= 0), (topRight >= 0) != (bottomRight >= 0),
                                     (bottomLeft >= 0) != (bottomRight >= 0), (topLeft >= 0) != (bottomLeft >= 0)};
   if (crossed[0] && crossed[1] && crossed[2] && crossed[3]) {

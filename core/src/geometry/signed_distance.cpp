@@ -76,13 +76,20 @@ class Subdivision {
   template <class Visit>
   bool descend(const Block& block, int leaf, const Visit& visit) const {
     std::vector<double> scratch;
-    return descend(block.x, block.y, block.side, block.candidates, leaf, visit, scratch);
+    return descend(Square{block.x, block.y, block.side}, block.candidates, leaf, visit, scratch);
   }
 
  private:
+  struct Square {  // in blocks
+    int x;
+    int y;
+    int side;
+  };
+
   template <class Visit>
-  bool descend(int x, int y, int size, const std::vector<int>& list, int leaf, const Visit& visit,
+  bool descend(const Square& square, const std::vector<int>& list, int leaf, const Visit& visit,
                std::vector<double>& scratch) const {
+    const auto [x, y, size] = square;
     if (x >= blocks_.nx || y >= blocks_.ny) return true;
     const double side = size * blocks_.cell;
     const Vec2 centre{blocks_.origin.x + x * blocks_.cell + 0.5 * side,
@@ -93,7 +100,8 @@ class Subdivision {
     if (size <= leaf) return visit(Block{x, y, size, std::move(candidates)}, lowest);
     const int half = size / 2;
     for (int k = 0; k < 4; ++k) {
-      if (!descend(x + (k & 1) * half, y + (k >> 1) * half, half, candidates, leaf, visit, scratch)) return false;
+      const Square quarter{x + (k & 1) * half, y + (k >> 1) * half, half};
+      if (!descend(quarter, candidates, leaf, visit, scratch)) return false;
     }
     return true;
   }

@@ -14,11 +14,11 @@ namespace sillon {
 /// Directions that are tried: steps of 2.8 degrees, refined at the end.
 inline constexpr int kLabels = 64;
 
-/// Where a single lamp's directions may lie: each tone but the brightest and the darkest is shown by two, one on either
-/// side of the lamp. Both make fewer bends; where they meet beads must end.
+/// A single lamp shows each tone but the brightest and the darkest by two directions, one on either side of it. These
+/// are the sides that may be used. Both make fewer bends; where they meet beads must end.
 enum class LampSide { Both, Left, Right };
 
-/// What depends on the lamps alone.
+/// Tables that depend on the lamps alone.
 struct LampTables {
   std::vector<std::vector<float>> code;   ///< per picture: the code of each label's light
   std::vector<std::vector<float>> error;  ///< per picture: [code asked for][label], squared

@@ -15,7 +15,7 @@ constexpr int kAzimuths = 12;
 constexpr std::size_t kOthers = 2;  // azimuths besides the chosen one
 constexpr double kBetter = 0.99;    // a later choice must be better by this: equal ones differ by rounding only
 
-/// How many beads the directions force to end, in cells: the sum of |divergence|.
+/// The number of beads that the directions force to end, in cells: the sum of |divergence|.
 double forcedEnds(const ToneCells& cells) {
   double sum = 0;
   for (int y = 1; y < cells.height; ++y) {
@@ -55,8 +55,8 @@ LampSide sideOf(const LampTrial& trial, const Lamp& lamp, double level) {
   return best;
 }
 
-/// Of the worst picture: the mean |error| after the best affine fit, by the picture's standard deviation. Unlike
-/// squares it counts pale traces of the other pictures on large areas for as much as errors at edges.
+/// The error of the worst picture: the mean |error| after the best affine fit, by the picture's standard deviation.
+/// Unlike squares it counts pale traces of the other pictures on large areas for as much as errors at edges.
 double errorOf(const ToneCells& cells, const LampTables& tables, const std::vector<Tones>& shown) {
   double worst = 0;
   for (std::size_t p = 0; p < shown.size(); ++p) {

@@ -138,7 +138,7 @@ std::uint8_t toneMapped(float linear) {
 // ---- both, row by row ----
 
 /// Everything the bands read.
-struct Scene {
+struct Drawing {
   const Layout& layout;
   const std::vector<Bead>& beads;
   const Bands& bands;
@@ -146,8 +146,8 @@ struct Scene {
 };
 
 /// The plate in both panels, rows of one band. \param covered  samples of each pixel of the page that show the plate.
-void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
-  const Layout& layout = scene.layout;
+void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
+  const Layout& layout = drawing.layout;
   const int pageWidth = layout.look.width;
   const int pageHeight = layout.look.height;
   const int top = static_cast<int>(band) * kBandRows;
@@ -156,19 +156,19 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector
   const bool directions = layout.directions.width > 0;
   Hits hits;
   hits.clear(width, rows * kSamples);
-  for (std::size_t k = scene.bands.begin[band]; k < scene.bands.begin[band + 1]; ++k) {
-    const std::uint32_t index = scene.bands.beads[k];
-    rasterise(scene.beads[index], index, top * kSamples, rows * kSamples, width, hits);
+  for (std::size_t k = drawing.bands.begin[band]; k < drawing.bands.begin[band + 1]; ++k) {
+    const std::uint32_t index = drawing.bands.beads[k];
+    rasterise(drawing.beads[index], index, top * kSamples, rows * kSamples, width, hits);
   }
 
   // A near eye makes highlights move across the plate as they do in the hand.
-  const float perEye = scene.look.perEye;
+  const float perEye = drawing.look.perEye;
   constexpr float kShare = 1.0f / (kSamples * kSamples);
   for (int y = top; y < top + rows; ++y) {
     for (int x = 0; x < pageWidth; ++x) {
       const Vec2f eye{(static_cast<float>(pageWidth) / 2 - static_cast<float>(x)) * perEye,
                       (static_cast<float>(y) - static_cast<float>(pageHeight) / 2) * perEye};
-      const Lobe lobe = lobeFrom(scene.look, eye);
+      const Lobe lobe = lobeFrom(drawing.look, eye);
       Colour direction, look;
       int count = 0;
       for (int k = 0; k < kSamples * kSamples; ++k) {
@@ -179,12 +179,12 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector
         const float squaredOffset = hits.squaredOffset[at];
         if (!(squaredOffset < 1)) continue;
         ++count;
-        const Bead& bead = scene.beads[hits.bead[at]];
+        const Bead& bead = drawing.beads[hits.bead[at]];
         const Vec2f p{static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f};
         const float t = shareAlong(bead, p);
         const float left = cross(bead.b - bead.a, p - bead.a) < 0 ? 1.0f : -1.0f;  // samples run y down
         if (directions) direction = direction + directionShade(bead, squaredOffset, t);
-        look = look + lookShade(bead, t, left * std::sqrt(squaredOffset), lobe, scene.look);
+        look = look + lookShade(bead, t, left * std::sqrt(squaredOffset), lobe, drawing.look);
       }
       if (directions) {
         const float empty = static_cast<float>(kSamples * kSamples - count) * kShare;
@@ -203,13 +203,13 @@ void drawBand(const Scene& scene, std::size_t band, RgbImage& image, std::vector
 
 /// Background around the pages and where the look leaves samples free: darker where the plate stands between it and the
 /// light. Mixed after tone mapping, so that edges stay smooth against the dark page.
-void drawBackground(const Scene& scene, const Shadow& shadow, const std::vector<std::uint8_t>& covered, int y,
+void drawBackground(const Drawing& drawing, const Shadow& shadow, const std::vector<std::uint8_t>& covered, int y,
                     RgbImage& image) {
-  const Box& page = scene.layout.look;
+  const Box& page = drawing.layout.look;
   const float away = static_cast<float>(page.width) / 90;  // the shadow falls away from the light
-  const Vec2f from{0.5f + scene.look.lampSide.x * away, 0.5f - scene.look.lampSide.y * away};
+  const Vec2f from{0.5f + drawing.look.lampSide.x * away, 0.5f - drawing.look.lampSide.y * away};
   for (int x = 0; x < image.width; ++x) {
-    if (holds(scene.layout.directions, x, y)) continue;
+    if (holds(drawing.layout.directions, x, y)) continue;
     const int column = x - page.x;
     const int row = y - page.y;
     int free = kSamples * kSamples;
@@ -249,15 +249,15 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   const bool directions = layout.directions.width > 0;
   const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions);
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
-  const Scene scene{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
+  const Drawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
   std::vector<std::uint8_t> covered(static_cast<std::size_t>(layout.look.width) *
                                     static_cast<std::size_t>(layout.look.height));
   parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) drawBand(scene, static_cast<std::size_t>(band), image, covered);
+    for (int band = begin; band < end; ++band) drawBand(drawing, static_cast<std::size_t>(band), image, covered);
   });
   const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);
   parallelFor(run, image.height, kBandRows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) drawBackground(scene, shadow, covered, y, image);
+    for (int y = begin; y < end; ++y) drawBackground(drawing, shadow, covered, y, image);
   });
   if (directions) {
     drawLegend(image, layout);

@@ -1,4 +1,4 @@
-// What a preview is made of: where things stand, how beads shine, what their shadow does, and the signs beside them.
+// The parts of a preview: its layout, its colours, the beads on their samples, their shadow, and the signs beside them.
 #pragma once
 
 #include <algorithm>
@@ -75,7 +75,7 @@ struct Bands {
 /// \param height  of all samples. \param rows  of a band.
 Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows);
 
-/// What samples see: each the bead whose axis is nearest in relation to its width.
+/// Each sample sees the bead whose axis is nearest in relation to its width.
 struct Hits {
   std::vector<float>
       squaredOffset;  ///< (distance / radius)²; 1: nothing. Four at a time may be written, so it is padded

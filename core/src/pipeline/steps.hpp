@@ -1,5 +1,4 @@
-// The order of the stages (Alg. 1), in three steps: what the shape decides, where the path runs, and how wide its beads
-// are.
+// The stages in order (Alg. 1), in three steps: fields of the shape, the path, and the widths of its beads.
 #pragma once
 
 #include <chrono>
@@ -58,7 +57,7 @@ class Recorder {
   Stages* stages_;
 };
 
-/// What every step is given besides the results of those before it.
+/// Everything that a step is given besides the results of those before it.
 struct Making {
   const ToolpathParams& params;
   const RunContext& run;
@@ -73,7 +72,7 @@ struct Making {
   }
 };
 
-/// What the shape, the spacing and the bridge decide.
+/// Fields that only the shape, the spacing and the bridge decide.
 struct ShapeFields {
   BorderIndex border;
   SignedDistanceField sdf;
@@ -87,13 +86,13 @@ struct WaveFields {
   SineField waves;
 };
 
-/// Where the path runs.
+/// The path before its widths.
 struct RelaxedPath {
   Relaxed relaxed;
   ToolpathResult seen;  ///< without a toolpath: what was seen on the way
 };
 
-/// Which lines the beads follow.
+/// The lines that the beads follow.
 enum class BeadLines {
   Asked,   ///< those that the maps ask for
   Across,  ///< at right angles to those, except along the border

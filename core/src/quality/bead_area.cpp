@@ -26,13 +26,13 @@ constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
 constexpr float kRounding = 1e-3f;  ///< of a toolpath's numbers [mm]
 
 // Pixels of one row of a tile, one bit each.
-using Row = U2;
+using RowBits = U2;
 
-bool any(Row row) { return (row[0] | row[1]) != 0; }
-int countOf(Row row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
+bool any(RowBits row) { return (row[0] | row[1]) != 0; }
+int countOf(RowBits row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
 
 // The first n pixels, for n from 0 to all of them.
-alignas(Row) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> kFirst = [] {
+alignas(RowBits) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> kFirst = [] {
   std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> first{};
   for (std::size_t n = 1; n < first.size(); ++n) {
     first[n] = first[n - 1];
@@ -41,13 +41,13 @@ alignas(Row) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> 
   return first;
 }();
 
-Row firstPixels(int n) {
-  Row row;
+RowBits firstPixels(int n) {
+  RowBits row;
   std::memcpy(&row, &kFirst[static_cast<std::size_t>(n)], sizeof row);
   return row;
 }
 
-Row rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
+RowBits rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
 
 // A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
 struct Bead {
@@ -67,7 +67,7 @@ struct Stretches {
 };
 
 // The raster and what lies on it: made once, read by all tiles.
-struct Scene {
+struct BeadRaster {
   Grid raster;
   double perMm = 0;  ///< pixels
   int tilesAcross = 0;
@@ -80,21 +80,21 @@ struct Scene {
   std::vector<std::vector<Interval>> inside;  ///< of each row
 };
 
-void addBeads(const Toolpath& toolpath, Scene& scene) {
+void addBeads(const Toolpath& toolpath, BeadRaster& laid) {
   const double stretch = kApart * toolpath.spacing / (kNear + 0.5);
-  scene.pieceLength = static_cast<float>(stretch);
+  laid.pieceLength = static_cast<float>(stretch);
   for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
     const Cycle& cycle = toolpath.cycles[c];
     double along = 0;
     for (std::size_t k = 0; k < cycle.points.size(); ++k) {
       const std::size_t next = k + 1 < cycle.points.size() ? k + 1 : 0;
       const float size = length(cycle.points[next] - cycle.points[k]);
-      scene.beads.push_back({cycle.points[k], cycle.points[next], 0.5f * cycle.widths[k], 0.5f * cycle.widths[next],
-                             static_cast<float>(along), size, static_cast<std::int32_t>(c)});
+      laid.beads.push_back({cycle.points[k], cycle.points[next], 0.5f * cycle.widths[k], 0.5f * cycle.widths[next],
+                            static_cast<float>(along), size, static_cast<std::int32_t>(c)});
       along += static_cast<double>(size);
     }
     const double count = std::clamp(std::round(along / stretch), 1.0, 1e9);
-    scene.stretchesOf.push_back({static_cast<int>(count), along > 0 ? static_cast<float>(count / along) : 0});
+    laid.stretchesOf.push_back({static_cast<int>(count), along > 0 ? static_cast<float>(count / along) : 0});
   }
 }
 
@@ -110,13 +110,16 @@ Grid rasterOf(const Bounds& box, double spacing) {
 
 // The tiles that the box around a bead touches, all inclusive.
 struct Reach {
-  int x0, x1, y0, y1;
+  int x0;
+  int x1;
+  int y0;
+  int y1;
 };
 
-Reach reachOf(const Bead& bead, const Scene& scene) {
-  const Grid& raster = scene.raster;
+Reach reachOf(const Bead& bead, const BeadRaster& laid) {
+  const Grid& raster = laid.raster;
   const auto tileOf = [&](double v, double origin, int count, int size) {
-    return static_cast<int>(std::clamp((v - origin) * scene.perMm, 0.0, static_cast<double>(count - 1))) / size;
+    return static_cast<int>(std::clamp((v - origin) * laid.perMm, 0.0, static_cast<double>(count - 1))) / size;
   };
   const double r = static_cast<double>(std::max(bead.ra, bead.rb));
   const auto [x0, x1] = std::minmax({static_cast<double>(bead.a.x), static_cast<double>(bead.b.x)});
@@ -127,35 +130,35 @@ Reach reachOf(const Bead& bead, const Scene& scene) {
 }
 
 // Counting sort: within a tile the beads stay in order, as TilePasses needs them.
-void sortIntoTiles(Scene& scene) {
+void sortIntoTiles(BeadRaster& laid) {
   const auto forTiles = [&](const Bead& bead, const auto& visit) {
-    const Reach r = reachOf(bead, scene);
+    const Reach r = reachOf(bead, laid);
     for (int y = r.y0; y <= r.y1; ++y) {
-      for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * scene.tilesAcross + x));
+      for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * laid.tilesAcross + x));
     }
   };
-  std::vector<std::size_t>& begin = scene.begin;
-  begin.assign(static_cast<std::size_t>(scene.tiles) + 1, 0);
-  for (const Bead& bead : scene.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
+  std::vector<std::size_t>& begin = laid.begin;
+  begin.assign(static_cast<std::size_t>(laid.tiles) + 1, 0);
+  for (const Bead& bead : laid.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
   for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
-  scene.beadOf.resize(begin.back());
+  laid.beadOf.resize(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t k = 0; k < scene.beads.size(); ++k) {
-    forTiles(scene.beads[k], [&](std::size_t t) { scene.beadOf[next[t]++] = static_cast<std::int32_t>(k); });
+  for (std::size_t k = 0; k < laid.beads.size(); ++k) {
+    forTiles(laid.beads[k], [&](std::size_t t) { laid.beadOf[next[t]++] = static_cast<std::int32_t>(k); });
   }
 }
 
-Scene sceneOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
-  Scene scene;
-  scene.raster = rasterOf(box, toolpath.spacing);
-  const Grid& raster = scene.raster;
-  scene.perMm = 1 / raster.cell;
-  scene.tilesAcross = (raster.nx - 1) / kTileWidth + 1;
-  scene.tiles = scene.tilesAcross * ((raster.ny - 1) / kTileHeight + 1);
-  addBeads(toolpath, scene);
-  sortIntoTiles(scene);
-  scene.inside = insideIntervals(shape, raster.centre(0, 0).y, raster.cell, raster.ny);
-  return scene;
+BeadRaster beadRasterOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
+  BeadRaster laid;
+  laid.raster = rasterOf(box, toolpath.spacing);
+  const Grid& raster = laid.raster;
+  laid.perMm = 1 / raster.cell;
+  laid.tilesAcross = (raster.nx - 1) / kTileWidth + 1;
+  laid.tiles = laid.tilesAcross * ((raster.ny - 1) / kTileHeight + 1);
+  addBeads(toolpath, laid);
+  sortIntoTiles(laid);
+  laid.inside = insideIntervals(shape, raster.centre(0, 0).y, raster.cell, raster.ny);
+  return laid;
 }
 
 // What of a tile is passed over, and what more than once. Positions at most kApart from the last one belong to the same
@@ -180,7 +183,7 @@ class TilePasses {
       const int count = std::min(PixelRuns::kMostRows, end - y);
       pixelsOf(piece, y, count, kTileWidth, runs);
       for (int k = 0; k < count; ++k) {
-        Row& row = mask.rows[static_cast<std::size_t>(y + k)];
+        RowBits& row = mask.rows[static_cast<std::size_t>(y + k)];
         row = row | rowOf(runs.begin[k], runs.end[k]);
       }
     }
@@ -197,16 +200,16 @@ class TilePasses {
     cycle_ = -1;
     BeadArea count;
     for (int y = 0; y < rows; ++y) {
-      const Row tile = rowOf(0, columns);
-      const Row in = insideRow(y) & tile;
-      const Row covered = covered_[static_cast<std::size_t>(y)] & tile;
+      const RowBits tile = rowOf(0, columns);
+      const RowBits in = insideRow(y) & tile;
+      const RowBits covered = covered_[static_cast<std::size_t>(y)] & tile;
       count.shape += countOf(in);
       count.covered += countOf(covered & in);
       count.spilled += spilledOf(y, covered & ~in);
       count.overlapped += countOf(again_[static_cast<std::size_t>(y)] & tile);
     }
-    covered_.fill(Row{});
-    again_.fill(Row{});
+    covered_.fill(RowBits{});
+    again_.fill(RowBits{});
     return count;
   }
 
@@ -216,10 +219,10 @@ class TilePasses {
     int begin = kTileHeight;  ///< rows that may hold something
     int end = 0;
     bool covers = false;  ///< whether covered_ holds it
-    std::array<Row, kTileHeight> rows{};
+    std::array<RowBits, kTileHeight> rows{};
 
     void clear() {
-      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), Row{});
+      std::fill(rows.begin() + begin, rows.begin() + std::max(begin, end), RowBits{});
       begin = kTileHeight;
       end = 0;
       covers = false;
@@ -232,7 +235,7 @@ class TilePasses {
   void cover(Mask& mask) {
     mask.covers = true;
     for (int y = mask.begin; y < mask.end; ++y) {
-      Row& covered = covered_[static_cast<std::size_t>(y)];
+      RowBits& covered = covered_[static_cast<std::size_t>(y)];
       covered = covered | mask.rows[static_cast<std::size_t>(y)];
     }
   }
@@ -265,7 +268,7 @@ class TilePasses {
     if (!open_) return;
     open_ = false;
     const Mask& mask = masks_[current_];
-    Row met{};
+    RowBits met{};
     for (int y = mask.begin; y < mask.end; ++y) {
       met = met | (mask.rows[static_cast<std::size_t>(y)] & covered_[static_cast<std::size_t>(y)]);
     }
@@ -275,7 +278,7 @@ class TilePasses {
   void countTwice(const Mask& mask) {
     for (int y = mask.begin; y < mask.end; ++y) {
       const auto row = static_cast<std::size_t>(y);
-      Row twice = mask.rows[row] & covered_[row];
+      RowBits twice = mask.rows[row] & covered_[row];
       for (std::size_t k = 0; k < std::min(used_, masks_.size()) && any(twice); ++k) {
         const Mask& near = masks_[k];
         if (k == current_ || y < near.begin || y >= near.end || !isNear(near, mask.stretch)) continue;
@@ -285,8 +288,8 @@ class TilePasses {
     }
   }
 
-  std::array<Row, kTileHeight> covered_{};
-  std::array<Row, kTileHeight> again_{};
+  std::array<RowBits, kTileHeight> covered_{};
+  std::array<RowBits, kTileHeight> again_{};
   std::int32_t cycle_ = -1;
   std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
   std::size_t used_ = 0;                   ///< by how many stretches so far
@@ -296,13 +299,17 @@ class TilePasses {
 };
 
 struct Tile {
-  int left, right, bottom, top;  ///< pixels, the last row and column left out
+  /// The range in pixels, without the last row and column.
+  int left;
+  int right;
+  int bottom;
+  int top;
 };
 
-Tile tileAt(const Scene& scene, int tile) {
-  const int left = tile % scene.tilesAcross * kTileWidth;
-  const int bottom = tile / scene.tilesAcross * kTileHeight;
-  return {left, std::min(left + kTileWidth, scene.raster.nx), bottom, std::min(bottom + kTileHeight, scene.raster.ny)};
+Tile tileAt(const BeadRaster& laid, int tile) {
+  const int left = tile % laid.tilesAcross * kTileWidth;
+  const int bottom = tile / laid.tilesAcross * kTileHeight;
+  return {left, std::min(left + kTileWidth, laid.raster.nx), bottom, std::min(bottom + kTileHeight, laid.raster.ny)};
 }
 
 // Shares of the way from a to b within `reach` of a tile; none if the second is the lesser one.
@@ -322,19 +329,19 @@ std::pair<float, float> withinTile(Vec2f a, Vec2f b, float reach) {
 }
 
 // Long beads go over several stretches and tiles: they are laid in pieces.
-void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& passes) {
-  const Vec2 origin = scene.raster.centre(tile.left, tile.bottom);
+void lay(const BeadRaster& laid, const Bead& bead, const Tile& tile, TilePasses& passes) {
+  const Vec2 origin = laid.raster.centre(tile.left, tile.bottom);
   const auto onTile = [&](Vec2f p) {
-    return Vec2f{static_cast<float>((static_cast<double>(p.x) - origin.x) * scene.perMm),
-                 static_cast<float>((static_cast<double>(p.y) - origin.y) * scene.perMm)};
+    return Vec2f{static_cast<float>((static_cast<double>(p.x) - origin.x) * laid.perMm),
+                 static_cast<float>((static_cast<double>(p.y) - origin.y) * laid.perMm)};
   };
-  const auto perMm = static_cast<float>(scene.perMm);
+  const auto perMm = static_cast<float>(laid.perMm);
   const Vec2f a = onTile(bead.a);
   const Vec2f b = onTile(bead.b);
   const float ra = bead.ra * perMm;
   const float rb = bead.rb * perMm;
-  const Stretches& stretches = scene.stretchesOf[static_cast<std::size_t>(bead.cycle)];
-  const int count = std::max(1, static_cast<int>(std::ceil(bead.length / scene.pieceLength)));
+  const Stretches& stretches = laid.stretchesOf[static_cast<std::size_t>(bead.cycle)];
+  const int count = std::max(1, static_cast<int>(std::ceil(bead.length / laid.pieceLength)));
   const auto pieces = static_cast<float>(count);
   int first = 0;
   int last = count;
@@ -354,14 +361,14 @@ void lay(const Scene& scene, const Bead& bead, const Tile& tile, TilePasses& pas
 }
 
 // Pixels of a row of the tile whose centres lie in the shape.
-Row insideRow(const Scene& scene, const Tile& tile, int y) {
-  const Grid& raster = scene.raster;
+RowBits insideRow(const BeadRaster& laid, const Tile& tile, int y) {
+  const Grid& raster = laid.raster;
   const double x0 = raster.centre(tile.left, 0).x;
   const auto pixelFrom = [&](double x) {
     return static_cast<int>(std::clamp(std::ceil((x - x0) / raster.cell), 0.0, static_cast<double>(kTileWidth)));
   };
-  Row inside{};
-  for (const Interval& interval : scene.inside[static_cast<std::size_t>(y)]) {
+  RowBits inside{};
+  for (const Interval& interval : laid.inside[static_cast<std::size_t>(y)]) {
     inside = inside | rowOf(pixelFrom(interval.begin), pixelFrom(interval.end));
   }
   return inside;
@@ -369,11 +376,11 @@ Row insideRow(const Scene& scene, const Tile& tile, int y) {
 
 // How many of these pixels outside the shape lie off its border. Beads touch a straight border over its whole length:
 // where a row of pixels happens to lie on it too, rounding would decide for all of them.
-int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, int y, Row outside) {
+int offBorder(const BeadRaster& laid, const BorderIndex& border, const Tile& tile, int y, RowBits outside) {
   int count = 0;
   for (int word = 0; word < 2; ++word) {
     for (std::uint64_t bits = outside[word]; bits != 0; bits &= bits - 1) {
-      const Vec2 p = scene.raster.centre(tile.left + 64 * word + std::countr_zero(bits), tile.bottom + y);
+      const Vec2 p = laid.raster.centre(tile.left + 64 * word + std::countr_zero(bits), tile.bottom + y);
       const bool off = border.blockDistance(p) > kRounding || std::abs(border.nearest(p).distance) > kRounding;
       count += off ? 1 : 0;
     }
@@ -385,28 +392,27 @@ int offBorder(const Scene& scene, const BorderIndex& border, const Tile& tile, i
 
 BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
                   const RunContext& run) {
-  const Scene scene = sceneOf(toolpath, shape, box);
-  std::vector<BeadArea> counts(static_cast<std::size_t>(scene.tiles));
+  const BeadRaster laid = beadRasterOf(toolpath, shape, box);
+  std::vector<BeadArea> counts(static_cast<std::size_t>(laid.tiles));
   const auto countTiles = [&](int firstTile, int lastTile) {
     TilePasses passes;
     for (int t = firstTile; t < lastTile && !run.cancelled(); ++t) {
-      const Tile tile = tileAt(scene, t);
-      const std::size_t end = scene.begin[static_cast<std::size_t>(t) + 1];
-      for (std::size_t at = scene.begin[static_cast<std::size_t>(t)]; at < end; ++at) {
-        lay(scene, scene.beads[static_cast<std::size_t>(scene.beadOf[at])], tile, passes);
+      const Tile tile = tileAt(laid, t);
+      const std::size_t end = laid.begin[static_cast<std::size_t>(t) + 1];
+      for (std::size_t at = laid.begin[static_cast<std::size_t>(t)]; at < end; ++at) {
+        lay(laid, laid.beads[static_cast<std::size_t>(laid.beadOf[at])], tile, passes);
       }
       counts[static_cast<std::size_t>(t)] = passes.take(
-          tile.top - tile.bottom, tile.right - tile.left,
-          [&](int y) { return insideRow(scene, tile, tile.bottom + y); },
-          [&](int y, Row outside) { return offBorder(scene, border, tile, y, outside); });
+          tile.top - tile.bottom, tile.right - tile.left, [&](int y) { return insideRow(laid, tile, tile.bottom + y); },
+          [&](int y, RowBits outside) { return offBorder(laid, border, tile, y, outside); });
     }
   };
-  const int step = (scene.tiles - 1) / 24 + 1;  // between reports of progress
-  for (int done = 0; done < scene.tiles && !run.cancelled(); done += step) {
-    const int count = std::min(step, scene.tiles - done);
+  const int step = (laid.tiles - 1) / 24 + 1;  // between reports of progress
+  for (int done = 0; done < laid.tiles && !run.cancelled(); done += step) {
+    const int count = std::min(step, laid.tiles - done);
     parallelFor(run, count, std::max(1, count / (4 * run.threads())),
                 [&](int first, int last) { countTiles(done + first, done + last); });
-    run.report(kAreaShare * std::min(done + step, scene.tiles) / scene.tiles);
+    run.report(kAreaShare * std::min(done + step, laid.tiles) / laid.tiles);
   }
   BeadArea total;
   for (const BeadArea& count : counts) {

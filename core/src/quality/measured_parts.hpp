@@ -14,7 +14,7 @@
 
 namespace sillon {
 
-/// Of pieces of beads, weighed by their length.
+/// Sums over pieces of beads, weighed by their length.
 struct AlignmentSums {
   double length = 0;
   double along = 0;  ///< length times cos²
@@ -49,8 +49,7 @@ struct BeadArea {
   std::int64_t overlapped = 0;  ///< passed over more than once
 };
 
-/// Where the run takes most of its time: reports up to 0.8 of the current stage. What a cancelled run returns means
-/// nothing.
+/// Takes most of a measurement, and reports up to 0.8 of the current stage. The counts of a cancelled run mean nothing.
 /// \param border  of the shape. \param box  around the toolpath's points and the shape [mm].
 BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
                   const RunContext& run);

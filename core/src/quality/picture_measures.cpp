@@ -24,7 +24,9 @@ constexpr int kBandCells = 4;      // rows of cells that one task rasters
 constexpr float kReach = 0.75f;    // [tau] beyond the bead's edge nothing is seen
 
 struct Segment {
-  Vec2f a, b;  // in points, y down
+  // The ends lie in points, y down.
+  Vec2f a;
+  Vec2f b;
   float radius = 0;
 };
 
@@ -42,25 +44,39 @@ std::pair<int, int> rowsOf(const Segment& s) {
           static_cast<int>(std::ceil(std::max(s.a.y, s.b.y) + s.radius))};
 }
 
+/// All beads, and the cells over which they lie.
+struct LitBeads {
+  std::vector<Segment> segments;
+  std::vector<float> light;  ///< of each segment, per picture
+  std::size_t pictures;
+  Cells cells;
+};
+
 /// \param inBand  the segments that reach its rows, in their order: of equally near ones the first counts.
-void drawBand(const std::vector<Segment>& segments, const std::vector<std::uint32_t>& inBand,
-              const std::vector<float>& lightOfSegment, std::size_t pictures, Cells cells, int firstCell, int endCell,
+void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, int firstCell, int endCell,
               Lights& lights) {
-  const int width = cells.width * kPointsPerCell, top = firstCell * kPointsPerCell;
+  const Cells cells = beads.cells;
+  const int width = cells.width * kPointsPerCell;
+  const int top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
   const auto stride = static_cast<std::size_t>(width) + 3;  // four at a time may go beyond a row's end
   std::vector<float> distance(stride * static_cast<std::size_t>(rows), 1e30f);
   std::vector<std::uint32_t> nearest(distance.size(), 0);
   for (const std::uint32_t k : inBand) {
-    const Segment& s = segments[k];
+    const Segment& s = beads.segments[k];
     const auto [from, to] = rowsOf(s);
-    const int y0 = std::max(top, from), y1 = std::min(top + rows - 1, to);
+    const int y0 = std::max(top, from);
+    const int y1 = std::min(top + rows - 1, to);
     const int x0 = std::max(0, static_cast<int>(std::floor(std::min(s.a.x, s.b.x) - s.radius)));
     const int x1 = std::min(width - 1, static_cast<int>(std::ceil(std::max(s.a.x, s.b.x) + s.radius)));
     const Vec2f d = s.b - s.a;
     const float squared = dot(d, d);
-    const F4 perSquared = splat(squared > 0 ? 1 / squared : 0), none = splat(0), all = splat(1);
-    const F4 dx = splat(d.x), dy = splat(d.y), within = splat(s.radius * s.radius);
+    const F4 perSquared = splat(squared > 0 ? 1 / squared : 0);
+    const F4 none = splat(0);
+    const F4 all = splat(1);
+    const F4 dx = splat(d.x);
+    const F4 dy = splat(d.y);
+    const F4 within = splat(s.radius * s.radius);
     const I4 label = splatInt(static_cast<std::int32_t>(k));
     for (int y = y0; y <= y1; ++y) {
       const F4 py = splat(static_cast<float>(y) + 0.5f - s.a.y);
@@ -68,7 +84,8 @@ void drawBand(const std::vector<Segment>& segments, const std::vector<std::uint3
       for (int x = x0; x <= x1; x += 4) {
         const F4 px = toFloat(I4{x, x + 1, x + 2, x + 3}) + splat(0.5f) - splat(s.a.x);
         const F4 t = max4(min4((px * dx + py * dy) * perSquared, all), none);
-        const F4 offX = px - dx * t, offY = py - dy * t;
+        const F4 offX = px - dx * t;
+        const F4 offY = py - dy * t;
         const F4 away = offX * offX + offY * offY;
         const std::size_t at = row + static_cast<std::size_t>(x);
         const F4 before = load4(&distance[at]);
@@ -81,7 +98,7 @@ void drawBand(const std::vector<Segment>& segments, const std::vector<std::uint3
   }
   for (int cy = firstCell; cy < endCell; ++cy) {
     for (int cx = 0; cx < cells.width; ++cx) {
-      for (std::size_t k = 0; k < pictures; ++k) {
+      for (std::size_t k = 0; k < beads.pictures; ++k) {
         float sum = 0;
         int seen = 0;
         for (int j = 0; j < kPointsPerCell * kPointsPerCell; ++j) {
@@ -89,7 +106,7 @@ void drawBand(const std::vector<Segment>& segments, const std::vector<std::uint3
               static_cast<std::size_t>((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) * stride +
               static_cast<std::size_t>(cx * kPointsPerCell + j % kPointsPerCell);
           if (!(distance[at] < 1e30f)) continue;
-          sum += lightOfSegment[nearest[at] * pictures + k];
+          sum += beads.light[nearest[at] * beads.pictures + k];
           ++seen;
         }
         const std::size_t cell =
@@ -102,7 +119,12 @@ void drawBand(const std::vector<Segment>& segments, const std::vector<std::uint3
 
 /// Weighted sums that a mean, a variance and a correlation need.
 struct Sums {
-  double weight = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+  double weight = 0;
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
 
   void add(double w, double a, double b) {
     weight += w;
@@ -125,7 +147,8 @@ double correlation(const Sums& s) {
 /// Wang et al. 2004, dynamic range 1, mean over the windows that lie wholly on the plate.
 double ssimOf(const std::vector<float>& seen, const Tones& picture, std::span<const float> light) {
   constexpr int kRadius = 5;
-  constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
+  constexpr double kC1 = 0.01 * 0.01;
+  constexpr double kC2 = 0.03 * 0.03;
   // exp(-k²/2/1.5²)
   constexpr double kGauss[kRadius + 1] = {1, 0.800737403, 0.411112291, 0.135335283, 0.028565500, 0.003865920};
   double sum = 0;
@@ -144,7 +167,8 @@ double ssimOf(const std::vector<float>& seen, const Tones& picture, std::span<co
         }
       }
       if (!whole) continue;
-      const double mx = s.x / s.weight, my = s.y / s.weight;
+      const double mx = s.x / s.weight;
+      const double my = s.y / s.weight;
       sum += (2 * mx * my + kC1) * (2 * s.covariance() + kC2) /
              ((mx * mx + my * my + kC1) * (s.varianceX() + s.varianceY() + kC2));
       ++count;
@@ -183,7 +207,8 @@ PictureMeasures compareTones(std::span<const float> light, const Tones& picture)
   }
   out.ssim = ssimOf(seen, picture, light);
   std::sort(sorted.begin(), sorted.end());
-  const float low = sorted[(sorted.size() - 1) / 100], high = sorted[(sorted.size() - 1) * 99 / 100];
+  const float low = sorted[(sorted.size() - 1) / 100];
+  const float high = sorted[(sorted.size() - 1) * 99 / 100];
   out.contrast = low > 0 ? static_cast<double>(high) / static_cast<double>(low) : 1;
   return out;
 }
@@ -205,7 +230,8 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   const auto cellsAlong = [&](double side) {
     return std::max(1.0, std::round(side / (kCellSpacings * toolpath.spacing)));
   };
-  const double across = cellsAlong(page.x), down = cellsAlong(page.y);
+  const double across = cellsAlong(page.x);
+  const double down = cellsAlong(page.y);
   if (across * down * kPointsPerCell * kPointsPerCell > static_cast<double>(kMaxImagePixels)) {
     return Error{ErrorCode::TooLarge, "the pictures would be judged at more than 100 million points"};
   }
@@ -214,8 +240,7 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   std::vector<Lobe> lobes;
   for (const Lamp& lamp : lamps) lobes.push_back(lobeOf(lamp, roughness));
   try {
-    std::vector<Segment> segments;
-    std::vector<float> lightOfSegment;
+    LitBeads beads{{}, {}, lamps.size(), cells};
     const Vec2f scale{static_cast<float>(across * kPointsPerCell / page.x),
                       static_cast<float>(down * kPointsPerCell / page.y)};
     const auto height = static_cast<float>(page.y);
@@ -223,13 +248,14 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
     for (const Cycle& cycle : toolpath.cycles) {
       for (std::size_t k = 0; k < cycle.points.size(); ++k) {
         const std::size_t next = (k + 1) % cycle.points.size();
-        const Vec2f a = cycle.points[k], b = cycle.points[next];
+        const Vec2f a = cycle.points[k];
+        const Vec2f b = cycle.points[next];
         const float size = length(b - a);
         if (!(size > 0)) continue;
         const float radius = (std::max(cycle.widths[k], cycle.widths[next]) / 2 + reach) * std::max(scale.x, scale.y);
-        segments.push_back(
+        beads.segments.push_back(
             {{a.x * scale.x, (height - a.y) * scale.y}, {b.x * scale.x, (height - b.y) * scale.y}, radius});
-        for (const Lobe& lobe : lobes) lightOfSegment.push_back(lightOf(lobe, (b - a) * (1 / size)));
+        for (const Lobe& lobe : lobes) beads.light.push_back(lightOf(lobe, (b - a) * (1 / size)));
       }
     }
     Lights lights(lamps.size(),
@@ -237,8 +263,8 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
     constexpr int kBandRows = kBandCells * kPointsPerCell;
     const int bands = (cells.height + kBandCells - 1) / kBandCells;
     std::vector<std::vector<std::uint32_t>> inBand(static_cast<std::size_t>(bands));
-    for (std::size_t k = 0; k < segments.size(); ++k) {
-      const auto [from, to] = rowsOf(segments[k]);
+    for (std::size_t k = 0; k < beads.segments.size(); ++k) {
+      const auto [from, to] = rowsOf(beads.segments[k]);
       const int last = std::min(to / kBandRows, bands - 1);
       for (int band = std::max(0, from / kBandRows); band <= last; ++band) {
         inBand[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(k));
@@ -246,8 +272,8 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
     }
     parallelFor(run, bands, 1, [&](int begin, int end) {
       for (int band = begin; band < end; ++band) {
-        drawBand(segments, inBand[static_cast<std::size_t>(band)], lightOfSegment, lamps.size(), cells,
-                 band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
+        drawBand(beads, inBand[static_cast<std::size_t>(band)], band * kBandCells,
+                 std::min(cells.height, (band + 1) * kBandCells), lights);
       }
     });
     if (run.cancelled()) return cancelledRun();

@@ -127,7 +127,7 @@ class Beads {
   float widest_ = 0;
 };
 
-// Whether the bead that a point would meet first has given way to a third one, so that there is room now.
+// True if the bead that a point would meet first has given way to a third one, so that there is room now.
 bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
   const Share& share = shares[point];
   return share.beside >= 0 && shares[static_cast<std::size_t>(share.beside)].factor < kYielding * share.factor;

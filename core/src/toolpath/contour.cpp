@@ -92,10 +92,18 @@ class Signs {
   std::vector<Word> bits_;
 };
 
+// The vertices on the edges of one square; -1: none.
+struct SquareVertices {
+  int bottom;
+  int right;
+  int top;
+  int left;
+};
+
 // Links the vertices of one square so that positive corners lie on the left. Going round counter-clockwise, a curve
 // enters where the sign falls and leaves where it rises.
-void linkSquare(const Lattice& lattice, int x, int y, int bottom, int right, int top, int left,
-                std::vector<int>& next) {
+void linkSquare(const Lattice& lattice, int x, int y, const SquareVertices& vertices, std::vector<int>& next) {
+  const auto [bottom, right, top, left] = vertices;
   const auto link = [&](int from, int to) { next[static_cast<std::size_t>(from)] = to; };
   const bool bl = lattice.positive(x, y);
   if (bottom >= 0 && right >= 0 && top >= 0 && left >= 0) {
@@ -179,7 +187,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
           const int top = number(aboves, above);
           const int right = (nextUps >> bit & 1) != 0 ? up : -1;
           if (bottom >= 0) vertices[static_cast<std::size_t>(bottom)] = lattice.vertex(x, y, x + 1, y);
-          linkSquare(lattice, x, y, bottom, right, top, left, next);
+          linkSquare(lattice, x, y, {bottom, right, top, left}, next);
         }
       }
     }

@@ -18,11 +18,14 @@ Vec2f beadAt(const LineField& lines, Vec2f p) {
   const Grid& grid = lines.grid;
   const double u = (static_cast<double>(p.x) - grid.origin.x) / grid.cell - 0.5;
   const double v = (static_cast<double>(p.y) - grid.origin.y) / grid.cell - 0.5;
-  const int x0 = static_cast<int>(std::floor(u)), y0 = static_cast<int>(std::floor(v));
-  const float right = static_cast<float>(u - x0), up = static_cast<float>(v - y0);
+  const int x0 = static_cast<int>(std::floor(u));
+  const int y0 = static_cast<int>(std::floor(v));
+  const float right = static_cast<float>(u - x0);
+  const float up = static_cast<float>(v - y0);
   Vec2f z{};
   for (int k = 0; k < 4; ++k) {
-    const int x = x0 + k % 2, y = y0 + k / 2;
+    const int x = x0 + k % 2;
+    const int y = y0 + k / 2;
     if (x < 0 || y < 0 || x >= grid.nx || y >= grid.ny) continue;
     const Vec2f d = lines.direction[grid.index(x, y)];
     if (d == Vec2f{}) continue;
@@ -50,10 +53,12 @@ std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lin
     share.assign(n, 0);
     parallelFor(run, static_cast<int>(n), 8192, [&](int begin, int end) {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-        const Vec2f a = curves.points[first + k], b = curves.points[first + (k + 1) % n];
+        const Vec2f a = curves.points[first + k];
+        const Vec2f b = curves.points[first + (k + 1) % n];
         const Vec2f step = b - a;
         const Vec2f bead = beadAt(lines, (a + b) * 0.5f);
-        const float size = length(step), along = dot(bead, step);
+        const float size = length(step);
+        const float along = dot(bead, step);
         if (!(size > 0) || std::abs(along) < kAlike * size) continue;
         excess[k] = bead * (along < 0 ? -size : size) - step;
         kept[k] = 1;

@@ -101,23 +101,28 @@ std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   return share;
 }
 
-// Moves and smooths, both scaled per point by `share`.
-ClosedCurves moved(const ClosedCurves& curves, const std::vector<Vec2f>& moves, const std::vector<float>& share,
-                   const BorderIndex& border, float spacing, float smoothing, const RunContext& run) {
+// A round's moves of all points, to be scaled by their shares.
+struct Moves {
+  std::vector<Vec2f> by;
+  float smoothing;  ///< towards the middle of the neighbours
+};
+
+ClosedCurves moved(const ClosedCurves& curves, const Moves& moves, const std::vector<float>& share,
+                   const BorderIndex& border, float spacing, const RunContext& run) {
   ClosedCurves out = curves;
   for (int c = 0; c < curves.count(); ++c) {
     const int first = curves.begin[static_cast<std::size_t>(c)];
     const int n = curves.size(c);
     const auto at = [&](int k) {
       const std::size_t i = static_cast<std::size_t>(first + wrapped(k, n));
-      return curves.points[i] + moves[i] * share[i];
+      return curves.points[i] + moves.by[i] * share[i];
     };
     parallelFor(run, n, 8192, [&](int begin, int end) {
       BorderDepth depth(border);
       for (int k = begin; k < end; ++k) {
         const std::size_t i = static_cast<std::size_t>(first + k);
         const Vec2f p = at(k);
-        const Vec2f to = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (smoothing * share[i]);
+        const Vec2f to = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (moves.smoothing * share[i]);
         out.points[i] = heldInside(curves.points[i], to, border, depth, spacing);
       }
     });
@@ -147,14 +152,14 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
   }
   release(curves);
   for (int round = 0; round < rounds && !run.cancelled(); ++round) {
-    const std::vector<Vec2f> moves = movesOf(path, gaps, border, spacing, strength, run);
+    const Moves moves{movesOf(path, gaps, border, spacing, strength, run), smoothing};
     std::vector<float> share = sharesOf(path, spacing);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
-      ClosedCurves to = moved(path, moves, share, border, spacing, smoothing, run);
+      ClosedCurves to = moved(path, moves, share, border, spacing, run);
       // Not in the last round: gaps must be even in the end.
       if (asked != nullptr && round + 1 < rounds) {
         const float pull = round + 2 < rounds ? kAskedPull : kLastPull;
-        to = moved(to, movesToLines(to, *asked, params.spacing, pull, run), share, border, spacing, 0, run);
+        to = moved(to, {movesToLines(to, *asked, params.spacing, pull, run), 0}, share, border, spacing, run);
       }
       // Equal steps may cut corners where strands lie near to each other, however little was moved.
       ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);

@@ -1,4 +1,4 @@
-// What relaxSpacing does in its rounds besides evening out gaps.
+// Parts of the rounds of relaxSpacing besides evening out gaps.
 #pragma once
 
 #include <utility>
@@ -27,8 +27,8 @@ void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vect
 std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lines, double spacing, float pull,
                                 const RunContext& run);
 
-/// Where a path turns by more than 56 degrees within tau/4, bends the fewest points around it as little as takes the
-/// turn below that. Where bending seven points on either side does not, the tip is a U-turn's whose legs lie too near
+/// Rounds turns by more than 56 degrees within tau/4: bends the fewest points around one as little as takes it below
+/// that. Where bending seven points on either side does not, the tip is a U-turn's whose legs lie too near
 /// to each other, and is pulled back by up to three spacings. Points stay where that would make the path meet itself or
 /// another, or bring it nearer to the border than tau/4 (0.18 tau where that does not help) and than it was nearby.
 /// \param curves  points about tau/4 apart; their number stays.

@@ -68,7 +68,9 @@ std::size_t keptAfter(const Curve& curve, std::size_t at, float tolerance, const
 std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curves, float tolerance,
                                                  const std::vector<std::vector<char>>& keep, const RunContext& run) {
   struct Piece {
-    std::size_t curve, begin, end;
+    std::size_t curve;
+    std::size_t begin;
+    std::size_t end;
     std::vector<std::size_t> walk;
   };
   std::vector<Piece> pieces;

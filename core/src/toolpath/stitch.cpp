@@ -41,6 +41,8 @@ struct Limits {
   std::size_t partners;  ///< tried per point
   int leastSpan;         ///< segments in the shortest piece
   float gap;             ///< what each edge of a joint may lie outside the shape [mm]
+  bool nearestOnly = false;
+  int stride = 1;  ///< of so many points along a curve one looks for partners
 };
 
 Limits limitsOf(Search search, const ToolpathParams& params) {
@@ -50,7 +52,7 @@ Limits limitsOf(Search search, const ToolpathParams& params) {
   const float gap = 1.2f * static_cast<float>(params.bridge.value_or(params.spacing)) + 0.125f * spacing;
   switch (search) {
     case Search::Nearest:
-      return {reach, 2, kSpan, 0};
+      return {reach, 2, kSpan, 0, true};
     case Search::Near:
       return {reach, 6, 1, 0};
     case Search::AcrossGaps:
@@ -99,7 +101,7 @@ SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOf
 }
 
 // What a round looks at.
-struct Scene {
+struct Strands {
   const ClosedCurves& curves;
   const PointGrid& grid;
   const std::vector<int>& curveAt;  ///< curve of each point of the grid
@@ -120,12 +122,12 @@ void sortNearestFirst(std::vector<Partner>& partners) {
 }
 
 // Set of each point of the grid, -1 where it is used; and four more for vector loads to run over.
-std::vector<std::int32_t> freeSets(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
+std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                    const RunContext& run) {
-  std::vector<std::int32_t> free(scene.grid.id.size(), -1);
-  parallelFor(run, scene.grid.count(), 8192, [&](int begin, int end) {
+  std::vector<std::int32_t> free(strands.grid.id.size(), -1);
+  parallelFor(run, strands.grid.count(), 8192, [&](int begin, int end) {
     for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) {
-      if (!joining.used(scene.grid.id[s])) free[s] = sets.ofCurve[static_cast<std::size_t>(scene.curveAt[s])];
+      if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[static_cast<std::size_t>(strands.curveAt[s])];
     }
   });
   return free;
@@ -153,27 +155,35 @@ struct NearestLanes {
   }
 };
 
+// A point that looks for partners.
+struct Seeker {
+  int point;
+  int set;
+  float reach;  ///< [mm]
+};
+
 // The nearest free points of other sets of the same part within reach, one on either side, nearer one first. Nothing
 // tells processors which points these are, so that branches would cost more than the work.
-void findNearest(const Scene& scene, const Joining& joining, const std::vector<std::int32_t>& free, int set,
-                 float reach, int i, std::vector<Partner>& partners) {
+void findNearest(const Strands& strands, const Joining& joining, const std::vector<std::int32_t>& free,
+                 const Seeker& seeker, std::vector<Partner>& partners) {
   partners.clear();
-  const int curve = joining.curveOf(i);
-  const I4 part = splatInt(scene.partOfCurve[static_cast<std::size_t>(curve)]);
-  const Vec2f p = joining.at(i);
-  const Vec2f along = joining.at(nextOf(scene.curves, curve, i)) - p;
-  NearestLanes left{splat(reach * reach)};
-  NearestLanes right{splat(reach * reach)};
-  scene.grid.around(p, reach, [&](int first, int last) {
+  const int curve = joining.curveOf(seeker.point);
+  const I4 part = splatInt(strands.partOfCurve[static_cast<std::size_t>(curve)]);
+  const Vec2f p = joining.at(seeker.point);
+  const Vec2f along = joining.at(nextOf(strands.curves, curve, seeker.point)) - p;
+  const float reach2 = seeker.reach * seeker.reach;
+  NearestLanes left{splat(reach2)};
+  NearestLanes right{splat(reach2)};
+  strands.grid.around(p, seeker.reach, [&](int first, int last) {
     for (int k = first; k < last; k += 4) {
       const std::size_t s = static_cast<std::size_t>(k);
-      const F4 dx = load4(&scene.grid.x[s]) - splat(p.x);
-      const F4 dy = load4(&scene.grid.y[s]) - splat(p.y);
+      const F4 dx = load4(&strands.grid.x[s]) - splat(p.x);
+      const F4 dy = load4(&strands.grid.y[s]) - splat(p.y);
       const F4 distance2 = dx * dx + dy * dy;
       const I4 other = load4(&free[s]);
-      const I4 wanted = (other != splatInt(set)) & (other > splatInt(-1)) & (load4(&scene.partAt[s]) == part);
+      const I4 wanted = (other != splatInt(seeker.set)) & (other > splatInt(-1)) & (load4(&strands.partAt[s]) == part);
       const I4 onLeft = splat(along.x) * dy - splat(along.y) * dx > splat(0);
-      const I4 id = load4(&scene.grid.id[s]);
+      const I4 id = load4(&strands.grid.id[s]);
       left.look(wanted & onLeft, distance2, id);
       right.look(wanted & (onLeft == splatInt(0)), distance2, id);
     }
@@ -184,23 +194,23 @@ void findNearest(const Scene& scene, const Joining& joining, const std::vector<s
 }
 
 // All of them, as many as may be tried.
-void findPartners(const Scene& scene, const Joining& joining, const SetsToJoin& sets, const Limits& limits, int i,
+void findPartners(const Strands& strands, const Joining& joining, const SetsToJoin& sets, const Limits& limits, int i,
                   std::vector<Partner>& partners) {
   partners.clear();
   const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
   const int own = sets.ofCurve[c];
-  const int part = scene.partOfCurve[c];
+  const int part = strands.partOfCurve[c];
   const Vec2f p = joining.at(i);
   const float reach2 = limits.reach * limits.reach;
-  scene.grid.around(p, limits.reach, [&](int first, int last) {
+  strands.grid.around(p, limits.reach, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
       const std::size_t s = static_cast<std::size_t>(k);
-      const Vec2f to{scene.grid.x[s] - p.x, scene.grid.y[s] - p.y};
+      const Vec2f to{strands.grid.x[s] - p.x, strands.grid.y[s] - p.y};
       const float distance2 = dot(to, to);
       if (distance2 > reach2) continue;
-      const std::size_t other = static_cast<std::size_t>(scene.curveAt[s]);
-      const int j = scene.grid.id[s];
-      if (sets.ofCurve[other] == own || scene.partOfCurve[other] != part || joining.used(j)) continue;
+      const std::size_t other = static_cast<std::size_t>(strands.curveAt[s]);
+      const int j = strands.grid.id[s];
+      if (sets.ofCurve[other] == own || strands.partOfCurve[other] != part || joining.used(j)) continue;
       partners.push_back({distance2, j});
     }
   });
@@ -225,20 +235,20 @@ std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Fin
 }
 
 // Joints with neighbours of each point that seeks.
-std::vector<Candidate> nearCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
-                                      const Limits& limits, bool nearestOnly, int stride, const RunContext& run) {
-  const int count = static_cast<int>(scene.curves.points.size());
+std::vector<Candidate> nearCandidates(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
+                                      const Limits& limits, const RunContext& run) {
+  const int count = static_cast<int>(strands.curves.points.size());
   const std::vector<std::int32_t> free =
-      nearestOnly ? freeSets(scene, joining, sets, run) : std::vector<std::int32_t>();
+      limits.nearestOnly ? freeSets(strands, joining, sets, run) : std::vector<std::int32_t>();
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     std::vector<Partner> partners;
     for (int i = begin; i < end; ++i) {
       const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
-      if (!sets.seeking[c] || (i - scene.curves.begin[c]) % stride != 0 || joining.used(i)) continue;
-      if (nearestOnly) {
-        findNearest(scene, joining, free, sets.ofCurve[c], limits.reach, i, partners);
+      if (!sets.seeking[c] || (i - strands.curves.begin[c]) % limits.stride != 0 || joining.used(i)) continue;
+      if (limits.nearestOnly) {
+        findNearest(strands, joining, free, {i, sets.ofCurve[c], limits.reach}, partners);
       } else {
-        findPartners(scene, joining, sets, limits, i, partners);
+        findPartners(strands, joining, sets, limits, i, partners);
       }
       for (const Partner& partner : partners) {
         for (int span = kSpan; span >= limits.leastSpan; span /= 2)
@@ -252,7 +262,7 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 // The neighbours of both points of each of the nearest pairs, each with each: along the curve, and on strands of the
 // same set beside it, of which only one faces the other set.
-Pairs neighboursOf(Pairs pairs, const Scene& scene, const Joining& joining, const SetsToJoin& sets, float spacing) {
+Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, const SetsToJoin& sets, float spacing) {
   constexpr std::size_t kNearest = 16;  ///< pairs: bounds the work
   constexpr int kAround = 4;            ///< points on either side: one spacing
   sortBy(pairs, [&](const auto& pair) { return length(joining.at(pair.first) - joining.at(pair.second)); });
@@ -260,16 +270,16 @@ Pairs neighboursOf(Pairs pairs, const Scene& scene, const Joining& joining, cons
   const auto neighbours = [&](int point) {
     const int curve = joining.curveOf(point);
     const std::size_t c = static_cast<std::size_t>(curve);
-    const int begin = scene.curves.begin[c];
-    const int size = scene.curves.size(curve);
+    const int begin = strands.curves.begin[c];
+    const int size = strands.curves.size(curve);
     std::vector<int> found;
     for (int k = -kAround; k <= kAround; ++k) found.push_back(begin + ((point - begin + k) % size + size) % size);
     const float reach = 0.5f * spacing;
-    scene.grid.around(joining.at(point), reach, [&](int first, int last) {
+    strands.grid.around(joining.at(point), reach, [&](int first, int last) {
       for (int k = first; k < last; ++k) {
         const std::size_t s = static_cast<std::size_t>(k);
-        const int id = scene.grid.id[s];
-        const bool sameSet = sets.ofCurve[static_cast<std::size_t>(scene.curveAt[s])] == sets.ofCurve[c];
+        const int id = strands.grid.id[s];
+        const bool sameSet = sets.ofCurve[static_cast<std::size_t>(strands.curveAt[s])] == sets.ofCurve[c];
         if (sameSet && length(joining.at(id) - joining.at(point)) <= reach) found.push_back(id);
       }
     });
@@ -288,15 +298,15 @@ Pairs neighboursOf(Pairs pairs, const Scene& scene, const Joining& joining, cons
 }
 
 // Joints between points that face each other: inside the shape if they can be.
-std::vector<Candidate> facingCandidates(const Scene& scene, const Joining& joining, const SetsToJoin& sets,
+std::vector<Candidate> facingCandidates(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                         bool andNeighbours, float spacing, const RunContext& run) {
-  std::vector<int> setOfPoint(scene.curves.points.size(), -1);
+  std::vector<int> setOfPoint(strands.curves.points.size(), -1);
   for (std::size_t i = 0; i < setOfPoint.size(); ++i) {
     const std::size_t c = static_cast<std::size_t>(joining.curveOf(static_cast<int>(i)));
     if (sets.open[c] && !joining.used(static_cast<int>(i))) setOfPoint[i] = sets.ofCurve[c];
   }
-  Pairs pairs = facingPoints(scene.parts, scene.curves.points, setOfPoint);
-  if (andNeighbours) pairs = neighboursOf(std::move(pairs), scene, joining, sets, spacing);
+  Pairs pairs = facingPoints(strands.parts, strands.curves.points, setOfPoint);
+  if (andNeighbours) pairs = neighboursOf(std::move(pairs), strands, joining, sets, spacing);
   const int count = static_cast<int>(pairs.size());
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     for (int k = begin; k < end; ++k) {
@@ -347,19 +357,19 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
       partAt[k] = partOfCurve[static_cast<std::size_t>(curveAt[k])];
     }
   });
-  const Scene scene{curves, grid, curveAt, partAt, parts, partOfCurve};
+  const Strands strands{curves, grid, curveAt, partAt, parts, partOfCurve};
 
   Stitched stitched;
   Search search = Search::Nearest;
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
     const SetsToJoin sets = setsToJoin(curves, partOfCurve, most, joining);
     if (!sets.any) break;
-    const Limits limits = limitsOf(search, params);
+    Limits limits = limitsOf(search, params);
+    if (round == 0) limits.stride = kFirstStride;
     const std::vector<Candidate> candidates =
-        search >= Search::Facing ? facingCandidates(scene, joining, sets, search == Search::AroundFacing,
+        search >= Search::Facing ? facingCandidates(strands, joining, sets, search == Search::AroundFacing,
                                                     static_cast<float>(params.spacing), run)
-                                 : nearCandidates(scene, joining, sets, limits, search == Search::Nearest,
-                                                  round == 0 ? kFirstStride : 1, run);
+                                 : nearCandidates(strands, joining, sets, limits, run);
     stitched.work += workOf(candidates, joining, params.spacing);
     if (joinInOrder(candidates, limits.gap, joining, run) > 0) continue;
     if (search == Search::AroundFacing) break;
