@@ -6,7 +6,7 @@ import directionsWorker from './directions/directions.worker.ts?worker&url';
 import { createRasteriser } from './directions/rasteriser.js';
 import { loadEngine } from './engine/load.js';
 import { StudioEngine } from './engine/studio-engine.js';
-import type { Autosave, Kept } from './files/autosave.js';
+import type { Autosave, Kept, Opened } from './files/autosave.js';
 import type { PrinterValues } from 'sillon';
 import { newPlateOn, onOwnPrinter, withoutBrought } from './model/brought.js';
 import type { Plate } from './model/plate.js';
@@ -18,11 +18,13 @@ import { guestSettings, type GuestSettings } from './model/guest.js';
 import type { OpenedFiles } from './model/file-role.js';
 import { withPrinter, type PrinterKey } from './model/printers.js';
 import { fineResolution } from './model/raster.js';
-import type { PlateResult, Theme } from './model/state.js';
-import { Store, type Steps } from './model/store.js';
+import type { PlateResult, State, Theme } from './model/state.js';
+import { Store } from './model/store.js';
+import { Untried } from './model/untried.js';
+import { markUntilShown, wasNeverShown } from './first-shown.js';
 import { createOpener } from './opening.js';
 import './panels/app.js';
-import { newShown } from './panels/shown.js';
+import { newShown, type NoticeAction } from './panels/shown.js';
 import { Studio } from './panels/studio.js';
 import { Pipeline } from './pipeline.js';
 import { startWorker } from './start-worker.js';
@@ -122,6 +124,7 @@ function look(): void {
 }
 
 const opener = createOpener(studio, () => engine.engine(), show);
+const untried = new Untried();
 
 function kept(): Autosave {
   if (autosave === undefined) throw new StudioError('StorageFull');
@@ -156,8 +159,8 @@ studio.services = {
     await speak(language);
     if (!framed) remember('language', language);
   },
-  open: (files, role) => opener.open(files, role),
-  setRole: (index, role) => opener.setRole(index, role),
+  open: (files, role) => untried.during(() => opener.open(files, role)),
+  setRole: (index, role) => untried.during(() => opener.setRole(index, role)),
   openExample: (example) => opener.openExample(example),
   importPrinter: async (file) => {
     const [{ readPrinter }, running] = await Promise.all([import('./printer-file.js'), engine.engine()]);
@@ -190,7 +193,7 @@ studio.services = {
       studio.notify(rare('plates.gone'));
       return;
     }
-    showKept(opened.steps);
+    showKept(opened);
     if (opened.state === 'copy') studio.notify(rare('plates.copied'));
   },
   reviewed: (text) => reviewed.has(text) || (!framed && recallText('reviewed') === text),
@@ -287,25 +290,23 @@ async function restoreKept(kept: Promise<Kept | undefined>, wanted: () => boolea
   if (found === undefined) return false;
   const shows = wanted() && store.state.plate === before; // else a hand was faster
   if (found.state === 'elsewhere') {
-    const action = {
-      label: t('verb.plates'),
-      run: () => {
-        studio.show('plates');
-      },
-    };
-    if (shows) studio.notify((await rarely())('plates.left'), action);
+    if (shows) studio.notify((await rarely())('plates.left'), listPlates());
     return shows;
   }
   if (!shows) {
     studio.notify(t('restore.late'), {
       label: t('restore.show'),
       run: () => {
-        showKept(found.steps);
+        showKept(found);
       },
     });
     return false;
   }
-  showKept(found.steps);
+  if (found.state === 'own' && wasNeverShown(found.id)) {
+    await offerUnshown(found);
+    return false;
+  }
+  showKept(found);
   if (found.state === 'copy') studio.notify((await rarely())('plates.copied'));
   else {
     studio.notify(t('restore.done'), {
@@ -319,11 +320,31 @@ async function restoreKept(kept: Promise<Kept | undefined>, wanted: () => boolea
 }
 
 /** With the steps that led to it: undone, a plate must not become the one that was shown before. */
-function showKept(steps: Steps): void {
+function showKept({ id, steps }: Opened): void {
   autosave?.begin(steps.plate);
+  markUntilShown(id, store);
   store.restore(steps);
   look();
 }
+
+/** The last visit ended before its plate was shown: the plate may have stopped the page, and would again. */
+async function offerUnshown(found: Opened): Promise<void> {
+  const rare = await rarely();
+  const open = {
+    label: rare('plates.openAnyway'),
+    run: () => {
+      showKept(found);
+    },
+  };
+  studio.tell({ text: rare('plates.unshown'), actions: framed ? [open] : [open, listPlates()], stays: true });
+}
+
+const listPlates = (): NoticeAction => ({
+  label: t('verb.plates'),
+  run: () => {
+    studio.show('plates');
+  },
+});
 
 /** Of the files that the address names, on this page's own site. */
 async function openAddress(kept?: Promise<Kept | undefined>): Promise<boolean> {
@@ -335,7 +356,9 @@ async function openAddress(kept?: Promise<Kept | undefined>): Promise<boolean> {
     });
     const printer = await ownPrinter(kept);
     store.change((plate) => ({ ...plate, printer }));
-    await opener.load(files.map(({ name, bytes, role }) => ({ file: new File([bytes], name), role })));
+    await untried.during(() =>
+      opener.load(files.map(({ name, bytes, role }) => ({ file: new File([bytes], name), role }))),
+    );
     usePrinter(asked.given.printer);
   });
 }
@@ -351,7 +374,7 @@ async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
   if (project === undefined && hash !== '#shared' && !hash.startsWith('#plate=')) return false;
   // A reload must bring back the work that followed, not the link.
   history.replaceState(null, '', location.pathname + location.search);
-  return studio.attempt(async () => {
+  const open = async (): Promise<void> => {
     if (project !== undefined) {
       await opener.openOwn(project);
       return;
@@ -365,7 +388,8 @@ async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
     if (linked === undefined) return;
     show(onOwnPrinter(linked.plate, await ownPrinter(kept)));
     studio.notify(`${t('link.opened')} ${linked.told}`.trim());
-  });
+  };
+  return studio.attempt(() => untried.during(open));
 }
 
 /** Whether what was made of files has been undone, or something of another kind stands in its place. */
@@ -373,6 +397,15 @@ const isGone = ({ before, made }: OpenedFiles, plate: Plate): boolean =>
   store.steps.future.includes(made) ||
   (made.directions !== before.directions && made.directions.kind !== plate.directions.kind) ||
   (made.shape !== before.shape && made.shape.kind === 'file' && plate.shape.kind !== 'file');
+
+let held = false;
+
+/** What came from somewhere else waits until it has been made. */
+function keep(state: Pick<State, 'plate' | 'result'>, before: Plate, changes: boolean): void {
+  const may = untried.mayKeep(state, before);
+  if (may && (changes || held)) autosave?.save(store.steps);
+  held = !may;
+}
 
 function keepUp(): void {
   store.subscribe((state, before) => {
@@ -388,10 +421,10 @@ function keepUp(): void {
       if (state.over !== undefined && !shown[state.over]) store.set({ over: undefined });
     }
     const arrives = state.welcome && !before.welcome; // the first plate, which is nobody's work
-    if (state.plate !== before.plate && !arrives) {
-      autosave?.save(store.steps);
-      if (state.welcome) studio.endWelcome();
-    }
+    const changes = state.plate !== before.plate && !arrives;
+    // A plate that waited for its path is kept when that is there.
+    if (changes || state.result !== before.result) keep(state, before.plate, changes);
+    if (changes && state.welcome) studio.endWelcome();
     if (state.opened !== undefined && isGone(state.opened, state.plate)) studio.setOpened(undefined);
     if (state.shimmer !== undefined && (state.result !== undefined || !state.welcome))
       store.set({ shimmer: undefined });
@@ -484,7 +517,7 @@ async function frame(): Promise<void> {
   waitForHost(hosts, studio, {
     load: async (openings, trusted) => {
       try {
-        await opener.load(openings, trusted);
+        await untried.during(() => opener.load(openings, trusted));
         usePrinter(asked.given.printer);
         store.forgetSteps();
       } finally {

@@ -24,9 +24,9 @@ const pictureSide = 256; // [pixels]: enough for what is seen of it
 let drawn: { bytes: Blob; picture: Picture } | undefined;
 
 /** Small, as the browser draws it. @throws where it does not */
-async function smallPicture({ bytes }: SourceFile): Promise<Picture> {
+async function smallPicture({ bytes }: SourceFile, engine: Engine): Promise<Picture> {
   if (drawn?.bytes === bytes) return drawn.picture;
-  const bitmap = await bitmapOf(bytes);
+  const bitmap = await bitmapOf(bytes, engine);
   const scale = Math.min(1, pictureSide / Math.max(bitmap.width, bitmap.height));
   const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(side * scale))) as [
     number,
@@ -84,10 +84,10 @@ const litPicture = (picture: Picture, size: Size) => ({
   bright: tonesAt(picture, size).map((tone) => 0.05 + 0.85 * tone),
 });
 
-async function own(plate: Plate, lamp: number, left: Left) {
+async function own(plate: Plate, lamp: number, left: Left, engine: Engine) {
   const file = ownFile(plate, lamp, left);
   if (file === undefined) return undefined;
-  const picture = await smallPicture(file).catch(() => undefined); // of a kind that browsers do not draw
+  const picture = await smallPicture(file, engine).catch(() => undefined); // of a kind that browsers do not draw
   return picture === undefined ? undefined : { file, picture };
 }
 
@@ -103,7 +103,7 @@ export async function kindPictures(
   const made = new Map<Kind, Blob>();
   const size = sizeFor(pageOf(plate), thumbnailSide);
   const { colour } = viewLook(plate);
-  const [given, room] = await Promise.all([own(plate, lamp, left), shapeRoom(plate, engine)]);
+  const [given, room] = await Promise.all([own(plate, lamp, left, engine), shapeRoom(plate, engine)]);
   if (given !== undefined) made.set('lamp', await plateThumbnail(litPicture(given.picture, size), room, colour));
   for (const kind of [...generatorKinds, ...fileKinds, 'colours'] as const) {
     if (!wanted()) break;
@@ -123,7 +123,7 @@ export async function shapePictures(
 ): Promise<Map<ShapeKind, Blob>> {
   const made = new Map<ShapeKind, Blob>();
   const { colour } = viewLook(plate);
-  const given = await own(plate, lamp, nothingLeft);
+  const given = await own(plate, lamp, nothingLeft, engine);
   for (const kind of ['disc', 'rectangle', 'rounded', 'file'] as const) {
     if (!wanted()) break;
     const shape = plate.shape.kind === kind ? plate.shape : kind === 'file' ? undefined : newShape(kind);

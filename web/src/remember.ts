@@ -17,6 +17,14 @@ export function remember(name: string, value: string): void {
   }
 }
 
+export function forget(name: string): void {
+  try {
+    localStorage.removeItem(prefix + name);
+  } catch {
+    // denied: it was not kept either
+  }
+}
+
 /** @returns undefined where nothing, or something else than one of `values`, was kept. */
 export function recall<Value extends string>(name: string, values: readonly Value[]): Value | undefined {
   const kept = recallText(name);

@@ -53,8 +53,16 @@ export interface Listed {
   elsewhere: boolean;
 }
 
-/** 'elsewhere': the plate that was left here last is open in another tab; 'copy': as it is there, to go on with as a copy. */
-export type Kept = { state: 'own' | 'copy'; steps: Steps } | { state: 'elsewhere' };
+/** A kept plate to go on with; 'copy': it is open in another tab, as it is here. */
+export interface Opened {
+  state: 'own' | 'copy';
+  /** Of the record that it goes on in. */
+  id: string;
+  steps: Steps;
+}
+
+/** 'elsewhere': the plate that was left here last is open in another tab. */
+export type Kept = Opened | { state: 'elsewhere' };
 
 export interface Autosave {
   /** The plate of this tab, else the one that was changed last. @returns undefined where nothing that can be used was kept;
@@ -73,7 +81,7 @@ export interface Autosave {
   list(): Promise<Listed[]>;
   /** @param take  also from another tab, which goes on with a copy; else this tab gets the copy
    * @returns undefined where it is gone */
-  open(id: string, take?: boolean): Promise<Exclude<Kept, { state: 'elsewhere' }> | undefined>;
+  open(id: string, take?: boolean): Promise<Opened | undefined>;
   rename(id: string, name: string): Promise<void>;
   /** @returns the copy's id; undefined where there is nothing to copy */
   duplicate(id: string, name: string): Promise<string | undefined>;
@@ -421,11 +429,7 @@ export function createAutosave(
     if (gone.length > 0) await storage.delMany(gone);
   }
 
-  async function taken(
-    id: string,
-    wait: boolean,
-    steal = false,
-  ): Promise<Exclude<Kept, { state: 'elsewhere' }> | undefined> {
+  async function taken(id: string, wait: boolean, steal = false): Promise<Opened | undefined> {
     const own = await locks.take(id, { wait, steal, onLost: lost });
     const steps = await stepsOf(id);
     if (steps === undefined) return undefined;
@@ -433,7 +437,7 @@ export function createAutosave(
     claim(record, steps);
     if (own) wrote(id, steps, steps);
     else if (pictures.has(id)) pictures.set(record, pictures.get(id) as Blob);
-    return { state: own ? 'own' : 'copy', steps };
+    return { state: own ? 'own' : 'copy', id: record, steps };
   }
 
   async function read(): Promise<Kept | undefined> {

@@ -1,11 +1,21 @@
-// A drawing as a picture: the browser draws it, as nothing else reads all of SVG. Scripts in it do not run, and nothing is fetched.
-import type { Engine, Picture } from 'sillon';
+// A drawing as a picture: the browser draws it, but only what the engine has read, and only what is cheap of that.
+import type { Engine, Picture, Shape } from 'sillon';
 import { directionsFor, flatColours } from '../model/flat-colours.js';
 import { newColours } from '../model/defaults.js';
 import type { DirectionSource, FlatColour, SourceFile } from '../model/plate.js';
+import { StudioError } from '../model/problem.js';
 import { fineResolution } from '../model/raster.js';
+import { plainDrawing, UnfitDrawing, type PlainDrawing } from './plain-drawing.js';
 
 const svgType = 'image/svg+xml';
+
+/** What reading drawings and pictures takes. */
+export type DrawingEngine = Pick<Engine, 'decodePicture' | 'readShape'>;
+
+/** What a pixel may cost in full resolution; where it costs more there are fewer. */
+const finePixel = 4000;
+/** Heights of the page that all outlines together may go up and down: each row of pixels meets as many. */
+const mostCrossings = 50_000;
 
 /** User units per unit of length, as CSS has them. */
 const unitSizes: Readonly<Record<string, number>> = {
@@ -59,40 +69,89 @@ function sized(text: string, longest: number): { svg: Blob; width: number; heigh
   return { svg: new Blob([text.replace(tag, () => root)], { type: svgType }), ...size };
 }
 
-/** @param longest  side [pixels] @throws Error where the browser cannot draw it */
-export async function drawSvg(file: Blob, longest: number = fineResolution): Promise<Picture> {
-  const { svg, width, height } = sized(await file.text(), longest);
+/** How often a row of pixels meets outlines, on average. */
+function crossingsOf({ page, paths }: Shape): number {
+  let climbed = 0;
+  for (const ring of paths.flatMap(({ rings }) => rings)) {
+    for (let k = 1, last = ring.length - 1; k < ring.length; last = k, k += 2) {
+      climbed += Math.abs((ring[k] as number) - (ring[last] as number));
+    }
+  }
+  return climbed / page[1];
+}
+
+const checked = new WeakMap<Blob, Promise<PlainDrawing>>();
+
+/** Nothing stops the browser once it draws: what it gets must be known to end.
+ * @throws what the engine refuses; StudioError DrawingTooMuch */
+async function check(file: Blob, engine: DrawingEngine): Promise<PlainDrawing> {
+  const shape = await engine.readShape({ file, unitless: 'px' });
+  try {
+    if (crossingsOf(shape) > mostCrossings) {
+      throw new UnfitDrawing(`a line across the drawing meets more than ${mostCrossings} outlines; draw it with fewer`);
+    }
+    return plainDrawing(await file.text());
+  } catch (error) {
+    throw error instanceof UnfitDrawing ? new StudioError('DrawingTooMuch', {}, error.message) : error;
+  }
+}
+
+/** @param longest  side [pixels]; of many elements it is less
+ * @throws what the engine refuses; StudioError DrawingTooMuch; Error where the browser cannot draw it */
+async function drawSvg(file: Blob, engine: DrawingEngine, longest: number = fineResolution): Promise<OffscreenCanvas> {
+  const plain = checked.get(file) ?? check(file, engine);
+  checked.set(file, plain);
+  const { text, pixel } = await plain.catch((error: unknown) => {
+    checked.delete(file); // the engine may only have been busy
+    throw error;
+  });
+  const side = longest * Math.min(1, Math.sqrt(finePixel / pixel));
+  const { svg, width, height } = sized(text, side);
   const url = URL.createObjectURL(svg);
   try {
     const image = new Image(width, height);
     image.src = url;
     await image.decode();
-    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    if (context === null) throw new Error('this browser has no canvas to draw on');
-    context.drawImage(image, 0, 0, width, height);
-    return { width, height, channels: 4, samples: context.getImageData(0, 0, width, height).data };
+    const canvas = new OffscreenCanvas(width, height);
+    pixelsOf(canvas).drawImage(image, 0, 0, width, height);
+    return canvas;
   } finally {
     URL.revokeObjectURL(url);
   }
 }
 
+function pixelsOf(canvas: OffscreenCanvas): OffscreenCanvasRenderingContext2D {
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  if (context === null) throw new Error('this browser has no canvas to draw on');
+  return context;
+}
+
+/** @throws as drawing does */
+async function svgPicture(file: Blob, engine: DrawingEngine): Promise<Picture> {
+  const canvas = await drawSvg(file, engine);
+  const { width, height } = canvas;
+  return { width, height, channels: 4, samples: pixelsOf(canvas).getImageData(0, 0, width, height).data };
+}
+
 export const isSvg = ({ bytes }: SourceFile): boolean => bytes.type === svgType;
 
-/** Any file of directions as a picture. */
-export const pictureOfFile = (file: SourceFile, engine: Pick<Engine, 'decodePicture'>): Promise<Picture> =>
-  isSvg(file) ? drawSvg(file.bytes) : engine.decodePicture(file.bytes);
+/** Any file of directions as a picture. @throws what the engine refuses; StudioError DrawingTooMuch */
+export const pictureOfFile = (file: SourceFile, engine: DrawingEngine): Promise<Picture> =>
+  isSvg(file) ? svgPicture(file.bytes, engine) : engine.decodePicture(file.bytes);
 
 /** To be laid over the plate. @throws where the browser does not draw it */
-export async function bitmapOf(file: Blob): Promise<ImageBitmap> {
-  if (file.type !== svgType) return createImageBitmap(file);
-  const { width, height, samples } = await drawSvg(file);
-  return createImageBitmap(new ImageData(new Uint8ClampedArray(samples), width, height));
+export async function bitmapOf(file: Blob, engine: DrawingEngine): Promise<ImageBitmap> {
+  return file.type === svgType ? (await drawSvg(file, engine)).transferToImageBitmap() : createImageBitmap(file);
 }
+
+/** A drawing as a small picture for an <img>. @throws where the browser does not draw it */
+export const smallPng = async (file: Blob, engine: DrawingEngine, side: number): Promise<Blob> =>
+  (await drawSvg(file, engine, side)).convertToBlob({ type: 'image/png' });
 
 const known = new WeakMap<Blob, string[]>();
 
 /** The flat colours of a drawing or a picture, from dark to light; none where it cannot be drawn. */
-export async function coloursIn(file: SourceFile, engine: Pick<Engine, 'decodePicture'>): Promise<string[]> {
+export async function coloursIn(file: SourceFile, engine: DrawingEngine): Promise<string[]> {
   const before = known.get(file.bytes);
   if (before !== undefined) return before;
   const found = await pictureOfFile(file, engine).then(flatColours, () => []);
@@ -103,6 +162,6 @@ export async function coloursIn(file: SourceFile, engine: Pick<Engine, 'decodePi
 /** A direction for each of them. @param before  as of `directionsFor` */
 export const coloursOf = async (
   file: SourceFile,
-  engine: Pick<Engine, 'decodePicture'>,
+  engine: DrawingEngine,
   before?: readonly FlatColour[],
 ): Promise<DirectionSource> => newColours(file, directionsFor(await coloursIn(file, engine), before));

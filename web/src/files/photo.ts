@@ -7,6 +7,7 @@ const mostPixels = 16e6; // a coupon that fills half of them has 18 pixels acros
 /** @throws StudioError InvalidFile */
 export async function photograph(file: Blob & { name?: string }): Promise<Picture> {
   const name = file.name ?? '';
+  if (file.type === 'image/svg+xml') throw new StudioError('InvalidFile', { name }, 'a drawing is no photograph');
   const decoded = await createImageBitmap(file).catch((error: unknown) => {
     throw new StudioError('InvalidFile', { name }, String(error));
   });

@@ -4,8 +4,9 @@ import type { SourceFile } from '../model/plate.js';
 const sides = [320, 240, 180, 128, 96, 64]; // [pixels] of the longer side
 
 /** Grey JPEG, as large as `most` bytes allow: colour is not the plate's to show.
- * @returns undefined where the browser cannot draw the file */
+ * @returns undefined for drawings, and where the browser cannot draw the file */
 export async function shrunk({ bytes }: SourceFile, most: number): Promise<Uint8Array | undefined> {
+  if (bytes.type === 'image/svg+xml') return undefined; // some browsers would draw it, whatever is in it
   let image: ImageBitmap;
   try {
     image = await createImageBitmap(bytes);

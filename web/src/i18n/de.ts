@@ -821,6 +821,8 @@ export const de: Translation = {
   'problem.LeftOut': '{name} enthält Text oder Bilder, die weggelassen wurden.',
   'hint.LeftOut':
     'Text im Ursprungsprogramm in Pfade umwandeln und die Datei neu öffnen. Bilder als eigene Dateien öffnen.',
+  'problem.DrawingTooMuch': 'Die Zeichnung enthält zu viel für eine Richtung je Farbe.',
+  'hint.DrawingTooMuch': 'Mit weniger Elementen zeichnen, oder ein Bild davon verwenden.',
   'problem.BrokenProject': 'Das Projekt {name} konnte nicht gelesen werden.',
   'hint.BrokenProject':
     'Vielleicht ist es unvollständig. Neu herunterladen, neu kopieren oder eine andere Kopie nehmen.',
@@ -986,6 +988,9 @@ export const de: Translation = {
   'rare.plates.takeHelp': 'Der andere Tab macht mit einer Kopie weiter.',
   'rare.plates.copy': 'Kopie öffnen',
   'rare.plates.left': 'Die letzte Platte ist in einem anderen Tab geöffnet; dieser beginnt mit einer anderen.',
+  'rare.plates.unshown':
+    'Die letzte Platte war noch nicht zu sehen, als die Seite geschlossen wurde. Sie ist aufbewahrt, aber nicht geöffnet, falls sie die Seite angehalten hat.',
+  'rare.plates.openAnyway': 'Trotzdem öffnen',
   'rare.plates.copied': 'Diese Platte ist auch in einem anderen Tab geöffnet. Hier geht es mit einer Kopie weiter.',
   'rare.plates.taken': 'Ein anderer Tab arbeitet an dieser Platte weiter. Hier geht es mit einer Kopie weiter.',
   'rare.plates.gone': 'Diese Platte gibt es nicht mehr.',

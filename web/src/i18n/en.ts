@@ -665,6 +665,8 @@ export const en = {
   'problem.LeftOut': '{name} contains text or pictures, which were left out.',
   'hint.LeftOut':
     'Convert text to paths in the program that made the file, and open it again. Open pictures as separate files.',
+  'problem.DrawingTooMuch': 'The drawing has too much in it for a direction per colour.',
+  'hint.DrawingTooMuch': 'Draw it with fewer elements, or use a picture of it.',
   'problem.BrokenProject': 'The project {name} could not be read.',
   'hint.BrokenProject': 'It may be incomplete. Download or copy it again, or use another copy.',
   'problem.TooManyFiles': 'More than one project was opened at once.',

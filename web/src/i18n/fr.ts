@@ -828,6 +828,8 @@ export const fr: Translation = {
   'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
   'hint.LeftOut':
     'Convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier. Ouvrez les images séparément.',
+  'problem.DrawingTooMuch': 'Le dessin est trop chargé pour une direction par couleur.',
+  'hint.DrawingTooMuch': 'Dessinez-le avec moins d’éléments, ou prenez-en une image.',
   'problem.BrokenProject': 'Le projet {name} est illisible.',
   'hint.BrokenProject':
     'Il est peut-être incomplet. Téléchargez-le ou copiez-le de nouveau, ou prenez une autre copie.',
@@ -999,6 +1001,9 @@ export const fr: Translation = {
   'rare.plates.takeHelp': 'L’autre onglet continuera avec une copie.',
   'rare.plates.copy': 'Ouvrir une copie',
   'rare.plates.left': 'Votre dernière plaque est ouverte dans un autre onglet ; celui-ci commence par une autre.',
+  'rare.plates.unshown':
+    'Votre dernière plaque n’était pas encore affichée quand la page a été fermée. Elle est conservée, mais pas ouverte, au cas où elle aurait bloqué la page.',
+  'rare.plates.openAnyway': 'L’ouvrir quand même',
   'rare.plates.copied': 'Cette plaque est aussi ouverte dans un autre onglet. Ici, vous continuez avec une copie.',
   'rare.plates.taken': 'Un autre onglet continue avec cette plaque. Ici, vous continuez avec une copie.',
   'rare.plates.gone': 'Cette plaque n’est plus là.',

@@ -21,6 +21,9 @@ export const rareEn = {
   'rare.plates.takeHelp': 'The other tab goes on with a copy.',
   'rare.plates.copy': 'Open a copy',
   'rare.plates.left': 'Your last plate is open in another tab; this tab begins with another one.',
+  'rare.plates.unshown':
+    'Your last plate was not shown before the page was closed. It is kept, but not opened, in case it stopped the page.',
+  'rare.plates.openAnyway': 'Open it anyway',
   'rare.plates.copied': 'This plate is open in another tab, too. Here you go on with a copy.',
   'rare.plates.taken': 'Another tab goes on with this plate. Here you go on with a copy.',
   'rare.plates.gone': 'That plate is no longer there.',

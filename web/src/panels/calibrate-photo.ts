@@ -176,7 +176,7 @@ export class CalibratePhoto extends StudioElement {
     const name = number > 0 && this.shots.length > 1 ? `${number}. ${file.name}` : file.name;
     const remove = c('photo.remove', { name: file.name });
     return html`<li>
-      <img src=${url} alt="" />
+      <img src=${file.type === 'image/svg+xml' ? nothing : url} alt="" />
       <div class="told">
         <p class="title" title=${file.name}>${name}</p>
         ${reading === undefined ? nothing : gave(reading)}

@@ -293,8 +293,8 @@ export class PlateCanvas extends StudioElement implements Stage {
     if (this.#bitmapOf !== bytes) {
       this.#bitmapOf = bytes;
       this.#bitmap = undefined;
-      void import('../files/drawn.js')
-        .then(({ bitmapOf }) => bitmapOf(bytes))
+      void Promise.all([import('../files/drawn.js'), this.studio.services.engine()])
+        .then(([{ bitmapOf }, running]) => bitmapOf(bytes, running))
         .then(
           (bitmap) => {
             if (this.#bitmapOf === bytes) this.#bitmap = bitmap;

@@ -1,10 +1,12 @@
 // What the files that were opened last are for: the page's guess, to be changed.
-import { css, html, nothing, type TemplateResult } from 'lit';
+import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { rare } from '../i18n/rare.js';
 import { formatBytes, t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
 import type { Opened, Role } from '../model/file-role.js';
+
+const pictureSide = 192; // [pixels] of 64 on a screen of three to one
 
 @customElement('sillon-files')
 export class Files extends DialogElement {
@@ -99,10 +101,25 @@ export class Files extends DialogElement {
     </li>`;
   }
 
-  #picture({ id, bytes }: Opened['source']): TemplateResult | typeof nothing {
-    if (!bytes.type.startsWith('image/')) return html`<span class="blank"></span>`;
-    const url = this.#pictures.get(id) ?? URL.createObjectURL(bytes);
-    this.#pictures.set(id, url);
-    return html`<img src=${url} alt="" />`;
+  #picture({ id, bytes }: Opened['source']): TemplateResult {
+    const isDrawing = bytes.type === 'image/svg+xml';
+    if (!this.#pictures.has(id) && bytes.type.startsWith('image/')) {
+      this.#pictures.set(id, isDrawing ? '' : URL.createObjectURL(bytes));
+      if (isDrawing) void this.#draw(id, bytes);
+    }
+    const url = this.#pictures.get(id) ?? '';
+    return url === '' ? html`<span class="blank"></span>` : html`<img src=${url} alt="" />`;
+  }
+
+  async #draw(id: string, drawing: Blob): Promise<void> {
+    try {
+      const [{ smallPng }, running] = await Promise.all([import('../files/drawn.js'), this.studio.services.engine()]);
+      const png = await smallPng(drawing, running, pictureSide);
+      if (!this.isConnected) return;
+      this.#pictures.set(id, URL.createObjectURL(png));
+      this.requestUpdate();
+    } catch {
+      // It stays blank: it is not drawn.
+    }
   }
 }
