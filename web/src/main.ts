@@ -278,7 +278,7 @@ function greet(plate: Plate, first: Plate): void {
 /** Of the work that was left here, which may still be on its way. */
 async function ownPrinter(kept: Promise<Kept | undefined> | undefined): Promise<PrinterValues> {
   const found = await Promise.race([kept, elapsed(restoreWithin)]);
-  const plate = found !== undefined && found.state !== 'elsewhere' ? found.steps.plate : store.state.plate;
+  const plate = found !== undefined && 'steps' in found ? found.steps.plate : store.state.plate;
   return plate.printer;
 }
 
@@ -292,6 +292,10 @@ async function restoreKept(kept: Promise<Kept | undefined>, wanted: () => boolea
   if (found.state === 'elsewhere') {
     if (shows) studio.notify((await rarely())('plates.left'), listPlates());
     return shows;
+  }
+  if (found.state === 'foreign') {
+    if (shows) studio.notify((await rarely())('plates.foreignLeft'), ...(framed ? [] : [listPlates()]));
+    return false;
   }
   if (!shows) {
     studio.notify(t('restore.late'), {

@@ -20,7 +20,7 @@ const oldKey = 'plate';
 const recordKey = (id: string): string => `plate/${id}`;
 const aboutKey = (id: string): string => `about/${id}`;
 const filesKey = (id: string): string => `file/${id}/`;
-const idOfKey = (key: string): string | undefined => /^about\/(.+)$/.exec(key)?.[1];
+const idOfKey = (key: string): string | undefined => /^(?:about|plate)\/(.+)$/.exec(key)?.[1];
 
 /** What a browser's storage can do. */
 export interface Storage {
@@ -51,6 +51,8 @@ export interface Listed {
   /** This tab shows it; another tab has it. */
   here: boolean;
   elsewhere: boolean;
+  /** It is of another version, or damaged: it cannot be opened, only handed out and deleted. */
+  foreign: boolean;
 }
 
 /** A kept plate to go on with; 'copy': it is open in another tab, as it is here. */
@@ -61,8 +63,16 @@ export interface Opened {
   steps: Steps;
 }
 
-/** 'elsewhere': the plate that was left here last is open in another tab. */
-export type Kept = Opened | { state: 'elsewhere' };
+/** Of the plate that was left here last: 'elsewhere': it is open in another tab; 'foreign': it is of another version. */
+export type Kept = Opened | { state: 'elsewhere' } | { state: 'foreign' };
+
+/** What is kept of a plate, whatever version wrote it. */
+export interface Stored {
+  record: unknown;
+  about: unknown;
+  /** By their ids. */
+  files: ReadonlyMap<string, unknown>;
+}
 
 export interface Autosave {
   /** The plate of this tab, else the one that was changed last. @returns undefined where nothing that can be used was kept;
@@ -87,6 +97,8 @@ export interface Autosave {
   duplicate(id: string, name: string): Promise<string | undefined>;
   /** @returns what brings it back */
   remove(id: string): Promise<() => Promise<void>>;
+  /** What is kept of a plate, as it is, to be handed out. */
+  stored(id: string): Promise<Stored>;
   /** For the list. */
   picture(plate: Plate, picture: Blob): Promise<void>;
 }
@@ -157,13 +169,31 @@ interface About {
 }
 
 function aboutFrom(value: unknown): About | undefined {
-  const given = value as Partial<About> | undefined;
-  if (typeof given !== 'object' || typeof given.name !== 'string' || typeof given.changed !== 'number')
+  const given = value as Partial<About> | null | undefined;
+  if (
+    typeof given !== 'object' ||
+    given === null ||
+    typeof given.name !== 'string' ||
+    typeof given.changed !== 'number'
+  )
     return undefined;
   const { name, width, height, changed, fresh, picture } = given;
   if (typeof width !== 'number' || typeof height !== 'number') return undefined;
   const about = { name, width, height, changed, fresh: fresh === true };
   return picture instanceof Blob ? { ...about, picture } : about;
+}
+
+/** What can be read of it. */
+function aboutLike(value: unknown): About {
+  const { name, width, height, changed } = (typeof value === 'object' ? (value ?? {}) : {}) as Record<string, unknown>;
+  const number = (given: unknown): number => (typeof given === 'number' && Number.isFinite(given) ? given : 0);
+  return {
+    name: typeof name === 'string' ? name.slice(0, 200) : '',
+    width: number(width),
+    height: number(height),
+    changed: number(changed),
+    fresh: false,
+  };
 }
 
 const pointsOf = ({ strokes }: Plate): number => strokes.reduce((sum, { points }) => sum + points.length / 2, 0);
@@ -211,18 +241,21 @@ const areSame = (a: Steps, b: Steps | undefined): boolean =>
 const areEqual = (a: readonly Plate[], b: readonly Plate[]): boolean =>
   a.length === b.length && a.every((plate, k) => plate === b[k]);
 
-/** @param keyOf  of a file, by its id @throws Unfit */
-async function recordedSteps(storage: Storage, record: unknown, keyOf: (id: string) => string): Promise<Steps> {
+const idsIn = (record: unknown): string[] => {
+  const { files } = (record ?? {}) as { files?: unknown };
+  return Array.isArray(files) ? files.map((id) => textIn(id, 'files', 1000)) : [];
+};
+
+/** @param bytesOf  of a file, by its id @throws Unfit */
+function stepsFrom(record: unknown, bytesOf: (id: string) => unknown): Steps {
   const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
   numberIn(fields['version'], 'version', 1, version);
-  const ids = (Array.isArray(fields['files']) ? fields['files'] : []).map((id) => textIn(id, 'files', 1000));
-  const blobs = await storage.getMany(ids.map(keyOf));
+  const ids = new Set(idsIn(record));
   const files = new Map<string, SourceFile>();
-  const bytes = new Map(ids.map((id, k) => [id, blobs[k]]));
   const fileFrom = (told: unknown, where: string): SourceFile => {
     const file = fieldsOf(told, where, ['id', 'name']);
     const id = textIn(file['id'], where, 1000);
-    const blob = bytes.get(id);
+    const blob = ids.has(id) ? bytesOf(id) : undefined;
     if (!(blob instanceof Blob)) throw new Unfit(where, told);
     const name = textIn(file['name'], where, 1000);
     const known = files.get(`${id} ${name}`) ?? { id, name, bytes: blob };
@@ -232,6 +265,27 @@ async function recordedSteps(storage: Storage, record: unknown, keyOf: (id: stri
   const plate = plateFrom(fields['plate'], fileFrom);
   const past = platesFrom(fields['past'], fileFrom); // the nearest first, as in `future`
   return { past: past.reverse(), plate, future: platesFrom(fields['future'], fileFrom).reverse() };
+}
+
+/** @param keyOf  of a file, by its id @throws Unfit */
+async function recordedSteps(storage: Storage, record: unknown, keyOf: (id: string) => string): Promise<Steps> {
+  const ids = idsIn(record);
+  const blobs = await storage.getMany(ids.map(keyOf));
+  const bytes = new Map(ids.map((id, k) => [id, blobs[k]]));
+  return stepsFrom(record, (id) => bytes.get(id));
+}
+
+/** Whether this version can open the plate of a record. @param has  whether a file is there, by its id */
+function isFit(record: unknown, has: (id: string) => boolean): boolean {
+  const present = new Blob();
+  try {
+    if (typeof record !== 'object') throw new Unfit('', record);
+    stepsFrom({ ...record, past: [], future: [] }, (id) => (has(id) ? present : undefined));
+    return true;
+  } catch (error) {
+    if (error instanceof Unfit) return false;
+    throw error;
+  }
 }
 
 /** @param onProblem  is told when work cannot be kept, and again when that comes back
@@ -382,17 +436,27 @@ export function createAutosave(
     );
 
   async function abouts(): Promise<{ id: string; about: About }[]> {
-    const ids = (await storage.keys()).flatMap((key) => idOfKey(key) ?? []);
+    const names = await storage.keys();
+    const ids = [...new Set(names.flatMap((key) => idOfKey(key) ?? []))];
     const values = await storage.getMany(ids.map(aboutKey));
     return ids
       .flatMap((id, k) => {
-        const about = aboutFrom(values[k]);
+        const about = aboutFrom(values[k]) ?? (names.includes(recordKey(id)) ? aboutLike(values[k]) : undefined);
         return about === undefined ? [] : [{ id, about }];
       })
       .sort((a, b) => b.about.changed - a.about.changed);
   }
 
-  /** @returns undefined where it is gone or broken: a broken record would be found broken for ever */
+  /** Those of these records that this version cannot open. */
+  async function foreignOf(ids: readonly string[]): Promise<Set<string>> {
+    const [names, records] = await Promise.all([storage.keys(), storage.getMany(ids.map(recordKey))]);
+    const there = new Set(names);
+    return new Set(
+      ids.filter((id, k) => there.has(recordKey(id)) && !isFit(records[k], (file) => there.has(filesKey(id) + file))),
+    );
+  }
+
+  /** @returns undefined where it is gone, or cannot be opened */
   async function stepsOf(id: string): Promise<Steps | undefined> {
     const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
     if (record === undefined) return undefined;
@@ -402,8 +466,8 @@ export function createAutosave(
       if (picture !== undefined) pictures.set(id, picture);
       return steps;
     } catch (error) {
-      if (error instanceof Unfit) await storage.delMany(await namesOf(id)).catch(() => undefined);
-      return undefined;
+      if (error instanceof Unfit) return undefined; // it stays: another version may open it
+      throw error;
     }
   }
 
@@ -412,21 +476,27 @@ export function createAutosave(
     for (const plate of [...steps.past, steps.plate, ...steps.future]) idOf.set(plate, id);
   }
 
-  /** The record of earlier versions becomes one among others. */
+  /** The record of earlier versions becomes one among others, also where it cannot be read. */
   async function migrate(): Promise<void> {
     const [record] = await storage.getMany([oldKey]);
     if (record === undefined) return;
-    let gone = (await storage.keys()).filter((key) => key === oldKey || /^file\/[^/]+$/.test(key));
+    const names = await storage.keys();
+    const files = names.flatMap((key) => /^file\/([^/]+)$/.exec(key)?.[1] ?? []);
+    const id = newId();
     try {
       const steps = await recordedSteps(storage, record, (file) => `file/${file}`);
-      const id = newId();
       claim(id, steps);
       await write(id, steps);
       saved.delete(id); // by nobody who shows it
     } catch (error) {
-      if (!(error instanceof Unfit)) gone = [];
+      if (!(error instanceof Unfit)) throw error;
+      const blobs = await storage.getMany(files.map((file) => `file/${file}`));
+      await storage.setMany([
+        ...files.map((file, k): [string, unknown] => [filesKey(id) + file, blobs[k]]),
+        [recordKey(id), record],
+      ]);
     }
-    if (gone.length > 0) await storage.delMany(gone);
+    await storage.delMany([oldKey, ...files.map((file) => `file/${file}`)]);
   }
 
   async function taken(id: string, wait: boolean, steal = false): Promise<Opened | undefined> {
@@ -443,10 +513,13 @@ export function createAutosave(
   async function read(): Promise<Kept | undefined> {
     try {
       await migrate();
+      const foreign = await foreignOf((await abouts()).map(({ id }) => id));
+      if (before !== undefined && foreign.has(before)) return { state: 'foreign' };
       const own = before === undefined ? undefined : await taken(before, true);
       if (own !== undefined) return own;
       const newest = (await abouts()).find(({ id }) => !begunHere.has(id));
       if (newest === undefined) return undefined;
+      if (foreign.has(newest.id)) return { state: 'foreign' }; // without its lock: a tab of that version may take it
       if (!(await locks.take(newest.id, { onLost: lost }))) return { state: 'elsewhere' };
       return await taken(newest.id, false);
     } catch {
@@ -483,7 +556,8 @@ export function createAutosave(
     async list() {
       await flush();
       const [all, held] = await Promise.all([abouts(), locks.held()]);
-      const shown = all.filter(({ id, about }) => !about.fresh || id === current || held.has(id));
+      const foreign = await foreignOf(all.map(({ id }) => id));
+      const shown = all.filter(({ id, about }) => !about.fresh || id === current || held.has(id) || foreign.has(id));
       // What nobody ever changed goes with its tab.
       const left = all.filter((one) => !shown.includes(one));
       for (const { id } of left) await storage.delMany(await namesOf(id));
@@ -496,6 +570,7 @@ export function createAutosave(
         picture,
         here: id === current,
         elsewhere: held.has(id) && !locks.mine(id),
+        foreign: foreign.has(id),
       }));
     },
     async open(id, take = false) {
@@ -540,6 +615,13 @@ export function createAutosave(
       saved.delete(id);
       written.delete(id);
       return () => storage.setMany(names.map((key, k) => [key, values[k]]));
+    },
+    async stored(id) {
+      await flush();
+      const names = (await namesOf(id)).filter((key) => key.startsWith(filesKey(id)));
+      const [record, about, ...bytes] = await storage.getMany([recordKey(id), aboutKey(id), ...names]);
+      const files = new Map(names.map((key, k) => [key.slice(filesKey(id).length), bytes[k]]));
+      return { record, about, files };
     },
     async picture(plate, picture) {
       const id = live(idOf.get(plate) ?? '');

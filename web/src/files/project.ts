@@ -10,6 +10,7 @@ import { mostPictures, pictureInput } from '../model/lamp.js';
 import { withoutBrought } from '../model/brought.js';
 import type { LampPicture, Plate, SourceFile } from '../model/plate.js';
 import { StudioError } from '../model/problem.js';
+import type { Stored } from './autosave.js';
 import { enoughToKnow, kindOf } from './kind.js';
 import { filesOf, plateData } from './plate-data.js';
 import { encodeGreyPng } from './png16.js';
@@ -108,10 +109,52 @@ export async function writeProject(plate: Plate, raster: DirectionRaster | undef
     const content = new Uint8Array(await bytes.arrayBuffer());
     packed[paths.get(id) ?? ''] = [content, { level: isText ? 6 : 0 }];
   }
-  const whole: Zippable = { 'project.json': json(project), 'studio.json': json(studio), ...packed };
-  // The clock has no part in it.
-  const zip = zipSync(whole, { level: 6, mtime: new Date(1980, 0, 1) });
-  return new Blob([zip], { type: 'application/zip' });
+  return zipped({ 'project.json': json(project), 'studio.json': json(studio), ...packed });
+}
+
+/** The clock has no part in it. */
+const zipped = (whole: Zippable): Blob =>
+  new Blob([zipSync(whole, { level: 6, mtime: new Date(1980, 0, 1) })], { type: 'application/zip' });
+
+/** What was kept of a plate that only another version can read: everything as it is, and a studio.json for that version.
+ * @param stored  as of `Autosave.stored` */
+export async function packStored({ record, about, files }: Stored): Promise<Blob> {
+  const names = new Map<unknown, string>();
+  const blobs = new Map<string, Blob>();
+  const told = (value: unknown): { id: string; name: string } | undefined => {
+    const { id, name } = (value ?? {}) as { id?: unknown; name?: unknown };
+    return typeof id === 'string' && typeof name === 'string' && files.has(id) ? { id, name } : undefined;
+  };
+  /** JSON lacks bytes: they stand beside it. */
+  const text = (value: unknown): unknown =>
+    JSON.parse(
+      JSON.stringify(value ?? null, (_, part: unknown) => {
+        const file = told(part);
+        if (file !== undefined && !names.has(file.id)) names.set(file.id, file.name);
+        if (!(part instanceof Blob)) return part;
+        const id = `of record ${blobs.size + 1}`;
+        blobs.set(id, part);
+        return { id };
+      }),
+    );
+  const [plain, plainAbout] = [text(record), text(about)];
+  for (const [id, bytes] of files) if (bytes instanceof Blob) blobs.set(id, bytes);
+  const sources = Array.from(blobs, ([id, bytes]) => ({ id, name: names.get(id) ?? id, bytes }));
+  const paths = pathsFor(sources);
+  const { plate } = (plain ?? {}) as { plate?: unknown };
+  const pathed: unknown = JSON.parse(
+    JSON.stringify(plate ?? null, (_, part: unknown) => {
+      const file = told(part);
+      return file === undefined ? part : { path: paths.get(file.id), name: file.name };
+    }),
+  );
+  const packed: Zippable = {};
+  for (const { id, bytes } of sources) packed[paths.get(id) ?? id] = new Uint8Array(await bytes.arrayBuffer());
+  return zipped({
+    'studio.json': json({ studio: version, plate: pathed }),
+    'kept.json': json({ record: plain, about: plainAbout, files: Object.fromEntries(paths) }),
+    ...packed,
+  });
 }
 
 // --- In ----------------------------------------------------------------------------------------------------------------

@@ -978,6 +978,12 @@ export const de: Translation = {
   'rare.plates.name': 'Name von {name}',
   'rare.plates.here': 'Hier geöffnet',
   'rare.plates.elsewhere': 'In einem anderen Tab geöffnet',
+  'rare.plates.foreign': 'Aus anderer Version',
+  'rare.plates.foreignHelp':
+    '{name} stammt aus einer anderen Version dieser Seite oder ist beschädigt. Hier lässt sie sich nicht öffnen, und sie bleibt, wie sie ist, bis sie gelöscht wird.',
+  'rare.plates.foreignLeft':
+    'Die letzte Platte stammt aus einer anderen Version dieser Seite und lässt sich hier nicht öffnen. Sie bleibt unter den eigenen Platten.',
+  'rare.plates.download': '{name} herunterladen',
   'rare.plates.duplicate': '{name} duplizieren',
   'rare.plates.copyOf': '{name}, Kopie',
   'rare.plates.delete': '{name} löschen',

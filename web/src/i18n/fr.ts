@@ -991,6 +991,12 @@ export const fr: Translation = {
   'rare.plates.name': 'Nom de {name}',
   'rare.plates.here': 'Ouverte ici',
   'rare.plates.elsewhere': 'Ouverte dans un autre onglet',
+  'rare.plates.foreign': 'D’une autre version',
+  'rare.plates.foreignHelp':
+    '{name} vient d’une autre version de cette page, ou est endommagée. Elle ne peut pas être ouverte ici, et reste telle quelle tant que vous ne la supprimez pas.',
+  'rare.plates.foreignLeft':
+    'Votre dernière plaque vient d’une autre version de cette page et ne peut pas être ouverte ici. Elle reste parmi vos plaques.',
+  'rare.plates.download': 'Télécharger {name}',
   'rare.plates.duplicate': 'Dupliquer {name}',
   'rare.plates.copyOf': '{name}, copie',
   'rare.plates.delete': 'Supprimer {name}',

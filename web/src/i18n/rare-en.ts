@@ -11,6 +11,12 @@ export const rareEn = {
   'rare.plates.name': 'Name of {name}',
   'rare.plates.here': 'Open here',
   'rare.plates.elsewhere': 'Open in another tab',
+  'rare.plates.foreign': 'Of another version',
+  'rare.plates.foreignHelp':
+    '{name} was kept by another version of this page, or is damaged. It cannot be opened here, and stays as it is until you delete it.',
+  'rare.plates.foreignLeft':
+    'Your last plate was kept by another version of this page and cannot be opened here. It stays among your plates.',
+  'rare.plates.download': 'Download {name}',
   'rare.plates.duplicate': 'Duplicate {name}',
   'rare.plates.copyOf': '{name}, copy',
   'rare.plates.delete': 'Delete {name}',

@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Listed } from '../files/autosave.js';
+import { plainName } from '../files/file-name.js';
 import { rare } from '../i18n/rare.js';
 import { language, t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
@@ -132,6 +133,8 @@ export class Plates extends DialogElement {
   @state() private plates: readonly Listed[] | undefined;
   /** A plate that another tab has was asked for. */
   @state() private asked: Listed | undefined;
+  /** One that cannot be opened here was asked for. */
+  @state() private foreign: Listed | undefined;
   @state() private deleted: { name: string; undo: () => Promise<void> } | undefined;
 
   protected override heading = (): string => rare('plates.title');
@@ -185,7 +188,15 @@ export class Plates extends DialogElement {
   }
 
   #told(): TemplateResult | typeof nothing {
-    const { asked, deleted } = this;
+    const { asked, foreign, deleted } = this;
+    if (foreign !== undefined) {
+      return html`<div class="told">
+        <span>${rare('plates.foreignHelp', { name: this.#nameOf(foreign) })}</span>
+        <button type="button" class="main" @click=${() => void this.#download(foreign)}>
+          ${icon('download', 16)} ${t('verb.download')}
+        </button>
+      </div>`;
+    }
     if (asked !== undefined) {
       return html`<div class="told">
         <span>${rare('plates.asked', { name: this.#nameOf(asked) })} ${rare('plates.takeHelp')}</span>
@@ -227,9 +238,10 @@ export class Plates extends DialogElement {
   #nameOf = ({ name }: Listed): string => name || rare('plates.untitled');
 
   #plate(plate: Listed): TemplateResult {
-    const { id, width, height, changed, picture, here, elsewhere } = plate;
+    const { id, width, height, changed, picture, here, elsewhere, foreign } = plate;
     const name = this.#nameOf(plate);
     const size = rare('plates.size', { width: Math.round(width), height: Math.round(height) });
+    const badge = foreign ? 'plates.foreign' : here ? 'plates.here' : elsewhere ? 'plates.elsewhere' : undefined;
     const date = new Intl.DateTimeFormat(language(), { dateStyle: 'medium', timeStyle: 'short' }).format(changed);
     return html`<li class=${here ? 'here' : ''}>
       <button
@@ -238,7 +250,8 @@ export class Plates extends DialogElement {
         aria-label=${rare('plates.open', { name })}
         aria-current=${here ? 'true' : nothing}
         @click=${() => {
-          if (here) this.close();
+          if (foreign) this.foreign = plate;
+          else if (here) this.close();
           else if (elsewhere) this.asked = plate;
           else void this.#open(id, false);
         }}
@@ -248,11 +261,7 @@ export class Plates extends DialogElement {
             ? html`<span class="blank">${icon('directions', 40)}</span>`
             : html`<img src=${urlOf(picture)} alt="" />`
         }
-        ${
-          here || elsewhere
-            ? html`<span class="badge">${rare(here ? 'plates.here' : 'plates.elsewhere')}</span>`
-            : nothing
-        }
+        ${badge === undefined ? nothing : html`<span class="badge">${rare(badge)}</span>`}
       </button>
       <input
         class="name"
@@ -261,7 +270,7 @@ export class Plates extends DialogElement {
         placeholder=${rare('plates.untitled')}
         maxlength="80"
         spellcheck="false"
-        ?readonly=${elsewhere}
+        ?readonly=${elsewhere || foreign}
         .value=${plate.name}
         @change=${(event: Event) => {
           void this.#rename(plate, (event.currentTarget as HTMLInputElement).value.trim());
@@ -269,11 +278,15 @@ export class Plates extends DialogElement {
       />
       <div class="foot">
         <span class="note">${size}<br />${date}</span>
-        ${this.#button('copy', rare('plates.duplicate', { name }), () =>
-          this.#then(async () => {
-            await this.studio.services.plates().duplicate(id, rare('plates.copyOf', { name }));
-          }),
-        )}
+        ${
+          foreign
+            ? this.#button('download', rare('plates.download', { name }), () => this.#download(plate))
+            : this.#button('copy', rare('plates.duplicate', { name }), () =>
+                this.#then(async () => {
+                  await this.studio.services.plates().duplicate(id, rare('plates.copyOf', { name }));
+                }),
+              )
+        }
         ${this.#button('bin', rare('plates.delete', { name }), () => this.#remove(plate), elsewhere)}
       </div>
     </li>`;
@@ -313,6 +326,15 @@ export class Plates extends DialogElement {
     });
   }
 
+  /** As it is kept, for the version that can open it. */
+  async #download(plate: Listed): Promise<void> {
+    await this.studio.attempt(async () => {
+      const { packStored } = await import('../files/project.js');
+      const packed = await packStored(await this.studio.services.plates().stored(plate.id));
+      this.studio.deliver(packed, `${plainName(plate.name) || 'plate'}.sillon.zip`);
+    });
+  }
+
   async #remove(plate: Listed): Promise<void> {
     await this.#then(async () => {
       if (plate.here) {
@@ -320,6 +342,7 @@ export class Plates extends DialogElement {
         await Promise.resolve();
       }
       const undo = await this.studio.services.plates().remove(plate.id);
+      this.foreign = undefined;
       this.deleted = { name: this.#nameOf(plate), undo };
     });
     await this.updateComplete;

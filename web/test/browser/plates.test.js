@@ -1,7 +1,10 @@
 // Nothing is lost: several plates side by side, in several tabs, with their steps; links with pictures; files in their place.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+
+import { strFromU8, unzipSync } from 'fflate';
 
 import { sharedBench } from './support/shared.js';
 import { linkOf } from './support/small.js';
@@ -127,6 +130,58 @@ test('the one plate of earlier versions is found', { skip }, async () => {
   await visit.until((state) => state.plate.name === 'Older');
   assert.deepEqual(await names(visit), ['Older']);
 });
+
+const pictures = process.env.SILLON_PICTURES;
+
+/** As if a later version had written the plate that is kept. */
+const madeForeign = (visit) =>
+  visit.page.evaluate(async () => {
+    const answered = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const database = await answered(indexedDB.open('sillon-studio'));
+    const work = database.transaction('work', 'readwrite').objectStore('work');
+    const key = (await answered(work.getAllKeys())).find((one) => one.startsWith('plate/'));
+    const record = await answered(work.get(key));
+    await answered(work.put({ ...record, plate: { ...record.plate, sparkle: true } }, key));
+    database.close();
+  });
+
+for (const [locale, badge, told, download, remove] of [
+  ['en-US', 'Of another version', /cannot be opened here/, 'Download', 'Delete Theirs'],
+  ['de-DE', 'Aus anderer Version', /nicht öffnen/, 'Herunterladen', 'Theirs löschen'],
+  ['fr-FR', 'D’une autre version', /ne peut pas être ouverte ici/, 'Télécharger', 'Supprimer Theirs'],
+]) {
+  test(
+    `a plate of another version stays, is handed out, and goes when it is deleted (${locale})`,
+    { skip },
+    async () => {
+      const visit = await bench.open({ small: true, locale });
+      await visit.idle();
+      await rename(visit, 'Theirs');
+      await until(async () => (await list(visit)).some(({ picture }) => picture > 300), 'a picture');
+      await madeForeign(visit);
+      await visit.page.goto('about:blank');
+      await visit.page.goto(bench.origin);
+      await visit.page.locator('sillon-notices').getByText(told).first().waitFor();
+      await visit.page.locator('sillon-notices').getByRole('button').first().click();
+      const dialog = visit.page.locator('sillon-plates dialog');
+      await dialog.getByText(badge, { exact: true }).waitFor();
+      await dialog.locator('.open').click();
+      assert.match(await dialog.locator('.told').innerText(), told);
+      if (pictures !== undefined) await visit.page.screenshot({ path: `${pictures}/foreign-${locale}.png` });
+      const [saved] = await Promise.all([
+        visit.page.waitForEvent('download'),
+        dialog.locator('.told').getByRole('button', { name: download }).click(),
+      ]);
+      assert.equal(saved.suggestedFilename(), 'Theirs.sillon.zip');
+      const { record } = JSON.parse(strFromU8(unzipSync(readFileSync(await saved.path()))['kept.json']));
+      assert.ok(record.plate.sparkle && record.plate.name === 'Theirs');
+      await dialog.getByRole('button', { name: remove }).click();
+      await until(async () => (await list(visit)).every(({ name }) => name !== 'Theirs'), 'the deletion');
+      assert.equal(await dialog.getByText(badge, { exact: true }).count(), 0);
+      assert.deepEqual(visit.problems, []);
+    },
+  );
+}
 
 test('a full storage is told', { skip }, async () => {
   const visit = await bench.open({ small: true });

@@ -93,7 +93,7 @@ function later(): Autosave {
 }
 const steps = (plate: Plate): Steps => ({ past: [], plate, future: [] });
 const plateOf = (kept: Kept | undefined): Plate | undefined =>
-  kept === undefined || kept.state === 'elsewhere' ? undefined : kept.steps.plate;
+  kept !== undefined && 'steps' in kept ? kept.steps.plate : undefined;
 const records = (): string[] => [...box.kept.keys()].filter((key) => key.startsWith('plate/'));
 const fileKeys = (): string[] =>
   [...box.kept.keys()].filter((key) => key.startsWith('file/')).map((key) => key.split('/').at(-1) ?? '');
@@ -148,7 +148,7 @@ test('undo and redo come back with it, within bounds', async () => {
   first.save({ past: plates.slice(0, at), plate: plates[at] as Plate, future: plates.slice(at + 1).reverse() });
   await first.flush();
   const kept = await later().load();
-  assert.ok(kept !== undefined && kept.state !== 'elsewhere');
+  assert.ok(kept !== undefined && 'steps' in kept);
   const { past, plate, future } = kept.steps;
   assert.deepEqual(plate, plates[at]);
   assert.deepEqual(past, plates.slice(at - 60, at));
@@ -163,7 +163,7 @@ test('a step that is undone before it was saved can be redone after a reload', a
   first.save({ past: [], plate, future: [undone] });
   await first.flush();
   const kept = await later().load();
-  assert.ok(kept !== undefined && kept.state !== 'elsewhere');
+  assert.ok(kept !== undefined && 'steps' in kept);
   assert.deepEqual(kept.steps, { past: [], plate, future: [undone] });
 });
 
@@ -183,7 +183,7 @@ test('strokes without end, and files that only earlier steps use, do not fill th
     autosave.save({ past, plate: named('now'), future: [] });
     await autosave.flush();
     const kept = await later().load();
-    assert.ok(kept !== undefined && kept.state !== 'elsewhere');
+    assert.ok(kept !== undefined && 'steps' in kept);
     assert.equal(kept.steps.past.length, left);
   }
 });
@@ -415,7 +415,7 @@ test('an earlier plate does not throw away the files of a later one', async () =
   assert.deepEqual(await contents(plateOf(await later().load())), ['<svg/>', 'pixels', 'pixels']);
 });
 
-test('a record that cannot be one of ours is dropped', async () => {
+test('a record of another version stays as it is, is listed, and goes when its owner deletes it', async () => {
   await keep(start(), withFiles());
   const kept = structuredClone([...box.kept]);
   const [key = ''] = records();
@@ -426,6 +426,7 @@ test('a record that cannot be one of ours is dropped', async () => {
     'text',
     {},
     { ...good, version: 3 },
+    { ...good, plate: { ...plate, filament: 'purple' } },
     { ...good, files: [] },
     { ...good, files: 'all' },
     { ...good, plate: undefined },
@@ -440,16 +441,51 @@ test('a record that cannot be one of ours is dropped', async () => {
     box.kept.clear();
     for (const [name, value] of kept) box.kept.set(name, value);
     box.kept.set(key, record);
-    assert.equal(await later().load(), undefined, JSON.stringify(record));
-    assert.equal(box.kept.size, 0, JSON.stringify(record));
+    const before = [...box.kept];
+    const autosave = later();
+    assert.deepEqual(await autosave.load(), { state: 'foreign' }, JSON.stringify(record));
+    assert.equal(await autosave.open(key.slice('plate/'.length)), undefined);
+    await keep(autosave, named('another'));
+    const [{ id } = assert.fail(), ...others] = (await autosave.list()).filter(({ foreign }) => foreign);
+    assert.deepEqual([`plate/${id}`, others.length], [key, 0]);
+    for (const [name, value] of before) assert.equal(box.kept.get(name), value, name);
+    assert.equal((await autosave.stored(id)).files.size, 2);
+    await autosave.remove(id);
+    assert.ok(before.every(([name]) => !box.kept.has(name)));
   }
+  box.kept.clear();
   for (const [name, value] of kept) if (!name.endsWith(shape.id)) box.kept.set(name, value);
-  assert.equal(await later().load(), undefined, 'a file is gone');
+  assert.deepEqual(await later().load(), { state: 'foreign' }, 'a file is gone');
   // A step that cannot be one is left out, with all before it.
   for (const [name, value] of kept) box.kept.set(name, value);
   box.kept.set(key, { ...good, past: [plate, { ...plate, width: -1 }, plate] });
   const found = await later().load();
-  assert.ok(found !== undefined && found.state !== 'elsewhere');
+  assert.ok(found !== undefined && 'steps' in found);
   assert.equal(found.steps.past.length, 1);
   assert.deepEqual(problems, []);
+});
+
+test('what another version says of its plates in the list may be anything', async () => {
+  await keep(start(), named('theirs'));
+  const [key = ''] = records();
+  const good = box.kept.get(key) as Record<string, unknown>;
+  box.kept.set(key, { ...good, version: 9 });
+  for (const about of [undefined, null, 7, { title: 'theirs' }, { fresh: true, changed: Number.NaN, name: 'theirs' }]) {
+    box.kept.set(key.replace('plate', 'about'), about);
+    if (about === undefined) box.kept.delete(key.replace('plate', 'about'));
+    const [{ foreign, width } = assert.fail(), ...others] = await later().list();
+    assert.deepEqual([foreign, width, others.length], [true, 0, 0]);
+  }
+});
+
+test('the one record of older versions stays, too, where it cannot be read', async () => {
+  const record = { version: 1, files: [shape.id], plate: { sparkle: true } };
+  box.kept.set('plate', record);
+  box.kept.set(`file/${shape.id}`, shape.bytes);
+  const autosave = start();
+  assert.deepEqual(await autosave.load(), { state: 'foreign' });
+  const [{ id, foreign } = assert.fail()] = await autosave.list();
+  assert.ok(foreign);
+  const stored = await autosave.stored(id);
+  assert.deepEqual([stored.record, await (stored.files.get(shape.id) as Blob).text()], [record, '<svg/>']);
 });

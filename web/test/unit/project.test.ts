@@ -9,8 +9,8 @@ import { createEngine, type Engine } from 'sillon';
 import { rasterise } from '../../src/directions/rasterise.js';
 import type { DirectionRaster } from '../../src/model/raster.js';
 import { engineInput } from '../../src/model/input.js';
-import { readProject, writeProject } from '../../src/files/project.js';
-import { filesOf } from '../../src/files/plate-data.js';
+import { packStored, readProject, writeProject } from '../../src/files/project.js';
+import { filesOf, plateData } from '../../src/files/plate-data.js';
 import { sourceFile } from '../../src/files/source-file.js';
 import {
   fileKinds,
@@ -416,3 +416,44 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
   }
   assert.ok(opened > 10, `only ${opened} were harmless`);
 });
+
+// --- What another version has kept --------------------------------------------------------------------------------------
+
+test('what is kept is handed out as it is, and the version that wrote it opens it', async () => {
+  const plate: Plate = {
+    ...small(),
+    shape: { kind: 'file', file: leaf, unitless: 'mm' },
+    directions: newLampDirections([{ file: photo, lamp: [60, 45] }]),
+  };
+  const told = plateData(plate, ({ id, name }) => ({ id, name })) as object;
+  const files = new Map(filesOf(plate).map(({ id, bytes }) => [id, bytes]));
+  const record = { version: 2, files: [...files.keys()], plate: told, past: [], future: [] };
+  const about = { name: 'theirs', picture: new Blob(['small']) };
+  const zip = await bytesOf(await packStored({ record, about, files }));
+  const back = await read(zip);
+  assert.deepEqual(await contents(back), await contents(plate));
+  assert.deepEqual(back, plate);
+
+  const theirs = { ...record, version: 9, sparkle: true };
+  const packed = unzipSync(await bytesOf(await packStored({ record: theirs, about, files })));
+  const kept = JSON.parse(Buffer.from(packed['kept.json'] ?? []).toString()) as {
+    record: unknown;
+    about: { name: string; picture: { id: string } };
+    files: Record<string, string>;
+  };
+  assert.deepEqual(kept.record, theirs);
+  const bytes = (id: string): string => Buffer.from(packed[kept.files[id] ?? ''] ?? []).toString('hex');
+  assert.equal(bytes(leaf.id), Buffer.from(await bytesOf(leaf.bytes)).toString('hex'));
+  assert.equal(bytes(photo.id), Buffer.from(await bytesOf(photo.bytes)).toString('hex'));
+  assert.equal(Buffer.from(bytes(kept.about.picture.id), 'hex').toString(), 'small');
+});
+
+for (const record of [null, 'text', 7, {}, { plate: null, files: 'all' }]) {
+  test(`whatever is kept is handed out: ${JSON.stringify(record)}`, async () => {
+    const packed = unzipSync(await bytesOf(await packStored({ record, about: undefined, files: new Map() })));
+    assert.deepEqual(
+      (JSON.parse(Buffer.from(packed['kept.json'] ?? []).toString()) as { record: unknown }).record,
+      record,
+    );
+  });
+}
