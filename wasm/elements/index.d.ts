@@ -26,7 +26,7 @@ export interface StudioAttributes {
   autosave: string;
   base: string;
   sandbox: string;
-  /** Address of a picture, shown until the studio is there. */
+  /** Address of a picture, shown until the studio is there, and in the place of a plate that cannot be shown. */
   poster: string;
 }
 

@@ -350,19 +350,26 @@ const listPlates = (): NoticeAction => ({
   },
 });
 
+/** In a frame nothing else is shown in the place of what its address names. */
+const openNamed = (named: () => Promise<void>): Promise<boolean> => {
+  const open = (): Promise<void> => untried.during(named);
+  return studio.attempt(async () => {
+    if (!framed) await open();
+    else await (await import('./embed/frame.js')).showNamed(studio, open);
+  });
+};
+
 /** Of the files that the address names, on this page's own site. */
 async function openAddress(kept?: Promise<Kept | undefined>): Promise<boolean> {
   if (asked.files.length === 0) return false;
-  return studio.attempt(async () => {
+  return openNamed(async () => {
     const { fetchFiles } = await import('./embed/fetching.js');
     const files = await fetchFiles(asked.files, document.baseURI).catch((error: unknown) => {
       throw new StudioError('GuestFile', {}, problemOf(error).detail);
     });
     const printer = await ownPrinter(kept);
     store.change((plate) => ({ ...plate, printer }));
-    await untried.during(() =>
-      opener.load(files.map(({ name, bytes, role }) => ({ file: new File([bytes], name), role }))),
-    );
+    await opener.load(files.map(({ name, bytes, role }) => ({ file: new File([bytes], name), role })));
     usePrinter(asked.given.printer);
   });
 }
@@ -378,7 +385,7 @@ async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
   if (project === undefined && hash !== '#shared' && !hash.startsWith('#plate=')) return false;
   // A reload must bring back the work that followed, not the link.
   history.replaceState(null, '', location.pathname + location.search);
-  const open = async (): Promise<void> => {
+  return openNamed(async () => {
     if (project !== undefined) {
       await opener.openOwn(project);
       return;
@@ -392,8 +399,7 @@ async function openLink(kept?: Promise<Kept | undefined>): Promise<boolean> {
     if (linked === undefined) return;
     show(onOwnPrinter(linked.plate, await ownPrinter(kept)));
     studio.notify(`${t('link.opened')} ${linked.told}`.trim());
-  };
-  return studio.attempt(() => untried.during(open));
+  });
 }
 
 /** Whether what was made of files has been undone, or something of another kind stands in its place. */
@@ -515,19 +521,17 @@ function begin(): void {
   pipeline.start();
 }
 
-async function frame(): Promise<void> {
-  const { waitForHost } = await import('./embed/frame.js');
+/** @param restored  what the address names is shown, or why it is not */
+async function frame(restored: Promise<void>): Promise<void> {
+  const { setLacking, waitForHost } = await import('./embed/frame.js');
   const hosts = document.querySelector<HTMLMetaElement>('meta[name="sillon-hosts"]')?.content.split(/\s+/) ?? [];
   waitForHost(hosts, studio, {
     load: async (openings, trusted) => {
-      try {
-        await untried.during(() => opener.load(openings, trusted));
-        usePrinter(asked.given.printer);
-        store.forgetSteps();
-      } finally {
-        begin();
-      }
+      await untried.during(() => opener.load(openings, trusted));
+      usePrinter(asked.given.printer);
+      store.forgetSteps();
     },
+    begin,
     configure: async (textOf) => {
       const { given, wrong } = guestSettings(textOf, spoken);
       const [first] = wrong;
@@ -545,14 +549,18 @@ async function frame(): Promise<void> {
     },
     onHost: async (origin) => {
       store.set({ host: origin === 'null' ? t('app.someHost') : origin });
+      await restored; // what a host asks for is of that, or comes after it
       const { autosave: name } = asked.given;
       if (name === undefined || origin === 'null') return false;
       let waits = true;
       const late = elapsed(hostWaits).then(() => (waits = false));
       const kept = keeper(`${origin} ${name}`).then((made) => made.load());
-      const restored = await Promise.race([restoreKept(kept, () => waits), late]);
-      if (restored) begin();
-      return restored;
+      const found = await Promise.race([restoreKept(kept, () => waits), late]);
+      if (found) {
+        setLacking(studio, undefined);
+        begin();
+      }
+      return found;
     },
   });
 }
@@ -582,14 +590,20 @@ async function start(): Promise<void> {
   document.body.append(app);
   keepUp();
   const within = location.hash === '' ? restoreWithin : linkWithin; // restore() takes the link out of the address
-  await Promise.race([restore(), elapsed(within)]);
-  // Nobody wants to see another plate first, nor its figures, where the host's is on its way.
-  if (framed && asked.waits) void elapsed(hostWaits).then(begin);
-  else begin();
+  if (framed && asked.waits)
+    store.set({ lacking: { code: 'BadRequest', message: 'No plate is loaded yet.', hint: '' } });
+  const restored = restore();
+  await Promise.race([restored, elapsed(within)]);
   if (framed) {
-    await frame();
+    void engine.engine().catch(() => undefined); // a host hears of it also where no plate follows
+    // Nobody is shown or sold another plate where one is named: it is on its way, or cannot be shown.
+    void restored.then(() => {
+      if (!asked.waits && store.state.lacking === undefined) begin();
+    });
+    await frame(restored);
     return; // other pages work as they work without a network
   }
+  begin();
   if ('launchQueue' in window) {
     void import('./files/handed.js').then(({ onLaunched }) => {
       onLaunched((files) => void studio.open(files), studio.handles);

@@ -34,7 +34,7 @@ async function bytesAt(url: URL, credentials: RequestCredentials, signal?: Abort
   } catch {
     signal?.throwIfAborted();
     throw new Error(
-      `${url.href} could not be fetched: it is not there, or its site does not allow this one to read it`,
+      `${url.href} could not be fetched: there is no connection, or its site is not there or does not allow this one to read it`,
     );
   }
   if (!response.ok) throw new Error(`${url.href} came with status ${response.status}`);

@@ -4,9 +4,10 @@ import { wholeWords } from '../i18n/say-problem.js';
 import { threadsWords } from '../i18n/say.js';
 import { Unfit } from '../model/check-plate.js';
 import type { Opening } from '../model/file-role.js';
-import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
+import { isAbort, problemOf, StudioError, type Failure, type Problem } from '../model/problem.js';
+import { isOf } from '../model/result.js';
 import type { PlateResult } from '../model/state.js';
-import type { Notice } from '../panels/shown.js';
+import type { Notice, Shown } from '../panels/shown.js';
 import type { Product, Studio } from '../panels/studio.js';
 import { brandFrom, wear } from './brand.js';
 import { checkedPicture, checkedVideo, openingsFrom, Refused } from './requests.js';
@@ -18,7 +19,6 @@ import {
   requestFrom,
   version,
   type EventName,
-  type Failure,
   type Fields,
   type FileMessage,
   type Method,
@@ -29,6 +29,8 @@ import {
 export interface FrameServices {
   /** Another plate, of these files. @param trusted  the host answers for the printer of a project */
   load(openings: readonly Opening[], trusted: boolean): Promise<void>;
+  /** From now on plates are made. */
+  begin(): void;
   configure(textOf: (attribute: string) => unknown): Promise<void>;
   /** Project file of the command line; its pictures are named, not held. */
   project(): Promise<unknown>;
@@ -114,6 +116,11 @@ class Host {
       control.signal.throwIfAborted();
       const answer = this.#methods.get(method as Method);
       if (answer === undefined) throw new Refused('UnknownMethod', 'there is no such method');
+      const { lacking } = this.studio.store.state;
+      if (lacking !== undefined && method !== 'load' && method !== 'configure') {
+        this.port.postMessage({ v: version, id, error: lacking });
+        return;
+      }
       this.#reply(id, await Promise.race([answer(params, control.signal), abortOf(control.signal)]));
     } catch (error) {
       this.#refuse(id, error);
@@ -127,7 +134,10 @@ class Host {
       'load',
       async (params) => {
         if (!(this.#restored && field(params, 'initial') === true)) {
-          await this.services.load(openingsFrom(params), field(params, 'trusted') === 'printer');
+          await showNamed(this.studio, async () => {
+            await this.services.load(openingsFrom(params), field(params, 'trusted') === 'printer');
+          });
+          this.services.begin();
         }
         return { result: null };
       },
@@ -212,6 +222,30 @@ function failureOf(error: unknown): Failure {
   return wordsOf(problemOf(error));
 }
 
+/** Shows what a page or its address names. If that fails, the reason is all that is shown until something named is. */
+export async function showNamed(studio: Studio, show: () => Promise<void>): Promise<void> {
+  try {
+    await show();
+    setLacking(studio, undefined);
+  } catch (error) {
+    setLacking(studio, failureOf(error));
+    throw error;
+  }
+}
+
+/** @param lacking  why what was named cannot be shown; undefined: it is */
+export function setLacking({ store }: Studio, lacking: Failure | undefined): void {
+  store.set({ lacking });
+  document.querySelector('.lacking')?.remove();
+  for (const app of document.querySelectorAll<HTMLElement>('sillon-app')) app.hidden = lacking !== undefined;
+  if (lacking === undefined) return;
+  const words = document.createElement('p');
+  words.className = 'lacking';
+  words.setAttribute('role', 'alert');
+  words.textContent = `${lacking.message}\n${lacking.hint}`.trim();
+  document.body.append(words);
+}
+
 /** @throws StudioError */
 function dress(textOf: (attribute: string) => unknown): void {
   try {
@@ -232,6 +266,10 @@ function dressByAddress(): Problem | undefined {
     return problemOf(error);
   }
 }
+
+/** The result that hosts may hear of: none while what was named cannot be shown, nor one of the plate before. */
+const resultOf = ({ lacking, result, plate }: Readonly<Shown>): PlateResult | undefined =>
+  lacking === undefined && result?.measured === true && isOf(result, plate) ? result : undefined;
 
 /** Tells the host what happens here. */
 function report(host: Host, studio: Studio): void {
@@ -254,12 +292,12 @@ function report(host: Host, studio: Studio): void {
       const { stage, fraction, secondsLeft } = state.progress;
       host.tell('progress', { stage, fraction, etaMs: secondsLeft === undefined ? null : 1000 * secondsLeft });
     }
-    if (!state.live && state.plate !== settled) {
+    if (!state.live && state.plate !== settled && state.lacking === undefined) {
       settled = state.plate;
       host.tell('change', { name: settled.name, width: settled.width, height: settled.height || settled.width });
     }
-    if (state.result !== before.result && state.result?.measured === true)
-      host.tell('result', { report: state.result.report });
+    const result = resultOf(state);
+    if (result !== undefined && result !== resultOf(before)) host.tell('result', { report: result.report });
     if (state.problem !== before.problem && state.problem !== undefined)
       host.tell('error', { ...wordsOf(state.problem) });
     tellNotices(state.notices.filter((notice) => !before.notices.includes(notice)));

@@ -1,6 +1,8 @@
 // What a page and the studio in its frame say to each other: docs/guide/embedding.md. Each side takes the other for a stranger:
 // what is not of these forms is dropped or refused, what is not known is not looked at.
 
+import type { Failure } from '../model/problem.js';
+
 /** Raised by any change that an older side would misunderstand. */
 export const version = 1;
 
@@ -13,6 +15,8 @@ export const most = {
   /** Of any text, a project's JSON among them [characters]. */
   text: 1 << 20,
   name: 200,
+  /** A host's sentence about a file that it could not read [characters]. */
+  told: 1000,
 };
 
 export type Fields = Readonly<Record<string, unknown>>;
@@ -78,12 +82,6 @@ export interface Request {
   id: number;
   method: string;
   params: Fields;
-}
-
-export interface Failure {
-  code: string;
-  message: string;
-  hint: string;
 }
 
 export type Reply = { v: number; id: number; result: unknown } | { v: number; id: number; error: Failure };

@@ -1,5 +1,6 @@
 // What a host's requests carry, checked.
 import type { Opening } from '../model/file-role.js';
+import { StudioError } from '../model/problem.js';
 import { field, isFields, most, textField, type Fields } from './protocol.js';
 
 /** A request that is answered with a sentence, and with nothing else. */
@@ -38,8 +39,11 @@ function projectFile(project: unknown): Opening {
   return { file: new File([text], 'project.json'), role: '' };
 }
 
-/** Of `load`: a project as plain JSON, files, or both: what the project names. */
+/** Of `load`: a project as plain JSON, files, or both: what the project names.
+ * @throws Refused; StudioError, if the host could not read what it names */
 export function openingsFrom(params: Fields): Opening[] {
+  const failed = textField(params, 'failed', most.text);
+  if (failed !== undefined) throw new StudioError('GuestFile', {}, failed.slice(0, most.told));
   const [project, files = []] = [field(params, 'project'), field(params, 'files')];
   if (project !== undefined && !isFields(project)) throw new Refused('BadRequest', 'project must be an object');
   if (!Array.isArray(files)) throw new Refused('BadRequest', 'files must be a list');

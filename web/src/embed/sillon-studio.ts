@@ -4,7 +4,7 @@ import type { GcodeFinding, GcodeSummary, Project } from 'sillon';
 import type { GcodeFile, StudioFile, StudioInfo, StudioMethods, StudioReport, StudioSource } from 'sillon/elements';
 import { download } from '../files/download.js';
 import { frame } from '../i18n/en.js';
-import { fetchFiles, type Fetched } from './fetching.js';
+import { fetchFiles, type Asked, type Fetched } from './fetching.js';
 import {
   field,
   fileFrom,
@@ -67,6 +67,18 @@ interface Waiter {
   reject: (error: unknown) => void;
 }
 
+/** A plate on its way to the frame, or why there is none. */
+interface Sent {
+  files?: Fetched[];
+  project?: object;
+  failed?: string;
+}
+
+interface Gathered {
+  sent: Sent;
+  failure?: StudioFrameError;
+}
+
 const style = `
   :host { display: block; position: relative; height: 640px; overflow: hidden; }
   :host([hidden]) { display: none; }
@@ -111,9 +123,15 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   #near: IntersectionObserver | undefined;
   /** Loaded, or on its way, since the element came into its page. */
   #opened = false;
-  /** Of the files that attributes name: done when the studio has them. */
+  /** The page gave this to `load` after the attributes named their files. */
+  #source: StudioSource | undefined;
+  /** It is done when the studio shows the plate that the page names, and rejected while it cannot. */
   #loading: Promise<void> = Promise.resolve();
   #loads = 0;
+  /** No plate has been sent to this frame yet: work of an earlier visit that it shows goes on. */
+  #initial = true;
+  /** The plate that the page names cannot be shown. */
+  #lacking = false;
 
   constructor() {
     super();
@@ -126,6 +144,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#poster.part.add('poster');
     this.#frame.addEventListener('load', () => {
       if (this.#frame.src !== '' && this.#port === undefined) this.#wait(patience);
+    });
+    this.#poster.addEventListener('error', () => {
+      this.#poster.hidden = true; // else it would hide why there is no plate
     });
     root.append(this.#frame, this.#poster, this.#notice);
   }
@@ -156,12 +177,14 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   }
 
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
-    if (before === now || !this.isConnected || name === ofLoads) return;
+    if (before === now) return;
+    if (name in ofFiles && now !== null && now !== '') this.#source = undefined;
+    if (!this.isConnected || name === ofLoads) return;
     if (name === ofPoster) this.#showPoster();
     else if (!this.#opened)
       return; // all of them are looked at when the studio is loaded
     else if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
-    else if (name in ofFiles) this.#loadAttributes();
+    else if (name in ofFiles) this.#loadNamed();
     else if (this.#fault === undefined) {
       // Taken away, an attribute has its default again.
       const plain = { accent: '', radius: '', font: '' };
@@ -183,12 +206,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   /** Shows another plate. @throws StudioFrameError */
   async load(source: StudioSource): Promise<void> {
-    this.#wake(); // whose attributes name another plate, which this one comes after
-    ++this.#loads;
-    this.#loading = Promise.resolve();
-    await this.#load(source).catch((error: unknown) => {
-      throw faultOf(error);
-    });
+    this.#source = source;
+    this.#wake();
+    const loading = this.#show(++this.#loads, () => this.#given(source), false);
+    this.#loading = loading;
+    await loading;
   }
 
   /** What the event `ready` tells, for those who come later, too. */
@@ -292,7 +314,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
       const value = this.getAttribute(name);
       if (value !== null) address.searchParams.set(name, value);
     }
-    if (Object.keys(ofFiles).some((name) => this.getAttribute(name))) address.searchParams.set('waits', '');
+    if (this.#source !== undefined || this.#attributed().length > 0) address.searchParams.set('waits', '');
     this.#frame.allow = permissions;
     this.#frame.title = 'Sillon Studio';
     const sandbox = this.getAttribute('sandbox');
@@ -300,7 +322,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     else this.#frame.setAttribute('sandbox', sandbox);
     this.#frame.src = address.href;
     this.#wait(longest);
-    this.#loadAttributes();
+    this.#initial = true;
+    this.#loadNamed();
   }
 
   /** A frame that says nothing for so long is blocked, or out of reach [ms]. */
@@ -329,7 +352,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   #showPoster(): void {
     const address = this.getAttribute(ofPoster);
     if (address !== null && address !== '') this.#poster.src = address;
-    this.#poster.hidden = address === null || address === '' || this.#port !== undefined;
+    this.#poster.hidden = address === null || address === '' || (this.#port !== undefined && !this.#lacking);
   }
 
   /** A port to the frame, which is loaded if it was not yet.
@@ -372,6 +395,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   readonly #onMessage = ({ source, origin, data }: MessageEvent): void => {
     const frame = this.#frame.contentWindow;
     if (frame === null || source !== frame || origin !== this.#origin() || !isHello(data)) return;
+    const anew = this.#port !== undefined || this.#fault !== undefined; // it has not been told what the page names
     this.#drop(new StudioFrameError('Closed', 'The frame was loaded anew.', ''));
     this.#fault = undefined; // however late it comes
     clearTimeout(this.#late);
@@ -386,6 +410,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#port = port1;
     for (const { resolve } of this.#callers) resolve(port1);
     this.#callers.clear();
+    if (!anew) return;
+    this.#initial = true;
+    this.#loadNamed();
   };
 
   readonly #onPortMessage = ({ data }: MessageEvent): void => {
@@ -461,12 +488,12 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     });
   }
 
-  /** Of the plate that the attributes name, once it is there. */
+  /** Of the plate that the page names, once it is there. */
   async #askOfPlate(method: Method, params: Fields = {}, signal?: AbortSignal): Promise<unknown> {
     signal?.throwIfAborted();
     this.#wake();
     const { promise, resolve, reject } = wait<undefined>();
-    void this.#loading.then(resolve);
+    this.#loading.then(resolve, reject);
     await heeding(signal, promise, () => {
       reject(signal?.reason);
     });
@@ -479,23 +506,66 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   // --- Files ----------------------------------------------------------------------------------------------------------------
 
-  /** Once for all attributes that are set in one turn. */
-  #loadAttributes(): void {
-    const mine = ++this.#loads;
-    this.#loading = Promise.resolve()
-      .then(async () => {
-        const asked = Object.entries(ofFiles).flatMap(([name, role]) => {
-          const url = this.getAttribute(name);
-          return url === null || url === '' ? [] : [{ url, role }];
-        });
-        if (asked.length === 0 || mine !== this.#loads) return;
-        const files = await fetchFiles(asked, document.baseURI);
-        if (mine === this.#loads) await this.#send(files, {}, true); // else another plate was asked for meanwhile
-      })
-      .catch(this.#tellOwn);
+  /** Files that attributes name. */
+  #attributed(): Asked[] {
+    return Object.entries(ofFiles).flatMap(([name, role]) => {
+      const url = this.getAttribute(name);
+      return url === null || url === '' ? [] : [{ url, role }];
+    });
   }
 
-  async #load(source: StudioSource): Promise<void> {
+  /** Attributes have changed, all of one turn at once, or the frame is a new one. */
+  #loadNamed(): void {
+    const mine = ++this.#loads;
+    this.#loading = Promise.resolve().then(async () => {
+      if (mine !== this.#loads) return this.#loading;
+      const source = this.#source;
+      const asked = this.#attributed();
+      if (source !== undefined) await this.#show(mine, () => this.#given(source), this.#initial);
+      else if (asked.length > 0) {
+        const gather = async (): Promise<Sent> => ({ files: await fetchFiles(asked, document.baseURI) });
+        await this.#show(mine, gather, this.#initial);
+      }
+    });
+    this.#loading.catch((error: unknown) => {
+      if (mine === this.#loads) this.#tellOwn(error);
+    });
+  }
+
+  /** Sends a plate to the studio, or why there is none: then the studio shows that in its place.
+   * @param initial  work of an earlier visit is not loaded over @throws StudioFrameError */
+  async #show(mine: number, gather: () => Promise<Sent>, initial: boolean): Promise<void> {
+    const { sent, failure } = await gather().then(
+      (sent): Gathered => ({ sent }),
+      (error: unknown): Gathered => {
+        const failure = faultOf(error);
+        return { sent: { failed: failure.message }, failure };
+      },
+    );
+    await this.#connection().catch(() => undefined); // the request below tells why there is none
+    if (mine !== this.#loads) {
+      if (failure !== undefined) throw failure;
+      return this.#loading; // another plate was named meanwhile
+    }
+    const bytes = sent.files?.map((file) => file.bytes);
+    const trusted = this.getAttribute(ofLoads) ?? '';
+    this.#initial = false;
+    try {
+      await this.#ask('load', { ...sent, initial, trusted }, undefined, bytes);
+      this.#setLacking(false);
+    } catch (error) {
+      if (mine === this.#loads) this.#setLacking(true);
+      throw failure ?? error;
+    }
+  }
+
+  #setLacking(lacking: boolean): void {
+    this.#lacking = lacking;
+    this.#showPoster();
+  }
+
+  /** Reads what `load` was given. @throws StudioFrameError, Error */
+  async #given(source: StudioSource): Promise<Sent> {
     const list: readonly unknown[] = Array.isArray(source) ? source : [source];
     const files: Fetched[] = [];
     const projects: object[] = [];
@@ -509,13 +579,12 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     }
     const [project, another] = projects;
     if (another !== undefined) throw new StudioFrameError('BadRequest', 'load takes one project', '');
-    await this.#send(files, project === undefined ? {} : { project }, false);
-  }
-
-  async #send(files: Fetched[], params: Fields, initial: boolean): Promise<void> {
-    const bytes = files.map((file) => file.bytes);
-    const trusted = this.getAttribute(ofLoads) ?? '';
-    await this.#ask('load', { ...params, files, initial, trusted }, undefined, bytes);
+    if (project === undefined) return { files };
+    try {
+      return { files, project: structuredClone(project) };
+    } catch (error) {
+      throw new StudioFrameError('BadRequest', errorText(error), ''); // a function, say, which cannot be sent
+    }
   }
 }
 

@@ -841,7 +841,7 @@ export const de: Translation = {
   'hint.LinkValue': 'Vielleicht wurde er von Hand geändert. Um einen neuen bitten.',
   'problem.GuestValue': 'Die Seite ringsum setzt {where} auf {value}; das ist nicht erlaubt.',
   'hint.GuestValue': 'Ihren Betreiber benachrichtigen: Die Anleitung zum Einbetten nennt die erlaubten Werte.',
-  'problem.GuestFile': 'Eine Datei aus der Adresse dieser Seite ließ sich nicht öffnen.',
+  'problem.GuestFile': 'Eine Datei, die diese Seite nennt, ließ sich nicht öffnen.',
   'hint.GuestFile':
     'Vielleicht ist die Adresse falsch, oder die Website der Datei erlaubt es nicht, sie von hier zu lesen.',
   'problem.TextTooLong': 'Der Text ist zu lang: {length} Zeichen, höchstens {most}.',

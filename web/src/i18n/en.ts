@@ -684,7 +684,7 @@ export const en = {
   'hint.LinkValue': 'It may have been edited by hand. Ask for a new one.',
   'problem.GuestValue': 'The page around this one sets {where} to {value}, which is not allowed.',
   'hint.GuestValue': 'Tell its owner: the embedding guide lists the allowed values.',
-  'problem.GuestFile': 'A file in this page’s address could not be opened.',
+  'problem.GuestFile': 'A file that this page names could not be opened.',
   'hint.GuestFile': 'The address may be wrong, or the file’s site does not allow it to be read from here.',
   'problem.TextTooLong': 'The text is too long: {length} characters, at most {most}.',
   'hint.TextTooLong': 'Shorten it.',

@@ -848,7 +848,7 @@ export const fr: Translation = {
   'hint.LinkValue': 'Il a peut-être été modifié à la main. Redemandez-le.',
   'problem.GuestValue': 'La page qui affiche celle-ci donne à {where} la valeur {value}, qui n’est pas permise.',
   'hint.GuestValue': 'Prévenez son responsable : le guide d’intégration dit lesquelles le sont.',
-  'problem.GuestFile': 'Un fichier nommé dans l’adresse de cette page n’a pas pu être ouvert.',
+  'problem.GuestFile': 'Un fichier que nomme cette page n’a pas pu être ouvert.',
   'hint.GuestFile': 'L’adresse est peut-être fausse, ou le site du fichier n’en permet pas la lecture d’ici.',
   'problem.TextTooLong': 'Le texte est trop long : {length} caractères, au plus {most}.',
   'hint.TextTooLong': 'Raccourcissez-le.',

@@ -45,6 +45,13 @@ export interface Problem {
   detail: string;
 }
 
+/** A problem in words, for another page. */
+export interface Failure {
+  code: string;
+  message: string;
+  hint: string;
+}
+
 export class StudioError extends Error implements Problem {
   constructor(
     readonly code: ProblemCode,

@@ -398,7 +398,7 @@ export class App extends StudioElement {
     });
   }
 
-  #takesFiles = (): boolean => offers(this.state, 'shape') || offers(this.state, 'directions');
+  #takesFiles = (): boolean => !this.hidden && (offers(this.state, 'shape') || offers(this.state, 'directions'));
 
   #onPaste = (event: ClipboardEvent): void => {
     if (!this.#takesFiles()) return;
@@ -416,6 +416,6 @@ export class App extends StudioElement {
   };
 
   #onKey = (event: KeyboardEvent): void => {
-    if (onShortcut(this.studio, event)) event.preventDefault();
+    if (!this.hidden && onShortcut(this.studio, event)) event.preventDefault();
   };
 }

@@ -2,7 +2,7 @@
 import type { EngineInfo, DirectionMode } from 'sillon';
 import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
-import type { Problem } from '../model/problem.js';
+import type { Failure, Problem } from '../model/problem.js';
 import type { OpenedFiles } from '../model/file-role.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
 import type { Light, Mark, Shimmer } from '../model/view.js';
@@ -66,6 +66,8 @@ export interface Shown extends State {
   units: Units;
   /** Origin of the page that shows this one in a frame and may command it; empty: none. */
   host: string;
+  /** The reason for which the plate that the page around this one, or the address, names cannot be shown. */
+  lacking: Failure | undefined;
   brush: Brush;
   /** 0..1: how much of the print is shown. */
   played: number;
@@ -127,6 +129,7 @@ export const newShown = (): Shown => ({
   controls: [],
   units: 'mm',
   host: '',
+  lacking: undefined,
   brush: { radius: 0.08, softness: 0.5, mode: 'parallel' },
   played: 1,
   playing: false,

@@ -7,7 +7,7 @@ import { unzipSync } from 'fflate';
 import { lacking } from '../../../wasm/test/support/browsers.js';
 import { project, startHosts } from './support/hosts.js';
 import { sharedBench } from './support/shared.js';
-import { keptPlate, stretchWaits, until } from './support/waits.js';
+import { keptPlate, until } from './support/waits.js';
 
 const skip = lacking('Chromium');
 const hosts = sharedBench(skip, startHosts);
@@ -219,12 +219,12 @@ test('what cannot be loaded or asked for is refused with a code', { skip }, asyn
   const codes = await page.evaluate(() => {
     const { element } = globalThis;
     const refused = [
+      element.capture({ width: () => 1 }),
+      element.capture({ width: 0 }),
       element.load('missing.json'),
       element.load('ftp://shop.example/plate.svg'),
       element.load({ sillon: 1, shape: () => 1 }),
       element.load(5),
-      element.capture({ width: () => 1 }),
-      element.capture({ width: 0 }),
     ];
     return Promise.all(
       refused.map((one) =>
@@ -237,7 +237,7 @@ test('what cannot be loaded or asked for is refused with a code', { skip }, asyn
   });
   assert.deepEqual(
     codes,
-    ['LoadFailed', 'LoadFailed', 'BadRequest', 'BadRequest', 'BadRequest', 'BadRequest'].map(
+    ['BadRequest', 'BadRequest', 'LoadFailed', 'LoadFailed', 'BadRequest', 'BadRequest'].map(
       (code) => `StudioFrameError ${code}`,
     ),
   );
@@ -370,7 +370,6 @@ test('no other plate is made while the one of the attributes is on its way', { s
   let arrive;
   const arrived = new Promise((resolve) => (arrive = resolve));
   const prepare = async (page) => {
-    await stretchWaits(page, 10_000, 170_000); // then a frame no longer waits for its page (`hostWaits`)
     await page.route('**/stress_17.json', async (route) => {
       await arrived;
       await route.continue();
@@ -395,6 +394,172 @@ test('no other plate is made while the one of the attributes is on its way', { s
   const results = await page.evaluate(() => globalThis.heard.filter(({ name }) => name === 'result').length);
   assert.equal(results, 1);
   assert.equal(await state(frame, (state) => state.plate.name), 'stress_17');
+});
+
+const ofPlate = [
+  ...['generate', 'report', 'getProject', 'exportGcode', 'exportBody', 'exportSvg', 'exportProject', 'exportView'],
+  'capture',
+];
+
+/** What each method that gives something of a plate rejects with. */
+const refusals = (page) =>
+  page.evaluate(
+    (methods) =>
+      Promise.all(
+        methods.map((method) =>
+          globalThis.element[method]().then(
+            () => `${method} gives something`,
+            ({ code, message }) => `${code}: ${message}`,
+          ),
+        ),
+      ),
+    ofPlate,
+  );
+const results = (page) => page.evaluate(() => globalThis.heard.filter(({ name }) => name === 'result').length);
+const errorsOf = (page) =>
+  page.evaluate(() =>
+    globalThis.heard.filter(({ name }) => name === 'error').map(({ detail }) => `${detail.code}: ${detail.message}`),
+  );
+
+/** Nothing but words all over the frame. @returns these */
+async function wordsInstead(frame) {
+  const words = frame.getByRole('alert');
+  await words.waitFor();
+  const { width, height } = await frame.evaluate(() => ({ width: innerWidth, height: innerHeight }));
+  const box = await words.evaluate((one) => one.getBoundingClientRect().toJSON());
+  assert.deepEqual([box.x, box.y, box.width, box.height], [0, 0, width, height]);
+  assert.equal(await frame.locator('sillon-app').isVisible(), false);
+  return words.innerText();
+}
+
+const noDrawing = { name: 'refused.svg', body: 'no drawing' };
+const lacksFile = {
+  name: 'lacks.json',
+  body: JSON.stringify({ sillon: 1, shape: { file: 'nowhere.svg' }, directions: { angle: 0 } }),
+};
+const served = async (page) => {
+  for (const { name, body } of [noDrawing, lacksFile])
+    await page.route(`**/${name}`, (route) => route.fulfill({ body }));
+};
+
+for (const [what, attributes, expected] of [
+  ['a project that is not there', { project: 'gone.json' }, /^LoadFailed: .*gone\.json came with status 404$/],
+  ['a drawing that is refused', { shape: 'refused.svg' }, /^UnknownFile: .*refused\.svg/],
+  ['a project whose file is missing', { src: 'lacks.json' }, /^LoadFailed: .*nowhere\.svg came with status 404$/],
+]) {
+  test(`in the place of ${what} there is no other plate, no result and no file`, { skip }, async () => {
+    const { page, frame, problems } = await element(attributes, { small: false, prepare: served });
+    const told = await until(async () => (await errorsOf(page))[0], 'the error');
+    assert.match(told, expected);
+    assert.deepEqual(
+      await refusals(page),
+      ofPlate.map(() => told),
+    );
+    assert.ok((await wordsInstead(frame)).includes(told.replace(/^\w+: /, '')));
+    assert.deepEqual(await state(frame, ({ result, progress }) => [result === undefined, progress === undefined]), [
+      true,
+      true,
+    ]);
+    assert.equal(await results(page), 0);
+    await load(page);
+    assert.equal(await page.evaluate(async () => (await globalThis.element.generate()).toolpaths), 1);
+    assert.equal(await results(page), 1);
+    assert.equal(await frame.locator('sillon-canvas').isVisible(), true);
+    assert.deepEqual(await errorsOf(page), [told]);
+    assert.deepEqual(problems, []);
+  });
+}
+
+test('what cannot be shown takes the place of a plate that was there, until another is', { skip }, async () => {
+  const { page, context, frame } = await element({}, { prepare: served });
+  await page.evaluate(() => globalThis.element.generate()); // of nothing that is named: the studio's own
+  const refused = async (name) => {
+    const before = await results(page);
+    const [first, ...others] = new Set(await refusals(page));
+    assert.deepEqual(others, []);
+    assert.match(first, name);
+    await wordsInstead(frame);
+    assert.equal(await results(page), before);
+  };
+  await page.evaluate(() => (globalThis.element.image = 'gone.png'));
+  await refused(/^LoadFailed: .*gone\.png/);
+  await page.evaluate(() => globalThis.element.removeAttribute('image'));
+  await refused(/gone\.png/);
+  await load(page);
+  assert.equal(await page.evaluate(async () => (await globalThis.element.exportSvg()).name), 'project.svg');
+  const upload = page.evaluate(() =>
+    globalThis.element.load(new File(['no drawing'], 'upload.svg')).catch(({ code, message }) => `${code}: ${message}`),
+  );
+  assert.match(await upload, /^UnknownFile: .*upload\.svg/);
+  await refused(/^UnknownFile: .*upload\.svg/);
+  await load(page);
+  await frame.locator('sillon-canvas').waitFor();
+  await context.setOffline(true);
+  await page.evaluate(() => (globalThis.element.project = 'examples/stress_17.json'));
+  await refused(/^LoadFailed: .*stress_17\.json could not be fetched: there is no connection/);
+  await context.setOffline(false);
+  await page.evaluate(() => (globalThis.element.project = './examples/stress_17.json'));
+  await page.evaluate(() => globalThis.element.generate());
+  assert.equal(await state(frame, ({ plate, result }) => result.plate === plate && plate.name), 'stress_17');
+});
+
+test('the poster stands in the place of what cannot be shown, if it is there itself', { skip }, async () => {
+  const { page, frame } = await element({ project: 'gone.json', poster: `${hosts.studio}icon.svg` });
+  const poster = page.locator('sillon-studio img');
+  await poster.waitFor();
+  const box = (one) => one.evaluate((one) => one.getBoundingClientRect().toJSON());
+  assert.deepEqual(await box(poster), await box(page.locator('sillon-studio iframe')));
+  await page.evaluate(() => (globalThis.element.poster = 'gone.png'));
+  await poster.waitFor({ state: 'hidden' });
+  assert.match(await wordsInstead(frame), /gone\.json/);
+  await page.evaluate((studio) => (globalThis.element.poster = `${studio}icon.svg`), hosts.studio);
+  await poster.waitFor();
+  await load(page);
+  await poster.waitFor({ state: 'hidden' });
+});
+
+test('a frame that comes anew shows what its page named last', { skip }, async () => {
+  const { page, frame } = await element({ project: 'examples/stress_17.json' });
+  const name = () => page.evaluate(async () => (await globalThis.element.exportSvg()).name);
+  assert.equal(await name(), 'stress_17.svg');
+  const anew = async (loads) => {
+    await page.evaluate(() => {
+      globalThis.ready = new Promise((resolve) =>
+        globalThis.element.addEventListener('ready', resolve, { once: true }),
+      );
+    });
+    await loads();
+    await page.evaluate(() => globalThis.ready.then(() => undefined));
+  };
+  await anew(() => frame.evaluate(() => setTimeout(() => location.reload())));
+  assert.equal(await name(), 'stress_17.svg');
+  await load(page);
+  await anew(() => page.evaluate(() => document.body.prepend(globalThis.element)));
+  assert.equal(await name(), 'project.svg');
+});
+
+test('a plain frame whose address names what is not there shows that and nothing else', { skip }, async () => {
+  const { page } = await hosts.open();
+  const answers = await page.evaluate(
+    async ({ studio, project }) => {
+      const path = 'embed.html?project=gone.json';
+      const { ask, messages, ready } = globalThis.connect(await globalThis.frameOf({ studio, path }));
+      const { error } = await ask('exportProject');
+      await ready;
+      globalThis.more = async () => {
+        await ask('load', { project });
+        return (await ask('generate')).result.report.toolpaths;
+      };
+      return { error, results: messages.filter(({ event }) => event === 'result').length };
+    },
+    { studio: hosts.studio, project },
+  );
+  assert.equal(answers.error.code, 'GuestFile');
+  assert.equal(answers.results, 0);
+  const frame = page.frames().find((one) => one.url().includes('embed.html'));
+  assert.match(await wordsInstead(frame), /^A file that this page names could not be opened\..*gone\.json.*404/);
+  assert.equal(await page.evaluate(() => globalThis.more()), 1);
+  await frame.locator('sillon-canvas').waitFor();
 });
 
 test('a download goes to the host, or to the visitor where the host lets it', { skip }, async () => {
@@ -632,6 +797,12 @@ test('work is kept for the page’s own site where it asks for that', { skip }, 
     });
   };
   assert.equal(await again({ autosave: 'shop', project: 'examples/stress_17.json' }), 'Mine.svg');
+  assert.equal(await again({ autosave: 'shop', project: 'gone.json' }), 'Mine.svg');
+  const named = await first.page.evaluate(async () => {
+    globalThis.element.project = 'examples/logo.json'; // another plate than the work is of
+    return (await globalThis.element.exportSvg()).name;
+  });
+  assert.equal(named, 'logo.svg');
   assert.equal(await again({ autosave: 'other', project: 'examples/stress_17.json' }), 'stress_17.svg');
 });
 

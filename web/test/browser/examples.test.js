@@ -76,11 +76,13 @@ function serveReader() {
 const theme = (block) => `<!doctype html><html lang="en"><title>A blog</title><link rel="icon" href="data:," />
   <style>iframe, img { max-width: 100% } figure { margin: 0 }</style><article>${block}</article></html>`;
 
-async function open(address) {
+/** @param prepare  is given the page before it goes there */
+async function open(address, prepare) {
   const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US' });
   page = await context.newPage();
   const problems = [];
   page.on('pageerror', (error) => problems.push(String(error)));
+  await prepare?.(page);
   await page.goto(`${site.origin}/${address}`);
   return problems;
 }
@@ -94,6 +96,27 @@ test('embed-page: a shop takes the order’s G-code', { skip }, async () => {
   assert.deepEqual(problems, []);
 });
 
+test('embed-page: nothing is ordered in the place of a plate that is not there', { skip }, async () => {
+  const gone = (route) => route.fulfill({ status: 404 });
+  const problems = await open('embed-page/index.html', (page) => page.route('**/plate.json', gone));
+  const wrong = page.getByRole('alert').getByText(/plate\.json came with status 404/);
+  await wrong.waitFor();
+  const order = page.locator('#order');
+  const outcome = await page
+    .locator('sillon-studio')
+    .evaluate((studio) => Promise.allSettled([studio.generate(), studio.exportProject()]));
+  assert.deepEqual(
+    outcome.map(({ status }) => status),
+    ['rejected', 'rejected'],
+  );
+  assert.deepEqual([await order.isDisabled(), await wrong.isVisible()], [true, true]);
+  await page.unroute('**/plate.json', gone);
+  await page.locator('sillon-studio').evaluate((studio) => (studio.project = './plate.json'));
+  await page.locator('#order:not([disabled])').waitFor();
+  assert.equal(await page.locator('#wrong').innerText(), '');
+  assert.deepEqual(problems, []);
+});
+
 test('embed-vite: an app that bundles nothing of the studio', { skip }, async () => {
   process.env.VITE_STUDIO = `${studio.origin}/`;
   await build({
@@ -104,6 +127,7 @@ test('embed-vite: an app that bundles nothing of the studio', { skip }, async ()
   });
   const problems = await open('built/index.html');
   await page.waitForFunction(() => /^1 toolpath, \d+ points$/.test(document.title));
+  assert.match(await page.locator('sillon-studio iframe').getAttribute('src'), /[?&]waits/); // no other plate is made first
   assert.deepEqual(problems, []);
 });
 
@@ -112,6 +136,9 @@ test('embed-wordpress: a block in a page of somebody’s theme', { skip }, async
   const frame = await (await page.locator('sillon-studio iframe').elementHandle()).contentFrame();
   await frame.locator('sillon-canvas').waitFor();
   assert.equal(await frame.locator('nav').count(), 0);
+  await page.locator('sillon-studio').evaluate((studio) => studio.generate());
+  const named = await frame.evaluate(() => document.querySelector('sillon-app').studio.store.state.plate.name);
+  assert.equal(named, 'logo');
   assert.deepEqual(problems, []);
 });
 
