@@ -65,7 +65,7 @@ export class MovingLight {
     else if (elapsed <= slowFrame) this.#slowFrames = 0;
     this.#lastFrame = now;
     const wait = this.#steps() ? flipEach : 0;
-    const step = Math.min(longestStep, elapsed);
+    const step = Math.min(longestStep, Math.max(0, elapsed)); // a frame's time may lie before that of a drawing between frames
     if (orbits) {
       const azimuth = (light.azimuth + (360 * step) / swayPeriod) % 360;
       this.studio.store.set({ light: { azimuth, elevation: light.elevation } });
@@ -75,9 +75,12 @@ export class MovingLight {
     const home = aimed ?? this.#home(now);
     const aim = sways && !flipping ? swayed(home, now) : home;
     const jumps = this.#calm.matches || slow || (flipping && near(light, aim, leap));
-    const next = jumps ? aim : turned(light, aim, step);
-    if (!near(next, light, 0.01)) this.studio.store.set({ light: near(next, aim, 0.05) ? aim : next });
-    return sways || (flipping && !resting) || !near(next, aim, 0.05) ? wait : undefined;
+    const way = jumps ? aim : turned(light, aim, step);
+    const arrives = near(way, aim, 0.05);
+    const next = arrives ? aim : way;
+    // The last steps of a fast screen are small: left out, the light would never arrive.
+    if (!near(next, light, 1e-6)) this.studio.store.set({ light: next });
+    return sways || (flipping && !resting) || !arrives ? wait : undefined;
   }
 
   /** Whether the light is where the pointer is: over the plate, unless somebody has asked for the lamp to turn. */
