@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kLeastLength = 100;          // [mm] of beads, or too little is known
 constexpr double kShortest = 0.5;             // [mm] of a bead: its E is rounded
+constexpr double kLongest = 1000;             // [mm] of a bead: no bed is longer
 constexpr double kThinnest = 0.04;            // [mm] of a layer
 constexpr double kThickest = 1.6;             // [mm]
 constexpr std::size_t kMostPlaces = 100'000;  // that are judged
@@ -27,6 +28,7 @@ constexpr double kReach = 2.5;       // [mm] to a neighbour, at most
 constexpr double kSameLine = 0.05;   // [mm] between neighbours; less is the same line once more
 constexpr double kParallel = 0.1;    // sine
 constexpr double kAlike = 0.6;       // of the thicker bead's plastic; ironing and gap fill have less
+constexpr int kMostCompared = 600;   // places for each: solid layers have 300 within reach, hostile files all of theirs
 constexpr double kLeastBeside = 10;  // [places] with a neighbour, or their distances tell nothing
 
 // Distances of neighbours over the width that 1.75 mm filament gives them. Beads that touch have 1, and those of 2.85
@@ -80,7 +82,7 @@ std::vector<Place> placesOn(const std::vector<Bead>& layer, double height, std::
   std::vector<Place> places;
   for (const Bead& bead : layer) {
     if (!bead.straight || places.size() >= most) continue;
-    const int count = static_cast<int>(std::ceil(std::min(bead.length / kStep, 1e5)));
+    const int count = static_cast<int>(std::ceil(bead.length / kStep));
     const Vec2 along = 1 / bead.length * (bead.to - bead.from);
     for (int k = 0; k < count; ++k) {
       places.push_back({bead.from + (k + 0.5) / count * (bead.to - bead.from), along, bead.filament / height});
@@ -99,10 +101,11 @@ std::int64_t columnOf(double coordinate) {
 double neighbourOf(const Place& place, const std::vector<Place>& places,
                    const std::vector<std::pair<std::int64_t, std::size_t>>& squares) {
   double nearest = 2 * kReach;
+  int compared = 0;
   for (int dx = -1; dx <= 1; ++dx) {
     const std::int64_t first = squareOf(columnOf(place.at.x) + dx, columnOf(place.at.y) - 1);
     auto found = std::lower_bound(squares.begin(), squares.end(), std::pair{first, std::size_t{0}});
-    for (; found != squares.end() && found->first <= first + 2; ++found) {
+    for (; found != squares.end() && found->first <= first + 2 && ++compared <= kMostCompared; ++found) {
       const Place& other = places[found->second];
       const Vec2 d = other.at - place.at;
       const double distance = std::abs(cross(place.along, d));
@@ -181,7 +184,8 @@ void Scale::line(std::string_view text) {
   if (!move) return;
   const bool pushes = begun_ && move->e > 0 && move->length > 0;
   if (pushes) pushed_ += move->e;
-  const bool bead = pushes && !purges_ && move->length >= kShortest && move->z == move->zFrom;
+  const bool solid = move->length >= kShortest && move->length <= kLongest;
+  const bool bead = pushes && !purges_ && solid && move->z == move->zFrom;
   if (!bead || machine_.volumetric || distances_.places >= kMostPlaces) return;
   if (move->z != z_) {
     endLayer();
