@@ -246,7 +246,7 @@ TEST_CASE("a preset lies under the filament, and that under the project's own va
   CHECK(p.nozzleTemperature == 235);
   CHECK(p.bedTemperature == 75);
   CHECK(has(problem(R"({"sillon": 1, "printer": {"profile": "prusa-mk4ss"}})"),
-            "printer.preset: \"prusa-mk4ss\" is not a printer profile; did you mean \"prusa-mk4s\""));
+            "printer.profile: \"prusa-mk4ss\" is not a printer profile; did you mean \"prusa-mk4s\""));
   CHECK(has(problem(R"({"sillon": 1, "printer": {"filament": "abs"}})"),
             "printer.filament: \"abs\" is not a filament profile"));
   CHECK(has(problem(R"({"sillon": 1, "printer": {"screenSizes": "8x8"}})"), "printer.screenSizes must be"));

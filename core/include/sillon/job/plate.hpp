@@ -84,7 +84,7 @@ Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptio
 
 /// Facts for the G-code that the plate does not know.
 struct PlateGcodeOptions {
-  std::string date;                                   ///< PrintParams::date
+  std::string date = PrintParams().date;
   std::optional<std::array<std::uint8_t, 3>> colour;  ///< of thumbnails of pictures; none: the project's spool
 };
 
