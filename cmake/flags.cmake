@@ -6,6 +6,7 @@ if(MSVC)
 else()
   target_compile_options(sillon_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion
+    -Wno-sign-conversion # clang's -Wconversion holds it, GCC's does not: an index that is an int needs no cast
     -ffp-contract=off   # same bytes everywhere: no fused multiply-add
     -fno-math-errno     # sqrt becomes one instruction; its value does not change
     -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)  # asserts name files: the same bytes and sizes wherever it is built

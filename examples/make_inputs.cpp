@@ -308,8 +308,7 @@ void mosaic() {
   writePng("mosaic.png", page, 6, [&](Vec2 p) {
     int nearest = 0;
     for (int k = 1; k < kSeeds; ++k) {
-      if (length(p - seeds[static_cast<std::size_t>(k)]) < length(p - seeds[static_cast<std::size_t>(nearest)]))
-        nearest = k;
+      if (length(p - seeds[k]) < length(p - seeds[nearest])) nearest = k;
     }
     return angleGrey(180 * random(nearest, 0, 7));
   });
@@ -414,9 +413,7 @@ bool isQrFunction(int row, int column) {
 
 QrModules qrCode(const std::string& text) {
   QrModules dark{};
-  const auto set = [&](int row, int column, bool value) {
-    dark[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = value;
-  };
+  const auto set = [&](int row, int column, bool value) { dark[row][column] = value; };
   for (int k = 0; k < kQrSide; ++k) {
     set(6, k, k % 2 == 0);
     set(k, 6, k % 2 == 0);
@@ -479,7 +476,7 @@ void qr() {
     const int column = static_cast<int>(p.x / kModule) - kQuiet;
     const int row = static_cast<int>((side - p.y) / kModule) - kQuiet;
     const bool inside = column >= 0 && column < kQrSide && row >= 0 && row < kQrSide;
-    return angleGrey(inside && dark[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] ? 90 : 0);
+    return angleGrey(inside && dark[row][column] ? 90 : 0);
   });
 }
 
@@ -565,7 +562,7 @@ void stress() {
     const Vec2 d = p - middle;
     if (length(d) < 28) return kConstrained;
     const int quadrant = d.y >= 0 ? (d.x >= 0 ? 0 : 1) : (d.x < 0 ? 2 : 3);
-    return std::array{kParallel, kOrthogonal, kSmoothest, kConstrained}[static_cast<std::size_t>(quadrant)];
+    return std::array{kParallel, kOrthogonal, kSmoothest, kConstrained}[quadrant];
   });
 }
 

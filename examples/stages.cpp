@@ -139,7 +139,7 @@ Rgb waveColour(double value) {
 template <class Draw>
 void eachSegment(const sillon::ClosedCurves& curves, const Draw& draw) {
   for (int c = 0; c < curves.count(); ++c) {
-    const int first = curves.begin[static_cast<std::size_t>(c)], size = curves.size(c);
+    const int first = curves.begin[c], size = curves.size(c);
     for (int k = 0; k < size; ++k) {
       const auto a = static_cast<std::size_t>(first + k), b = static_cast<std::size_t>(first + (k + 1) % size);
       draw(c, wide(curves.points[a]), wide(curves.points[b]), static_cast<double>(k) / size);

@@ -21,7 +21,7 @@ std::vector<char> drawn(const Capsule& capsule) {
     const int count = std::min(PixelRuns::kMostRows, rows - y);
     pixelsOf(capsule, y, count, kColumns, runs);
     for (int k = 0; k < count; ++k) {
-      for (int x = runs.begin[k]; x < runs.end[k]; ++x) pixels[static_cast<std::size_t>((y + k) * kColumns + x)] = 1;
+      for (int x = runs.begin[k]; x < runs.end[k]; ++x) pixels[(y + k) * kColumns + x] = 1;
     }
   }
   return pixels;
@@ -64,7 +64,7 @@ TEST_CASE("the rows of a capsule hold the pixels whose centres lie in one of its
     for (int y = 0; y < kRows; ++y) {
       for (int x = 0; x < kColumns; ++x) {
         const double off = outside({static_cast<double>(x), static_cast<double>(y)}, a, b, ra, rb);
-        const bool is = pixels[static_cast<std::size_t>(y * kColumns + x)] != 0;
+        const bool is = pixels[y * kColumns + x] != 0;
         inside += is ? 1 : 0;
         wrong += std::abs(off) > 1e-3 && is != (off < 0) ? 1 : 0;
       }

@@ -296,7 +296,7 @@ PlateInput wavesOf(double millions) {
   for (int y = 0; y < 256; ++y) {
     for (int x = 0; x < 256; ++x) {
       const double wave = std::sin(x * 0.1) + std::sin(y * 0.07 + x * 0.03);
-      input.directions.angle[static_cast<std::size_t>(y * 256 + x)] = static_cast<std::uint16_t>(32767 + 12000 * wave);
+      input.directions.angle[y * 256 + x] = static_cast<std::uint16_t>(32767 + 12000 * wave);
     }
   }
   return input;
@@ -384,7 +384,7 @@ void roof() {
   }
   constexpr int kSteps = 20'000'000;
   sillon::F4 sums[8];
-  for (int k = 0; k < 8; ++k) sums[k] = sillon::splat(static_cast<float>(k) + c[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 8; ++k) sums[k] = sillon::splat(static_cast<float>(k) + c[k]);
   double flops = 0;
   for (int round = 0; round < 3; ++round) {
     const double time = seconds([&] {

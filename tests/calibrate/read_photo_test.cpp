@@ -474,7 +474,7 @@ TEST_CASE("other pictures are refused quickly, whatever they are") {
   Image flat{400, 300, 1, std::vector<std::uint16_t>(400 * 300, 30000)};
   CHECK(refused(flat).find("no coupon") != std::string::npos);
   for (int y = 60; y < 240; ++y) {
-    for (int x = 110; x < 290; ++x) flat.samples[static_cast<std::size_t>(y * 400 + x)] = 5000;
+    for (int x = 110; x < 290; ++x) flat.samples[y * 400 + x] = 5000;
   }
   CHECK(refused(flat) != "read");  // a square, and nothing on it
   Image wrong{300, 300, 3, {1, 2, 3}};

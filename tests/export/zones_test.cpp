@@ -109,7 +109,7 @@ double sliverShare(const DirectionZones& zones, const Shape& shape, double diame
   for (int y = 0; y < ny; ++y) {
     for (int x = 0; x < nx; ++x) {
       const Vec2 p{(x + 0.5) * kStep, (y + 0.5) * kStep};
-      const bool in = std::any_of(rows[static_cast<std::size_t>(y)].begin(), rows[static_cast<std::size_t>(y)].end(),
+      const bool in = std::any_of(rows[y].begin(), rows[y].end(),
                                   [&](const Interval& span) { return p.x >= span.begin && p.x < span.end; });
       for (std::size_t k = 0; in && k < zones.zones.size(); ++k) {
         if (inside(zones.zones[k].rings, p)) at(x, y) = static_cast<int>(k);

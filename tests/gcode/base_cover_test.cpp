@@ -77,7 +77,7 @@ Cells insideOf(const Shape& shape) {
   const auto rows = insideIntervals(shape, cells.centre(0, 0).y, kCell, cells.rows);
   for (int y = 0; y < cells.rows; ++y) {
     for (int x = 0; x < cells.columns; ++x) {
-      for (const Interval& piece : rows[static_cast<std::size_t>(y)]) {
+      for (const Interval& piece : rows[y]) {
         if (piece.begin <= cells.centre(x, y).x && cells.centre(x, y).x <= piece.end) cells.at(x, y) = 1;
       }
     }

@@ -45,13 +45,12 @@ Pairs allCrossings(const ClosedCurves& curves, const std::vector<char>& among) {
   std::vector<Segment> segments;
   for (int c = 0; c < curves.count(); ++c) {
     const std::size_t first = segments.size();
-    const int begin = curves.begin[static_cast<std::size_t>(c)];
+    const int begin = curves.begin[c];
     for (int k = 0; k < curves.size(c); ++k) {
       const int next = begin + (k + 1) % curves.size(c);
-      const Whole a = wholeOf(curves.points[static_cast<std::size_t>(begin + k)]);
-      const Whole b = wholeOf(curves.points[static_cast<std::size_t>(next)]);
-      const bool looked = among.empty() || among[static_cast<std::size_t>(begin + k)] != 0 ||
-                          among[static_cast<std::size_t>(next)] != 0;
+      const Whole a = wholeOf(curves.points[begin + k]);
+      const Whole b = wholeOf(curves.points[next]);
+      const bool looked = among.empty() || among[begin + k] != 0 || among[next] != 0;
       if (!(a == b)) segments.push_back({begin + k, c, static_cast<int>(segments.size() - first), 0, a, b, looked});
     }
     for (std::size_t k = first; k < segments.size(); ++k) segments[k].count = static_cast<int>(segments.size() - first);

@@ -343,7 +343,7 @@ TEST_CASE("JPEGs and PNGs are turned by each of the 8 EXIF orientations, in both
       REQUIRE(decoded.ok());
       CHECK(decoded.value().width == (orientation >= 5 ? 24 : 16));
       CHECK(decoded.value().height == (orientation >= 5 ? 16 : 24));
-      const std::vector<int>& expected = seen[static_cast<std::size_t>(orientation - 1)];
+      const std::vector<int>& expected = seen[orientation - 1];
       CHECK(eighths(decoded.value()) == expected);
 
       const Bytes rows = zlibStored({0, a, b, 0, c, d, 0, e, f});

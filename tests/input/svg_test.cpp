@@ -346,8 +346,7 @@ TEST_CASE("viewBox scales and moves the drawing into the page for every alignmen
   const std::array<const char*, 3> names{"Min", "Mid", "Max"};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      const std::string align =
-          std::string("x") + names[static_cast<std::size_t>(i)] + "Y" + names[static_cast<std::size_t>(j)];
+      const std::string align = std::string("x") + names[i] + "Y" + names[j];
       check(align, 0, 20 * j, 80, 40);
       check(align + " meet", 0, 20 * j, 80, 40);
       check(align + " slice", -40 * i, 0, 160, 80);

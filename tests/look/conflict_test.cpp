@@ -97,7 +97,7 @@ TEST_CASE("drawn, cells without conflict are pale greys, too dark ones orange an
   CHECK(image.width == 12);
   CHECK(image.height == 4);
   REQUIRE(image.rgb.size() == 3 * 12 * 4);
-  const auto at = [&](int x) { return &image.rgb[static_cast<std::size_t>(3 * x)]; };
+  const auto at = [&](int x) { return &image.rgb[3 * x]; };
   CHECK(at(0)[0] == at(0)[1]);
   CHECK(at(0)[1] == at(0)[2]);
   CHECK(at(0)[0] > 230);

@@ -340,7 +340,7 @@ TEST_CASE("the look alone has its size, the plate in its middle, and the same pi
   const RgbImage& image = look.value();
   CHECK(image.width == 120);
   CHECK(image.height == 90);
-  const auto at = [&](int x, int y) { return &image.rgb[static_cast<std::size_t>(3 * (y * 120 + x))]; };
+  const auto at = [&](int x, int y) { return &image.rgb[3 * (y * 120 + x)]; };
   const auto plate = [&](int x, int y) { return at(x, y)[2] > 45; };  // the ground is darker
   // 92 % of 120 pixels: from 5 to 115, and a third as high.
   CHECK((plate(60, 45) && plate(8, 45) && plate(112, 45) && plate(60, 29) && plate(60, 60)));

@@ -237,7 +237,7 @@ TEST_CASE("levels are those of what is printed") {
     Image image = ball();
     for (int y = 0; y < 60; ++y) {
       for (int x = 0; x < 60; ++x) {
-        std::uint16_t& sample = image.samples[static_cast<std::size_t>(60 * y + x)];
+        std::uint16_t& sample = image.samples[60 * y + x];
         const bool outside = std::hypot(x - 29.5, y - 29.5) > 31;
         sample = outside ? (x < 30 ? 0 : 65535) : static_cast<std::uint16_t>(20000 + sample / 4);
       }

@@ -56,7 +56,7 @@ BeadArea byDefinition(const Toolpath& toolpath, Vec2 low, Vec2 high, double pixe
   const double apart = 3 * toolpath.spacing;
   std::vector<double> lengths;
   const auto close = [&](Pass& p) {
-    if (p.passes > 1 && p.first + lengths[static_cast<std::size_t>(p.cycle)] - p.last <= apart) --p.passes;
+    if (p.passes > 1 && p.first + lengths[p.cycle] - p.last <= apart) --p.passes;
     p.total += p.passes;
     p.passes = 0;
   };
@@ -77,7 +77,7 @@ BeadArea byDefinition(const Toolpath& toolpath, Vec2 low, Vec2 high, double pixe
           for (int x = index(p.x - r - low.x, nx); x <= index(p.x + r - low.x, nx); ++x) {
             const Vec2 centre{low.x + (x + 0.5) * pixel, low.y + (y + 0.5) * pixel};
             if (length(centre - p) > r) continue;
-            Pass& at = pixels[static_cast<std::size_t>(y * nx + x)];
+            Pass& at = pixels[y * nx + x];
             const double here = along + t * size;
             if (at.cycle != static_cast<int>(c)) {
               if (at.cycle >= 0) close(at);

@@ -124,8 +124,8 @@ TEST_CASE("quantiles of widths are those of all pieces in order") {
     const auto within = [&](double q, double value) {
       // A piece where the sum of lengths happens to fall on its end may be told to lie on either side.
       const int at = static_cast<int>(q * n);
-      const double low = static_cast<double>(sorted[static_cast<std::size_t>(std::max(0, at - 1))]) / 0.4;
-      const double high = static_cast<double>(sorted[static_cast<std::size_t>(std::min(n - 1, at + 1))]) / 0.4;
+      const double low = static_cast<double>(sorted[std::max(0, at - 1)]) / 0.4;
+      const double high = static_cast<double>(sorted[std::min(n - 1, at + 1)]) / 0.4;
       return value >= low - 1e-9 && value <= high + 1e-9;
     };
     const WidthMeasures width = measured(path, shape).width;

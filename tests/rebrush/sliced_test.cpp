@@ -161,7 +161,7 @@ double overlapWith(const Shape& region, const Inside& inside) {
   const auto spans = insideIntervals(region, kStep / 2, kStep, rows);
   for (int row = 0; row < rows; ++row) {
     std::size_t next = 0;
-    const auto& line = spans[static_cast<std::size_t>(row)];
+    const auto& line = spans[row];
     for (int column = 0; column < columns; ++column) {
       const Vec2 p{(column + 0.5) * kStep, (row + 0.5) * kStep};
       while (next < line.size() && line[next].end < p.x) ++next;

@@ -249,12 +249,11 @@ inline void blurred(std::vector<float>& plane, int width, int height, double sig
     std::vector<float> line(static_cast<std::size_t>(count));
     for (int l = 0; l < lines; ++l) {
       float* at = plane.data() + static_cast<std::ptrdiff_t>(l) * next;
-      for (int k = 0; k < count; ++k) line[static_cast<std::size_t>(k)] = at[static_cast<std::ptrdiff_t>(k) * step];
+      for (int k = 0; k < count; ++k) line[k] = at[static_cast<std::ptrdiff_t>(k) * step];
       for (int k = 0; k < count; ++k) {
         float v = 0;
         for (int o = -reach; o <= reach; ++o) {
-          v += kernel[static_cast<std::size_t>(o + reach)] *
-               line[static_cast<std::size_t>(std::clamp(k + o, 0, count - 1))];
+          v += kernel[o + reach] * line[std::clamp(k + o, 0, count - 1)];
         }
         at[static_cast<std::ptrdiff_t>(k) * step] = v;
       }
@@ -394,7 +393,7 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
       for (int s = 0; s < kSamples * kSamples; ++s) {
         const Vec2 p = camera.plateAt({x + (s % kSamples + 0.5) / kSamples, y + (s / kSamples + 0.5) / kSamples});
         if (!beads.within(p)) {
-          for (int c = 0; c < 3; ++c) rgb[c] += truth.ground[static_cast<std::size_t>(c)] * truth.exposure;
+          for (int c = 0; c < 3; ++c) rgb[c] += truth.ground[c] * truth.exposure;
           continue;
         }
         const V3 at{p.x - middle.x, p.y - middle.y, 0};
@@ -409,7 +408,7 @@ inline Exposed exposed(const CalibrationPlate& plate, const Truth& truth) {
           light = shine(*lamps, place.along, profile * place.across) / brightest;
         }
         for (int c = 0; c < 3; ++c) {
-          const double own = truth.filament[static_cast<std::size_t>(c)];
+          const double own = truth.filament[c];
           rgb[c] += truth.exposure * (light * (0.5 + 0.5 * own) + soft * own) * near;
         }
       }

@@ -37,7 +37,7 @@ std::vector<std::pair<float, float>> rowWidths(const std::vector<float>& heights
   const ClosedCurves curves = rowsAt(heights);
   BeadGaps gaps;
   for (int c = 0; c < curves.count(); ++c) {
-    gaps.left.insert(gaps.left.end(), static_cast<std::size_t>(curves.size(c)), wanted[static_cast<std::size_t>(c)]);
+    gaps.left.insert(gaps.left.end(), static_cast<std::size_t>(curves.size(c)), wanted[c]);
   }
   gaps.right = gaps.left;
   const auto widths = beadWidths(curves, gaps, pageBorder(), params, RunContext(1));
@@ -45,10 +45,10 @@ std::vector<std::pair<float, float>> rowWidths(const std::vector<float>& heights
   std::vector<std::pair<float, float>> out;
   for (int c = 0; c < curves.count(); ++c) {
     std::pair<float, float> range{1e9f, -1e9f};
-    for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
-      const Vec2f p = curves.points[static_cast<std::size_t>(k)];
-      if (p.y > heights[static_cast<std::size_t>(c)] + 0.01f || p.x < 15 || p.x > 35) continue;
-      const float width = widths.value().width[static_cast<std::size_t>(k)];
+    for (int k = curves.begin[c]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
+      const Vec2f p = curves.points[k];
+      if (p.y > heights[c] + 0.01f || p.x < 15 || p.x > 35) continue;
+      const float width = widths.value().width[k];
       range = {std::min(range.first, width), std::max(range.second, width)};
     }
     out.push_back(range);

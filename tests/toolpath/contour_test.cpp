@@ -27,9 +27,9 @@ const Grid kGrid{{0, 0}, 0.1, 101, 81};
 double areaOf(const ClosedCurves& curves, int c) {
   double sum = 0;
   for (int k = 0; k < curves.size(c); ++k) {
-    const int i = curves.begin[static_cast<std::size_t>(c)] + k;
-    const Vec2f a = curves.points[static_cast<std::size_t>(i)];
-    const Vec2f b = curves.points[static_cast<std::size_t>(nextOf(curves, c, i))];
+    const int i = curves.begin[c] + k;
+    const Vec2f a = curves.points[i];
+    const Vec2f b = curves.points[nextOf(curves, c, i)];
     sum += 0.5 * static_cast<double>(cross(a, b));
   }
   return sum;
@@ -84,9 +84,8 @@ TEST_CASE("random fields give disjoint closed curves whose edges stay within one
     CHECK(c.points.size() == changes);  // one vertex per edge whose ends differ, none lost
     CHECK(findCrossings(c, RunContext(2)).empty());
     for (int curve = 0; curve < c.count(); ++curve) {
-      for (int i = c.begin[static_cast<std::size_t>(curve)]; i < c.begin[static_cast<std::size_t>(curve) + 1]; ++i) {
-        const Vec2f step =
-            c.points[static_cast<std::size_t>(nextOf(c, curve, i))] - c.points[static_cast<std::size_t>(i)];
+      for (int i = c.begin[curve]; i < c.begin[static_cast<std::size_t>(curve) + 1]; ++i) {
+        const Vec2f step = c.points[nextOf(c, curve, i)] - c.points[i];
         REQUIRE(length(step) < 0.1415f);
       }
     }

@@ -20,7 +20,7 @@ ClosedCurves curvesOf(const std::vector<int>& sizes) {
 /// Shares of 1 that are `factor` at these points.
 std::vector<float> onesBut(int count, const std::vector<int>& points, float factor) {
   std::vector<float> share(static_cast<std::size_t>(count), 1.0f);
-  for (const int point : points) share[static_cast<std::size_t>(point)] = factor;
+  for (const int point : points) share[point] = factor;
   return share;
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("where crossings lie close to each other a share falls once; without a
   const ClosedCurves curves = curvesOf({30});
   std::vector<float> share(30, 0.5f);
   damp(curves, curves, {{10, 11}, {11, 12}}, 1, 0.5f, share);
-  for (int k = 0; k < 30; ++k) CHECK(share[static_cast<std::size_t>(k)] == (k >= 9 && k <= 13 ? 0.25f : 0.5f));
+  for (int k = 0; k < 30; ++k) CHECK(share[k] == (k >= 9 && k <= 13 ? 0.25f : 0.5f));
   damp(curves, curves, {}, 5, 0.0f, share);
   CHECK(share[10] == 0.25f);
   CHECK(share[0] == 0.5f);

@@ -102,12 +102,10 @@ TEST_CASE("points face each other where the regions that are nearest to them tou
     // The first point of a cell spreads from there; the others face it.
     std::map<std::size_t, int> sourceAt;
     std::set<std::pair<int, int>> possible, certain;
-    const auto differ = [&](int a, int b) {
-      return sets[static_cast<std::size_t>(a)] != sets[static_cast<std::size_t>(b)];
-    };
+    const auto differ = [&](int a, int b) { return sets[a] != sets[b]; };
     for (int k = 0; k < static_cast<int>(points.size()); ++k) {
-      const std::size_t cell = cellInPart(parts, points[static_cast<std::size_t>(k)]);
-      if (sets[static_cast<std::size_t>(k)] < 0 || parts.label[cell] < 0) continue;
+      const std::size_t cell = cellInPart(parts, points[k]);
+      if (sets[k] < 0 || parts.label[cell] < 0) continue;
       const auto [at, first] = sourceAt.try_emplace(cell, k);
       if (!first && differ(at->second, k)) {
         possible.insert({at->second, k});

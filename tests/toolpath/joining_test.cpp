@@ -81,7 +81,7 @@ struct Model {
 
   explicit Model(const ClosedCurves& given) : curves(given), used(given.points.size(), 0), inner(used) {
     for (int c = 0; c < curves.count(); ++c) {
-      const int first = curves.begin[static_cast<std::size_t>(c)];
+      const int first = curves.begin[c];
       for (int k = 0; k < curves.size(c); ++k) {
         curveOf.push_back(c);
         next.push_back(first + (k + 1) % curves.size(c));
@@ -90,13 +90,13 @@ struct Model {
     }
   }
 
-  [[nodiscard]] Vec2f at(int p) const { return curves.points[static_cast<std::size_t>(p)]; }
-  [[nodiscard]] int setAt(int p) const { return set[static_cast<std::size_t>(curveOf[static_cast<std::size_t>(p)])]; }
+  [[nodiscard]] Vec2f at(int p) const { return curves.points[p]; }
+  [[nodiscard]] int setAt(int p) const { return set[curveOf[p]]; }
 
   // `span` segments with the point in their middle: their points.
   [[nodiscard]] std::vector<int> piece(int point, int span) const {
-    const int c = curveOf[static_cast<std::size_t>(point)];
-    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int c = curveOf[point];
+    const int first = curves.begin[c];
     const int n = curves.size(c);
     span = std::min(span, n / 2);
     std::vector<int> points;
@@ -113,21 +113,21 @@ struct Model {
   // Whether ab meets an edge of the path as it is, without the pieces.
   [[nodiscard]] bool blocked(int a, int b, const std::set<int>& removed) const {
     for (int p = 0; p < static_cast<int>(next.size()); ++p) {
-      const int q = next[static_cast<std::size_t>(p)];
-      if (inner[static_cast<std::size_t>(p)] || (removed.count(p) > 0 && q == original(p))) continue;
+      const int q = next[p];
+      if (inner[p] || (removed.count(p) > 0 && q == original(p))) continue;
       if (p == a || p == b || q == a || q == b) continue;
       if (segmentsMeet(at(a), at(b), at(p), at(q))) return true;
     }
     return false;
   }
-  [[nodiscard]] int original(int p) const { return nextOf(curves, curveOf[static_cast<std::size_t>(p)], p); }
+  [[nodiscard]] int original(int p) const { return nextOf(curves, curveOf[p], p); }
 
   bool join(const Candidate& candidate, double gap) {
     if (setAt(candidate.i) == setAt(candidate.j)) return false;
     const std::vector<int> a = piece(candidate.i, candidate.span), b = piece(candidate.j, candidate.span);
     for (const auto& some : {a, b}) {
       for (const int p : some) {
-        if (used[static_cast<std::size_t>(p)]) return false;
+        if (used[p]) return false;
       }
     }
     const double e = outside(at(a.front()), at(b.back())), f = outside(at(b.front()), at(a.back()));
@@ -138,11 +138,11 @@ struct Model {
     if (blocked(a.front(), b.back(), removed) || blocked(b.front(), a.back(), removed)) return false;
     if (blocked(candidate.i, candidate.j, removed)) return false;
     for (const auto& some : {a, b}) {
-      for (const int p : some) used[static_cast<std::size_t>(p)] = 1;
-      for (std::size_t k = 1; k + 1 < some.size(); ++k) inner[static_cast<std::size_t>(some[k])] = 1;
+      for (const int p : some) used[p] = 1;
+      for (std::size_t k = 1; k + 1 < some.size(); ++k) inner[some[k]] = 1;
     }
-    next[static_cast<std::size_t>(a.front())] = b.back();
-    next[static_cast<std::size_t>(b.front())] = a.back();
+    next[a.front()] = b.back();
+    next[b.front()] = a.back();
     gaps += e + f > 0 ? 1 : 0;
     for (const double size : {length(at(a.front()) - at(b.back())), length(at(b.front()) - at(a.back()))}) {
       longest = std::max(longest, size);
@@ -171,7 +171,7 @@ TEST_CASE("a joint is made exactly where nothing stands against it, however long
       const int i = random.index(count), j = random.index(count);
       if (static_cast<double>(length(model.at(i) - model.at(j))) > reach) continue;
       ++tried;
-      const Candidate candidate{0, i, j, std::array{4, 2, 1}[static_cast<std::size_t>(random.index(3))]};
+      const Candidate candidate{0, i, j, std::array{4, 2, 1}[random.index(3)]};
       const float gap = random.index(2) == 0 ? 0.0f : 0.6f;
       // How much lies outside is sampled; what is nearly as much as allowed may go either way.
       const std::vector<int> a = model.piece(i, candidate.span), b = model.piece(j, candidate.span);
@@ -185,7 +185,7 @@ TEST_CASE("a joint is made exactly where nothing stands against it, however long
       longOnes += expected && reach > 10 && length(model.at(i) - model.at(j)) > 5 ? 1 : 0;
     }
     for (int p = 0; p < count; ++p) {
-      if (joining.used(p) != (model.used[static_cast<std::size_t>(p)] != 0)) FAIL_CHECK("a point's use differs");
+      if (joining.used(p) != (model.used[p] != 0)) FAIL_CHECK("a point's use differs");
       if (joining.setOf(joining.curveOf(p)) != model.setAt(p)) FAIL_CHECK("a point's set differs");
     }
     CHECK(static_cast<double>(joining.longestJoint()) == about(model.longest, 1e-6));
@@ -195,14 +195,14 @@ TEST_CASE("a joint is made exactly where nothing stands against it, however long
     CHECK(findCrossings(joined, run).empty());
     ClosedCurves expected;
     for (int c = 0; c < page.curves.count(); ++c) {
-      if (model.set[static_cast<std::size_t>(c)] != c) continue;
-      int start = page.curves.begin[static_cast<std::size_t>(c)];
-      while (model.inner[static_cast<std::size_t>(start)]) ++start;
+      if (model.set[c] != c) continue;
+      int start = page.curves.begin[c];
+      while (model.inner[start]) ++start;
       expected.begin.push_back(static_cast<int>(expected.points.size()));
       int p = start;
       do {
         expected.points.push_back(model.at(p));
-        p = model.next[static_cast<std::size_t>(p)];
+        p = model.next[p];
       } while (p != start);
     }
     expected.begin.push_back(static_cast<int>(expected.points.size()));
@@ -238,8 +238,7 @@ TEST_CASE("a joint costs 0.65 of the length it adds, and the price of the misali
     };
     for (int k = 0; k < 300; ++k) {
       const int count = static_cast<int>(page.curves.points.size());
-      const int i = random.index(count), j = random.index(count),
-                span = std::array{4, 2, 1}[static_cast<std::size_t>(k % 3)];
+      const int i = random.index(count), j = random.index(count), span = std::array{4, 2, 1}[k % 3];
       const std::vector<int> a = model.piece(i, span), b = model.piece(j, span);
       Vec2 added = measure(model.at(a.front()), model.at(b.back())) + measure(model.at(b.front()), model.at(a.back()));
       for (const auto& piece : {a, b}) {
@@ -273,17 +272,15 @@ Stitched slowlyStitched(const Page& page, const ClosedCurves& curves, const Part
   const int count = static_cast<int>(curves.points.size());
   std::vector<int> partOf;
   for (int c = 0; c < curves.count(); ++c) {
-    partOf.push_back(parts.label[cellInPart(
-        parts, curves.points[static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)])])]);
+    partOf.push_back(parts.label[cellInPart(parts, curves.points[curves.begin[c]])]);
   }
-  const auto partAt = [&](int point) { return partOf[static_cast<std::size_t>(joining.curveOf(point))]; };
+  const auto partAt = [&](int point) { return partOf[joining.curveOf(point)]; };
   Stitched out;
   std::size_t search = 0;
   for (int round = 0; search < 6; ++round) {
     // The largest set of each part, and the parts of several.
     std::map<int, std::map<int, int>> points;  // part, set, points
-    for (int c = 0; c < curves.count(); ++c)
-      points[partOf[static_cast<std::size_t>(c)]][joining.setOf(c)] += curves.size(c);
+    for (int c = 0; c < curves.count(); ++c) points[partOf[c]][joining.setOf(c)] += curves.size(c);
     out.parts = static_cast<int>(points.size());
     std::map<int, int> largest;
     for (const auto& [part, sets] : points) {
@@ -300,7 +297,7 @@ Stitched slowlyStitched(const Page& page, const ClosedCurves& curves, const Part
       const Searching& how = near[search];
       for (int i = 0; i < count; ++i) {
         const int c = joining.curveOf(i);
-        if (round == 0 && (i - curves.begin[static_cast<std::size_t>(c)]) % 4 != 0) continue;
+        if (round == 0 && (i - curves.begin[c]) % 4 != 0) continue;
         if (largest.count(partAt(i)) == 0 || setAt(i) == largest[partAt(i)] || joining.used(i)) continue;
         const Vec2f along = joining.at(nextOf(curves, c, i)) - joining.at(i);
         std::array<std::vector<std::pair<float, int>>, 2> sides;
@@ -327,7 +324,7 @@ Stitched slowlyStitched(const Page& page, const ClosedCurves& curves, const Part
     } else {
       std::vector<int> sets(static_cast<std::size_t>(count), -1);
       for (int i = 0; i < count; ++i) {
-        if (largest.count(partAt(i)) > 0 && !joining.used(i)) sets[static_cast<std::size_t>(i)] = setAt(i);
+        if (largest.count(partAt(i)) > 0 && !joining.used(i)) sets[i] = setAt(i);
       }
       std::vector<std::pair<int, int>> pairs = facingPoints(parts, curves.points, sets);
       if (search == 5) {  // all that lies around the nearest 16
@@ -340,7 +337,7 @@ Stitched slowlyStitched(const Page& page, const ClosedCurves& curves, const Part
         const Model model(curves);
         for (const auto& [i, j] : pairs) {
           const auto walk = [&](int p) {
-            const int first = curves.begin[static_cast<std::size_t>(joining.curveOf(p))];
+            const int first = curves.begin[joining.curveOf(p)];
             const int n = curves.size(joining.curveOf(p));
             std::vector<int> some;
             for (int k = -4; k <= 4; ++k) some.push_back(first + ((p - first + k) % n + n) % n);
@@ -392,8 +389,7 @@ TEST_CASE("stitching makes the joints that looking at every pair of points would
     for (int c = 0; c < page.curves.count() && round < 4; ++c) {
       if (random.index(3) == 0) continue;
       const auto begin = page.curves.points.begin();
-      some.emplace_back(begin + page.curves.begin[static_cast<std::size_t>(c)],
-                        begin + page.curves.begin[static_cast<std::size_t>(c) + 1]);
+      some.emplace_back(begin + page.curves.begin[c], begin + page.curves.begin[static_cast<std::size_t>(c) + 1]);
       if (random.index(3) > 0) continue;
       for (Vec2f& p : some.back()) p.x += random.index(2) == 0 ? 0.2f : -0.2f;
       if (!findCrossings(scenes::closed(some), run).empty()) some.pop_back();

@@ -75,8 +75,7 @@ int kinksOf(const ClosedCurves& curves) {
   for (int c = 0; c < fine.count(); ++c) {
     for (int k = 0; k < fine.size(c); ++k) {
       Vec2f p[4];
-      for (int n = 0; n < 4; ++n)
-        p[n] = fine.points[static_cast<std::size_t>(fine.begin[static_cast<std::size_t>(c)] + (k + n) % fine.size(c))];
+      for (int n = 0; n < 4; ++n) p[n] = fine.points[fine.begin[c] + (k + n) % fine.size(c)];
       kinks += dot(p[1] - p[0], p[3] - p[2]) <= 0.5f * length(p[1] - p[0]) * length(p[3] - p[2]) ? 1 : 0;
     }
   }

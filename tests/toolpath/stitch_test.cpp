@@ -48,9 +48,9 @@ double outsideOf(const ClosedCurves& curves, const Shape& shape) {
   double outside = 0;
   for (int c = 0; c < curves.count(); ++c) {
     for (int k = 0; k < curves.size(c); ++k) {
-      const int i = curves.begin[static_cast<std::size_t>(c)] + k;
-      const Vec2f from = curves.points[static_cast<std::size_t>(i)];
-      const Vec2f to = curves.points[static_cast<std::size_t>(nextOf(curves, c, i))];
+      const int i = curves.begin[c] + k;
+      const Vec2f from = curves.points[i];
+      const Vec2f to = curves.points[nextOf(curves, c, i)];
       const Vec2 a{static_cast<double>(from.x), static_cast<double>(from.y)};
       const Vec2 b{static_cast<double>(to.x), static_cast<double>(to.y)};
       const int steps = static_cast<int>(length(b - a) / 0.01) + 1;
@@ -303,7 +303,7 @@ TEST_CASE("a joint does not turn a tiny cycle inside out") {
     curves.begin.push_back(first + 6);
     int below = -1;  // the row's point under the hexagon's middle
     for (int k = 0; k < first; ++k) {
-      const Vec2f p = curves.points[static_cast<std::size_t>(k)];
+      const Vec2f p = curves.points[k];
       if (std::abs(p.x - 20) < 0.05f && std::abs(p.y - 15) < 0.01f) below = k;
     }
     REQUIRE(below >= 0);
@@ -364,13 +364,12 @@ TEST_CASE("misaligned length is avoided when it costs more") {
     const Stitching s = stitchingOf(input, params);
     double sum = 0;
     for (int c = 0; c < s.after.curves.count(); ++c) {
-      for (int i = s.after.curves.begin[static_cast<std::size_t>(c)];
-           i < s.after.curves.begin[static_cast<std::size_t>(c) + 1]; ++i) {
-        const Vec2f a = s.after.curves.points[static_cast<std::size_t>(i)];
-        const Vec2f b = s.after.curves.points[static_cast<std::size_t>(nextOf(s.after.curves, c, i))];
+      for (int i = s.after.curves.begin[c]; i < s.after.curves.begin[static_cast<std::size_t>(c) + 1]; ++i) {
+        const Vec2f a = s.after.curves.points[i];
+        const Vec2f b = s.after.curves.points[nextOf(s.after.curves, c, i)];
         const Vec2 p{static_cast<double>(0.5f * (a.x + b.x)), static_cast<double>(0.5f * (a.y + b.y))};
         const TexelIndex t = texelAt(p, input.shape.page, 96, 96);
-        const Vec2f z = lines[input.directions.angle[static_cast<std::size_t>(t.y * 96 + t.x)]];
+        const Vec2f z = lines[input.directions.angle[t.y * 96 + t.x]];
         const Vec2f e = b - a;
         const float size = length(e);
         if (size > 0)

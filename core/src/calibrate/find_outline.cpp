@@ -33,7 +33,7 @@ SmallPicture shrunk(const Image& image) {
   out.height = image.height / step;
   const int colours = image.channels >= 3 ? 3 : 1;
   for (int c = 0; c < 3; ++c) {
-    std::vector<float>& plane = out.code[static_cast<std::size_t>(c)];
+    std::vector<float>& plane = out.code[c];
     plane.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
     for (int y = 0; y < out.height; ++y) {
       for (int x = 0; x < out.width; ++x) {
@@ -134,18 +134,18 @@ std::vector<Vec2> largestPart(const std::vector<std::uint8_t>& mask, int w, int 
   std::vector<Vec2> best;
   std::vector<int> stack;
   for (int start = 0; start < w * h; ++start) {
-    if (mask[static_cast<std::size_t>(start)] == 0 || seen[static_cast<std::size_t>(start)] != 0) continue;
+    if (mask[start] == 0 || seen[start] != 0) continue;
     std::vector<Vec2> part;
     stack.push_back(start);
-    seen[static_cast<std::size_t>(start)] = 1;
+    seen[start] = 1;
     while (!stack.empty()) {
       const int k = stack.back();
       stack.pop_back();
       const int x = k % w, y = k / w;
       part.push_back({static_cast<double>(x), static_cast<double>(y)});
       const auto visit = [&](bool exists, int next) {
-        if (!exists || mask[static_cast<std::size_t>(next)] == 0 || seen[static_cast<std::size_t>(next)] != 0) return;
-        seen[static_cast<std::size_t>(next)] = 1;
+        if (!exists || mask[next] == 0 || seen[next] != 0) return;
+        seen[next] = 1;
         stack.push_back(next);
       };
       visit(x > 0, k - 1);

@@ -28,8 +28,7 @@ void flatten(std::vector<float>& patch, int side, int reach) {
     };
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
-        at(x + 1, y + 1) = static_cast<double>(values[static_cast<std::size_t>(y * side + x)]) + at(x, y + 1) +
-                           at(x + 1, y) - at(x, y);
+        at(x + 1, y + 1) = static_cast<double>(values[y * side + x]) + at(x, y + 1) + at(x + 1, y) - at(x, y);
       }
     }
     std::vector<float> out(values.size());
@@ -37,7 +36,7 @@ void flatten(std::vector<float>& patch, int side, int reach) {
       for (int x = 0; x < side; ++x) {
         const int x0 = std::max(0, x - reach), x1 = std::min(side, x + reach + 1);
         const int y0 = std::max(0, y - reach), y1 = std::min(side, y + reach + 1);
-        out[static_cast<std::size_t>(y * side + x)] =
+        out[y * side + x] =
             static_cast<float>((at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0)) / ((x1 - x0) * (y1 - y0)));
       }
     }
@@ -104,7 +103,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
   for (int dy = -shifts; dy <= shifts; dy += stride) {
     const std::vector<double> now = answers(dy);
     for (int dx = -shifts; dx <= shifts; dx += stride) {
-      const double v = now[static_cast<std::size_t>(dx + shifts)];
+      const double v = now[dx + shifts];
       if (v > best.clarity) best.clarity = v, bx = dx, by = dy, row = now;
     }
   }

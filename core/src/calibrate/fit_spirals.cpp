@@ -376,16 +376,16 @@ double azimuthOf(const std::vector<LitSpiral>& spirals, double& contrast) {
   for (const LitSpiral& s : spirals) {
     if (s.kind == SpiralKind::Loose) continue;
     for (int k = 0; k < kAngles; ++k) {
-      for (const auto& bin : s.seen.bins[static_cast<std::size_t>(k)]) {
-        light[static_cast<std::size_t>(k % (kAngles / 2))] += bin.light;
+      for (const auto& bin : s.seen.bins[k]) {
+        light[k % (kAngles / 2)] += bin.light;
       }
     }
   }
   double x = 0, y = 0;
   for (int k = 0; k < kAngles / 2; ++k) {
     const double twice = 4 * std::numbers::pi * (k + 0.5) / kAngles;
-    x += light[static_cast<std::size_t>(k)] * std::cos(twice);
-    y += light[static_cast<std::size_t>(k)] * std::sin(twice);
+    x += light[k] * std::cos(twice);
+    y += light[k] * std::sin(twice);
   }
   const auto [least, most] = std::minmax_element(light.begin(), light.end());
   contrast = *most / std::max(1e-9, *least);

@@ -37,9 +37,8 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
       turn -= std::floor(turn);
       double phase = r / spiral.pitch - turn;
       phase -= std::floor(phase);
-      FoldedSpiral::Bin& bin =
-          out.bins[static_cast<std::size_t>(std::min(kAngles - 1, static_cast<int>(turn * kAngles)))]
-                  [static_cast<std::size_t>(std::min(kPhases - 1, static_cast<int>(phase * kPhases)))];
+      FoldedSpiral::Bin& bin = out.bins[std::min(kAngles - 1, static_cast<int>(turn * kAngles))]
+                                       [std::min(kPhases - 1, static_cast<int>(phase * kPhases))];
       const double light = static_cast<double>(lightOfCode(tones.at(x, y)));
       bin.light += light;
       ++bin.count;

@@ -43,11 +43,11 @@ const Waves& waves() {
     Waves w;
     for (std::size_t h = 0; h < kHarmonics; ++h) {
       const auto turns = 2 * std::numbers::pi * static_cast<double>(h);
-      for (int k = 0; k < kFine; ++k) w.fine[static_cast<std::size_t>(k)][h] = waveOf(1.0 / kFine, -turns * placeOf(k));
+      for (int k = 0; k < kFine; ++k) w.fine[k][h] = waveOf(1.0 / kFine, -turns * placeOf(k));
       const double x = turns / (2 * kPhases);
       const double mean = h == 0 ? 1 : 2 * std::sin(x) / x;
       for (int k = 0; k < kPhases; ++k) {
-        w.phase[static_cast<std::size_t>(k)][h] = waveOf(mean, turns * (k + 0.5) / kPhases);
+        w.phase[k][h] = waveOf(mean, turns * (k + 0.5) / kPhases);
       }
     }
     for (std::size_t k = 0; k < kPhases; ++k) {
@@ -203,7 +203,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   int first = kFine, last = -1;
   for (int i = 0; i < kFine; ++i) {
     const double here = std::clamp((half - std::abs(placeOf(i))) * kFine + 0.5, 0.0, 1.0);
-    share[static_cast<std::size_t>(i)] = here;
+    share[i] = here;
     if (here > 0) first = std::min(first, i), last = i;
   }
   shape.body = patternOf(share);
@@ -228,7 +228,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
       double value = along * std::exp(-across * across / (2 * vc));
       double ratio = std::exp(-(2 * way * across * step + step * step) / (2 * vc));
       for (int i = top; i >= first && i <= last; i += way) {
-        lit[static_cast<std::size_t>(i)] = share[static_cast<std::size_t>(i)] * value;
+        lit[i] = share[i] * value;
         value *= ratio;
         ratio *= bend;
       }
@@ -240,7 +240,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
     for (int i = 0; i < kFine && lowest < highest; ++i) {
       const double x = placeOf(i), y = x < 0 ? x + 1 : x;
       const double begin = std::max(lowest, y - 0.5 / kFine), end = std::min(highest, y + 0.5 / kFine);
-      open[static_cast<std::size_t>(i)] = kFine * std::max(0.0, end - begin);
+      open[i] = kFine * std::max(0.0, end - begin);
     }
     shape.floor[k] = patternOf(open);
   }

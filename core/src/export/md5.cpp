@@ -39,7 +39,7 @@ std::string md5(const std::vector<std::string_view>& parts) {
                                 : round == 2 ? b ^ c ^ d
                                              : c ^ (b | ~d);
       const int word = round == 0 ? k : round == 1 ? 5 * k + 1 : round == 2 ? 3 * k + 5 : 7 * k;
-      const std::uint32_t all = a + mix + kSines[static_cast<std::size_t>(k)] + words[word % 16];
+      const std::uint32_t all = a + mix + kSines[k] + words[word % 16];
       const int turn = kTurns[round][k % 4];
       a = d;
       d = c;

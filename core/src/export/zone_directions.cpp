@@ -42,7 +42,7 @@ std::vector<double> chosenDirections(const DirectionPicture& picture, int most) 
     const int first = start * kBins / kStarts;
     double sum = 0;
     for (int bin = 0; bin < kBins; ++bin) {
-      const double weight = weights[static_cast<std::size_t>((first + bin) % kBins)];
+      const double weight = weights[(first + bin) % kBins];
       const double goal = (static_cast<double>(centres.size()) + 0.5) * all / most;
       sum += weight;
       if (weight > 0 && sum > goal && static_cast<int>(centres.size()) < most) {
@@ -59,9 +59,9 @@ std::vector<double> chosenDirections(const DirectionPicture& picture, int most) 
           const double off = angleBetween((bin + 0.5) * 180 / kBins, centres[k]);
           if (off >= nearest) continue;
           nearest = off;
-          owner[static_cast<std::size_t>(bin)] = static_cast<int>(k);
+          owner[bin] = static_cast<int>(k);
         }
-        error += weights[static_cast<std::size_t>(bin)] * nearest * nearest;
+        error += weights[bin] * nearest * nearest;
       }
       bool moved = false;
       for (std::size_t k = 0; k < centres.size(); ++k) {
@@ -89,7 +89,7 @@ std::vector<double> refined(const DirectionPicture& picture, std::vector<double>
       return angleBetween(angle, a) < angleBetween(angle, b);
     });
     const double twice = 2 * angle * std::numbers::pi / 180;
-    Vec2& sum = sums[static_cast<std::size_t>(nearest - directions.begin())];
+    Vec2& sum = sums[nearest - directions.begin()];
     sum = sum + Vec2{std::cos(twice), std::sin(twice)};
   }
   for (std::size_t k = 0; k < directions.size(); ++k) {

@@ -36,11 +36,9 @@ std::vector<float> smoothed(const DirectionPicture& picture, double least) {
     std::vector<Vec2> before(static_cast<std::size_t>(size) + 1);
     for (int line = 0; line < lines; ++line) {
       const auto at = [&](int k) -> Vec2& { return sums[rows ? grid.index(k, line) : grid.index(line, k)]; };
-      for (int k = 0; k < size; ++k)
-        before[static_cast<std::size_t>(k) + 1] = before[static_cast<std::size_t>(k)] + at(k);
+      for (int k = 0; k < size; ++k) before[static_cast<std::size_t>(k) + 1] = before[k] + at(k);
       for (int k = 0; k < size; ++k) {
-        at(k) = before[static_cast<std::size_t>(std::min(size, k + reach + 1))] -
-                before[static_cast<std::size_t>(std::max(0, k - reach))];
+        at(k) = before[std::min(size, k + reach + 1)] - before[std::max(0, k - reach)];
       }
     }
   }
@@ -59,8 +57,7 @@ Labels nearestDirections(const DirectionPicture& picture, const std::vector<doub
   const Grid& grid = picture.grid;
   Labels label(grid.size(), -1);
   const auto errorOf = [&](std::size_t k, std::int32_t zone) {
-    const double off =
-        angleBetween(static_cast<double>(degrees[k]), directions[static_cast<std::size_t>(zone)]) / kEven;
+    const double off = angleBetween(static_cast<double>(degrees[k]), directions[zone]) / kEven;
     return off * off;
   };
   const auto count = static_cast<std::int32_t>(directions.size());
@@ -83,15 +80,13 @@ Labels nearestDirections(const DirectionPicture& picture, const std::vector<doub
         for (int v = y - 1; v <= y + 1; ++v) {
           for (int u = x - 1; u <= x + 1; ++u) {
             const std::int32_t other = label[grid.index(u, v)];
-            if (other >= 0 && (u != x || v != y)) ++like[static_cast<std::size_t>(other)];
+            if (other >= 0 && (u != x || v != y)) ++like[other];
           }
         }
-        const auto cost = [&](std::int32_t zone) {
-          return errorOf(k, zone) - like[static_cast<std::size_t>(zone)] / 8.0;
-        };
+        const auto cost = [&](std::int32_t zone) { return errorOf(k, zone) - like[zone] / 8.0; };
         std::int32_t best = label[k];
         for (std::int32_t zone = 0; zone < count; ++zone) {
-          if (like[static_cast<std::size_t>(zone)] > 0 && cost(zone) < cost(best) - 1e-12) best = zone;
+          if (like[zone] > 0 && cost(zone) < cost(best) - 1e-12) best = zone;
         }
         label[k] = best;
       }
@@ -159,7 +154,7 @@ void dropSpecks(Labels& label, const DirectionPicture& picture, double least) {
         const std::size_t other = grid.index(u, v);
         if (label[other] < 0) continue;
         if (label[other] != label[seed]) {
-          ++touched[static_cast<std::size_t>(label[other])];
+          ++touched[label[other]];
         } else if (seen[other] == 0) {
           seen[other] = 1;
           part.push_back(other);

@@ -76,7 +76,7 @@ class Tracer {
   static Corner step(Corner c, int way) {
     constexpr std::array<int, 4> kX{1, 0, -1, 0};
     constexpr std::array<int, 4> kY{0, 1, 0, -1};
-    return {c.x + kX[static_cast<std::size_t>(way)], c.y + kY[static_cast<std::size_t>(way)]};
+    return {c.x + kX[way], c.y + kY[way]};
   }
   [[nodiscard]] std::int32_t cell(int x, int y) const {
     if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return -1;
@@ -85,7 +85,7 @@ class Tracer {
   [[nodiscard]] std::int32_t leftOf(Corner c, int way) const {
     constexpr std::array<int, 4> kX{0, -1, -1, 0};
     constexpr std::array<int, 4> kY{0, 0, -1, -1};
-    return cell(c.x + kX[static_cast<std::size_t>(way)], c.y + kY[static_cast<std::size_t>(way)]);
+    return cell(c.x + kX[way], c.y + kY[way]);
   }
   [[nodiscard]] std::int32_t rightOf(Corner c, int way) const { return leftOf(c, (way + 3) % 4); }
   [[nodiscard]] bool isBorder(Corner c, int way) const {
@@ -102,7 +102,7 @@ class Tracer {
     return used_[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(columns_ + 1) +
                  static_cast<std::size_t>(c.x)];
   }
-  bool isUsed(Corner c, int way) { return marks(c)[static_cast<std::size_t>(way)]; }
+  bool isUsed(Corner c, int way) { return marks(c)[way]; }
 
   Chain follow(Corner from, int way) {
     Chain chain;
@@ -111,9 +111,9 @@ class Tracer {
     chain.corners.push_back(from);
     Corner at = from;
     for (;;) {
-      marks(at)[static_cast<std::size_t>(way)] = true;
+      marks(at)[way] = true;
       at = step(at, way);
-      marks(at)[static_cast<std::size_t>((way + 2) % 4)] = true;
+      marks(at)[(way + 2) % 4] = true;
       chain.corners.push_back(at);
       if (at == from || degree(at) != 2) return chain;
       for (const int turn : {0, 1, 3}) {
@@ -221,7 +221,7 @@ std::vector<std::vector<Ring>> zoneOutlines(std::vector<std::int32_t> zone, int 
     }
     for (const std::vector<Corner>& ring : closed) {
       if (ring.size() < 4) continue;
-      Ring& out = rings[static_cast<std::size_t>(k)].emplace_back();
+      Ring& out = rings[k].emplace_back();
       for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
         out.push_back(grid.origin + grid.cell * Vec2{static_cast<double>(ring[i].x), static_cast<double>(ring[i].y)});
       }

@@ -32,7 +32,7 @@ DirectionPicture rastered(const Shape& shape, const DirectionMap& map) {
   picture.degrees.assign(grid.size(), 0);
   const auto rows = insideIntervals(shape, grid.centre(0, 0).y, grid.cell, grid.ny);
   for (int y = 0; y < grid.ny; ++y) {
-    for (const Interval& span : rows[static_cast<std::size_t>(y)]) {
+    for (const Interval& span : rows[y]) {
       for (int x = 0; x < grid.nx; ++x) {
         const Vec2 p = grid.centre(x, y);
         if (p.x < span.begin || p.x >= span.end) continue;

@@ -29,7 +29,7 @@ std::vector<Footprint> footprints(int count, double origin, double cell, double 
     const double limit = static_cast<double>(texels);
     const double low = std::clamp(centre - reach, 0.0, limit - 1);
     const double high = std::clamp(centre + reach, 1.0, limit);
-    Footprint& footprint = all[static_cast<std::size_t>(k)];
+    Footprint& footprint = all[k];
     footprint.first = static_cast<int>(low);
     for (int texel = footprint.first; texel < high; ++texel) {
       footprint.weight.push_back(
@@ -75,7 +75,7 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
 
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      const Footprint& row = rows[static_cast<std::size_t>(y)];
+      const Footprint& row = rows[y];
       const DirectionMode* const modeRow =
           &modes.mode[static_cast<std::size_t>(texelRow(grid.centre(0, y).y, page.y, modes.height)) *
                       static_cast<std::size_t>(modes.width)];
@@ -87,11 +87,11 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
                         : distance > -shellDepth   ? Zone::Shell
                                                    : Zone::Infill;
         if (cells.zone[i] == Zone::Masked) continue;
-        cells.mode[i] = modeRow[modeColumn[static_cast<std::size_t>(x)]];
+        cells.mode[i] = modeRow[modeColumn[x]];
         Vec2f sum{};
         float total = 0;
         if (params.mapFilter == MapFilter::Average) {
-          const Footprint& column = columns[static_cast<std::size_t>(x)];
+          const Footprint& column = columns[x];
           for (std::size_t v = 0; v < row.weight.size(); ++v) {
             const std::uint16_t* const angle = angles(column.first, row.first + static_cast<int>(v));
             for (std::size_t u = 0; u < column.weight.size(); ++u) {

@@ -31,7 +31,7 @@ void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
   for (int x = 0; x < waves.grid.nx; ++x) {
     const std::size_t i = waves.grid.index(x, y);
     const Vec2f q = waves.phase[i];
-    row[static_cast<std::size_t>(x)] = {waves.wave[i], static_cast<double>(atan2Approx(q.y, q.x))};
+    row[x] = {waves.wave[i], static_cast<double>(atan2Approx(q.y, q.x))};
   }
 }
 
@@ -64,14 +64,14 @@ PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& up
 std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const RunContext& run) {
   std::array<float, kReach + 1> weight{};
   for (int k = 0; k <= kReach; ++k) {
-    weight[static_cast<std::size_t>(k)] = static_cast<float>(std::exp(-0.5 * k * k / (kSigma * kSigma)));
+    weight[k] = static_cast<float>(std::exp(-0.5 * k * k / (kSigma * kSigma)));
   }
   std::vector<Vec2f> rows(z.size());
   std::vector<Vec2f> out(z.size());
   // Tap by tap over whole rows, which compilers make vectors of; each sum has its order all the same.
   const auto add = [&](std::vector<Vec2f>& to, std::size_t at, const std::vector<Vec2f>& from, std::size_t fromAt,
                        int count, int tap) {
-    const float w = weight[static_cast<std::size_t>(std::abs(tap))];
+    const float w = weight[std::abs(tap)];
     for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x) to[at + x] = to[at + x] + from[fromAt + x] * w;
   };
   const int grain = rowGrain(run, grid.ny, 10.0 * grid.nx);
@@ -132,7 +132,7 @@ double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const 
           }
           return span > 0 ? Vec2{static_cast<double>(sum.x) / span, static_cast<double>(sum.y) / span} : Vec2{};
         };
-        sums[static_cast<std::size_t>(y)] += std::min(std::abs(slope(1, 0).y - slope(0, 1).x), most);
+        sums[y] += std::min(std::abs(slope(1, 0).y - slope(0, 1).x), most);
       }
     }
   });
@@ -176,7 +176,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
           continue;
         }
         const PhaseTurn turn = roundBlock(lower, upper, static_cast<std::size_t>(x));
-        (turn.flips ? singular : counts)[static_cast<std::size_t>(y)] += turn.flips ? 1 : std::abs(turn.index);
+        (turn.flips ? singular : counts)[y] += turn.flips ? 1 : std::abs(turn.index);
       }
     }
   });

@@ -168,8 +168,8 @@ void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run
             const int cx = 2 * x + colourX(colour);
             const int cy = 2 * y + colourY(colour);
             const Vec2f way = jitter.at(level.depth, cx, cy) - jitter.at(level.depth, cx + kEdgeX[e], cy + kEdgeY[e]);
-            move.x[static_cast<std::size_t>(x)] = way.x;
-            move.y[static_cast<std::size_t>(x)] = way.y;
+            move.x[x] = way.x;
+            move.y[x] = way.y;
           }
           fillEdges(level, e, colour, shape.at(0, y), move);
         }

@@ -177,7 +177,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     std::vector<NodeRow> rows(kOpen, NodeRow(cells.padded));
     // Eq. 13: the nodes' sums of the weighted waves of the cells around them. The sum of the weights is in `weights`.
     const auto flush = [&](int j) {
-      NodeRow& row = rows[static_cast<std::size_t>(j % kOpen)];
+      NodeRow& row = rows[j % kOpen];
       const std::size_t first = static_cast<std::size_t>(j) * columns;
       for (std::size_t x = 0; x <= nx; ++x) {
         values[first + 2 * x] = borderRamp(row.even[x + 2], nodeDistance[first + 2 * x], spacing);
@@ -195,7 +195,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
       cells.fill(field, y);
       for (int b = -kNodeReach; b <= kNodeReach; ++b) {
         const int j = 2 * y + 1 + b;
-        if (j >= firstNode && j <= lastNode) addRow(cells, weight, b, waves, rows[static_cast<std::size_t>(j % kOpen)]);
+        if (j >= firstNode && j <= lastNode) addRow(cells, weight, b, waves, rows[j % kOpen]);
       }
     }
     for (; flushed <= lastNode; ++flushed) flush(flushed);

@@ -29,8 +29,7 @@ class BaseCover {
     const Vec2 place = mm(offset);
     const auto inside = insideIntervals(body, raster_.firstY() - place.y, raster_.cell(), raster_.rows());
     for (int row = 0; row < raster_.rows(); ++row) {
-      for (const Interval& piece : inside[static_cast<std::size_t>(row)])
-        raster_.fill(row, piece.begin + place.x, piece.end + place.x, body_);
+      for (const Interval& piece : inside[row]) raster_.fill(row, piece.begin + place.x, piece.end + place.x, body_);
     }
   }
 
@@ -98,7 +97,7 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& body, PointUm off
   std::array<bool, 2> used{};
   for (int turn = 0; turn < params.base; ++turn) {
     const bool own = params.basePattern == BasePattern::Across && nextTo(params, turn) != NextTo::Base;
-    used[static_cast<std::size_t>(turn % 2)] |= !own;
+    used[turn % 2] |= !own;
   }
   if (!used[0] && !used[1]) return std::nullopt;
   const bool firstIsPlain = used[0] && !(needsAcross(params) && params.base == 1);

@@ -23,7 +23,7 @@ void LayerWriter::write(const FileLayer& layer) {
   const bool begins = layer.index == 0;
   if (begins) {
     if (layer.copy > 0) endObject(nozzle_.out(), job_, printer_.flavor, layer.copy - 1);
-    nozzle_.standAt(job_.copies[static_cast<std::size_t>(layer.copy)]);
+    nozzle_.standAt(job_.copies[layer.copy]);
     if (layer.copy > 0) nozzle_.passOver(layerTop(params_, layerCount(params_) - 1));
   }
   setMachine(layer);
@@ -45,7 +45,7 @@ void LayerWriter::write(const FileLayer& layer) {
   } else if (layer.index == 0 && !job_.firstBase.empty()) {
     paths(job_.firstBase, kBaseRole, params_.baseFlow, layer);
   } else {
-    paths(job_.bases[static_cast<std::size_t>(layer.turn % 2)], kBaseRole, params_.baseFlow, layer);
+    paths(job_.bases[layer.turn % 2], kBaseRole, params_.baseFlow, layer);
   }
 }
 

@@ -155,7 +155,7 @@ struct GcodeWords {
 
   [[nodiscard]] bool has(char letter) const { return (given >> (letter - 'A') & 1) != 0; }
   [[nodiscard]] double at(char letter, double otherwise = 0) const {
-    return has(letter) ? values[static_cast<std::size_t>(letter - 'A')] : otherwise;
+    return has(letter) ? values[letter - 'A'] : otherwise;
   }
   /// All of it can be read: a firmware would do with it what is read here.
   [[nodiscard]] bool readable() const { return fault != NotAWord && fault != NoNumber; }

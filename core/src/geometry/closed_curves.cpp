@@ -13,7 +13,7 @@ ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char
   ClosedCurves out;
   for (int c = 0; c < curves.count(); ++c) {
     out.begin.push_back(static_cast<int>(out.points.size()));
-    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int first = curves.begin[c];
     const int n = curves.size(c);
     double since = step;  // arc length since the last point put out
     for (int k = 0; k < n; ++k) {
@@ -38,7 +38,7 @@ ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char
     }
     if (static_cast<int>(out.points.size()) - out.begin.back() < kMinPoints) {
       out.points.resize(static_cast<std::size_t>(out.begin.back()));
-      for (int k = 0; k < n; ++k) out.points.push_back(curves.points[static_cast<std::size_t>(first + k)]);
+      for (int k = 0; k < n; ++k) out.points.push_back(curves.points[first + k]);
     }
   }
   out.begin.push_back(static_cast<int>(out.points.size()));
@@ -53,7 +53,7 @@ ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext&
   ClosedCurves out;
   std::vector<double> along;
   for (int c = 0; c < curves.count(); ++c) {
-    const Vec2f* p = curves.points.data() + curves.begin[static_cast<std::size_t>(c)];
+    const Vec2f* p = curves.points.data() + curves.begin[c];
     const int n = curves.size(c);
     along.resize(static_cast<std::size_t>(n) + 1);
     along[0] = 0;
@@ -65,7 +65,7 @@ ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext&
       }
     });
     for (int begin = kBlock; begin < n; begin += kBlock) {
-      const double before = along[static_cast<std::size_t>(begin)];
+      const double before = along[begin];
       const int end = std::min(begin + kBlock, n);
       for (int k = begin; k < end; ++k) along[static_cast<std::size_t>(k) + 1] += before;
     }
@@ -80,8 +80,8 @@ ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext&
       for (int s = begin; s < end; ++s) {
         const double at = total * s / count;
         while (k + 1 < n && along[static_cast<std::size_t>(k) + 1] <= at) ++k;
-        const double size = along[static_cast<std::size_t>(k) + 1] - along[static_cast<std::size_t>(k)];
-        const float t = size > 0 ? static_cast<float>((at - along[static_cast<std::size_t>(k)]) / size) : 0.0f;
+        const double size = along[static_cast<std::size_t>(k) + 1] - along[k];
+        const float t = size > 0 ? static_cast<float>((at - along[k]) / size) : 0.0f;
         out.points[first + static_cast<std::size_t>(s)] = p[k] + (p[k + 1 < n ? k + 1 : 0] - p[k]) * t;
       }
     });
@@ -103,11 +103,10 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
     for (const auto& [a, b] : crossings) {
       for (const int segment : {a, b}) {
         // The nearest original points along the curve; a search over the whole curve is fine, as crossings are rare.
-        const std::size_t c = static_cast<std::size_t>(curveOf[static_cast<std::size_t>(segment)]);
-        const Vec2f p = out.points[static_cast<std::size_t>(segment)];
+        const std::size_t c = static_cast<std::size_t>(curveOf[segment]);
+        const Vec2f p = out.points[segment];
         for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
-          if (static_cast<double>(length(curves.points[static_cast<std::size_t>(k)] - p)) < reach)
-            keep[static_cast<std::size_t>(k)] = 1;
+          if (static_cast<double>(length(curves.points[k] - p)) < reach) keep[k] = 1;
         }
       }
     }
@@ -120,8 +119,7 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
 std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves) {
   std::vector<std::int32_t> curve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
-    std::fill(curve.begin() + curves.begin[static_cast<std::size_t>(c)],
-              curve.begin() + curves.begin[static_cast<std::size_t>(c) + 1], c);
+    std::fill(curve.begin() + curves.begin[c], curve.begin() + curves.begin[static_cast<std::size_t>(c) + 1], c);
   }
   return curve;
 }

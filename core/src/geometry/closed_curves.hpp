@@ -36,8 +36,7 @@ inline int previousOf(const ClosedCurves& curves, int curve, int point) {
 
 /// Unit tangent at a point: the chord between its neighbours on the curve; zero if they coincide.
 inline Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
-  const Vec2f chord = curves.points[static_cast<std::size_t>(nextOf(curves, curve, point))] -
-                      curves.points[static_cast<std::size_t>(previousOf(curves, curve, point))];
+  const Vec2f chord = curves.points[nextOf(curves, curve, point)] - curves.points[previousOf(curves, curve, point)];
   const float size = length(chord);
   return size > 0 ? chord * (1 / size) : Vec2f{};
 }

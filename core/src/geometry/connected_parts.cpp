@@ -12,9 +12,9 @@ class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
   std::int32_t find(std::int32_t k) {
-    while (parent_[static_cast<std::size_t>(k)] != k) {
-      std::int32_t& up = parent_[static_cast<std::size_t>(k)];
-      up = parent_[static_cast<std::size_t>(up)];
+    while (parent_[k] != k) {
+      std::int32_t& up = parent_[k];
+      up = parent_[up];
       k = up;
     }
     return k;
@@ -22,7 +22,7 @@ class UnionFind {
   void join(std::int32_t a, std::int32_t b) {
     a = find(a);
     b = find(b);
-    if (a != b) parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
   }
 
  private:
@@ -86,14 +86,14 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
   std::vector<char> deep(runs.size(), 0);
   const float depth = static_cast<float>(-0.5 * spacing);
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (parts.label[i] >= 0 && sdf.distance[i] <= depth) deep[static_cast<std::size_t>(sets.find(parts.label[i]))] = 1;
+    if (parts.label[i] >= 0 && sdf.distance[i] <= depth) deep[sets.find(parts.label[i])] = 1;
   }
   const float missed = depth + missedDepth(grid.cell);
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
       if (parts.label[i] < 0 || sdf.distance[i] > missed) continue;
-      char& found = deep[static_cast<std::size_t>(sets.find(parts.label[i]))];
+      char& found = deep[sets.find(parts.label[i])];
       if (found == 0 && hasBeadRoom(border, grid.centre(x, y), spacing)) found = 1;
     }
   }
@@ -107,7 +107,7 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
     if (wanted == 1) parts.count = next;
   }
   for (std::int32_t& label : parts.label) {
-    if (label >= 0) label = number[static_cast<std::size_t>(sets.find(label))];
+    if (label >= 0) label = number[sets.find(label)];
   }
   return parts;
 }

@@ -67,14 +67,14 @@ struct Corners {
         PointUm32* const out = at.data() + from;
         const int count = std::min(to, last) - from;
         for (int k = 0; k < count; ++k) out[k] = rounded(points[k]);
-        const auto first = static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)]);
+        const auto first = static_cast<std::size_t>(curves.begin[c]);
         if (to > last && curves.size(c) > 0) out[count] = rounded(curves.points[first]);
         from = last + 1;
       }
     });
   }
 
-  [[nodiscard]] PointUm32 operator[](int k) const { return at[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] PointUm32 operator[](int k) const { return at[k]; }
   [[nodiscard]] int curveOf(int k) const {
     return static_cast<int>(std::upper_bound(begin.begin(), begin.end(), k) - begin.begin()) - 1;
   }
@@ -97,11 +97,11 @@ std::vector<int> segmentsOf(const ClosedCurves& curves, const Corners& corners, 
   std::vector<int> segments;
   if (among.empty()) segments.reserve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
-    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int first = curves.begin[c];
     const int last = curves.begin[static_cast<std::size_t>(c) + 1];
     for (int k = first; k < last; ++k) {
       const int next = k + 1 < last ? k + 1 : first;
-      if (!among.empty() && !among[static_cast<std::size_t>(k)] && !among[static_cast<std::size_t>(next)]) continue;
+      if (!among.empty() && !among[k] && !among[next]) continue;
       if (corners[k + c] != corners[k + c + 1]) segments.push_back(k + c);
     }
   }
@@ -190,13 +190,13 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   };
   std::vector<Share> all(static_cast<std::size_t>(shares));
   parallelFor(run, count, grain, [&](int from, int to) {
-    Share& share = all[static_cast<std::size_t>(from / grain)];
+    Share& share = all[from / grain];
     share.next.assign(cells, 0);
     share.pairs.reserve(2 * static_cast<std::size_t>(to - from));
     for (int k = from; k < to; ++k) {
-      const int s = segments[static_cast<std::size_t>(k)];
+      const int s = segments[k];
       raster.forCells(corners[s], corners[s + 1], [&](std::int32_t cell) {
-        ++share.next[static_cast<std::size_t>(cell)];
+        ++share.next[cell];
         share.pairs.push_back({cell, s});
       });
     }
@@ -216,9 +216,9 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   out.entries.resize(static_cast<std::size_t>(sum));
   parallelFor(run, shares, 1, [&](int from, int to) {
     for (int k = from; k < to; ++k) {
-      Share& share = all[static_cast<std::size_t>(k)];
+      Share& share = all[k];
       for (const Pair& pair : share.pairs) {
-        out.entries[static_cast<std::size_t>(share.next[static_cast<std::size_t>(pair.cell)]++)] = pair.segment;
+        out.entries[share.next[pair.cell]++] = pair.segment;
       }
     }
   });
@@ -247,7 +247,7 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
     const int* const entries = cells.entries.data();
     for (int cell = raster.indexOf(0, beginRow); cell < raster.indexOf(0, endRow); ++cell) {
       const int end = cells.begin[static_cast<std::size_t>(cell) + 1];
-      for (int i = cells.begin[static_cast<std::size_t>(cell)]; i < end; ++i) {
+      for (int i = cells.begin[cell]; i < end; ++i) {
         const int s = entries[i];
         const PointUm32 a = corners[s], b = corners[s + 1];
         for (int j = i + 1; j < end; ++j) {

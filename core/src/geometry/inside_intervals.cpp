@@ -21,8 +21,7 @@ std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double fi
     for (int row = first; row <= last; ++row) {
       const double y = firstY + row * step;
       const int direction = crossesRow(edge, y);
-      if (direction != 0)
-        crossings[static_cast<std::size_t>(row)].push_back({crossingX(edge, y), edge.path, direction});
+      if (direction != 0) crossings[row].push_back({crossingX(edge, y), edge.path, direction});
     }
   }
   std::vector<std::vector<Interval>> intervals(crossings.size());

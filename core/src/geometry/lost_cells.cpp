@@ -41,7 +41,7 @@ void deepenMiddles(const BorderIndex& border, const Grid& grid, double spacing, 
         }
         // Along most of a border the next sample inwards is deep.
         if (std::min({distance[i - 1], distance[i + 1], distance[i - nx], distance[i + nx]}) <= deep) continue;
-        if (hasBeadRoom(border, grid.centre(x, y), spacing)) found[static_cast<std::size_t>(y)].push_back(i);
+        if (hasBeadRoom(border, grid.centre(x, y), spacing)) found[y].push_back(i);
       }
     }
   });

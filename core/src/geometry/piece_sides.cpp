@@ -100,7 +100,7 @@ class SideRays {
     std::vector<std::pair<int, int>> extra;                   // pieces, and how often a ray crosses them
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
       fill(row, bucket);
-      for (std::size_t k = 0; k < row.across.size(); ++k) rank[static_cast<std::size_t>(row.across[k].piece)] = k;
+      for (std::size_t k = 0; k < row.across.size(); ++k) rank[row.across[k].piece] = k;
       winding.reset();
       std::size_t crossed = 0;
       for (const Ray& ray : row.rays) {
@@ -114,7 +114,7 @@ class SideRays {
         for (const std::size_t k : groups_.others[ray.piece]) own(k);
         for (const Span& span : row.ending) {
           if (ray.p.y < span.low || ray.p.y >= span.high || !isLeft(span, ray.p)) continue;
-          if (groups_.first[static_cast<std::size_t>(span.piece)] != ray.piece) extra.emplace_back(span.piece, 1);
+          if (groups_.first[span.piece] != ray.piece) extra.emplace_back(span.piece, 1);
         }
         for (const auto& [piece, times] : extra) cross(piece, times, winding);
         Sides& found = sides[ray.piece];
@@ -124,7 +124,7 @@ class SideRays {
         crossGroup(ray.piece, -1, winding);
         for (const auto& [piece, times] : extra) cross(piece, -times, winding);
       }
-      for (const Span& span : row.across) rank[static_cast<std::size_t>(span.piece)] = kNowhere;
+      for (const Span& span : row.across) rank[span.piece] = kNowhere;
     }
   }
 
@@ -171,7 +171,7 @@ class SideRays {
     }
     if (row.rays.empty()) return;
     for (const int k : buckets_[bucket]) {
-      const PathEdge& piece = pieces_[static_cast<std::size_t>(k)];
+      const PathEdge& piece = pieces_[k];
       const auto [bottom, top] = std::minmax(piece.a.y, piece.b.y);
       const auto [left, right] = std::minmax(piece.a.x, piece.b.x);
       const bool across = bottom <= low && top > high;
@@ -189,11 +189,11 @@ class SideRays {
 
   [[nodiscard]] bool isLeft(const Span& span, Vec2 p) const {
     if (p.x <= span.left) return false;
-    return span.right < p.x || crossingX(pieces_[static_cast<std::size_t>(span.piece)], p.y) < p.x;
+    return span.right < p.x || crossingX(pieces_[span.piece], p.y) < p.x;
   }
 
   void cross(int piece, int times, WindingState& winding) const {
-    const PathEdge& edge = pieces_[static_cast<std::size_t>(piece)];
+    const PathEdge& edge = pieces_[piece];
     winding.cross(edge.path, runsUp(edge) ? times : -times);
   }
 

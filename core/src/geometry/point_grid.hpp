@@ -40,11 +40,11 @@ class PointGrid {
     std::vector<std::vector<std::int32_t>> next(static_cast<std::size_t>(shares),
                                                 std::vector<std::int32_t>(buckets, 0));
     parallelFor(run, count, grain, [&](int begin, int end) {
-      std::vector<std::int32_t>& share = next[static_cast<std::size_t>(begin / grain)];
+      std::vector<std::int32_t>& share = next[begin / grain];
       for (int k = begin; k < end; ++k) {
-        const Vec2f p = points[static_cast<std::size_t>(k)];
-        bucketOf[static_cast<std::size_t>(k)] = row(p.y) * nx_ + column(p.x);
-        ++share[static_cast<std::size_t>(bucketOf[static_cast<std::size_t>(k)])];
+        const Vec2f p = points[k];
+        bucketOf[k] = row(p.y) * nx_ + column(p.x);
+        ++share[bucketOf[k]];
       }
     });
     begin_.resize(buckets + 1);
@@ -59,12 +59,12 @@ class PointGrid {
     }
     begin_[buckets] = sum;
     parallelFor(run, count, grain, [&](int begin, int end) {
-      std::vector<std::int32_t>& share = next[static_cast<std::size_t>(begin / grain)];
+      std::vector<std::int32_t>& share = next[begin / grain];
       for (int k = begin; k < end; ++k) {
-        const std::size_t b = static_cast<std::size_t>(bucketOf[static_cast<std::size_t>(k)]);
+        const std::size_t b = static_cast<std::size_t>(bucketOf[k]);
         const std::size_t at = static_cast<std::size_t>(share[b]++);
-        x[at] = points[static_cast<std::size_t>(k)].x;
-        y[at] = points[static_cast<std::size_t>(k)].y;
+        x[at] = points[k].x;
+        y[at] = points[k].y;
         id[at] = k;
       }
     });

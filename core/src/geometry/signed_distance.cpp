@@ -55,7 +55,7 @@ std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, c
   squared.resize(list.size());
   double least = 1e300;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    squared[k] = squaredDistance(segments[static_cast<std::size_t>(list[k])], centre);
+    squared[k] = squaredDistance(segments[list[k]], centre);
     least = std::min(least, squared[k]);
   }
   const double best = std::sqrt(least);
@@ -130,7 +130,7 @@ class TileDistances {
     toCentre_.resize(candidates.size());
     double least = 1e300;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      toCentre_[k] = squaredDistance(segments_[static_cast<std::size_t>(candidates[k])], centre);
+      toCentre_[k] = squaredDistance(segments_[candidates[k]], centre);
       least = std::min(least, toCentre_[k]);
     }
     const double lowest = std::sqrt(least) - halfDiagonal;
@@ -141,7 +141,7 @@ class TileDistances {
     const double limit = (std::sqrt(least) + 2 * halfDiagonal) * (1 + 1e-9) + 1e-9;
     squared.fill(1e300);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (toCentre_[k] <= limit * limit) add(segments_[static_cast<std::size_t>(candidates[k])]);
+      if (toCentre_[k] <= limit * limit) add(segments_[candidates[k]]);
     }
   }
 
@@ -266,9 +266,9 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   std::vector<std::vector<Leaf>> leaves(tasks.size());
   parallelFor(run, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      subdivision.descend(tasks[static_cast<std::size_t>(k)], 1, [&](Block block, double lowest) {
+      subdivision.descend(tasks[k], 1, [&](Block block, double lowest) {
         if (!hasRoom(block)) return false;
-        leaves[static_cast<std::size_t>(k)].push_back(
+        leaves[k].push_back(
             {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
         return true;
       });
@@ -330,7 +330,7 @@ NearestBorder BorderIndex::nearest(Vec2 p) const {
   const BorderSegment* best = nullptr;
   double least = 1e300;
   for (int k = begin_[block]; k < begin_[block + 1]; ++k) {
-    const BorderSegment& s = segments_[static_cast<std::size_t>(candidates_[static_cast<std::size_t>(k)])];
+    const BorderSegment& s = segments_[candidates_[k]];
     const double squared = squaredDistance(s, p);
     // Two segments that share the nearest corner are equally far; the one the point lies more across tells the side.
     if (squared < least || (squared == least && squaredAcross(s, p) > squaredAcross(*best, p))) {
@@ -359,11 +359,11 @@ Result<SignedDistanceField> signedDistanceField(const Shape& shape, const Border
     std::vector<char> inside(static_cast<std::size_t>(grid.nx));
     for (int y = begin; y < end; ++y) {
       std::fill(inside.begin(), inside.end(), char{0});
-      forInside(intervals[static_cast<std::size_t>(y)], grid,
+      forInside(intervals[y], grid,
                 [&](int first, int last) { std::fill(inside.begin() + first, inside.begin() + last, char{1}); });
       for (int x = 0; x < grid.nx; ++x) {
         const NearestBorder nearest = index.nearest(grid.centre(x, y));
-        const bool in = inside[static_cast<std::size_t>(x)] != 0;
+        const bool in = inside[x] != 0;
         const std::size_t i = grid.index(x, y);
         field.distance[i] = in ? -std::abs(nearest.distance) : std::abs(nearest.distance);
         // On the border itself the normal is the segment's; elsewhere it follows the sign of the distance.
@@ -392,12 +392,12 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
   parallelFor(run, tileRows, rowGrain(run, tileRows, 5.0 * kTile * lattice.nx), [&](int begin, int end) {
     TileDistances tile(index.segments_);
     for (int r = begin; r < end; ++r) {
-      const int top = rows[static_cast<std::size_t>(r)];
+      const int top = rows[r];
       const int bottom = rows[static_cast<std::size_t>(r) + 1];
       for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
         const int first = columns[c];
         const int last = columns[c + 1];
-        const std::size_t block = row[static_cast<std::size_t>(top)] + column[static_cast<std::size_t>(first)];
+        const std::size_t block = row[top] + column[first];
         const float lowest = index.lowest_[block];
         if (lowest > band) {
           for (int y = top; y < bottom; ++y) std::fill_n(&distance[lattice.index(first, y)], last - first, lowest);
@@ -414,15 +414,14 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
                        static_cast<double>(band));
           for (int y = top; y < bottom; ++y) {
             for (int x = left; x < std::min(left + kTile, last); ++x) {
-              distance[lattice.index(x, y)] =
-                  static_cast<float>(std::sqrt(tile.squared[static_cast<std::size_t>((y - top) * kTile + x - left)]));
+              distance[lattice.index(x, y)] = static_cast<float>(std::sqrt(tile.squared[(y - top) * kTile + x - left]));
             }
           }
         }
       }
       for (int y = top; y < bottom; ++y) {
         float* const line = &distance[lattice.index(0, y)];
-        forInside(intervals[static_cast<std::size_t>(y)], lattice, [&](int first, int last) {
+        forInside(intervals[y], lattice, [&](int first, int last) {
           for (int x = first; x < last; ++x) line[x] = -line[x];
         });
       }

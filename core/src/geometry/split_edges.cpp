@@ -36,8 +36,8 @@ void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::v
 }
 
 void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
-  const PathEdge& e = edges[static_cast<std::size_t>(i)];
-  const PathEdge& f = edges[static_cast<std::size_t>(j)];
+  const PathEdge& e = edges[i];
+  const PathEdge& f = edges[j];
   const std::size_t before = splits.size();
   splitAtEnd(e, i, f.a, points, splits);
   splitAtEnd(e, i, f.b, points, splits);
@@ -149,15 +149,14 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
     work += count * count / 2;
     if (work > kMaxPairs) return false;
     boxes.clear();
-    for (std::size_t k = begin; k < end; ++k)
-      boxes.push_back(boxOf(edges.all[static_cast<std::size_t>(entries[k].edge)]));
+    for (std::size_t k = begin; k < end; ++k) boxes.push_back(boxOf(edges.all[entries[k].edge]));
     for (std::size_t i = begin; i < end; ++i) {
-      const bool fresh = edges.fresh[static_cast<std::size_t>(entries[i].edge)] != 0;
+      const bool fresh = edges.fresh[entries[i].edge] != 0;
       const Vec2 low = boxes[i - begin].min - Vec2{reach, reach};
       const Vec2 high = boxes[i - begin].max + Vec2{reach, reach};
       for (std::size_t j = i + 1; j < end; ++j) {
         const Bounds& other = boxes[j - begin];
-        if (!fresh && edges.fresh[static_cast<std::size_t>(entries[j].edge)] == 0) continue;
+        if (!fresh && edges.fresh[entries[j].edge] == 0) continue;
         if (other.min.x > high.x || other.max.x < low.x || other.min.y > high.y || other.max.y < low.y) continue;
         splitPair(edges.all, entries[i].edge, entries[j].edge, points, splits);
       }
@@ -189,7 +188,7 @@ class KnownPoints {
         for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
           const int found = slots_[slotOf({x, y})];
           if (found < 0) continue;
-          const Vec2& point = points_[static_cast<std::size_t>(found)];
+          const Vec2& point = points_[found];
           const double apart = length(point - split.at);
           if (apart <= kTouch && (best == nullptr || apart < length(*best - split.at))) best = &point;
         }
@@ -219,7 +218,7 @@ class KnownPoints {
     for (auto at = static_cast<std::size_t>(mixed >> 32);; ++at) {
       at &= slots_.size() - 1;
       if (slots_[at] < 0) return at;
-      const Cell other = cellOf(points_[static_cast<std::size_t>(slots_[at])]);
+      const Cell other = cellOf(points_[slots_[at]]);
       if (other.x == cell.x && other.y == cell.y) return at;
     }
   }

@@ -52,8 +52,8 @@ class WindingState {
   [[nodiscard]] bool inside() const { return rule_ ? (*rule_)(filled_) : inside_ > 0; }
   void reset() {
     for (const int path : touched_) {
-      winding_[static_cast<std::size_t>(path)] = 0;
-      if (rule_) filled_[static_cast<std::size_t>(path)] = 0;
+      winding_[path] = 0;
+      if (rule_) filled_[path] = 0;
     }
     touched_.clear();
     inside_ = 0;

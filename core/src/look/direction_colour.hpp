@@ -42,9 +42,9 @@ inline const std::array<Rgb, kDirectionColours>& directionColours() {
       const double l = lRoot * lRoot * lRoot;
       const double m = mRoot * mRoot * mRoot;
       const double s = sRoot * sRoot * sRoot;
-      made[static_cast<std::size_t>(k)] = {toByte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
-                                           toByte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-                                           toByte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+      made[k] = {toByte(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+                 toByte(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+                 toByte(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
     }
     return made;
   }();
@@ -61,7 +61,7 @@ inline double directionColourPlace(double x, double y) {
 /// Colour at a place of any size, nearest of the table.
 inline Rgb directionColourAt(double place) {
   const auto index = static_cast<int>(std::floor(place + 0.5));
-  return directionColours()[static_cast<std::size_t>(index & (kDirectionColours - 1))];
+  return directionColours()[index & (kDirectionColours - 1)];
 }
 
 }  // namespace sillon

@@ -23,7 +23,7 @@ void boxBlur(std::vector<float>& values, int width, int height, int radius) {
   };
   for (int y = 0; y < height; ++y)
     blurLine(&values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)], 1, width);
-  for (int x = 0; x < width; ++x) blurLine(&values[static_cast<std::size_t>(x)], width, height);
+  for (int x = 0; x < width; ++x) blurLine(&values[x], width, height);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
     const int db = step(now.b, before.b);
     const auto small = [](int d) { return d >= -2 && d <= 1; };
     const auto near = [&](int d) { return d - dg >= -8 && d - dg <= 7; };
-    if (seen[static_cast<std::size_t>(hash)] == now) {
+    if (seen[hash] == now) {
       byte(hash);
     } else if (small(dr) && small(dg) && small(db)) {
       byte(0x40 | (dr + 2) << 4 | (dg + 2) << 2 | (db + 2));
@@ -59,7 +59,7 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
       byte(now.g);
       byte(now.b);
     }
-    seen[static_cast<std::size_t>(hash)] = now;
+    seen[hash] = now;
     before = now;
   }
   if (run > 0) byte(0xC0 | (run - 1));

@@ -51,8 +51,8 @@ const Curves& curves() {
     Curves c;
     for (int k = 0; k <= kCurveSteps; ++k) {
       const double x = static_cast<double>(k) / kCurveSteps;
-      c.light[static_cast<std::size_t>(k)] = static_cast<float>(lightOfCodeExactly(x));
-      c.code[static_cast<std::size_t>(k)] = static_cast<float>(codeOfRootExactly(x));
+      c.light[k] = static_cast<float>(lightOfCodeExactly(x));
+      c.code[k] = static_cast<float>(codeOfRootExactly(x));
     }
     c.light[kCurveSteps + 1] = c.light[kCurveSteps];
     c.code[kCurveSteps + 1] = c.code[kCurveSteps];
@@ -77,7 +77,7 @@ std::vector<Span> spansOf(int from, int to) {
   std::vector<Span> spans(static_cast<std::size_t>(to));
   const double step = static_cast<double>(from) / to;
   for (int k = 0; k < to; ++k) {
-    Span& span = spans[static_cast<std::size_t>(k)];
+    Span& span = spans[k];
     if (step <= 1) {
       const double place = std::clamp((k + 0.5) * step - 0.5, 0.0, from - 1.0);
       span.first = std::min(static_cast<int>(place), std::max(0, from - 2));
@@ -137,15 +137,15 @@ Tones resampled(const Tones& tones, int width, int height) {
   out.value.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::vector<float> line(static_cast<std::size_t>(tones.width));
   for (int y = 0; y < height; ++y) {
-    const Span& row = rows[static_cast<std::size_t>(y)];
+    const Span& row = rows[y];
     std::fill(line.begin(), line.end(), 0.0f);
     for (std::size_t j = 0; j < row.weights.size(); ++j) {
       for (int x = 0; x < tones.width; ++x) {
-        line[static_cast<std::size_t>(x)] += row.weights[j] * lightOfCode(tones.at(x, row.first + static_cast<int>(j)));
+        line[x] += row.weights[j] * lightOfCode(tones.at(x, row.first + static_cast<int>(j)));
       }
     }
     for (int x = 0; x < width; ++x) {
-      const Span& column = columns[static_cast<std::size_t>(x)];
+      const Span& column = columns[x];
       float sum = 0;
       for (std::size_t i = 0; i < column.weights.size(); ++i) {
         sum += column.weights[i] * line[static_cast<std::size_t>(column.first) + i];

@@ -25,9 +25,9 @@ void blurLines(std::vector<float>& values, std::size_t lines, std::size_t lineSt
         sum += w * first[static_cast<std::size_t>(k + d) * step];
         weight += w;
       }
-      line[static_cast<std::size_t>(k)] = sum / weight;
+      line[k] = sum / weight;
     }
-    for (int k = 0; k < count; ++k) first[static_cast<std::size_t>(k) * step] = line[static_cast<std::size_t>(k)];
+    for (int k = 0; k < count; ++k) first[static_cast<std::size_t>(k) * step] = line[k];
   }
 }
 

@@ -16,7 +16,7 @@ InsideCells insideOf(const Shape& shape) {
     const auto rows = insideIntervals(shape, 0.5 * stepY, stepY, height);
     for (int y = 0; y < height; ++y) {
       char* const row = &inside[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width)];
-      for (const Interval& span : rows[static_cast<std::size_t>(y)]) {
+      for (const Interval& span : rows[y]) {
         const int first = std::max(0, static_cast<int>(std::ceil(span.begin / stepX - 0.5)));
         const int end = std::min(width, static_cast<int>(std::ceil(span.end / stepX - 0.5)));
         std::fill(row + first, row + std::max(first, end), char{1});

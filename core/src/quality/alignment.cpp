@@ -106,8 +106,7 @@ Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const
   const std::vector<Stretch> stretches = stretchesOf(toolpath);
   std::vector<Alignment> sums(stretches.size());
   parallelFor(run, static_cast<int>(stretches.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k)
-      sums[static_cast<std::size_t>(k)] = sumsOf(stretches[static_cast<std::size_t>(k)], asked);
+    for (int k = begin; k < end; ++k) sums[k] = sumsOf(stretches[k], asked);
   });
   Alignment out;
   for (const Alignment& part : sums) {

@@ -43,7 +43,7 @@ alignas(RowBits) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth +
 
 RowBits firstPixels(int n) {
   RowBits row;
-  std::memcpy(&row, &kFirst[static_cast<std::size_t>(n)], sizeof row);
+  std::memcpy(&row, &kFirst[n], sizeof row);
   return row;
 }
 
@@ -183,7 +183,7 @@ class TilePasses {
       const int count = std::min(PixelRuns::kMostRows, end - y);
       pixelsOf(piece, y, count, kTileWidth, runs);
       for (int k = 0; k < count; ++k) {
-        RowBits& row = mask.rows[static_cast<std::size_t>(y + k)];
+        RowBits& row = mask.rows[y + k];
         row = row | rowOf(runs.begin[k], runs.end[k]);
       }
     }
@@ -202,11 +202,11 @@ class TilePasses {
     for (int y = 0; y < rows; ++y) {
       const RowBits tile = rowOf(0, columns);
       const RowBits in = insideRow(y) & tile;
-      const RowBits covered = covered_[static_cast<std::size_t>(y)] & tile;
+      const RowBits covered = covered_[y] & tile;
       count.shape += countOf(in);
       count.covered += countOf(covered & in);
       count.spilled += spilledOf(y, covered & ~in);
-      count.overlapped += countOf(again_[static_cast<std::size_t>(y)] & tile);
+      count.overlapped += countOf(again_[y] & tile);
     }
     covered_.fill(RowBits{});
     again_.fill(RowBits{});
@@ -235,8 +235,8 @@ class TilePasses {
   void cover(Mask& mask) {
     mask.covers = true;
     for (int y = mask.begin; y < mask.end; ++y) {
-      RowBits& covered = covered_[static_cast<std::size_t>(y)];
-      covered = covered | mask.rows[static_cast<std::size_t>(y)];
+      RowBits& covered = covered_[y];
+      covered = covered | mask.rows[y];
     }
   }
 
@@ -270,7 +270,7 @@ class TilePasses {
     const Mask& mask = masks_[current_];
     RowBits met{};
     for (int y = mask.begin; y < mask.end; ++y) {
-      met = met | (mask.rows[static_cast<std::size_t>(y)] & covered_[static_cast<std::size_t>(y)]);
+      met = met | (mask.rows[y] & covered_[y]);
     }
     if (any(met)) countTwice(mask);
   }
@@ -340,7 +340,7 @@ void lay(const BeadRaster& laid, const Bead& bead, const Tile& tile, TilePasses&
   const Vec2f b = onTile(bead.b);
   const float ra = bead.ra * perMm;
   const float rb = bead.rb * perMm;
-  const Stretches& stretches = laid.stretchesOf[static_cast<std::size_t>(bead.cycle)];
+  const Stretches& stretches = laid.stretchesOf[bead.cycle];
   const int count = std::max(1, static_cast<int>(std::ceil(bead.length / laid.pieceLength)));
   const auto pieces = static_cast<float>(count);
   int first = 0;
@@ -368,7 +368,7 @@ RowBits insideRow(const BeadRaster& laid, const Tile& tile, int y) {
     return static_cast<int>(std::clamp(std::ceil((x - x0) / raster.cell), 0.0, static_cast<double>(kTileWidth)));
   };
   RowBits inside{};
-  for (const Interval& interval : laid.inside[static_cast<std::size_t>(y)]) {
+  for (const Interval& interval : laid.inside[y]) {
     inside = inside | rowOf(pixelFrom(interval.begin), pixelFrom(interval.end));
   }
   return inside;
@@ -399,10 +399,10 @@ BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderInde
     for (int t = firstTile; t < lastTile && !run.cancelled(); ++t) {
       const Tile tile = tileAt(laid, t);
       const std::size_t end = laid.begin[static_cast<std::size_t>(t) + 1];
-      for (std::size_t at = laid.begin[static_cast<std::size_t>(t)]; at < end; ++at) {
-        lay(laid, laid.beads[static_cast<std::size_t>(laid.beadOf[at])], tile, passes);
+      for (std::size_t at = laid.begin[t]; at < end; ++at) {
+        lay(laid, laid.beads[laid.beadOf[at]], tile, passes);
       }
-      counts[static_cast<std::size_t>(t)] = passes.take(
+      counts[t] = passes.take(
           tile.top - tile.bottom, tile.right - tile.left, [&](int y) { return insideRow(laid, tile, tile.bottom + y); },
           [&](int y, RowBits outside) { return offBorder(laid, border, tile, y, outside); });
     }

@@ -267,13 +267,12 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
       const auto [from, to] = rowsOf(beads.segments[k]);
       const int last = std::min(to / kBandRows, bands - 1);
       for (int band = std::max(0, from / kBandRows); band <= last; ++band) {
-        inBand[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(k));
+        inBand[band].push_back(static_cast<std::uint32_t>(k));
       }
     }
     parallelFor(run, bands, 1, [&](int begin, int end) {
       for (int band = begin; band < end; ++band) {
-        drawBand(beads, inBand[static_cast<std::size_t>(band)], band * kBandCells,
-                 std::min(cells.height, (band + 1) * kBandCells), lights);
+        drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
       }
     });
     if (run.cancelled()) return cancelledRun();

@@ -18,7 +18,7 @@ std::vector<Vec2f> headingsOf(const Vec2f* points, int n, const RunContext& run)
     for (int k = begin; k < end; ++k) {
       const Vec2f e = points[k + 1 < n ? k + 1 : 0] - points[k];
       const float size = length(e);
-      headings[static_cast<std::size_t>(k)] = size > 0 ? e * (1 / size) : Vec2f{};
+      headings[k] = size > 0 ? e * (1 / size) : Vec2f{};
     }
   });
   return headings;
@@ -51,7 +51,7 @@ Turns countTurns(const ClosedCurves& curves, double spacing, const RunContext& r
   const ClosedCurves fine = resampled(curves, static_cast<float>(spacing / 8), run);
   Turns turns;
   for (int c = 0; c < fine.count() && !run.cancelled(); ++c) {
-    const Vec2f* points = fine.points.data() + fine.begin[static_cast<std::size_t>(c)];
+    const Vec2f* points = fine.points.data() + fine.begin[c];
     const std::vector<Vec2f> headings = headingsOf(points, fine.size(c), run);
     turns.uTurns += countRuns(headings, 12, -0.5f, run);
     turns.kinks += countRuns(headings, 2, 0.5f, run);

@@ -362,12 +362,12 @@ void Reader::endStretch() {
     if (!items[k].bead()) continue;
     const int cell = field.at(middles[k]);
     if (cell < 0) continue;
-    const int part = field.part[static_cast<std::size_t>(cell)];
+    const int part = field.part[cell];
     partOf[k] = part;
     if (std::find(order.begin(), order.end(), part) == order.end()) order.push_back(part);
   }
   for (const int part : order) {
-    if (part >= 0) addPart(items, shared, part, breadth[static_cast<std::size_t>(part)], width, flow, partOf);
+    if (part >= 0) addPart(items, shared, part, breadth[part], width, flow, partOf);
   }
 }
 

@@ -204,7 +204,7 @@ std::vector<double> breadths(const RegionField& field, const std::vector<float>&
   std::vector<double> widest(static_cast<std::size_t>(field.parts), 0);
   for (std::size_t k = 0; k < depth.size(); ++k) {
     if (field.part[k] < 0) continue;
-    double& most = widest[static_cast<std::size_t>(field.part[k])];
+    double& most = widest[field.part[k]];
     most = std::max(most, (2 * static_cast<double>(depth[k]) - 1) * field.cell);
   }
   return widest;

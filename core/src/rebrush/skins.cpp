@@ -64,12 +64,12 @@ void Skins::add(SurfaceBlock block, const std::shared_ptr<const RegionField>& fi
     for (const auto& [from, to] : below_) mark(carried, *field, stretch.width, from, to);
     std::vector<Cells> cells(static_cast<std::size_t>(field->parts));
     for (std::size_t k = 0; k < carried.size(); ++k) {
-      if (field->part[k] >= 0) cells[static_cast<std::size_t>(field->part[k])].add(carried[k]);
+      if (field->part[k] >= 0) cells[field->part[k]].add(carried[k]);
     }
     for (const Cells& of : cells) stretch.carried.push_back(of.share());
   }
   Stretch& stretch = stretches_.back();
-  if (stretch.carried[static_cast<std::size_t>(part)] < kCarried) leaveBecause(block, LeftBecause::Bridge);
+  if (stretch.carried[part] < kCarried) leaveBecause(block, LeftBecause::Bridge);
   stretch.skins.push_back({std::move(block), part});
 }
 

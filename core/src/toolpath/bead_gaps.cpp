@@ -54,7 +54,7 @@ Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, const
 
 // Whether one of the next segments within the own chain heads backwards: only then can it meet this one.
 bool turnsBack(const ClosedCurves& curves, int curve, int point) {
-  const auto at = [&](int k) { return curves.points[static_cast<std::size_t>(k)]; };
+  const auto at = [&](int k) { return curves.points[k]; };
   int next = nextOf(curves, curve, point);
   const Vec2f first = at(next) - at(point);
   bool back = false;
@@ -69,7 +69,7 @@ bool turnsBack(const ClosedCurves& curves, int curve, int point) {
 // A segment that turns back meets one of those that follow: both are tight.
 void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
   for (int c = 0; c < curves.count(); ++c) {
-    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int first = curves.begin[c];
     const int n = curves.size(c);
     int left = 0;
     for (int k = std::max(0, n - kOwnChain - 1); k < 2 * n; ++k) {  // from before the first point on
@@ -102,7 +102,7 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
       const Vec2f p = curves.points[i];
       const Vec2f tangent = tangentAt(curves, curve, k);
       const Vec2f normal{-tangent.y, tangent.x};
-      const OwnChain own(k, curves.begin[static_cast<std::size_t>(curve)], curves.size(curve), kOwnChain);
+      const OwnChain own(k, curves.begin[curve], curves.size(curve), kOwnChain);
       Nearest nearest = nearestOn(grid, p, normal, cap, own);
       // Deeper inside, twice the distance is more than the cap.
       if (const auto b = depth.nearerThan(0.5f * cap, p)) {

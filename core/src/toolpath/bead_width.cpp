@@ -56,10 +56,9 @@ struct Share {
 std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<float>& width) {
   std::vector<float> widths(width.size());
   for (int c = 0; c < curves.count(); ++c) {
-    for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
+    for (int k = curves.begin[c]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
       const std::size_t i = static_cast<std::size_t>(k);
-      const float wider = std::max(width[static_cast<std::size_t>(previousOf(curves, c, k))],
-                                   width[static_cast<std::size_t>(nextOf(curves, c, k))]);
+      const float wider = std::max(width[previousOf(curves, c, k)], width[nextOf(curves, c, k)]);
       widths[i] = width[i] + 0.5f * std::clamp(wider - width[i], 0.0f, kWidthStep);
     }
   }
@@ -77,7 +76,7 @@ class Beads {
     moves_ = movesWidths(curves_, width);
     widest_ = moves_.empty() ? 0 : *std::max_element(moves_.begin(), moves_.end());
     for (std::size_t s = 0; s < static_cast<std::size_t>(grid_.count()); ++s) {
-      sortedHalf_[s] = 0.5f * moves_[static_cast<std::size_t>(grid_.id[s])];
+      sortedHalf_[s] = 0.5f * moves_[grid_.id[s]];
     }
   }
 
@@ -85,7 +84,7 @@ class Beads {
   [[nodiscard]] Share shareOf(int point, float growth) const {
     const std::size_t i = static_cast<std::size_t>(point);
     const int c = curveOf_[i];
-    const OwnChain chain(point, curves_.begin[static_cast<std::size_t>(c)], curves_.size(c), kOwnChain);
+    const OwnChain chain(point, curves_.begin[c], curves_.size(c), kOwnChain);
     const float reach = std::max(growth * (0.5f * (moves_[i] + widest_) - limits_.allowed), 0.0f);
     // Points lie tau/4 apart: the bead beside passes nearer than its nearest point, which is at most tau/8 ahead.
     const F4 mostAhead2 = splat(limits_.spacing * limits_.spacing / 64);
@@ -130,7 +129,7 @@ class Beads {
 // True if the bead that a point would meet first has given way to a third one, so that there is room now.
 bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
   const Share& share = shares[point];
-  return share.beside >= 0 && shares[static_cast<std::size_t>(share.beside)].factor < kYielding * share.factor;
+  return share.beside >= 0 && shares[share.beside].factor < kYielding * share.factor;
 }
 
 // Narrows beads where two would overlap by more than `allowed`. Then they grow again where a neighbour has given way to
@@ -181,9 +180,8 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
       const float both = 0.5f * (gaps.left[i] + gaps.right[i]);
       float width = std::clamp(least + balance * (both - least), low, high);
       const Vec2f p = curves.points[i];
-      const std::array<Vec2f, 2> neighbours = {
-          curves.points[static_cast<std::size_t>(previousOf(curves, curveOf[i], k))],
-          curves.points[static_cast<std::size_t>(nextOf(curves, curveOf[i], k))]};
+      const std::array<Vec2f, 2> neighbours = {curves.points[previousOf(curves, curveOf[i], k)],
+                                               curves.points[nextOf(curves, curveOf[i], k)]};
       // Deeper than this the border limits no width of the bead between its neighbours.
       const float deep = 0.5f * high + 2 * tolerance + std::max(length(neighbours[0] - p), length(neighbours[1] - p));
       if (const auto at = depth.nearerThan(deep, p)) {

@@ -104,7 +104,7 @@ struct SquareVertices {
 // enters where the sign falls and leaves where it rises.
 void linkSquare(const Lattice& lattice, int x, int y, const SquareVertices& vertices, std::vector<int>& next) {
   const auto [bottom, right, top, left] = vertices;
-  const auto link = [&](int from, int to) { next[static_cast<std::size_t>(from)] = to; };
+  const auto link = [&](int from, int to) { next[from] = to; };
   const bool bl = lattice.positive(x, y);
   if (bottom >= 0 && right >= 0 && top >= 0 && left >= 0) {
     const Grid& g = lattice.grid;
@@ -154,7 +154,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
         up += std::popcount(signs.up(y, w));
       }
       first[static_cast<std::size_t>(y) + 1] = along + up;
-      firstUp[static_cast<std::size_t>(y)] = along;
+      firstUp[y] = along;
     }
   });
   for (std::size_t y = 1; y < first.size(); ++y) first[y] += first[y - 1];
@@ -181,12 +181,12 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
           const int x = 64 * static_cast<int>(w) + bit;
           const auto number = [&](Signs::Word word, int& free) { return (word >> bit & 1) != 0 ? free++ : -1; };
           const int left = number(ups, up);
-          if (left >= 0) vertices[static_cast<std::size_t>(left)] = lattice.vertex(x, y, x, y + 1);
+          if (left >= 0) vertices[left] = lattice.vertex(x, y, x, y + 1);
           if (x + 1 == grid.nx) continue;
           const int bottom = number(alongs, along);
           const int top = number(aboves, above);
           const int right = (nextUps >> bit & 1) != 0 ? up : -1;
-          if (bottom >= 0) vertices[static_cast<std::size_t>(bottom)] = lattice.vertex(x, y, x + 1, y);
+          if (bottom >= 0) vertices[bottom] = lattice.vertex(x, y, x + 1, y);
           linkSquare(lattice, x, y, {bottom, right, top, left}, next);
         }
       }

@@ -93,14 +93,14 @@ class Rounding {
   }
 
  private:
-  [[nodiscard]] Vec2f at(int id) const { return curves_.points[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] Vec2f at(int id) const { return curves_.points[id]; }
   void put(const std::vector<int>& ids, const std::vector<Vec2f>& points) {
-    for (std::size_t k = 0; k < ids.size(); ++k) curves_.points[static_cast<std::size_t>(ids[k])] = points[k];
+    for (std::size_t k = 0; k < ids.size(); ++k) curves_.points[ids[k]] = points[k];
   }
 
   // Whether there is no kink, or the remedy took it away.
   bool isRound(int point, const Remedy& remedy) {
-    const int curve = curveOf_[static_cast<std::size_t>(point)];
+    const int curve = curveOf_[point];
     const int count = 2 * (remedy.half + kFixed) + 1;
     if (count > curves_.size(curve)) return false;
     std::vector<int> ids{point};
@@ -154,8 +154,8 @@ class Rounding {
       // Segments are about tau/4 long, and points may have moved since the grid was made.
       grid_->around(at(a), (1 + mostMoved) * spacing_ + moved_, [&](int first, int last) {
         for (int s = first; s < last && !met; ++s) {
-          const int c = grid_->id[static_cast<std::size_t>(s)];
-          const int d = nextOf(curves_, curveOf_[static_cast<std::size_t>(c)], c);
+          const int c = grid_->id[s];
+          const int d = nextOf(curves_, curveOf_[c], c);
           if (c != a && c != b && d != a) met = segmentsMeet(at(a), at(b), at(c), at(d));
         }
       });
@@ -175,13 +175,13 @@ class Rounding {
 }  // namespace
 
 void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing, const RunContext& run) {
-  const auto at = [&](int id) { return curves.points[static_cast<std::size_t>(id)]; };
+  const auto at = [&](int id) { return curves.points[id]; };
   std::optional<Rounding> rounding;
   for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
     std::vector<int> suspects;
     for (int c = 0; c < curves.count(); ++c) {
       const int end = curves.begin[static_cast<std::size_t>(c) + 1];
-      for (int k = curves.begin[static_cast<std::size_t>(c)]; k < end; ++k) {
+      for (int k = curves.begin[c]; k < end; ++k) {
         const Vec2f p = at(k);
         if (turnsMore(p - at(previousOf(curves, c, k)), at(nextOf(curves, c, k)) - p, kSuspect)) suspects.push_back(k);
       }

@@ -12,14 +12,14 @@ void damp(const ClosedCurves& before, const ClosedCurves& after, const std::vect
   std::vector<char> marked(share.size(), 0);
   for (const auto& [a, b] : crossings) {
     for (const int point : {a, b}) {
-      const int c = curveOf[static_cast<std::size_t>(point)];
+      const int c = curveOf[point];
       const int n = before.size(c);
-      const int first = before.begin[static_cast<std::size_t>(c)];
+      const int first = before.begin[c];
       // Equal arc steps: the same share of the way round is the same place, as the lengths hardly differ.
-      const double part = static_cast<double>(point - after.begin[static_cast<std::size_t>(c)]) / after.size(c);
+      const double part = static_cast<double>(point - after.begin[c]) / after.size(c);
       const int middle = static_cast<int>(part * n);
       for (int k = -std::min(reach, n / 2); k <= std::min(reach, n / 2); ++k) {
-        marked[static_cast<std::size_t>(first + wrapped(middle + k, n))] = 1;
+        marked[first + wrapped(middle + k, n)] = 1;
       }
     }
   }

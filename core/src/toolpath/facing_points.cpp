@@ -24,8 +24,7 @@ std::vector<std::pair<int, int>> facingPoints(const Parts& parts, const std::vec
   std::vector<std::int32_t> owner(grid.size(), -1);
   std::vector<std::pair<int, int>> pairs;
   const auto meet = [&](std::int32_t a, std::int32_t b) {
-    if (setOfPoint[static_cast<std::size_t>(a)] != setOfPoint[static_cast<std::size_t>(b)])
-      pairs.emplace_back(std::min(a, b), std::max(a, b));
+    if (setOfPoint[a] != setOfPoint[b]) pairs.emplace_back(std::min(a, b), std::max(a, b));
   };
   std::vector<std::int32_t> front;  // cells in the order in which they were reached: all of them lie on a shortest way
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -34,17 +34,17 @@ Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineFi
       root_(static_cast<std::size_t>(curves.count())) {
   for (int c = 0; c < curves.count(); ++c) {
     for (int k = 0; k < curves.size(c); ++k) {
-      const int point = curves.begin[static_cast<std::size_t>(c)] + k;
-      next_[static_cast<std::size_t>(point)] = nextOf(curves, c, point);
+      const int point = curves.begin[c] + k;
+      next_[point] = nextOf(curves, c, point);
     }
   }
   std::iota(root_.begin(), root_.end(), 0);
 }
 
 int Joining::setOf(int curve) {
-  while (root_[static_cast<std::size_t>(curve)] != curve) {
-    int& up = root_[static_cast<std::size_t>(curve)];
-    up = root_[static_cast<std::size_t>(up)];
+  while (root_[curve] != curve) {
+    int& up = root_[curve];
+    up = root_[up];
     curve = up;
   }
   return curve;
@@ -91,29 +91,29 @@ bool Joining::join(const Candidate& candidate, float gap) {
     unmark(b);
     return false;
   }
-  next_[static_cast<std::size_t>(e.from)] = e.to;
-  next_[static_cast<std::size_t>(f.from)] = f.to;
+  next_[e.from] = e.to;
+  next_[f.from] = f.to;
   gapJoints_ += outsideE + outsideF > 0 ? 1 : 0;
   for (const Edge& edge : {e, f}) {
     addJoint(edge);
     longest_ = std::max(longest_, length(at(edge.from) - at(edge.to)));
   }
-  root_[static_cast<std::size_t>(std::max(si, sj))] = std::min(si, sj);
+  root_[std::max(si, sj)] = std::min(si, sj);
   return true;
 }
 
 ClosedCurves Joining::joined() const {
   ClosedCurves out;
   for (int c = 0; c < curves_.count(); ++c) {
-    if (root_[static_cast<std::size_t>(c)] != c) continue;
+    if (root_[c] != c) continue;
     // Begin at a point that is still part of the path.
-    int start = curves_.begin[static_cast<std::size_t>(c)];
+    int start = curves_.begin[c];
     while (start < curves_.begin[static_cast<std::size_t>(c) + 1] && inner(start)) ++start;
     out.begin.push_back(static_cast<int>(out.points.size()));
     int k = start;
     do {
       out.points.push_back(at(k));
-      k = next_[static_cast<std::size_t>(k)];
+      k = next_[k];
     } while (k != start);
   }
   out.begin.push_back(static_cast<int>(out.points.size()));
@@ -122,7 +122,7 @@ ClosedCurves Joining::joined() const {
 
 Joining::Piece Joining::pieceAround(int point, int wanted) const {
   const int curve = curveOf(point);
-  const int first = curves_.begin[static_cast<std::size_t>(curve)];
+  const int first = curves_.begin[curve];
   const int n = curves_.size(curve);
   const int span = std::min(wanted, n / 2);
   const int begin = first + (point - first - span / 2 + n) % n;
@@ -166,20 +166,20 @@ bool Joining::touchesUsed(const Piece& piece) const {
 }
 
 void Joining::markUsed(const Piece& piece) {
-  forSegments(piece, [&](int, int b) { used_[static_cast<std::size_t>(b)] = kInner; });
-  used_[static_cast<std::size_t>(piece.begin)] = kEnd;
-  used_[static_cast<std::size_t>(piece.end)] = kEnd;
+  forSegments(piece, [&](int, int b) { used_[b] = kInner; });
+  used_[piece.begin] = kEnd;
+  used_[piece.end] = kEnd;
 }
 
 void Joining::unmark(const Piece& piece) {
-  used_[static_cast<std::size_t>(piece.begin)] = kFree;
-  forSegments(piece, [&](int, int b) { used_[static_cast<std::size_t>(b)] = kFree; });
+  used_[piece.begin] = kFree;
+  forSegments(piece, [&](int, int b) { used_[b] = kFree; });
 }
 
 // An edge of a curve is live unless it was taken out with a piece.
 bool Joining::live(int point) const {
   const int next = nextOf(curves_, curveOf(point), point);
-  return next_[static_cast<std::size_t>(point)] == next && !inner(point) && !inner(next);
+  return next_[point] == next && !inner(point) && !inner(next);
 }
 
 // Stretch by stretch, so that a long edge costs its length and not the square of it.
@@ -204,7 +204,7 @@ bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
   bool meets = false;
   grid_.around(middle, reach, [&](int begin, int end) {
     for (int k = begin; k < end && !meets; ++k) {
-      const int p = grid_.id[static_cast<std::size_t>(k)];
+      const int p = grid_.id[k];
       const int q = nextOf(curves_, curveOf(p), p);
       if (p == edge.from || p == edge.to || q == edge.from || q == edge.to || !live(p)) continue;
       meets = segmentsMeet(at(edge.from), at(edge.to), at(p), at(q));

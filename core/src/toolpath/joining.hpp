@@ -31,11 +31,11 @@ class Joining {
   Joining(const ClosedCurves& curves, const PointGrid& grid, const LineField& lines, const BorderIndex& border,
           const ToolpathParams& params);
 
-  [[nodiscard]] int curveOf(int point) const { return curveOf_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] int curveOf(int point) const { return curveOf_[point]; }
   [[nodiscard]] int setOf(int curve);
   /// Whether a joint has used the point, as an end or by taking it out: no other may.
-  [[nodiscard]] bool used(int point) const { return used_[static_cast<std::size_t>(point)] != kFree; }
-  [[nodiscard]] Vec2f at(int point) const { return curves_.points[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] bool used(int point) const { return used_[point] != kFree; }
+  [[nodiscard]] Vec2f at(int point) const { return curves_.points[point]; }
 
   /// What joining the pieces of `span` segments around i and j costs [mm]: 0.65 of the length it adds (Eq. 14), and
   /// `stitchAlignment` of the misaligned length it adds.
@@ -67,7 +67,7 @@ class Joining {
   };
   enum Use : char { kFree, kEnd, kInner };
 
-  [[nodiscard]] bool inner(int point) const { return used_[static_cast<std::size_t>(point)] == kInner; }
+  [[nodiscard]] bool inner(int point) const { return used_[point] == kInner; }
   [[nodiscard]] Piece pieceAround(int point, int wanted) const;
   template <class Visit>
   void forSegments(const Piece& piece, const Visit& visit) const;

@@ -46,7 +46,7 @@ std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lin
   std::vector<char> kept;     // whether the segment is to be turned
   std::vector<float> share;   // of the next point's move in that of point k
   for (int c = 0; c < curves.count(); ++c) {
-    const auto first = static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)]);
+    const auto first = static_cast<std::size_t>(curves.begin[c]);
     const auto n = static_cast<std::size_t>(curves.size(c));
     excess.assign(n, {});
     kept.assign(n, 0);

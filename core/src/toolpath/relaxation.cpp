@@ -54,7 +54,7 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
   std::vector<Vec2f> raw(curves.points.size());
   std::vector<Vec2f> moves(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
-    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int first = curves.begin[c];
     const int n = curves.size(c);
     parallelFor(run, n, 8192, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
@@ -71,8 +71,8 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
     });
     parallelFor(run, n, 8192, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
-        const auto at = [&](int offset) { return raw[static_cast<std::size_t>(first + wrapped(k + offset, n))]; };
-        moves[static_cast<std::size_t>(first + k)] = (at(-2) + at(2) + (at(-1) + at(1)) * 2.0f + at(0) * 4.0f) * 0.1f;
+        const auto at = [&](int offset) { return raw[first + wrapped(k + offset, n)]; };
+        moves[first + k] = (at(-2) + at(2) + (at(-1) + at(1)) * 2.0f + at(0) * 4.0f) * 0.1f;
       }
     });
   }
@@ -92,9 +92,8 @@ Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, BorderDepth& d
 std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   std::vector<float> share(curves.points.size(), 1.0f);
   for (int c = 0; c < curves.count(); ++c) {
-    const int first = curves.begin[static_cast<std::size_t>(c)];
-    const float step =
-        length(curves.points[static_cast<std::size_t>(first) + 1] - curves.points[static_cast<std::size_t>(first)]);
+    const int first = curves.begin[c];
+    const float step = length(curves.points[static_cast<std::size_t>(first) + 1] - curves.points[first]);
     if (step * static_cast<float>(curves.size(c)) < kDot * spacing)
       std::fill_n(share.begin() + first, curves.size(c), 0.0f);
   }
@@ -111,7 +110,7 @@ ClosedCurves moved(const ClosedCurves& curves, const Moves& moves, const std::ve
                    const BorderIndex& border, float spacing, const RunContext& run) {
   ClosedCurves out = curves;
   for (int c = 0; c < curves.count(); ++c) {
-    const int first = curves.begin[static_cast<std::size_t>(c)];
+    const int first = curves.begin[c];
     const int n = curves.size(c);
     const auto at = [&](int k) {
       const std::size_t i = static_cast<std::size_t>(first + wrapped(k, n));

@@ -80,7 +80,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
   }
   parallelFor(run, static_cast<int>(pieces.size()), 1, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
-      Piece& piece = pieces[static_cast<std::size_t>(k)];
+      Piece& piece = pieces[k];
       for (std::size_t at = piece.begin; at < piece.end;
            at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]))
         piece.walk.push_back(at);
@@ -116,7 +116,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
 // Removes points that coincide after rounding.
 Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) {
   Curve out;
-  for (int k = curves.begin[static_cast<std::size_t>(c)]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
+  for (int k = curves.begin[c]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
     const std::size_t i = static_cast<std::size_t>(k);
     const Vec2f p{rounded(curves.points[i].x), rounded(curves.points[i].y)};
     if (!out.points.empty() && out.points.back() == p) continue;
@@ -177,7 +177,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
     }
     for (const auto& [a, b] : crossings) {
       for (const int segment : {a, b}) {
-        const auto [c, k] = source[static_cast<std::size_t>(segment)];
+        const auto [c, k] = source[segment];
         const std::size_t n = full[c].points.size();
         for (std::size_t step = 0; step <= kMaxSkipped + 8; ++step) keep[c][(k + step) % n] = 1;
         for (std::size_t step = 1; step <= 8; ++step) keep[c][(k + n - step % n) % n] = 1;

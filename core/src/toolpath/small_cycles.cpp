@@ -35,7 +35,7 @@ class Settling {
     }
   }
 
-  [[nodiscard]] bool isTiny(int c) const { return size_[static_cast<std::size_t>(c)] < kTurn * spacing_; }
+  [[nodiscard]] bool isTiny(int c) const { return size_[c] < kTurn * spacing_; }
 
   // Whether it lies so near to the border all round that its bead would be next to nothing: spurs and cracks of
   // drawings whose sides fall together.
@@ -49,9 +49,9 @@ class Settling {
 
   // Whether a longer cycle runs beside it, with no border between.
   [[nodiscard]] bool isBesideLonger(int c) const {
-    const float mine = size_[static_cast<std::size_t>(c)];
+    const float mine = size_[c];
     return mine < kDot * spacing_ && hasBeside(c, kBeside, [&](int other) {
-             const float its = size_[static_cast<std::size_t>(other)];
+             const float its = size_[other];
              return its > mine || (its == mine && other < c);
            });
   }
@@ -60,7 +60,7 @@ class Settling {
   [[nodiscard]] std::vector<Vec2f> circleFor(int c) const {
     if (!isAlone(c)) return {};
     const Vec2f centre = deepestNear(c);
-    const float own = 4 * size_[static_cast<std::size_t>(c)] / spacing_;
+    const float own = 4 * size_[c] / spacing_;
     for (int n = std::max(kFewest, static_cast<int>(own + 0.5f)); n >= kFewest; --n) {
       const float sense = runsLeft(c) ? 1.0f : -1.0f;  // contours keep what they go round on one side
       const SinCos half = sinCos(sense * kPi / static_cast<float>(n));
@@ -87,8 +87,8 @@ class Settling {
       const Vec2f p = at(k);
       grid_.around(p, reach * spacing_, [&](int first, int last) {
         for (int s = first; s < last && !beside; ++s) {
-          const int id = grid_.id[static_cast<std::size_t>(s)];
-          const int other = curveOf_[static_cast<std::size_t>(id)];
+          const int id = grid_.id[s];
+          const int other = curveOf_[id];
           beside = other != c && length(at(id) - p) <= reach * spacing_ && wanted(other) && isInside(p, at(id));
         }
       });
@@ -105,8 +105,8 @@ class Settling {
     }
     return area > 0;
   }
-  [[nodiscard]] int begin(int c) const { return curves_.begin[static_cast<std::size_t>(c)]; }
-  [[nodiscard]] Vec2f at(int point) const { return curves_.points[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] int begin(int c) const { return curves_.begin[c]; }
+  [[nodiscard]] Vec2f at(int point) const { return curves_.points[point]; }
   [[nodiscard]] float distanceAt(Vec2f p) const { return border_.nearest(wide(p)).distance; }
   [[nodiscard]] bool isInside(Vec2f a, Vec2f b) const {
     for (int k = 1; k < 8; ++k) {
@@ -157,7 +157,7 @@ ClosedCurves regularizeSmallCycles(const ClosedCurves& curves, const BorderIndex
       circle = settling.circleFor(c);
     }
     if (circle.empty()) {
-      settled.points.insert(settled.points.end(), curves.points.begin() + curves.begin[static_cast<std::size_t>(c)],
+      settled.points.insert(settled.points.end(), curves.points.begin() + curves.begin[c],
                             curves.points.begin() + curves.begin[static_cast<std::size_t>(c) + 1]);
     } else {
       settled.points.insert(settled.points.end(), circle.begin(), circle.end());

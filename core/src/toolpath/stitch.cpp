@@ -81,20 +81,19 @@ SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOf
   std::vector<int> setsOfPart(static_cast<std::size_t>(parts), 0);
   for (std::size_t c = 0; c < count; ++c) {
     sets.ofCurve[c] = joining.setOf(static_cast<int>(c));
-    points[static_cast<std::size_t>(sets.ofCurve[c])] += curves.size(static_cast<int>(c));
-    if (sets.ofCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0)
-      ++setsOfPart[static_cast<std::size_t>(partOfCurve[c])];
+    points[sets.ofCurve[c]] += curves.size(static_cast<int>(c));
+    if (sets.ofCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0) ++setsOfPart[partOfCurve[c]];
   }
   std::vector<int> largest(setsOfPart.size(), -1);
   for (std::size_t c = 0; c < count; ++c) {
     if (partOfCurve[c] < 0 || sets.ofCurve[c] != static_cast<int>(c)) continue;
-    int& top = largest[static_cast<std::size_t>(partOfCurve[c])];
-    if (top < 0 || points[c] > points[static_cast<std::size_t>(top)]) top = static_cast<int>(c);
+    int& top = largest[partOfCurve[c]];
+    if (top < 0 || points[c] > points[top]) top = static_cast<int>(c);
   }
   for (std::size_t c = 0; c < count; ++c) {
-    if (partOfCurve[c] < 0 || setsOfPart[static_cast<std::size_t>(partOfCurve[c])] < 2) continue;
+    if (partOfCurve[c] < 0 || setsOfPart[partOfCurve[c]] < 2) continue;
     sets.open[c] = 1;
-    sets.seeking[c] = sets.ofCurve[c] != largest[static_cast<std::size_t>(partOfCurve[c])] ? 1 : 0;
+    sets.seeking[c] = sets.ofCurve[c] != largest[partOfCurve[c]] ? 1 : 0;
     sets.any = true;
   }
   return sets;
@@ -127,7 +126,7 @@ std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joinin
   std::vector<std::int32_t> free(strands.grid.id.size(), -1);
   parallelFor(run, strands.grid.count(), 8192, [&](int begin, int end) {
     for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) {
-      if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[static_cast<std::size_t>(strands.curveAt[s])];
+      if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[strands.curveAt[s]];
     }
   });
   return free;
@@ -168,7 +167,7 @@ void findNearest(const Strands& strands, const Joining& joining, const std::vect
                  const Seeker& seeker, std::vector<Partner>& partners) {
   partners.clear();
   const int curve = joining.curveOf(seeker.point);
-  const I4 part = splatInt(strands.partOfCurve[static_cast<std::size_t>(curve)]);
+  const I4 part = splatInt(strands.partOfCurve[curve]);
   const Vec2f p = joining.at(seeker.point);
   const Vec2f along = joining.at(nextOf(strands.curves, curve, seeker.point)) - p;
   const float reach2 = seeker.reach * seeker.reach;
@@ -224,8 +223,7 @@ template <class Find>
 std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Find& find) {
   constexpr int kGrain = 4096;
   std::vector<std::vector<Candidate>> found(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
-  parallelFor(run, count, kGrain,
-              [&](int begin, int end) { find(begin, end, found[static_cast<std::size_t>(begin / kGrain)]); });
+  parallelFor(run, count, kGrain, [&](int begin, int end) { find(begin, end, found[begin / kGrain]); });
   std::vector<Candidate> candidates;
   for (const std::vector<Candidate>& some : found) candidates.insert(candidates.end(), some.begin(), some.end());
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
@@ -279,7 +277,7 @@ Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, 
       for (int k = first; k < last; ++k) {
         const std::size_t s = static_cast<std::size_t>(k);
         const int id = strands.grid.id[s];
-        const bool sameSet = sets.ofCurve[static_cast<std::size_t>(strands.curveAt[s])] == sets.ofCurve[c];
+        const bool sameSet = sets.ofCurve[strands.curveAt[s]] == sets.ofCurve[c];
         if (sameSet && length(joining.at(id) - joining.at(point)) <= reach) found.push_back(id);
       }
     });
@@ -310,7 +308,7 @@ std::vector<Candidate> facingCandidates(const Strands& strands, const Joining& j
   const int count = static_cast<int>(pairs.size());
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     for (int k = begin; k < end; ++k) {
-      const auto& [i, j] = pairs[static_cast<std::size_t>(k)];
+      const auto& [i, j] = pairs[k];
       for (int span = kSpan; span >= 1; span /= 2)
         out.push_back({joining.cost(i, j, span) + kOutsideCost * joining.outsideLength(i, j, span), i, j, span});
     }
@@ -342,7 +340,7 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   Joining joining(curves, grid, lines, border, params);
   std::vector<int> partOfCurve;
   for (int c = 0; c < curves.count(); ++c) {
-    const Vec2f first = curves.points[static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)])];
+    const Vec2f first = curves.points[curves.begin[c]];
     partOfCurve.push_back(parts.label[cellInPart(parts, first)]);
   }
   std::vector<int> labels = partOfCurve;
@@ -354,7 +352,7 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
     for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       curveAt[k] = joining.curveOf(grid.id[k]);
-      partAt[k] = partOfCurve[static_cast<std::size_t>(curveAt[k])];
+      partAt[k] = partOfCurve[curveAt[k]];
     }
   });
   const Strands strands{curves, grid, curveAt, partAt, parts, partOfCurve};
@@ -388,7 +386,7 @@ std::vector<Vec2> middlesOfApart(const ClosedCurves& curves, const Parts& parts)
   std::vector<int> longest(static_cast<std::size_t>(parts.count), -1);  // by part
   std::vector<int> part;
   for (int c = 0; c < curves.count(); ++c) {
-    const Vec2f first = curves.points[static_cast<std::size_t>(curves.begin[static_cast<std::size_t>(c)])];
+    const Vec2f first = curves.points[curves.begin[c]];
     part.push_back(parts.label[cellInPart(parts, first)]);
     if (part.back() < 0) continue;
     const std::size_t label = static_cast<std::size_t>(part.back());
@@ -397,9 +395,9 @@ std::vector<Vec2> middlesOfApart(const ClosedCurves& curves, const Parts& parts)
   }
   std::vector<Vec2> apart;
   for (int c = 0; c < curves.count(); ++c) {
-    const int label = part[static_cast<std::size_t>(c)];
-    if (label >= 0 && longest[static_cast<std::size_t>(label)] == c) continue;
-    const auto begin = curves.points.begin() + curves.begin[static_cast<std::size_t>(c)];
+    const int label = part[c];
+    if (label >= 0 && longest[label] == c) continue;
+    const auto begin = curves.points.begin() + curves.begin[c];
     const auto end = begin + curves.size(c);
     const auto [left, right] = std::minmax_element(begin, end, [](Vec2f a, Vec2f b) { return a.x < b.x; });
     const auto [low, high] = std::minmax_element(begin, end, [](Vec2f a, Vec2f b) { return a.y < b.y; });

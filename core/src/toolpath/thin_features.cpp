@@ -105,7 +105,7 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
     for (int x = 0; x < nodes.nx; ++x) {
       if (values[nodes.index(x, y)] >= 0) continue;
       const std::int32_t label = parts.label[grid.index(std::min(x / 2, grid.nx - 1), std::min(y / 2, grid.ny - 1))];
-      if (label >= 0 && label < parts.count) kept[static_cast<std::size_t>(label)] = 1;
+      if (label >= 0 && label < parts.count) kept[label] = 1;
     }
   }
   // What is left are dots, and places close beside other parts. A dot is one circle: several contours in it would be
@@ -117,10 +117,9 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
       const std::int32_t label = parts.label[i];
-      if (label < 0 || label >= parts.count || kept[static_cast<std::size_t>(label)] || sdf.distance[i] > missed)
-        continue;
+      if (label < 0 || label >= parts.count || kept[label] || sdf.distance[i] > missed) continue;
       if (sdf.distance[i] > deep && !hasBeadRoom(border, grid.centre(x, y), spacing)) continue;
-      roomy[static_cast<std::size_t>(label)].push_back(i);
+      roomy[label].push_back(i);
     }
   }
   const auto nx = static_cast<std::size_t>(grid.nx);

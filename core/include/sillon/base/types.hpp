@@ -79,9 +79,7 @@ struct ClosedCurves {
   std::vector<int> begin;     ///< curve k is points[begin[k]] .. points[begin[k + 1] - 1]; size: curves + 1
 
   [[nodiscard]] int count() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
-  [[nodiscard]] int size(int curve) const {
-    return begin[static_cast<std::size_t>(curve) + 1] - begin[static_cast<std::size_t>(curve)];
-  }
+  [[nodiscard]] int size(int curve) const { return begin[static_cast<std::size_t>(curve) + 1] - begin[curve]; }
 };
 
 /// One closed path of beads. The segment from the last point to the first is extruded like any other.
