@@ -8,6 +8,7 @@
 #include <new>
 
 #include "sillon/geometry/signed_distance.hpp"
+#include "sillon/pipeline/session.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -82,4 +83,24 @@ TEST_CASE("a plate takes at most 120 bytes a cell while it is made") {
       CHECK(static_cast<double>(most - before) / cells > 60);  // it counts
     }
   }
+}
+
+TEST_CASE("a session keeps at most 45 bytes a cell, and an edit peaks no higher than a plate from nothing") {
+  PlateInput input =
+      scenes::plate(scenes::shapeOf({scenes::rectangle({0, 0}, {100, 100})}, {100, 100}), scenes::waves());
+  const RunContext run(1);
+  const std::size_t before = held;
+  Session session;
+  double cells = 0;
+  {
+    const auto plate = session.generateToolpath(input, {}, run);
+    REQUIRE(plate.ok());
+    cells = static_cast<double>(plate.value().nx) * plate.value().ny;
+  }
+  CHECK(static_cast<double>(held - before) / cells <= 45);
+  CHECK(static_cast<double>(held - before) / cells > 15);  // it counts
+  input.directions.angle[0] += 9000;
+  most = held.load();
+  REQUIRE(session.generateToolpath(input, {}, run).ok());
+  CHECK(static_cast<double>(most - before) / cells <= 120);
 }
