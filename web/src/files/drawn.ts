@@ -3,7 +3,7 @@ import type { Engine, Picture, Shape } from 'sillon';
 import { directionsFor, flatColours } from '../model/flat-colours.js';
 import { newColours } from '../model/defaults.js';
 import type { DirectionSource, FlatColour, SourceFile } from '../model/plate.js';
-import { StudioError } from '../model/problem.js';
+import { isOfFile, StudioError } from '../model/problem.js';
 import { fineResolution } from '../model/raster.js';
 import { plainDrawing, UnfitDrawing, type PlainDrawing } from './plain-drawing.js';
 
@@ -102,7 +102,7 @@ async function drawSvg(file: Blob, engine: DrawingEngine, longest: number = fine
   const plain = checked.get(file) ?? check(file, engine);
   checked.set(file, plain);
   const { text, pixel } = await plain.catch((error: unknown) => {
-    checked.delete(file); // the engine may only have been busy
+    if (!isOfFile(error)) checked.delete(file); // another time it may be read
     throw error;
   });
   const side = longest * Math.min(1, Math.sqrt(finePixel / pixel));

@@ -9,7 +9,7 @@ import { newLampDirections, newPlate } from '../model/defaults.js';
 import { mostPictures, pictureInput } from '../model/lamp.js';
 import { withoutBrought } from '../model/brought.js';
 import type { LampPicture, Plate, SourceFile } from '../model/plate.js';
-import { StudioError } from '../model/problem.js';
+import { isOfFile, StudioError } from '../model/problem.js';
 import type { Stored } from './autosave.js';
 import { enoughToKnow, kindOf } from './kind.js';
 import { filesOf, plateData } from './plate-data.js';
@@ -344,10 +344,6 @@ async function zippedPlate(name: string, bytes: Uint8Array<ArrayBuffer>, engine:
 const missing = (name: string, path: string): StudioError =>
   new StudioError('BrokenProject', { name }, `${path} is missing: open it together with the project`);
 
-/** What the engine says of what it was given; anything else it says is no fault of the file. */
-const ofTheFile = (error: Error & { code?: string }): boolean =>
-  ['InvalidArgument', 'InvalidFile', 'EmptyShape', 'TooLarge'].includes(error.code ?? '');
-
 /** @param file  a zip, or the JSON of the command line
  * @param others  opened together with it: a JSON names files
  * @throws StudioError UnknownFile (an archive of something else), BrokenProject; errors of the engine's own */
@@ -368,7 +364,7 @@ export async function readProject(
     return await commandLinePlate(name, new TextDecoder().decode(bytes), fileNamed, engine);
   } catch (error) {
     if (error instanceof StudioError || !(error instanceof Error)) throw error;
-    if (error.name === 'AbortError' || (error.name === 'SillonError' && !ofTheFile(error))) throw error;
+    if (error.name === 'AbortError' || (error.name === 'SillonError' && !isOfFile(error))) throw error;
     throw new StudioError('BrokenProject', { name }, error.message);
   }
 }

@@ -74,6 +74,10 @@ export function problemOf(error: unknown): Problem {
 
 export const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';
 
+/** Whether it is the engine's or the page's word on what it was given; of anything else the file has no fault. */
+export const isOfFile = (error: unknown): boolean =>
+  ['InvalidArgument', 'InvalidFile', 'EmptyShape', 'TooLarge', 'DrawingTooMuch'].includes(problemOf(error).code);
+
 /** Whether both would be told in the same words. */
 export const same = (a: Problem, b: Problem): boolean =>
   a.code === b.code && a.detail === b.detail && JSON.stringify(a.values) === JSON.stringify(b.values);

@@ -13,9 +13,9 @@ const svg = (inner) =>
   `<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="20mm" viewBox="0 0 20 20">${inner}</svg>`;
 const levels = [...'bcdefghijkl'];
 const tenfold = (one) => one.repeat(10);
-/** The engine refuses it. */
+/** The engine refuses it, for its points. */
 const uses = svg(
-  `<defs><g id="a"><path d="M0 0h1v1z"/></g>${levels
+  `<defs><g id="a"><path d="M0 0${'h1v1h-1v-1'.repeat(500)}"/></g>${levels
     .map((id, k) => `<g id="${id}">${tenfold(`<use href="#${'abcdefghijk'[k]}"/>`)}</g>`)
     .join('')}</defs><use href="#l"/>`,
 );
