@@ -51,8 +51,9 @@ ray.shutdown()
 cluster.shutdown()
 sys.exit(code)
 TEXT
+export PROGRAM=$SILLON KILLED=$folder/killed
 code=0
-KILLED=$folder/killed PROGRAM=$SILLON SILLON=$folder/program "$python" run.py "$example" >said 2>&1 || code=$?
+SILLON=$folder/program "$python" run.py "$example" >said 2>&1 || code=$?
 [ "$code" = 2 ] || fail "exit code $code instead of 2 with a project at fault: $(cat said)"
 [ -d killed ] || fail "no node was killed"
 grep -q '^wrong: .*size.*-1' said || fail "the project at fault is not told with its reason: $(cat said)"

@@ -207,7 +207,7 @@ TEST_CASE("pictures are judged by the toolpath, and then by the G-code") {
   Plate plate = made(pictured());
   REQUIRE(plate.shown.size() == 1);
   CHECK_FALSE(plate.report().fromGcode);
-  const std::string text = gcodeOf(plate, {"2026-01-02", std::nullopt});
+  const std::string text = gcodeOf(plate, {"2026-01-02 at 00:00:00 UTC", std::nullopt});
   CHECK(has(text, "2026-01-02"));
   CHECK(has(text, "toolpath digest = " + plate.measures->digest));
   REQUIRE(plate.gcode.has_value());
