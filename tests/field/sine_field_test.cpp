@@ -58,8 +58,9 @@ TEST_CASE("deep inside, each node has the weighted waves of the cells within rea
             const int column = 2 * x + 1 + a;
             const int row = 2 * y + 1 + b;
             if (column < 0 || row < 0 || column >= nodes.nx || row >= nodes.ny) continue;
-            const double turn = 0.25 * std::numbers::pi * (a * static_cast<double>(field.wave[cell].x) +
-                                                      b * static_cast<double>(field.wave[cell].y));
+            const double turn =
+                0.25 * std::numbers::pi *
+                (a * static_cast<double>(field.wave[cell].x) + b * static_cast<double>(field.wave[cell].y));
             expected[nodes.index(column, row)] += weightOf(std::abs(a), params.kernelRadius / 3) *
                                                   weightOf(std::abs(b), params.kernelRadius / 3) *
                                                   (q * std::polar(1.0, turn)).imag();

@@ -70,7 +70,7 @@ class Layers {
       if (!(up > 0)) continue;
       const auto [lowest, highest] = std::minmax({a[2], b[2], c[2]});
       if (highest - lowest <= kLevel) {
-        level[std::min(last(), at(a[2]))] += up / 2;
+        level[static_cast<std::size_t>(std::min(last(), at(a[2])))] += up / 2;
         continue;
       }
       if (std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2]) > steepest * up) continue;
@@ -114,7 +114,8 @@ class Layers {
 std::vector<Lines> linesOfLayers(const Layers& layers, const Tops& tops, bool slopes) {
   std::vector<Lines> lines(static_cast<std::size_t>(layers.last()) + 1, Lines::Slicers);
   const auto fill = [&](std::int64_t top) {
-    for (std::int64_t k = std::max<std::int64_t>(0, top - layers.solid()); k <= top; ++k) lines[k] = linesOn(top);
+    for (std::int64_t k = std::max<std::int64_t>(0, top - layers.solid()); k <= top; ++k)
+      lines[static_cast<std::size_t>(k)] = linesOn(top);
   };
   const auto isSlope = [&](std::size_t k) { return slopes && tops.slopes[k] >= kLeastArea; };
   for (std::size_t k = lines.size(); k-- > 0;) {

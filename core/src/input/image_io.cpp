@@ -126,8 +126,8 @@ std::string tgaDefect(Bytes bytes) {
   std::uint64_t at = header.dataAt, pixels = 0;
   while (pixels < header.pixels) {
     if (at >= size) return "it is cut off";
-    const std::uint64_t run = (bytes[at] & 127u) + 1;
-    at += 1 + ((bytes[at] & 128u) != 0 ? 1 : run) * header.pixelBytes;
+    const std::uint64_t run = (bytes[static_cast<std::size_t>(at)] & 127u) + 1;
+    at += 1 + ((bytes[static_cast<std::size_t>(at)] & 128u) != 0 ? 1 : run) * header.pixelBytes;
     pixels += run;
   }
   return at > size ? "it is cut off" : "";

@@ -69,8 +69,8 @@ Result<ClosedCurves> contourStep(const Shape& shape, const ShapeFields& fields, 
 }
 
 // Sec. 5.5: one cycle per part, along the lines where pictures are shown.
-Result<Stitched> stitchStep(ClosedCurves cycles, const ShapeFields& fields, const LineField& lines,
-                            bool showsPictures, const Making& making) {
+Result<Stitched> stitchStep(ClosedCurves cycles, const ShapeFields& fields, const LineField& lines, bool showsPictures,
+                            const Making& making) {
   ToolpathParams params = making.params;
   if (showsPictures) params.stitchAlignment = std::max(params.stitchAlignment, kPictureStitchAlignment);
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), making.run);
