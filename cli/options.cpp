@@ -107,7 +107,7 @@ void Options::file(const std::string& name, const std::string& help, std::string
 }
 
 void Options::files(const std::string& name, const std::string& help, std::vector<std::string>& paths, bool required) {
-  app_.add_option("files", paths)->option_text(name)->required(required);
+  app_.add_option("file", paths)->option_text(name)->required(required);
   page_.rows.push_back({"", name, help, {}, true});
 }
 
