@@ -21,10 +21,9 @@ import { fineResolution } from './model/raster.js';
 import type { PlateResult, State, Theme } from './model/state.js';
 import { Store } from './model/store.js';
 import { Untried } from './model/untried.js';
-import { markUntilShown, wasNeverShown } from './first-shown.js';
 import { createOpener } from './opening.js';
 import './panels/app.js';
-import { newShown, type NoticeAction } from './panels/shown.js';
+import { newShown } from './panels/shown.js';
 import { Studio } from './panels/studio.js';
 import { Pipeline } from './pipeline.js';
 import { startWorker } from './start-worker.js';
@@ -188,12 +187,12 @@ studio.services = {
   },
   plates: kept,
   openPlate: async (id, take) => {
-    const [opened, rare] = await Promise.all([kept().open(id, take), rarely()]);
+    const [opened, rare, { showKept }] = await Promise.all([kept().open(id, take), rarely(), import('./restore.js')]);
     if (opened === undefined) {
       studio.notify(rare('plates.gone'));
       return;
     }
-    showKept(opened);
+    goOnWith(showKept)(opened);
     if (opened.state === 'copy') studio.notify(rare('plates.copied'));
   },
   reviewed: (text) => reviewed.has(text) || (!framed && recallText('reviewed') === text),
@@ -288,67 +287,17 @@ async function restoreKept(kept: Promise<Kept | undefined>, wanted: () => boolea
   const before = store.state.plate;
   const found = await kept;
   if (found === undefined) return false;
+  const { restore, showKept } = await import('./restore.js');
   const shows = wanted() && store.state.plate === before; // else a hand was faster
-  if (found.state === 'elsewhere') {
-    if (shows) studio.notify((await rarely())('plates.left'), listPlates());
-    return shows;
-  }
-  if (found.state === 'foreign') {
-    if (shows) studio.notify((await rarely())('plates.foreignLeft'), ...(framed ? [] : [listPlates()]));
-    return false;
-  }
-  if (!shows) {
-    studio.notify(t('restore.late'), {
-      label: t('restore.show'),
-      run: () => {
-        showKept(found);
-      },
-    });
-    return false;
-  }
-  if (found.state === 'own' && wasNeverShown(found.id)) {
-    await offerUnshown(found);
-    return false;
-  }
-  showKept(found);
-  if (found.state === 'copy') studio.notify((await rarely())('plates.copied'));
-  else {
-    studio.notify(t('restore.done'), {
-      label: t('restore.discard'),
-      run: () => {
-        studio.services.newPlate();
-      },
-    });
-  }
-  return true;
+  return restore(studio, found, { shows, framed, show: goOnWith(showKept) });
 }
 
-/** With the steps that led to it: undone, a plate must not become the one that was shown before. */
-function showKept({ id, steps }: Opened): void {
-  autosave?.begin(steps.plate);
-  markUntilShown(id, store);
-  store.restore(steps);
-  look();
-}
-
-/** The last visit ended before its plate was shown: the plate may have stopped the page, and would again. */
-async function offerUnshown(found: Opened): Promise<void> {
-  const rare = await rarely();
-  const open = {
-    label: rare('plates.openAnyway'),
-    run: () => {
-      showKept(found);
-    },
+const goOnWith =
+  (showKept: (typeof import('./restore.js'))['showKept']) =>
+  (found: Opened): void => {
+    showKept(studio, found, () => autosave?.begin(found.steps.plate));
+    look();
   };
-  studio.tell({ text: rare('plates.unshown'), actions: framed ? [open] : [open, listPlates()], stays: true });
-}
-
-const listPlates = (): NoticeAction => ({
-  label: t('verb.plates'),
-  run: () => {
-    studio.show('plates');
-  },
-});
 
 /** In a frame nothing else is shown in the place of what its address names. */
 const openNamed = (named: () => Promise<void>): Promise<boolean> => {
