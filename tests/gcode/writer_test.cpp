@@ -911,9 +911,10 @@ TEST_CASE("the filament's flow multiplies the plastic of every role, and the pur
   const std::map<std::string, double> less = byRole();
   REQUIRE(less.size() == whole.size());
   CHECK(whole.size() >= 4);
-  for (const auto& [role, filament] : whole) {
+  for (const auto& entry : whole) {
+    const std::string& role = entry.first;
     CAPTURE(role);
-    CHECK(less.at(role) == Approx((role.starts_with("Custom") ? 1 : 0.94) * filament).epsilon(1e-4));
+    CHECK(less.at(role) == Approx((role.starts_with("Custom") ? 1 : 0.94) * entry.second).epsilon(1e-4));
   }
   const std::string text = job.write().text;
   CHECK(text.find("\n; extrusion_multiplier = 0.94\n") != std::string::npos);
