@@ -306,14 +306,14 @@ test('every stage of the engine has words', () => {
   const sources = ['pipeline/steps', 'quality/metrics']
     .map((name) => readFileSync(`core/src/${name}.cpp`, 'utf8'))
     .join('\n');
-  const stages = [...sources.matchAll(/(?:clock\.start|beginStage)\("(\w+)"/g)].map(([, stage]) => stage ?? '');
+  const stages = [...sources.matchAll(/(?:making\.start|beginStage)\("(\w+)"/g)].map(([, stage]) => stage ?? '');
   assert.ok(stages.length >= 10, `${stages.length} stages were found`);
   for (const stage of stages) assert.ok(hasText(`stage.${stage}`), stage);
 });
 
 test('every warning of the engine has words in every language, with its values', async () => {
   // Code, name and sentence of each, as the engine has them.
-  const source = readFileSync('core/src/gcode/warning.cpp', 'utf8');
+  const source = readFileSync('core/src/report/warning.cpp', 'utf8');
   const rows = [...source.matchAll(/\{WarningCode::(\w+),\s*"(\w+)",((?:\s*"[^"]*")+)\}/g)];
   assert.ok(rows.length > 20);
   for (const tag of spoken) {
