@@ -26,7 +26,7 @@ gcode: settings geometry toolpath quality report printer gcode_reader
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
 job: settings geometry input look pipeline quality report gcode_reader project pictures gcode
-printer_import: settings look gcode_reader gcode export project
+printer_import: settings look gcode_reader project gcode export
 "
 
 forbidden='iostream|fstream|ostream|istream|filesystem|cstdio|stdio\.h|emscripten.*'
