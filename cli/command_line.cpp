@@ -181,8 +181,9 @@ int runCommandLine(int argc, const char* const* argv) {
     return fail({ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon --help"});
   } catch (const CLI::RequiredError& error) {
     const Added* of = asked();
-    const std::string name = of == nullptr ? "" : std::string(" ") + of->command->name;
-    return fail({ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon" + name + " --help"});
+    if (of == nullptr) return fail({ErrorCode::InvalidArgument, "no command is given; see sillon --help"});
+    const std::string name = of->command->name;
+    return fail({ErrorCode::InvalidArgument, oneSentence(error.what()) + "; see sillon " + name + " --help"});
   } catch (const CLI::ParseError& error) {
     return fail({ErrorCode::InvalidArgument, oneSentence(error.what())});
   }

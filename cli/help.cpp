@@ -10,7 +10,7 @@
 namespace cli {
 namespace {
 
-constexpr std::size_t kColumn = 26;  // where texts begin; longer names have a line of their own
+constexpr std::size_t kColumn = 26;  // where texts begin at most; longer names have a line of their own
 
 /// Lines of at most `width` characters, but for longer words; all but the first are indented.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t at, std::size_t width) {
@@ -42,11 +42,11 @@ std::string row(const std::string& name, const std::string& text, std::size_t in
   return out + wrapped(text, column, column, width) + "\n";
 }
 
-std::string valueRows(const std::vector<ValueHelp>& values, std::size_t width) {
+std::string valueRows(const std::vector<ValueHelp>& values, std::size_t column, std::size_t width) {
   std::size_t longest = 0;
   for (const auto& [name, text] : values) longest = std::max(longest, name.size());
   std::string out;
-  for (const auto& [name, text] : values) out += row(name, text, kColumn + 2, kColumn + 4 + longest, width);
+  for (const auto& [name, text] : values) out += row(name, text, column + 2, column + 4 + longest, width);
   return out;
 }
 
@@ -57,10 +57,14 @@ std::string helpText(const HelpPage& page, bool all, int width) {
   std::string out = wrapped(page.title, 0, 0, most) + "\n\nusage: " + wrapped(page.usage, 7, 7, most) + "\n";
   std::vector<std::string> groups;
   std::size_t hidden = 0;
+  std::size_t column = 0;
   for (const HelpRow& one : page.rows) {
     if (!all && !one.common) {
       ++hidden;
-    } else if (std::find(groups.begin(), groups.end(), one.group) == groups.end()) {
+      continue;
+    }
+    if (one.names.size() + 4 <= kColumn) column = std::max(column, one.names.size() + 4);
+    if (std::find(groups.begin(), groups.end(), one.group) == groups.end()) {
       groups.push_back(one.group);
     }
   }
@@ -68,7 +72,7 @@ std::string helpText(const HelpPage& page, bool all, int width) {
     out += "\n" + (group.empty() ? "" : group + ":\n");
     for (const HelpRow& one : page.rows) {
       if (one.group != group || (!all && !one.common)) continue;
-      out += row(one.names, one.text, 2, kColumn, most) + valueRows(one.values, most);
+      out += row(one.names, one.text, 2, column, most) + valueRows(one.values, column, most);
     }
   }
   for (const std::string& note : page.notes) {

@@ -1432,6 +1432,7 @@ TEST_CASE("command lines that make no sense are refused") {
   const Folder folder;
   folder.picture("l.png", 2, 2, [](int, int) { return 128; });
   folder.write("keep.json", R"({"sillon": 1})");
+  checkRefused(folder, "--quiet", "no command is given; see sillon --help");
   checkRefused(folder, "generate", "no shape");
   checkRefused(folder, "generate --angle 3", "no shape");
   checkRefused(folder, "generate --shape disc --spaceing 3" + kOutputs, "--spaceing");
