@@ -1,4 +1,5 @@
-// How commands run and end: threads, memory and signals; what goes to stdout, to stderr and to the disk.
+// The beginning and end of a command's run: threads, memory and signals; what goes to stdout, to stderr and to the
+// disk.
 #pragma once
 
 #include <string>

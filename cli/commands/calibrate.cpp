@@ -339,7 +339,7 @@ int run(Arguments& arguments) {
                 run);
 }
 
-/// How a printer prints, without what calibration plates choose themselves.
+/// Settings of a printer, without those that calibration plates choose themselves.
 bool isOfCalibrations(const sillon::Setting& row) {
   if (row.section == sillon::Section::Printer) return true;
   const std::vector<std::string> own = sillon::splitWords(

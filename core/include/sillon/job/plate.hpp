@@ -41,7 +41,7 @@ enum class PlatePath {
   Both,
 };
 
-/// How a plate is made, and what is kept for the next one.
+/// Options of a plate's making, and what is kept for the next one.
 struct PlateOptions {
   Placing placing = Placing::AsGiven;
   PlatePath path = PlatePath::Seen;
