@@ -177,7 +177,7 @@ for (const [locale, badge, told, download, remove] of [
       assert.ok(record.plate.sparkle && record.plate.name === 'Theirs');
       await dialog.getByRole('button', { name: remove }).click();
       await until(async () => (await list(visit)).every(({ name }) => name !== 'Theirs'), 'the deletion');
-      assert.equal(await dialog.getByText(badge, { exact: true }).count(), 0);
+      await until(async () => (await dialog.getByText(badge, { exact: true }).count()) === 0, 'a list without it');
       assert.deepEqual(visit.problems, []);
     },
   );
