@@ -84,7 +84,7 @@ const strings = {
   transform(code, id) {
     if (/src[\\/]views[\\/]shaders\.ts$/.test(id))
       return code.replaceAll(/`[^`]*`/g, (text) => text.replaceAll(/ *\/\/.*$/gm, '').replaceAll(/\n\s+/g, '\n'));
-    if (!/src[\\/](panels|style)[\\/][\w-]+\.ts$/.test(id)) return undefined;
+    if (!/web[\\/]src[\\/][\w\\/-]+\.ts$/.test(id)) return undefined;
     return code.replaceAll(/\bcss`[^`]*`/g, (text) => text.replaceAll(/\/\*.*?\*\//gs, '').replaceAll(/\n\s+/g, '\n'));
   },
 };

@@ -7,8 +7,8 @@ import type { Opening } from '../model/file-role.js';
 import { isAbort, problemOf, StudioError, type Failure, type Problem } from '../model/problem.js';
 import { isOf } from '../model/result.js';
 import type { PlateResult } from '../model/state.js';
-import type { Notice, Shown } from '../panels/shown.js';
-import type { Product, Studio } from '../panels/studio.js';
+import type { Notice, Shown } from '../studio/shown.js';
+import type { Product, Studio } from '../studio/studio.js';
 import { brandFrom, wear } from './brand.js';
 import { checkedPicture, checkedVideo, openingsFrom, Refused } from './requests.js';
 import {

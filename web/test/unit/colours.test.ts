@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { degreesOf } from '../../src/directions/angle.js';
-import { coloursAngles } from '../../src/directions/colours.js';
+import { degreesOf } from '../../src/generators/angle.js';
+import { coloursAngles } from '../../src/generators/colours.js';
 import { directionsFrom, Unfit } from '../../src/model/check-plate.js';
 import { newColours } from '../../src/model/defaults.js';
 import { directionsFor, flatColours } from '../../src/model/flat-colours.js';

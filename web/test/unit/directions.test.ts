@@ -4,12 +4,12 @@ import { after, before, describe, test } from 'node:test';
 
 import { createEngine, type DirectionEncoding, type Engine, type Picture } from 'sillon';
 
-import { degreesOf, storeDegrees, storeDouble } from '../../src/directions/angle.js';
-import { qrPicture } from '../../src/directions/qr.js';
-import { rasterise, type Pictures } from '../../src/directions/rasterise.js';
+import { degreesOf, storeDegrees, storeDouble } from '../../src/generators/angle.js';
+import { qrPicture } from '../../src/generators/qr.js';
+import { rasterise, type Pictures } from '../../src/generators/rasterise.js';
 import type { DirectionRaster } from '../../src/model/raster.js';
 import type { DirectionSource, ModeSource } from '../../src/model/plate.js';
-import type { Page } from '../../src/directions/texels.js';
+import type { Page } from '../../src/generators/texels.js';
 import { newFileDirections, newGenerator } from '../../src/model/defaults.js';
 import { between, chances, fileOf, greyPicture } from './support/pictures.js';
 

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { spoken } from '../../src/i18n/languages.js';
 import { guestSettings } from '../../src/model/guest.js';
 import { printers } from '../../src/model/printers.js';
-import { newShown, offers, ownControls } from '../../src/panels/shown.js';
+import { newShown, offers, ownControls } from '../../src/studio/shown.js';
 
 const read = (attributes: Record<string, unknown>): ReturnType<typeof guestSettings> =>
   guestSettings((name) => attributes[name], spoken);

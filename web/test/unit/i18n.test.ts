@@ -159,7 +159,7 @@ test('texts that the sources name are there, and all texts are for something', (
 
 test('the view that re-brushes prints speaks every language, and shows all its words', async () => {
   const source = ['view', 'foot', 'bench', 'tilted', 'faces', 'directions']
-    .map((part) => readFileSync(`web/src/panels/rebrush-${part}.ts`, 'utf8'))
+    .map((part) => readFileSync(`web/src/rebrush/${part}.ts`, 'utf8'))
     .join('\n');
   const built = ['left', 'fit', 'way', 'side'].map((what) => `rebrush.${what}.`);
   for (const id of Object.keys(rebrushEn)) {
@@ -176,9 +176,9 @@ test('the view that re-brushes prints speaks every language, and shows all its w
 });
 
 test('the calibration page and the first print speak every language, and show all their words', async () => {
-  const source = readdirSync('web/src/panels')
-    .filter((name) => /^(calibrate-.*|spool-list|first-print|print-panel)\.ts$/.test(name))
-    .map((name) => readFileSync(join('web/src/panels', name), 'utf8'))
+  const others = ['print/spool-list.ts', 'print/print-panel.ts', 'app/first-print.ts'];
+  const source = [...readdirSync('web/src/calibrate').map((name) => `calibrate/${name}`), ...others]
+    .map((name) => readFileSync(join('web/src', name), 'utf8'))
     .join('\n');
   const built = [...source.matchAll(/c\(`([\w.]+\.|[\w.]*)\$\{[^}`]*\}(\w*)`/g)].map(
     ([, start = '', end = '']) => new RegExp(`^${start.replaceAll('.', '\\.')}[\\w-]+${end}$`),

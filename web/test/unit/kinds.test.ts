@@ -1,8 +1,8 @@
 // What files are by their bytes, how large drawings are, and what can be seen of pictures and codes.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { qrAngles, qrPicture } from '../../src/directions/qr.js';
-import { fitOf } from '../../src/directions/text.js';
+import { qrAngles, qrPicture } from '../../src/generators/qr.js';
+import { fitOf } from '../../src/generators/text.js';
 import { factsOf } from '../../src/files/guess.js';
 import { browserPicture } from '../../src/files/kind.js';
 import { hasUnits } from '../../src/files/open.js';

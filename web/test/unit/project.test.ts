@@ -6,7 +6,7 @@ import { dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { unzipSync, zipSync, type Zippable } from 'fflate';
 import { createEngine, type Engine } from 'sillon';
-import { rasterise } from '../../src/directions/rasterise.js';
+import { rasterise } from '../../src/generators/rasterise.js';
 import type { DirectionRaster } from '../../src/model/raster.js';
 import { engineInput } from '../../src/model/input.js';
 import { packStored, readProject, writeProject } from '../../src/files/project.js';

@@ -4,10 +4,10 @@ import { describe, test } from 'node:test';
 
 import type { Picture } from 'sillon';
 
-import { createRasteriser, type Wanted } from '../../src/directions/rasteriser.js';
-import { rasterise } from '../../src/directions/rasterise.js';
-import type { Request } from '../../src/directions/request.js';
-import { createServer } from '../../src/directions/serve.js';
+import { createRasteriser, type Wanted } from '../../src/generators/rasteriser.js';
+import { rasterise } from '../../src/generators/rasterise.js';
+import type { Request } from '../../src/generators/request.js';
+import { createServer } from '../../src/generators/serve.js';
 import { newFileDirections, newGenerator } from '../../src/model/defaults.js';
 import type { SourceFile, Stroke } from '../../src/model/plate.js';
 import { fileOf, greyPicture } from './support/pictures.js';

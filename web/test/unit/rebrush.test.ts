@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { PrintRelief, SlicedSurface } from 'sillon';
-import { storeDegrees } from '../../src/directions/angle.js';
-import { handRaster } from '../../src/directions/hand.js';
+import { storeDegrees } from '../../src/generators/angle.js';
+import { handRaster } from '../../src/rebrush/hand.js';
 import { brushedName, seemsSliced } from '../../src/files/sliced.js';
 import { newPlate } from '../../src/model/defaults.js';
 import type { DirectionSource, SourceFile, Stroke } from '../../src/model/plate.js';

@@ -4,11 +4,11 @@ import { test } from 'node:test';
 
 import type { Toolpath } from 'sillon';
 
-import { storeDegrees } from '../../src/directions/angle.js';
+import { storeDegrees } from '../../src/generators/angle.js';
 import { newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
 import { doubtsOf } from '../../src/model/doubts.js';
 import type { Plate } from '../../src/model/plate.js';
-import { seenOf } from '../../src/seen.js';
+import { seenOf } from '../../src/quality/seen.js';
 
 const side = 40; // [mm]
 const plate: Plate = {

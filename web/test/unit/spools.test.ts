@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { kinds, answerOf, offsetCommand, spacingBetween, withFound, withWidths } from '../../src/model/calibrate.js';
+import { kinds, answerOf, offsetCommand, spacingBetween, withFound, withWidths } from '../../src/calibrate/model.js';
 import { plateFrom, Unfit } from '../../src/model/check-plate.js';
 import { newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { lookOf, slopesOf, viewLook, withFilament, withSpool } from '../../src/model/filaments.js';
@@ -13,7 +13,7 @@ import { pictureInput, sameSpool, type LampSource } from '../../src/model/lamp.j
 import type { OwnSpool, Plate, SourceFile } from '../../src/model/plate.js';
 import { howOf } from '../../src/model/rebrush.js';
 import { readLink, writeLink } from '../../src/model/share.js';
-import { readSpools, spoolKey, spoolsText, withOne } from '../../src/model/spools.js';
+import { readSpools, spoolKey, spoolsText, withOne } from '../../src/print/spools.js';
 
 const spool: OwnSpool = {
   key: 'mySilk',

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { stretches } from '../../src/model/stretches.js';
+import { stretches } from '../../src/quality/stretches.js';
 
 void test('neighbours become one stretch, which may go on over 180 degrees', () => {
   assert.deepEqual(stretches([]), []);

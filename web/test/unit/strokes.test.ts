@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 
-import { degreesOf, storeDegrees } from '../../src/directions/angle.js';
+import { degreesOf, storeDegrees } from '../../src/generators/angle.js';
 import type { DirectionRaster } from '../../src/model/raster.js';
-import { applyStroke, copyOf, replayed, withStrokes, type Replay } from '../../src/directions/strokes.js';
+import { applyStroke, copyOf, replayed, withStrokes, type Replay } from '../../src/generators/strokes.js';
 import type { Stroke } from '../../src/model/plate.js';
 import { between, chances } from './support/pictures.js';
 

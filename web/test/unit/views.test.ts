@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Toolpath } from 'sillon';
-import { widthHistogram } from '../../src/panels/histogram.js';
+import { widthHistogram } from '../../src/controls/histogram.js';
 import { panned, zoomed } from '../../src/views/camera.js';
 import { conflictPixels } from '../../src/views/conflict.js';
 import { freeOf, seenIn } from '../../src/views/fit.js';

@@ -1,0 +1,408 @@
+// The page: head, sections of settings, plate. In narrow windows the sections are a sheet over the plate's lower half.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import { sections, type Section } from '../model/guest.js';
+import '../print/brought-bar.js';
+import '../directions/directions-panel.js';
+import { StudioElement } from '../controls/element.js';
+import './header.js';
+import { icon, type IconName } from '../controls/icons.js';
+import { offers, ownControls, type Dialog } from '../studio/shown.js';
+import { onShortcut, typesText } from './shortcuts.js';
+import '../stage/stage.js';
+import './welcome.js';
+
+type Tab = [name: Section | 'own', image: IconName, label: string];
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'sillon-app': App;
+  }
+}
+
+const loadDialog: Record<Dialog, () => Promise<unknown>> = {
+  gallery: () => import('../plates/gallery.js'),
+  palette: () => import('./palette.js'),
+  plates: () => import('../plates/plates-dialog.js'),
+  help: () => import('../controls/help.js'),
+  files: () => import('../plates/files-dialog.js'),
+  share: () => import('../plates/share-dialog.js'),
+  brought: () => import('../print/blocks-dialog.js'),
+  blocks: () => import('../print/blocks-dialog.js'),
+  rebrush: () => import('../rebrush/view.js'),
+  calibrate: () => import('../calibrate/dialog.js'),
+  spools: () => import('../calibrate/dialog.js'),
+  first: () => import('./first-print.js'),
+};
+
+/** Sections that no first visit begins with. */
+const loadPanel: Record<string, () => Promise<unknown>> = {
+  own: () => import('./own-panel.js'),
+  shape: () => import('../shape/shape-panel.js'),
+  print: () => import('../print/print-panel.js'),
+  toolpath: () => import('../print/toolpath-panel.js'),
+  quality: () => import('../quality/quality-panel.js'),
+};
+
+const addresses = 'text/uri-list';
+
+/** Chromium's. */
+interface Handing {
+  getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
+}
+
+@customElement('sillon-app')
+export class App extends StudioElement {
+  static override reads = ['panel', 'dialog', 'dropping', 'mode', 'controls'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        display: grid;
+        grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
+        height: 100%;
+      }
+      .skip {
+        position: fixed;
+        top: 8px;
+        left: 8px;
+        z-index: 5;
+      }
+      .skip:not(:focus) {
+        clip-path: inset(50%);
+      }
+      .work {
+        grid-row: 4;
+        display: grid;
+        grid-template-columns: 5rem auto minmax(0, 1fr);
+        min-height: 0;
+      }
+      nav {
+        display: flex;
+        flex-direction: column;
+        gap: 4px;
+        padding: 10px 6px;
+        border-right: 1px solid var(--line);
+        background: var(--surface);
+      }
+      nav button {
+        position: relative;
+        flex-direction: column;
+        gap: 4px;
+        min-height: 60px;
+        padding: 6px 2px;
+        border-color: transparent;
+        background: none;
+        color: var(--soft);
+        font-size: var(--small);
+      }
+      nav button[aria-expanded='true'] {
+        background: var(--tint);
+        color: var(--accent);
+      }
+      .panel {
+        width: min(20.75rem, 40vw);
+        border-right: 1px solid var(--line);
+        background: var(--surface);
+        overflow: auto;
+        overscroll-behavior: contain;
+        scrollbar-width: thin;
+        scrollbar-color: var(--line) transparent;
+      }
+      sillon-stage {
+        grid-column: 3; /* where it is without the panel, too */
+      }
+      .only {
+        grid-area: 1 / 1 / -1 / 2;
+      }
+      .grip {
+        display: none;
+      }
+      .drop {
+        position: fixed;
+        inset: 0;
+        z-index: 10;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: 8px;
+        margin: 14px;
+        border: 2px dashed var(--accent);
+        border-radius: 14px;
+        background: color-mix(in srgb, var(--surface) 92%, transparent);
+        text-align: center;
+        pointer-events: none;
+      }
+      .drop b {
+        font-size: var(--display);
+        font-weight: 600;
+        letter-spacing: -0.02em;
+      }
+      @media (max-width: 980px) {
+        .panel {
+          width: clamp(300px, 40vw, 18.75rem);
+        }
+      }
+      @media (max-width: 720px) {
+        .beside {
+          display: none;
+        }
+        .work {
+          grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
+        }
+        sillon-stage {
+          grid-area: 1 / 1;
+        }
+        .panel {
+          grid-row: 2;
+          width: auto;
+          height: min(46dvh, 420px, 100dvh - 228px); /* the rest: head, sections, status, and a word */
+          border-right: 0;
+          border-top: 1px solid var(--line);
+          border-radius: 14px 14px 0 0;
+          position: relative;
+          z-index: 2;
+          box-shadow: 0 -6px 20px var(--shade);
+        }
+        .grip {
+          position: sticky;
+          top: 0;
+          z-index: 3;
+          display: flex;
+          justify-content: center;
+          width: 100%;
+          min-height: 24px;
+          border: 0;
+          border-radius: 14px 14px 0 0;
+          background: var(--surface);
+        }
+        .grip::before {
+          content: '';
+          width: 40px;
+          height: 4px;
+          border-radius: 2px;
+          background: var(--edge);
+        }
+        nav {
+          grid-row: 3;
+          /* Alike, but none narrower than its word: some fonts are wide, and some people need large ones. */
+          display: grid;
+          grid-auto-columns: minmax(max-content, 1fr);
+          grid-auto-flow: column;
+          overflow-x: auto;
+          gap: 0;
+          padding: 4px 4px calc(4px + env(safe-area-inset-bottom));
+          border-right: 0;
+          border-top: 1px solid var(--line);
+          z-index: 2;
+        }
+        nav button {
+          min-height: 52px;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { panel, dropping, mode } = this.state;
+    if (mode === 'view') {
+      return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>`;
+    }
+    return html`
+      <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
+      <sillon-header role="banner" .studio=${this.studio}></sillon-header>
+      <sillon-brought .studio=${this.studio}></sillon-brought>
+      <sillon-welcome class=${panel && 'beside'} .studio=${this.studio}></sillon-welcome>
+      <div class="work">
+        <nav aria-label=${t('app.settings')}>
+          ${this.#sections().map(
+            ([name, image, label]) =>
+              html`<button
+                type="button"
+                aria-expanded=${String(panel === name)}
+                aria-controls="panel"
+                @click=${() => {
+                  this.studio.setPanel(panel === name ? '' : name);
+                }}
+              >
+                ${icon(image, 22)} <span>${label}</span>
+              </button>`,
+          )}
+        </nav>
+        <aside class="panel" id="panel" aria-label=${t('app.settings')} ?hidden=${panel === ''} tabindex="-1">
+          <button
+            type="button"
+            class="grip"
+            aria-label=${t('verb.close')}
+            @click=${() => {
+              this.studio.setPanel('');
+            }}
+          ></button>
+          ${this.#panel(panel)}
+        </aside>
+        <sillon-stage role="main" .studio=${this.studio}></sillon-stage>
+      </div>
+      ${this.#dialog()}
+      ${
+        dropping
+          ? html`<div class="drop" role="status">
+              ${icon('download', 40)}<b>${t('drop.now')}</b><span class="note">${t('drop.help')}</span>
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  #sections(): Tab[] {
+    const offered = sections
+      .filter((name) => offers(this.state, name))
+      .map((name): Tab => [name, name, t(`section.${name}`)]);
+    return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
+  }
+
+  #panel(panel: string): TemplateResult | typeof nothing {
+    const load = loadPanel[panel];
+    if (load !== undefined && !this.lazy(load)) return nothing;
+    switch (panel) {
+      case 'own':
+        return html`<sillon-own-panel .studio=${this.studio}></sillon-own-panel>`;
+      case 'shape':
+        return html`<sillon-shape-panel .studio=${this.studio}></sillon-shape-panel>`;
+      case 'directions':
+        return html`<sillon-directions-panel .studio=${this.studio}></sillon-directions-panel>`;
+      case 'toolpath':
+        return html`<sillon-toolpath-panel .studio=${this.studio}></sillon-toolpath-panel>`;
+      case 'print':
+        return html`<sillon-print-panel .studio=${this.studio}></sillon-print-panel>`;
+      case 'quality':
+        return html`<sillon-quality-panel .studio=${this.studio}></sillon-quality-panel>`;
+      default:
+        return nothing;
+    }
+  }
+
+  /** Rare, so loaded when first asked for; drawn once its element is known. */
+  #dialog(): TemplateResult | typeof nothing {
+    const { dialog } = this.state;
+    if (dialog === undefined || !this.lazy(loadDialog[dialog])) return nothing;
+    switch (dialog) {
+      case 'gallery':
+        return html`<sillon-gallery .studio=${this.studio}></sillon-gallery>`;
+      case 'palette':
+        return html`<sillon-palette .studio=${this.studio}></sillon-palette>`;
+      case 'plates':
+        return html`<sillon-plates .studio=${this.studio}></sillon-plates>`;
+      case 'help':
+        return html`<sillon-help .studio=${this.studio}></sillon-help>`;
+      case 'files':
+        return html`<sillon-files .studio=${this.studio}></sillon-files>`;
+      case 'share':
+        return html`<sillon-share .studio=${this.studio}></sillon-share>`;
+      case 'rebrush':
+        return html`<sillon-rebrush .studio=${this.studio}></sillon-rebrush>`;
+      case 'calibrate':
+      case 'spools':
+        return html`<sillon-calibrate .studio=${this.studio} .purpose=${dialog}></sillon-calibrate>`;
+      case 'first':
+        return html`<sillon-first .studio=${this.studio}></sillon-first>`;
+      case 'brought':
+      case 'blocks':
+        return html`<sillon-blocks .studio=${this.studio} .purpose=${dialog}></sillon-blocks>`;
+    }
+  }
+
+  #skip = (): void => {
+    this.studio.stage?.focus();
+  };
+
+  // --- Files and keys ---------------------------------------------------------------------------------------------------
+
+  #leaving: ReturnType<typeof setTimeout> | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    addEventListener('dragover', this.#onDragOver);
+    addEventListener('drop', this.#onDrop);
+    addEventListener('paste', this.#onPaste);
+    addEventListener('keydown', this.#onKey);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    removeEventListener('dragover', this.#onDragOver);
+    removeEventListener('drop', this.#onDrop);
+    removeEventListener('paste', this.#onPaste);
+    removeEventListener('keydown', this.#onKey);
+  }
+
+  #onDragOver = (event: DragEvent): void => {
+    const { types } = event.dataTransfer ?? {};
+    const files = types?.includes('Files');
+    if (!files && (!types?.includes(addresses) || typesText(event))) return;
+    event.preventDefault(); // else the browser would leave the page for the file
+    if (!files || !this.#takesFiles()) return;
+    // Leaving and entering come for every element; no news for a moment means that the files are gone.
+    clearTimeout(this.#leaving);
+    this.#leaving = setTimeout(() => {
+      this.studio.store.set({ dropping: false });
+    }, 300);
+    if (!this.state.dropping) this.studio.store.set({ dropping: true });
+  };
+
+  #onDrop = (event: DragEvent): void => {
+    if (event.dataTransfer === null) return;
+    const address = typesText(event) ? '' : event.dataTransfer.getData(addresses);
+    const files = event.dataTransfer.files.length > 0;
+    if (!files && address === '') return;
+    event.preventDefault();
+    this.studio.store.set({ dropping: false });
+    if (!this.#takesFiles()) return;
+    if (files) void this.#openDropped(event.dataTransfer);
+    else this.#openAddress(address);
+  };
+
+  /** Of a project, the browser may lend what it takes to save it back in its place; it is gone with the event. */
+  async #openDropped({ files, items }: DataTransfer): Promise<void> {
+    const dropped = [...files];
+    const [item] = items as unknown as Iterable<Handing>;
+    const handle = dropped.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;
+    const [found, [file]] = [await handle, dropped];
+    if (file !== undefined && found?.kind === 'file') this.studio.handles.set(file, found);
+    await this.#open(dropped);
+  }
+
+  /** No plate changes behind a sheet. */
+  async #open(files: readonly File[]): Promise<void> {
+    this.studio.show(undefined);
+    await this.studio.open(files);
+  }
+
+  #openAddress(address: string): void {
+    void this.studio.attempt(async () => {
+      (await import('../studio/addresses.js')).openAddress(this.studio, address);
+    });
+  }
+
+  #takesFiles = (): boolean => !this.hidden && (offers(this.state, 'shape') || offers(this.state, 'directions'));
+
+  #onPaste = (event: ClipboardEvent): void => {
+    if (!this.#takesFiles()) return;
+    const files = [...(event.clipboardData?.files ?? [])];
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (files.length === 0 && /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text)) {
+      files.push(new File([text], 'pasted.svg', { type: 'image/svg+xml' }));
+    }
+    if (files.length === 0) {
+      if (!typesText(event)) this.#openAddress(text);
+      return;
+    }
+    event.preventDefault();
+    void this.#open(files);
+  };
+
+  #onKey = (event: KeyboardEvent): void => {
+    if (!this.hidden && onShortcut(this.studio, event)) event.preventDefault();
+  };
+}

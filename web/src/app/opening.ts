@@ -1,0 +1,237 @@
+// Files and examples become plates: what each file is for is guessed, used at once, and can be changed afterwards.
+import type { Engine, PrinterValues } from 'sillon';
+import { t } from '../i18n/text.js';
+import { newPlateOn, onOwnPrinter } from '../model/brought.js';
+import { newGenerator, newLampDirections, newPlate } from '../model/defaults.js';
+import { withFilament } from '../model/filaments.js';
+import { homeLight } from '../model/lamp.js';
+import {
+  isExample,
+  ofExample,
+  type DirectionSource,
+  type Plate,
+  type ShapeSource,
+  type SourceFile,
+} from '../model/plate.js';
+import { StudioError, type Problem } from '../model/problem.js';
+import type { Example } from '../model/example.js';
+import type { Opened, Opening, Role } from '../model/file-role.js';
+import type { Studio } from '../studio/studio.js';
+
+export interface Opener {
+  /** @throws StudioError, SillonError */
+  open(files: readonly File[], role?: Role): Promise<void>;
+  /** Uses one of the files that were opened last as something else. */
+  setRole(index: number, role: Role): Promise<void>;
+  openExample(example: Example): Promise<void>;
+  /** The plate that a first visit sees. @throws StudioError LoadFailed */
+  first(): Promise<Plate>;
+  /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
+  openOwn(path: string): Promise<void>;
+  /** Another plate, of these files alone. @param trusted  whether a project's own printer may be used */
+  load(openings: readonly Opening[], trusted?: boolean): Promise<void>;
+}
+
+const gesture = 'files';
+
+/** @param show  puts up another plate altogether. */
+export function createOpener(
+  studio: Studio,
+  engine: () => Promise<Engine>,
+  show: (plate: Plate, fresh?: boolean) => void,
+): Opener {
+  const own = (): PrinterValues => studio.store.state.plate.printer;
+
+  /** @param without  of the plate on the screen, what they are put into @param step  while the plate is made of them */
+  async function use(
+    without: (plate: Plate) => Plate,
+    files: readonly Opened[],
+    step: (work: Promise<Plate>) => Promise<Plate> = (work) => work,
+  ): Promise<void> {
+    const { withFiles } = await import('../files/open.js');
+    const tell = (problem: Problem): void => {
+      studio.fail(problem);
+    };
+    let from, before, made: Plate;
+    do {
+      const { plate, light, lightMode, result } = studio.store.state;
+      from = plate;
+      before = without(plate);
+      // That on the screen: where a hand has put it, else where it comes back to.
+      const lamp = lightMode === 'fixed' ? light : homeLight(before, result?.toolpath.look);
+      made = await step(withFiles(before, files, await engine(), tell, lamp));
+    } while (studio.store.state.plate !== from); // what a hand changes meanwhile stays
+    // One step of undo, however often the roles are changed.
+    studio.store.change(() => made, gesture);
+    studio.setOpened({ before, made, files });
+    studio.stage?.fit();
+  }
+
+  /** @param stop  ends it; the plate is as before then */
+  async function read(files: readonly File[], role: Role | undefined, stop: AbortController): Promise<void> {
+    const { signal } = stop;
+    const stopped = new Promise<never>((_, reject) => {
+      signal.addEventListener('abort', () => {
+        reject(signal.reason as Error);
+      });
+    });
+    stopped.catch(() => undefined);
+    const name = files[0]?.name ?? '';
+    /** One after the other, each told of; what goes on after a stop is of no use to anybody. */
+    const step = <Result>(fraction: number, work: Promise<Result>): Promise<Result> => {
+      signal.throwIfAborted();
+      const cancel = (): void => {
+        stop.abort();
+      };
+      studio.store.set({ reading: { name, fraction, cancel } });
+      return Promise.race([work, stopped]);
+    };
+    const { identify, isSliced } = await step(0.05, import('../files/open.js'));
+    const { mode, host } = studio.store.state;
+    const [sliced] = files;
+    // What somebody dropped for their printer is not for a page that shows this one.
+    if (
+      sliced !== undefined &&
+      role === undefined &&
+      mode === 'edit' &&
+      host === '' &&
+      (await step(0.1, isSliced(files)))
+    ) {
+      studio.store.set({ sliced, dialog: 'rebrush' });
+      return;
+    }
+    const found = await step(
+      0.4,
+      engine().then((running) => identify(files, withoutExample(studio.store.state.plate), running)),
+    );
+    for (const problem of found.refused) studio.fail(problem);
+    if (found.project !== undefined) {
+      show(onOwnPrinter(found.project, own()));
+      if (sliced !== undefined && files.length === 1) studio.services.openedFrom(sliced);
+      return;
+    }
+    studio.store.settle();
+    if (role !== undefined) {
+      found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
+    }
+    await use(withoutExample, found.opened, (work) => step(0.7, work));
+    if (found.opened.length > 1) {
+      studio.show('files');
+      return;
+    }
+    const [only] = found.opened;
+    if (only !== undefined) await (await import('./tell-opened.js')).tellOpened(studio, only);
+  }
+
+  const opener: Opener = {
+    async open(files, role) {
+      const stop = new AbortController();
+      try {
+        await read(files, role, stop);
+      } finally {
+        studio.store.set({ reading: undefined });
+      }
+    },
+
+    async setRole(index, role) {
+      const { opened } = studio.store.state;
+      if (opened === undefined) return;
+      const { withoutFiles } = await import('../files/open.js');
+      const files = opened.files.map((file, k) => (k === index ? { ...file, role } : file));
+      await use((plate) => withoutFiles(plate, opened), files);
+    },
+
+    async load(openings, trusted = false) {
+      const { identify, withFiles } = await import('../files/open.js');
+      const plate = trusted ? newPlate() : newPlateOn(own());
+      const files = openings.map(({ file }) => file);
+      const found = await identify(files, plate, await engine());
+      const [wrong] = found.refused;
+      if (wrong !== undefined) throw wrong; // a page that shows this one means all of them
+      const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
+      const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own());
+      show(project ?? (await withFiles(plate, opened, await engine())));
+      studio.store.forgetSteps();
+    },
+
+    async openExample(example) {
+      show(await plateOf(example, own), true);
+    },
+
+    async first() {
+      const { opening } = await import('../plates/examples.js');
+      return plateOf(opening, own);
+    },
+
+    async openOwn(path) {
+      await opener.open([new File([await fetchedBytes(path)], path.replace(/^.*\//, ''))]);
+    },
+  };
+  return opener;
+}
+
+/** Somebody's own picture takes the place of an example's, which else would stay beside it under a lamp of its own. */
+function withoutExample(plate: Plate): Plate {
+  const { directions } = plate;
+  const example = directions.kind === 'lamp' && directions.pictures.every(({ file }) => isExample(file));
+  return example ? { ...plate, name: '', directions: newGenerator('waves') } : plate;
+}
+
+/** The role that a file gets. @param wanted  of an `Opening` */
+function asked({ source, role, roles }: Opened, wanted: string): Role {
+  if (wanted === '') return role;
+  const directions: readonly Role[] = ['lamp', 'tone', 'edges', 'levels', 'colours', 'angle', 'rotation', 'tangent'];
+  const means: Record<string, readonly Role[]> = { shape: ['shape', 'mask'], image: [role, ...directions] };
+  const possible = Object.hasOwn(means, wanted) ? (means[wanted] ?? []) : roles.filter((one) => one === wanted);
+  const found = possible.find((one) => roles.includes(one) && (wanted !== 'image' || directions.includes(one)));
+  if (found === undefined) throw new StudioError('GuestValue', { where: source.name, value: wanted });
+  return found;
+}
+
+async function fetchedBytes(path: string): Promise<Blob> {
+  try {
+    const response = await fetch(new URL(path, document.baseURI));
+    if (!response.ok) throw new Error(`status ${response.status}`);
+    return await response.blob();
+  } catch (error) {
+    throw new StudioError('LoadFailed', {}, `${path}: ${String(error)}`);
+  }
+}
+
+const fetched = async (name: string): Promise<SourceFile> => ({
+  id: ofExample + name,
+  name,
+  bytes: await fetchedBytes(`examples/${name}`),
+});
+
+async function directionsOf(directions: Example['directions']): Promise<DirectionSource> {
+  if ('kind' in directions) return directions;
+  if ('file' in directions) return { ...directions, kind: 'map', file: await fetched(directions.file) };
+  const { pictures } = directions;
+  return newLampDirections(
+    await Promise.all(pictures.map(async ({ file, lamp }) => ({ file: await fetched(file), lamp }))),
+  );
+}
+
+/** @param own  the visitor's printer, once all is there */
+async function plateOf(example: Example, own: () => PrinterValues): Promise<Plate> {
+  const { modes = {}, width, height, filament, nearest } = example;
+  const shape: ShapeSource =
+    typeof example.shape === 'string'
+      ? { kind: 'file', file: await fetched(example.shape), unitless: 'px' }
+      : example.shape;
+  const directions = await directionsOf(example.directions);
+  const file = modes.file === undefined ? {} : { file: await fetched(modes.file) };
+  const plate = newPlateOn(own());
+  const made: Plate = {
+    ...plate,
+    name: t(`example.${example.id}`),
+    shape,
+    width,
+    height,
+    directions,
+    modes: { base: modes.base ?? plate.modes.base, ...file },
+    toolpath: { ...plate.toolpath, mapFilter: nearest === true ? 'nearest' : 'average' },
+  };
+  return withFilament(made, filament);
+}

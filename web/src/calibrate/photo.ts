@@ -1,0 +1,347 @@
+// Photographs of a coupon become a spool.
+import type { CouponReading, Measured } from 'sillon';
+import { html, nothing, type TemplateResult } from 'lit';
+import { customElement, state } from 'lit/decorators.js';
+import { repeat } from 'lit/directives/repeat.js';
+import { changeSpools } from '../print/own-spools.js';
+import { c } from '../i18n/calibrate.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { withFound } from './model.js';
+import { withSpool } from '../model/filaments.js';
+import type { OwnSpool } from '../model/plate.js';
+import { isAbort, problemOf, type Problem } from '../model/problem.js';
+import { spoolKey, withOne } from '../print/spools.js';
+import { StudioElement } from '../controls/element.js';
+import { flag, numberField, textField } from '../controls/fields.js';
+import { icon } from '../controls/icons.js';
+import { photoStyle } from './photo-style.js';
+
+const usualElevation = 45; // [°]
+const enough = 3; // photographs
+const example = 'examples/coupon-photograph.jpg';
+
+/** A photograph, and what it gave, or why it was refused; neither: not read yet. */
+interface Shot {
+  readonly file: File;
+  readonly url: string;
+  readonly reading?: CouponReading | undefined;
+  readonly problem?: Problem | undefined;
+}
+
+/** What is told of a flow that has no figure. */
+function flowBeyond(read: CouponReading): 'photo.flow.lower' | 'photo.flow.higher' | 'photo.flow.unknown' {
+  if (read.allDiscsClosed) return 'photo.flow.lower';
+  return read.noDiscClosed ? 'photo.flow.higher' : 'photo.flow.unknown';
+}
+
+@customElement('sillon-calibrate-photo')
+export class CalibratePhoto extends StudioElement {
+  static override reads = ['plate', 'spools'] as const;
+  static override styles = [...StudioElement.styles, photoStyle];
+
+  @state() private shots: readonly Shot[] = [];
+  /** What all that were read say together. */
+  @state() private joined: CouponReading | undefined;
+  @state() private apart: Problem | undefined;
+  @state() private over = false;
+  /** Of the lamp [°]; undefined: nobody has measured it. */
+  @state() private elevation: number | undefined;
+  @state() private name = 'mySpool';
+  #job: AbortController | undefined;
+  readonly #end = new AbortController();
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    // Before the page below hears of them.
+    const { signal } = this.#end;
+    for (const kind of ['dragover', 'dragleave', 'drop'] as const) {
+      addEventListener(kind, this.#onFiles, { signal, capture: true });
+    }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#end.abort();
+    this.#job?.abort();
+    for (const { url } of this.shots) URL.revokeObjectURL(url);
+  }
+
+  #onFiles = (event: DragEvent): void => {
+    event.preventDefault();
+    event.stopPropagation();
+    this.over = event.type === 'dragover';
+    if (event.type === 'drop') this.#add([...(event.dataTransfer?.files ?? [])]);
+  };
+
+  async #pick(): Promise<void> {
+    this.#add(await this.studio.pick('image/*'));
+  }
+
+  /** A photograph that is there already would count twice. */
+  #add(files: readonly File[]): void {
+    const isNew = (file: File): boolean => !this.shots.some((shot) => sameFile(shot.file, file));
+    const shots = files.filter(isNew).map((file) => ({ file, url: URL.createObjectURL(file) }));
+    if (shots.length === 0) return;
+    this.shots = [...this.shots, ...shots];
+    void this.#read();
+  }
+
+  #remove(shot: Shot): void {
+    URL.revokeObjectURL(shot.url);
+    this.shots = this.shots.filter(({ url }) => url !== shot.url);
+    void this.#read();
+  }
+
+  #readAgain(): void {
+    this.shots = this.shots.map(({ file, url }) => ({ file, url }));
+    void this.#read();
+  }
+
+  /** Those that have not been read, one after the other; then what all say together. */
+  async #read(): Promise<void> {
+    this.#job?.abort();
+    const job = new AbortController();
+    this.#job = job;
+    const { signal } = job;
+    const { printer, print } = this.state.plate;
+    const { elevation } = this;
+    const request = { printer, print, ...(elevation !== undefined && { lampElevation: elevation }) };
+    this.joined = undefined;
+    this.apart = undefined;
+    const told = (shot: Shot, outcome: Pick<Shot, 'reading' | 'problem'>): void => {
+      this.shots = this.shots.map((one) => (one.url === shot.url ? { ...one, ...outcome } : one));
+    };
+    for (;;) {
+      const shot = this.shots.find(isWaiting);
+      if (shot === undefined) break;
+      try {
+        const [{ photograph }, engine] = await Promise.all([
+          import('../files/photo.js'),
+          this.studio.services.engine(),
+        ]);
+        const reading = await engine.readCoupon(await photograph(shot.file), request, { signal });
+        if (signal.aborted) return;
+        told(shot, { reading });
+      } catch (error) {
+        if (isAbort(error) || signal.aborted) return;
+        told(shot, { problem: problemOf(error) });
+      }
+    }
+    const readings = this.#readings();
+    if (readings.length === 0) return;
+    try {
+      const engine = await this.studio.services.engine();
+      const joined = await engine.joinReadings(readings, request, { signal });
+      if (!signal.aborted) this.joined = joined;
+    } catch (error) {
+      if (!isAbort(error) && !signal.aborted) this.apart = problemOf(error);
+    }
+  }
+
+  #readings(): CouponReading[] {
+    return this.shots.flatMap(({ reading }) => reading ?? []);
+  }
+
+  override render(): TemplateResult {
+    return html`<p class="what">${c('photo.what')}</p>
+      <div class="both">
+        <div class="left">${this.shots.length === 0 ? this.#empty() : this.#photographs()} ${this.#lamp()}</div>
+        <div class="right" role="status">${this.#outcome()}</div>
+      </div>`;
+  }
+
+  #empty(): TemplateResult {
+    return html`<div class="drop ${this.over ? 'over' : ''}">
+      ${icon('camera', 40)}
+      <p>${c('photo.drop')}</p>
+      <button type="button" class="main" @click=${() => void this.#pick()}>${c('photo.choose')}</button>
+    </div>`;
+  }
+
+  #photographs(): TemplateResult {
+    const readings = this.#readings();
+    return html`<ul class="shots ${this.over ? 'over' : ''}" aria-label=${c('photo.list')} aria-live="polite">
+        ${repeat(
+          this.shots,
+          ({ url }) => url,
+          (shot) => this.#row(shot, shot.reading === undefined ? 0 : readings.indexOf(shot.reading) + 1),
+        )}
+      </ul>
+      <button type="button" @click=${() => void this.#pick()}>${icon('plus', 16)} ${c('photo.another')}</button>`;
+  }
+
+  /** @param number  as the engine counts those that were read, where it says which one differs; 0: none of them. */
+  #row(shot: Shot, number: number): TemplateResult {
+    const { file, url, reading, problem } = shot;
+    const name = number > 0 && this.shots.length > 1 ? `${number}. ${file.name}` : file.name;
+    const remove = c('photo.remove', { name: file.name });
+    return html`<li>
+      <img src=${file.type === 'image/svg+xml' ? nothing : url} alt="" />
+      <div class="told">
+        <p class="title" title=${file.name}>${name}</p>
+        ${reading === undefined ? nothing : gave(reading)}
+        ${problem === undefined ? nothing : html`<p class="why"><b>${c('photo.refused')}:</b> ${problem.detail}</p>`}
+        ${isWaiting(shot) ? html`<p class="note">${c('photo.reading')}…</p>` : nothing}
+      </div>
+      <button
+        type="button"
+        class="plain square"
+        aria-label=${remove}
+        title=${remove}
+        @click=${() => {
+          this.#remove(shot);
+        }}
+      >
+        ${icon('bin', 16)}
+      </button>
+    </li>`;
+  }
+
+  #lamp(): TemplateResult {
+    const { elevation } = this;
+    const set = (next: number | undefined): void => {
+      this.elevation = next;
+      this.#readAgain();
+    };
+    return html`${flag({
+        id: 'measured',
+        label: c('photo.elevation'),
+        value: elevation !== undefined,
+        onChange: (on) => {
+          set(on ? usualElevation : undefined);
+        },
+      })}
+      ${
+        elevation === undefined
+          ? nothing
+          : numberField({
+              id: 'elevation',
+              label: c('photo.elevation'),
+              value: elevation,
+              min: 10,
+              max: 80,
+              step: 1,
+              usual: [10, 80],
+              unit: '°',
+              onInput: (next) => {
+                this.elevation = next;
+              },
+              onSettle: () => {
+                this.#readAgain();
+              },
+            })
+      }
+      <p class="note">${c('photo.same')}</p>`;
+  }
+
+  #outcome(): TemplateResult {
+    const { apart, joined } = this;
+    if (apart !== undefined) {
+      return html`<div class="refused">
+        <h2>${icon('warn', 20)} ${c('photo.apart')}</h2>
+        <p>${apart.detail}</p>
+      </div>`;
+    }
+    if (joined !== undefined) return this.#result(joined);
+    if (this.shots.some(isWaiting)) return html`<p class="busy">${c('photo.reading')}…</p>`;
+    return html`<figure>
+        <img src=${example} alt=${c('photo.example')} />
+        <figcaption class="note">${c('photo.example')}</figcaption>
+      </figure>
+      <ol>
+        ${(['photo.how1', 'photo.how2', 'photo.how3', 'photo.how4'] as const).map((id) => html`<li>${c(id)}</li>`)}
+      </ol>`;
+  }
+
+  #result(read: CouponReading): TemplateResult {
+    const n = this.#readings().length;
+    const flow = read.flow;
+    return html`<h2>${c('photo.read', { n })}</h2>
+      <dl>
+        ${row(c('photo.along'), barred(read.along, 2, '°'))} ${row(c('photo.across'), barred(read.across, 1, '°'))}
+        ${row(c('photo.flow'), flow === null ? c(flowBeyond(read)) : barred(flow, 3))}
+        ${row(c('photo.width', { asked: formatNumber(read.widthAsked, 3) }), barred(read.width, 3, '\u00a0mm'))}
+      </dl>
+      <p class="note">${c('photo.bars')} ${n < enough ? c('photo.more') : nothing}</p>
+      <div class="keep">
+        <span class="colour" .style=${`--colour: rgb(${read.spool.colour.join(' ')})`}></span>
+        ${textField({
+          id: 'spool-name',
+          label: c('photo.name'),
+          value: this.name,
+          maxLength: 40,
+          onInput: (name) => {
+            this.name = name;
+          },
+          onSettle: () => undefined,
+        })}
+        <button
+          type="button"
+          class="main"
+          @click=${() => {
+            this.#keep(read);
+          }}
+        >
+          ${icon('check', 16)} ${c('photo.keep')}
+        </button>
+      </div>
+      ${flow === null ? nothing : this.#flow(Math.round(100 * flow.value) / 100)}`;
+  }
+
+  #flow(flow: number): TemplateResult {
+    const text = formatNumber(flow, 2);
+    const { plate } = this.state;
+    return html`<button
+      type="button"
+      ?disabled=${withFound(plate, 'flow', flow, false) === plate}
+      @click=${() => {
+        this.studio.settle();
+        this.studio.change((before) => withFound(before, 'flow', flow, false));
+        this.studio.notify(c('used', { name: t('setting.print.flow'), value: text }));
+      }}
+    >
+      ${t('setting.print.flow')}: ${c('use', { value: text })}
+    </button>`;
+  }
+
+  #keep({ spool }: CouponReading): void {
+    const { spools = [] } = this.state;
+    const own: OwnSpool = {
+      key: spoolKey(
+        this.name,
+        spools.map(({ key }) => key),
+      ),
+      ...spool,
+    };
+    changeSpools(this.studio, (all) => withOne(all, own));
+    this.studio.settle();
+    this.studio.change((plate) => withSpool(plate, own));
+    this.name = own.key;
+    this.studio.notify(c('photo.kept', { name: own.key }));
+  }
+}
+
+const isWaiting = ({ reading, problem }: Shot): boolean => reading === undefined && problem === undefined;
+
+const sameFile = (a: File, b: File): boolean =>
+  a.name === b.name && a.size === b.size && a.lastModified === b.lastModified;
+
+function gave({ along, across, azimuth, elevation }: CouponReading): TemplateResult {
+  const lamp = c('photo.lamp', {
+    azimuth: Math.round(azimuth.value),
+    elevation: Math.round(elevation.value),
+    error: Math.max(1, Math.round(elevation.error)),
+  });
+  const slopes = c('photo.gave', { along: barred(along, 2, '°'), across: barred(across, 1, '°') });
+  return html`<p class="note figures">${slopes}</p>
+    <p class="note figures">${lamp}</p>`;
+}
+
+const row = (name: string, value: string): TemplateResult =>
+  html`<div>
+    <dt>${name}</dt>
+    <dd class="figures">${value}</dd>
+  </div>`;
+
+const barred = ({ value, error }: Measured, digits: number, unit = ''): string =>
+  `${formatNumber(value, digits)}\u00a0±\u00a0${formatNumber(error, digits)}${unit}`;

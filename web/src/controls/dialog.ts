@@ -1,0 +1,76 @@
+// A sheet above the page. It closes with Escape, with its cross, and with a click beside it. What is told while it is open is
+// told in it, by the element that the page has anyway: nothing behind it can be reached.
+import { css, html, type TemplateResult } from 'lit';
+import { query } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import { StudioElement } from './element.js';
+import { icon } from './icons.js';
+import type { Shown } from '../studio/shown.js';
+
+export abstract class DialogElement extends StudioElement {
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      dialog > sillon-notices {
+        flex: none;
+        width: 100%;
+        max-height: 40%;
+      }
+    `,
+  ];
+
+  @query('dialog') private dialog!: HTMLDialogElement;
+  #afterwards?: () => void;
+  /** What was told before. */
+  #known: Pick<Shown, 'notices' | 'problem'> | undefined;
+
+  protected abstract heading(): string;
+  protected abstract body(): TemplateResult;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#known = this.state;
+  }
+
+  override render(): TemplateResult {
+    return html`<dialog
+      aria-labelledby="title"
+      @close=${() => {
+        // The event comes late: what was opened meanwhile has taken this sheet's place, and stays.
+        if (this.isConnected) this.studio.show(undefined);
+        // Of what had the focus before nothing may be left.
+        if (document.activeElement === document.body || this.matches(':focus-within')) this.studio.stage?.focus();
+        this.#afterwards?.();
+      }}
+      @click=${(event: MouseEvent) => {
+        if (event.target === this.dialog) this.close();
+      }}
+    >
+      <div class="head">
+        <h2 id="title">${this.heading()}</h2>
+        <button
+          type="button"
+          class="plain square"
+          aria-label=${t('verb.close')}
+          @click=${() => {
+            this.close();
+          }}
+        >
+          ${icon('close')}
+        </button>
+      </div>
+      <sillon-notices .studio=${this.studio} .known=${this.#known}></sillon-notices>
+      <div class="body" tabindex="0">${this.body()}</div>
+    </dialog>`;
+  }
+
+  override firstUpdated(): void {
+    this.dialog.showModal();
+  }
+
+  /** @param afterwards  done once the sheet is gone, which is later: what it opens is not closed with this one */
+  protected close(afterwards?: () => void): void {
+    this.#afterwards = afterwards;
+    this.dialog.close();
+  }
+}

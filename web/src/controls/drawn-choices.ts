@@ -1,0 +1,73 @@
+// Pictures for the cards of a panel, drawn anew when the plate has changed and rests.
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { Plate } from '../model/plate.js';
+import type { Draw } from '../studio/studio.js';
+import type { StudioElement } from './element.js';
+
+const restsAfter = 250; // [ms]
+
+export class DrawnChoices<Name extends string> implements ReactiveController {
+  #plate: Plate | undefined;
+  #urls = new Map<Name, string>();
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** @param draw  what draws, which is fetched when it is first needed */
+  constructor(
+    private readonly host: ReactiveControllerHost & StudioElement,
+    private readonly draw: () => Draw<Name>,
+  ) {
+    host.addController(this);
+  }
+
+  /** Address of a picture; undefined: there is none yet. */
+  url(name: Name): string | undefined {
+    return this.#urls.get(name);
+  }
+
+  hostUpdated(): void {
+    const { plate, live } = this.host.state;
+    if (this.#same(plate)) return;
+    this.#plate = plate;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => void this.#draw(plate), live ? 2 * restsAfter : restsAfter);
+  }
+
+  hostDisconnected(): void {
+    clearTimeout(this.#timer);
+    this.#plate = undefined;
+    this.#show(new Map());
+  }
+
+  #same(plate: Plate): boolean {
+    const before = this.#plate;
+    if (before === undefined) return false;
+    const { directions, shape, width, height, filament } = plate;
+    return (
+      before.directions === directions &&
+      before.shape === shape &&
+      before.width === width &&
+      before.height === height &&
+      before.filament === filament
+    );
+  }
+
+  async #draw(plate: Plate): Promise<void> {
+    const wanted = (): boolean => this.#plate === plate;
+    try {
+      const made = await this.draw()(plate, wanted);
+      if (wanted()) this.#show(new Map([...made].map(([name, blob]) => [name, URL.createObjectURL(blob)])));
+    } catch {
+      // Icons stand in their place.
+    }
+  }
+
+  #show(urls: Map<Name, string>): void {
+    const before = [...this.#urls.values()];
+    this.#urls = urls;
+    this.host.requestUpdate();
+    // Not before the new ones are on the screen.
+    void this.host.updateComplete.then(() => {
+      for (const url of before) URL.revokeObjectURL(url);
+    });
+  }
+}

@@ -1,0 +1,36 @@
+// A file that a plate is made from.
+import { html, nothing, type TemplateResult } from 'lit';
+import { formatBytes, t } from '../i18n/text.js';
+import type { SourceFile } from '../model/plate.js';
+import { icon } from './icons.js';
+import type { Studio } from '../studio/studio.js';
+
+/** @param onRemove  where the plate can do without. */
+export const fileChip = (studio: Studio, file: SourceFile, accept: string, onRemove?: () => void): TemplateResult =>
+  html`<div class="file">
+    ${icon('file', 18)}
+    <span class="what"
+      ><b title=${file.name}>${file.name}</b><span class="note">${formatBytes(file.bytes.size)}</span></span
+    >
+    <button
+      type="button"
+      class="plain"
+      @click=${async () => {
+        await studio.open(await studio.pick(accept));
+      }}
+    >
+      ${t('verb.replace')}
+    </button>
+    ${
+      onRemove === undefined
+        ? nothing
+        : html`<button
+            type="button"
+            class="plain square"
+            aria-label="${t('verb.remove')}: ${file.name}"
+            @click=${onRemove}
+          >
+            ${icon('close', 16)}
+          </button>`
+    }
+  </div>`;

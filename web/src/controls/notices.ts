@@ -1,0 +1,234 @@
+// What has happened, in passing; what went wrong, until it is read.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { problemWords } from '../i18n/say.js';
+import { t } from '../i18n/text.js';
+import { StudioElement } from './element.js';
+import { icon } from './icons.js';
+import { same } from '../model/problem.js';
+import type { exactWords } from '../i18n/say-problem.js';
+import type { Notice, Shown } from '../studio/shown.js';
+
+let exact: typeof exactWords | undefined;
+const loadExact = async (): Promise<void> => {
+  exact = (await import('../i18n/say-problem.js')).exactWords;
+};
+
+@customElement('sillon-notices')
+export class Notices extends StudioElement {
+  static override reads = ['notices', 'problem'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        position: relative; /* before the plate */
+        display: block;
+        justify-self: end;
+        width: min(424px, 100%);
+        overflow: auto; /* where there is little room */
+        scrollbar-width: thin;
+        pointer-events: none;
+      }
+      .notice {
+        margin: 4px 12px 8px;
+        display: grid;
+        grid-template-columns: auto 1fr auto;
+        align-items: start;
+        gap: 4px 10px;
+        padding: 10px 8px 10px 14px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--raised);
+        box-shadow: 0 1px 4px var(--shade);
+        pointer-events: auto;
+        overflow-wrap: anywhere;
+      }
+      .notice > .icon {
+        margin-top: 1px;
+        color: var(--accent);
+      }
+      .problem {
+        border-color: var(--bad);
+        background: var(--bad-tint);
+      }
+      .problem > .icon {
+        color: var(--bad);
+      }
+      .problem b {
+        display: block;
+      }
+      .problem details {
+        font-size: var(--note);
+      }
+      .problem summary {
+        min-height: 26px;
+      }
+      .link {
+        margin-right: 8px;
+      }
+      .close {
+        min-height: 24px;
+        width: 24px;
+        padding: 0;
+      }
+      .actions {
+        display: flex;
+        gap: 6px;
+        margin-top: 6px;
+      }
+      @media (pointer: coarse) {
+        .notice {
+          align-items: center;
+          padding: 0 0 0 12px; /* a line as high as its button */
+        }
+        .problem {
+          padding: 8px 0 8px 12px;
+        }
+        .close {
+          min-height: 44px;
+          width: 44px;
+        }
+      }
+      @media (max-width: 720px) {
+        :host {
+          width: 100%;
+        }
+        .notice {
+          margin: 4px 6px 6px;
+        }
+      }
+    `,
+  ];
+
+  /** Is told elsewhere. */
+  @property({ attribute: false }) known: Partial<Pick<Shown, 'notices' | 'problem'>> = {};
+
+  override render(): TemplateResult {
+    const { known } = this;
+    const notices = this.state.notices.filter((notice) => !known.notices?.includes(notice));
+    const problem = this.state.problem === known.problem ? undefined : this.state.problem;
+    return html`<div role="alert">
+        ${
+          problem === undefined
+            ? nothing
+            : this.#problem(
+                problem,
+                () => {
+                  this.studio.store.set({ problem: undefined });
+                },
+                true,
+              )
+        }
+        ${notices.map((notice) =>
+          notice.problem === undefined || (problem !== undefined && same(notice.problem, problem))
+            ? nothing
+            : this.#problem(
+                notice.problem,
+                () => {
+                  this.studio.dismiss(notice.id);
+                },
+                false,
+              ),
+        )}
+      </div>
+      <div role="status">
+        ${notices.filter((notice) => notice.problem === undefined).map((notice) => this.#word(notice))}
+      </div>`;
+  }
+
+  /** Where a button goes that had the focus: to the sheet that this is told in, or to the plate. */
+  #refocus(): void {
+    const sheet = this.closest('dialog')?.querySelector<HTMLElement>('.body');
+    (sheet ?? this.studio.stage)?.focus();
+  }
+
+  #close(close: () => void): TemplateResult {
+    return html`<button
+      type="button"
+      class="plain close"
+      aria-label=${t('verb.dismiss')}
+      @click=${() => {
+        this.#refocus();
+        close();
+      }}
+    >
+      ${icon('close', 14)}
+    </button>`;
+  }
+
+  #word({ id, text, actions }: Notice): TemplateResult {
+    return html`<div class="notice">
+      ${icon('check')}
+      <div>
+        ${text}
+        ${actions?.map(
+          ({ label, run }) =>
+            html`<button
+              type="button"
+              class="link"
+              @click=${() => {
+                this.#refocus(); // to which it comes back from what this opens
+                this.studio.dismiss(id);
+                run();
+              }}
+            >
+              ${label}
+            </button>`,
+        )}
+      </div>
+      ${this.#close(() => {
+        this.studio.dismiss(id);
+      })}
+    </div>`;
+  }
+
+  /** @param ofPlate  the engine's, which another try may mend */
+  #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
+    const told = this.lazy(loadExact) ? exact?.(problem) : undefined;
+    const { message, hint, detail } = { ...problemWords(problem), ...told };
+    // What the page has no words for the engine says in one sentence: which setting, and by how much.
+    const named = told === undefined && (problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit');
+    return html`<div class="notice problem">
+      ${icon('warn')}
+      <div>
+        <b>${message}</b>${hint}
+        ${
+          detail === ''
+            ? nothing
+            : html`<details ?open=${named}>
+                <summary>${icon('fold', 14)} ${t('problem.details')}</summary>
+                ${detail}
+              </details>`
+        }
+        ${
+          ofPlate
+            ? html`<div class="actions">
+                ${
+                  this.studio.store.canUndo
+                    ? html`<button
+                        type="button"
+                        @click=${() => {
+                          this.studio.store.undo();
+                        }}
+                      >
+                        ${icon('undo', 16)} ${t('verb.undo')}
+                      </button>`
+                    : nothing
+                }
+                <button
+                  type="button"
+                  @click=${() => {
+                    this.studio.services.retry();
+                  }}
+                >
+                  ${t('verb.retry')}
+                </button>
+              </div>`
+            : nothing
+        }
+      </div>
+      ${this.#close(close)}
+    </div>`;
+  }
+}

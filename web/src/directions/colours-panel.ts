@@ -1,0 +1,119 @@
+// The flat colours of a drawing, each with the direction of what is painted in it.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { directionsFor } from '../model/flat-colours.js';
+import { rare } from '../i18n/rare.js';
+import type { FlatColour } from '../model/plate.js';
+import '../controls/dial.js';
+import { StudioElement } from '../controls/element.js';
+import { numberInput } from '../controls/fields.js';
+import { panelStyle } from '../controls/panel-style.js';
+
+const limits = { min: -360, max: 360, step: 1 };
+
+@customElement('sillon-colours')
+export class ColoursPanel extends StudioElement {
+  static override reads = ['plate'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    panelStyle,
+    css`
+      :host {
+        display: grid;
+        gap: 12px;
+      }
+      ul {
+        display: grid;
+        gap: 8px;
+      }
+      li.field {
+        grid-template-columns: auto minmax(max-content, 1fr) 44px minmax(0, auto);
+        column-gap: 10px;
+      }
+      .swatch {
+        width: 26px;
+        height: 26px;
+        border-radius: 50%;
+        background: var(--colour);
+        box-shadow: inset 0 0 0 1px var(--edge);
+      }
+      sillon-dial {
+        width: 44px;
+        height: 44px;
+      }
+    `,
+  ];
+
+  override render(): TemplateResult | typeof nothing {
+    const { directions } = this.state.plate;
+    if (directions.kind !== 'colours') return nothing;
+    const { colours } = directions;
+    if (colours.length === 0) return html`<p class="note">${rare('colours.none')}</p>`;
+    const names = colours.map(({ colour }) => colour);
+    return html`
+      <ul>
+        ${colours.map((one, k) => this.#row(one, k))}
+      </ul>
+      <div class="buttons">
+        ${this.#action(rare('colours.tones'), rare('colours.tones.help'), () => directionsFor(names))}
+        ${this.#action(rare('colours.even'), rare('colours.even.help'), () =>
+          colours.map(({ colour }, k) => ({ colour, angle: Math.round((180 * k) / colours.length) })),
+        )}
+      </div>
+      <p class="note">${rare('colours.note')}</p>
+    `;
+  }
+
+  #action(label: string, help: string, made: () => FlatColour[]): TemplateResult {
+    return html`<button
+      type="button"
+      title=${help}
+      @click=${() => {
+        this.#set(made());
+      }}
+    >
+      ${label}
+    </button>`;
+  }
+
+  #row({ colour, angle }: FlatColour, k: number): TemplateResult {
+    const label = rare('colours.one', { n: k + 1, colour });
+    const id = `colour-${k}`;
+    const turn = (next: number): void => {
+      const { directions } = this.state.plate;
+      if (directions.kind !== 'colours') return;
+      this.#set(
+        directions.colours.map((one, other) => (other === k ? { ...one, angle: next } : one)),
+        `colours.${k}`,
+      );
+    };
+    const onSettle = (): void => {
+      this.studio.settle();
+    };
+    return html`<li class="field">
+      <span class="swatch" .style=${`--colour: ${colour}`}></span>
+      <label for=${id} title=${colour}>${rare('colours.nth', { n: k + 1 })}</label>
+      <sillon-dial
+        .label=${label}
+        .value=${angle}
+        .min=${limits.min}
+        .max=${limits.max}
+        @turn=${(event: CustomEvent<number>) => {
+          turn(event.detail);
+        }}
+        @settle=${onSettle}
+      ></sillon-dial>
+      ${numberInput({ ...limits, id, label, value: angle, unit: '°', onInput: turn, onSettle })}
+      <p class="error" id="${id}-error" role="status" hidden></p>
+    </li>`;
+  }
+
+  #set(colours: readonly FlatColour[], gesture?: string): void {
+    this.studio.change(
+      (plate) =>
+        plate.directions.kind === 'colours' ? { ...plate, directions: { ...plate.directions, colours } } : plate,
+      gesture,
+    );
+  }
+}

@@ -1,0 +1,66 @@
+// A row of directions as a control.
+import { html, type TemplateResult } from 'lit';
+import { t, type TextId } from '../i18n/text.js';
+import type { DirectionSource } from '../model/plate.js';
+import '../controls/dial.js';
+import { flag, numberField, numberInput, select, textField } from '../controls/fields.js';
+import type { SourceRow } from './source-rows.js';
+import type { Studio } from '../studio/studio.js';
+
+export function sourceField(studio: Studio, source: DirectionSource, row: SourceRow): TemplateResult {
+  const label = t(row.label as TextId);
+  const id = `source-${row.key}`;
+  const value = row.get(source);
+  const set = (next: unknown): void => {
+    studio.change((plate) => ({ ...plate, directions: row.with(plate.directions, next) }), `${source.kind}.${row.key}`);
+  };
+  const onSettle = (): void => {
+    studio.settle();
+  };
+  const choose = (next: unknown): void => {
+    set(next);
+    onSettle();
+  };
+  switch (row.control) {
+    case 'number':
+      return numberField({ ...row, id, label, value: value as number, onInput: set, onSettle });
+    case 'angle': {
+      const field = { ...row, id, label, value: value as number, unit: '°', step: 1, onInput: set, onSettle };
+      return html`<div class="field angle">
+        <label for=${id}>${label}</label>
+        <sillon-dial
+          .label=${label}
+          .value=${value}
+          .min=${row.min}
+          .max=${row.max}
+          @turn=${(event: CustomEvent<number>) => {
+            set(event.detail);
+          }}
+          @settle=${onSettle}
+        ></sillon-dial>
+        ${numberInput(field)}
+        <p class="error" id="${id}-error" role="status" hidden></p>
+      </div>`;
+    }
+    case 'flag':
+      return flag({ id, label, value: value as boolean, onChange: choose });
+    case 'text':
+      return textField({
+        id,
+        label,
+        value: value as string,
+        maxLength: row.max,
+        long: row.long,
+        onInput: set,
+        onSettle,
+      });
+    case 'choice':
+      return select({
+        id,
+        label,
+        value: value as string,
+        options: row.choices.map((choice) => ({ value: choice.value, label: t(choice.label as TextId) })),
+        onChoose: choose,
+      });
+  }
+}

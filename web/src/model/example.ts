@@ -1,0 +1,37 @@
+// A plate to begin with, as data.
+import type { DirectionEncoding, DirectionMode } from 'sillon';
+import type { FilamentKey } from './filaments.js';
+import type { DirectionSource, ShapeSource } from './plate.js';
+
+export interface Example {
+  /** The dictionary has `example.ID`. */
+  id: ExampleId;
+  width: number;
+  height: number;
+  filament: FilamentKey;
+  /** A name is that of a file. */
+  shape: ShapeSource | string;
+  directions:
+    | DirectionSource
+    | { file: string; encoding: DirectionEncoding }
+    | { pictures: readonly { file: string; lamp: readonly [number, number] }[] };
+  modes?: { base?: DirectionMode; file?: string };
+  nearest?: boolean;
+}
+
+export type ExampleId =
+  | 'sunMoon'
+  | 'ripples'
+  | 'rays'
+  | 'rings'
+  | 'whirl'
+  | 'silk'
+  | 'grain'
+  | 'name'
+  | 'code'
+  | 'portrait'
+  | 'relief'
+  | 'mosaic'
+  | 'tiles'
+  | 'crest'
+  | 'brushwork';

@@ -1,0 +1,125 @@
+// What the files that were opened last are for: the page's guess, to be changed.
+import { css, html, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { rare } from '../i18n/rare.js';
+import { formatBytes, t } from '../i18n/text.js';
+import { DialogElement } from '../controls/dialog.js';
+import type { Opened, Role } from '../model/file-role.js';
+
+const pictureSide = 192; // [pixels] of 64 on a screen of three to one
+
+@customElement('sillon-files')
+export class Files extends DialogElement {
+  static override reads = ['opened'] as const;
+
+  static override styles = [
+    ...DialogElement.styles,
+    css`
+      dialog {
+        width: min(560px, calc(100vw - 24px));
+      }
+      .body,
+      .files {
+        display: grid;
+        gap: 16px;
+      }
+      .files li {
+        display: grid;
+        grid-template-columns: 64px 1fr;
+        gap: 4px 14px;
+        align-items: start;
+      }
+      .files img,
+      .files .blank {
+        width: 64px;
+        height: 64px;
+        object-fit: contain;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        background: var(--sunken);
+        grid-row: span 3;
+      }
+      .files label {
+        overflow-wrap: anywhere;
+        font-weight: 500;
+      }
+      .end {
+        display: flex;
+        justify-content: end;
+      }
+    `,
+  ];
+
+  readonly #pictures = new Map<string, string>();
+
+  protected override heading = (): string => rare('files.what');
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const url of this.#pictures.values()) URL.revokeObjectURL(url);
+    this.#pictures.clear();
+  }
+
+  protected override body(): TemplateResult {
+    const { opened } = this.state;
+    return html`
+      <p>${rare('files.guess')}</p>
+      <ul class="files">
+        ${opened?.files.map((file, k) => this.#row(file, k))}
+      </ul>
+      <div class="end">
+        <button
+          type="button"
+          class="main"
+          @click=${() => {
+            this.close();
+          }}
+        >
+          ${t('verb.done')}
+        </button>
+      </div>
+    `;
+  }
+
+  #row({ source, role, roles }: Opened, k: number): TemplateResult {
+    const id = `role-${k}`;
+    return html`<li>
+      ${this.#picture(source)}
+      <label for=${id}>${source.name} <span class="note">${formatBytes(source.bytes.size)}</span></label>
+      <select
+        id=${id}
+        class="wide"
+        aria-describedby="${id}-help"
+        @change=${(event: Event) => {
+          const next = (event.currentTarget as HTMLSelectElement).value as Role;
+          void this.studio.attempt(() => this.studio.services.setRole(k, next));
+        }}
+      >
+        ${roles.map((name) => html`<option value=${name} ?selected=${name === role}>${t(`role.${name}`)}</option>`)}
+      </select>
+      <p class="note" id="${id}-help">${rare(`role.${role}.help`)}</p>
+    </li>`;
+  }
+
+  #picture({ id, bytes }: Opened['source']): TemplateResult {
+    const isDrawing = bytes.type === 'image/svg+xml';
+    if (!this.#pictures.has(id) && bytes.type.startsWith('image/')) {
+      this.#pictures.set(id, isDrawing ? '' : URL.createObjectURL(bytes));
+      if (isDrawing) void this.#draw(id, bytes);
+    }
+    const url = this.#pictures.get(id) ?? '';
+    return url === '' ? html`<span class="blank"></span>` : html`<img src=${url} alt="" />`;
+  }
+
+  async #draw(id: string, drawing: Blob): Promise<void> {
+    try {
+      const [{ smallPng }, running] = await Promise.all([import('../files/drawn.js'), this.studio.services.engine()]);
+      const png = await smallPng(drawing, running, pictureSide);
+      if (!this.isConnected) return;
+      this.#pictures.set(id, URL.createObjectURL(png));
+      this.requestUpdate();
+    } catch {
+      // It stays blank: it is not drawn.
+    }
+  }
+}

@@ -1,0 +1,76 @@
+// Plates to begin with.
+import { css, html, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { t } from '../i18n/text.js';
+import { DialogElement } from '../controls/dialog.js';
+import type { Example } from '../model/example.js';
+import { examples } from './examples.js';
+
+@customElement('sillon-gallery')
+export class Gallery extends DialogElement {
+  static override styles = [
+    ...DialogElement.styles,
+    css`
+      dialog {
+        width: min(980px, calc(100vw - 24px));
+      }
+      .plates {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(140px, 1fr));
+        gap: 10px;
+      }
+      .plates button {
+        display: grid;
+        grid-template: auto 1fr / 1fr;
+        align-items: start;
+        gap: 6px;
+        width: 100%;
+        height: 100%;
+        padding: 8px 8px 10px;
+        border-color: transparent;
+        background: none;
+        font-weight: 500;
+      }
+      .plates button:hover {
+        background: var(--hover);
+      }
+      .plates .picture {
+        aspect-ratio: 1; /* also before the picture is there, which takes no room then */
+      }
+      .plates img {
+        display: block;
+        width: 100%;
+        height: 100%;
+        object-fit: contain;
+      }
+    `,
+  ];
+
+  protected override heading = (): string => t('section.gallery');
+
+  protected override body(): TemplateResult {
+    return html`<ul class="plates">
+      ${examples.map(
+        (example) =>
+          html`<li>
+            <button
+              type="button"
+              @click=${() => {
+                void this.#open(example);
+              }}
+            >
+              <span class="picture"
+                ><img src="gallery/${example.id}.webp" alt="" width="320" height="320" loading="lazy"
+              /></span>
+              <span>${t(`example.${example.id}`)}</span>
+            </button>
+          </li>`,
+      )}
+    </ul>`;
+  }
+
+  async #open(example: Example): Promise<void> {
+    this.close();
+    await this.studio.attempt(() => this.studio.services.openExample(example));
+  }
+}

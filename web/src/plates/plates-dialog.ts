@@ -1,0 +1,351 @@
+// Every plate that is kept in this browser: to open, rename, duplicate and delete.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement, state } from 'lit/decorators.js';
+import { repeat } from 'lit/directives/repeat.js';
+import type { Listed } from '../files/autosave.js';
+import { plainName } from '../files/file-name.js';
+import { rare } from '../i18n/rare.js';
+import { language, t } from '../i18n/text.js';
+import { DialogElement } from '../controls/dialog.js';
+import { icon, type IconName } from '../controls/icons.js';
+import { urlOf } from '../controls/thumbnail.js';
+
+@customElement('sillon-plates')
+export class Plates extends DialogElement {
+  static override styles = [
+    ...DialogElement.styles,
+    css`
+      dialog {
+        width: min(980px, calc(100vw - 24px));
+      }
+      .body {
+        display: grid;
+        gap: 14px;
+      }
+      .plates {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(172px, 1fr));
+        gap: 12px;
+      }
+      .plates li {
+        display: grid;
+        grid-template-rows: auto auto auto;
+        gap: 6px;
+        padding: 8px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--raised);
+      }
+      .plates li.here {
+        border-color: var(--accent);
+      }
+      .open {
+        position: relative;
+        display: block;
+        width: 100%;
+        aspect-ratio: 1;
+        padding: 0;
+        border-color: transparent;
+        background: var(--sunken);
+      }
+      .open img {
+        display: block;
+        width: 100%;
+        height: 100%;
+        object-fit: contain;
+      }
+      .open .blank {
+        display: grid;
+        height: 100%;
+        place-content: center;
+        color: var(--edge);
+      }
+      .badge {
+        position: absolute;
+        left: 6px;
+        bottom: 6px;
+        padding: 2px 7px;
+        border-radius: var(--radius);
+        background: var(--surface);
+        color: var(--soft);
+        font-size: var(--small);
+      }
+      .here .badge {
+        color: var(--accent);
+      }
+      input.name {
+        width: 100%;
+        border-color: transparent;
+        background: none;
+        font-weight: 500;
+        text-overflow: ellipsis;
+      }
+      input.name:hover,
+      input.name:focus {
+        border-color: var(--edge);
+      }
+      .foot {
+        display: flex;
+        align-items: center;
+        gap: 2px;
+        padding-left: 8px;
+      }
+      .foot .note {
+        flex: 1;
+        min-width: 0;
+      }
+      .told {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 8px 12px;
+        padding: 8px 12px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--tint);
+      }
+      .told span {
+        flex: 1 1 240px;
+      }
+      .end {
+        display: flex;
+        justify-content: end;
+      }
+      @media (max-width: 480px) {
+        .plates {
+          grid-template-columns: 1fr 1fr;
+          gap: 8px;
+        }
+        .plates li {
+          padding: 4px;
+        }
+        .foot {
+          flex-wrap: wrap;
+          padding-left: 6px;
+        }
+        .foot .note {
+          flex-basis: 100%;
+        }
+      }
+    `,
+  ];
+
+  @state() private plates: readonly Listed[] | undefined;
+  /** A plate that another tab has was asked for. */
+  @state() private asked: Listed | undefined;
+  /** One that cannot be opened here was asked for. */
+  @state() private foreign: Listed | undefined;
+  @state() private deleted: { name: string; undo: () => Promise<void> } | undefined;
+
+  protected override heading = (): string => rare('plates.title');
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    addEventListener('focus', this.#read);
+    this.#read();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    removeEventListener('focus', this.#read);
+  }
+
+  #read = (): void => {
+    void this.studio.attempt(async () => {
+      this.plates = await this.studio.services.plates().list();
+    });
+  };
+
+  protected override body(): TemplateResult {
+    return html`
+      <p>${rare('plates.what')}</p>
+      <div role="status">${this.#told()}</div>
+      ${
+        this.plates === undefined
+          ? nothing
+          : this.plates.length === 0
+            ? html`<p class="note">${rare('plates.none')}</p>`
+            : html`<ul class="plates">
+                ${repeat(
+                  this.plates,
+                  ({ id }) => id,
+                  (plate) => this.#plate(plate),
+                )}
+              </ul>`
+      }
+      <div class="end">
+        <button
+          type="button"
+          @click=${() => {
+            this.close();
+            this.studio.services.newPlate();
+          }}
+        >
+          ${icon('plus')} ${rare('plates.new')}
+        </button>
+      </div>
+    `;
+  }
+
+  #told(): TemplateResult | typeof nothing {
+    const { asked, foreign, deleted } = this;
+    if (foreign !== undefined) {
+      return html`<div class="told">
+        <span>${rare('plates.foreignHelp', { name: this.#nameOf(foreign) })}</span>
+        <button type="button" class="main" @click=${() => void this.#download(foreign)}>
+          ${icon('download', 16)} ${t('verb.download')}
+        </button>
+      </div>`;
+    }
+    if (asked !== undefined) {
+      return html`<div class="told">
+        <span>${rare('plates.asked', { name: this.#nameOf(asked) })} ${rare('plates.takeHelp')}</span>
+        <button
+          type="button"
+          class="main"
+          @click=${() => {
+            void this.#open(asked.id, true);
+          }}
+        >
+          ${rare('plates.take')}
+        </button>
+        <button
+          type="button"
+          @click=${() => {
+            void this.#open(asked.id, false);
+          }}
+        >
+          ${rare('plates.copy')}
+        </button>
+      </div>`;
+    }
+    if (deleted === undefined) return nothing;
+    return html`<div class="told">
+      <span>${rare('plates.deleted', { name: deleted.name })}</span>
+      <button
+        type="button"
+        @click=${() => {
+          this.renderRoot.querySelector<HTMLElement>('.body')?.focus(); // as this button goes
+          this.deleted = undefined;
+          void this.#then(deleted.undo);
+        }}
+      >
+        ${icon('undo', 16)} ${t('verb.undo')}
+      </button>
+    </div>`;
+  }
+
+  #nameOf = ({ name }: Listed): string => name || rare('plates.untitled');
+
+  #plate(plate: Listed): TemplateResult {
+    const { id, width, height, changed, picture, here, elsewhere, foreign } = plate;
+    const name = this.#nameOf(plate);
+    const size = rare('plates.size', { width: Math.round(width), height: Math.round(height) });
+    const badge = foreign ? 'plates.foreign' : here ? 'plates.here' : elsewhere ? 'plates.elsewhere' : undefined;
+    const date = new Intl.DateTimeFormat(language(), { dateStyle: 'medium', timeStyle: 'short' }).format(changed);
+    return html`<li class=${here ? 'here' : ''}>
+      <button
+        type="button"
+        class="open"
+        aria-label=${rare('plates.open', { name })}
+        aria-current=${here ? 'true' : nothing}
+        @click=${() => {
+          if (foreign) this.foreign = plate;
+          else if (here) this.close();
+          else if (elsewhere) this.asked = plate;
+          else void this.#open(id, false);
+        }}
+      >
+        ${
+          picture === undefined
+            ? html`<span class="blank">${icon('directions', 40)}</span>`
+            : html`<img src=${urlOf(picture)} alt="" />`
+        }
+        ${badge === undefined ? nothing : html`<span class="badge">${rare(badge)}</span>`}
+      </button>
+      <input
+        class="name"
+        type="text"
+        aria-label=${rare('plates.name', { name })}
+        placeholder=${rare('plates.untitled')}
+        maxlength="80"
+        spellcheck="false"
+        ?readonly=${elsewhere || foreign}
+        .value=${plate.name}
+        @change=${(event: Event) => {
+          void this.#rename(plate, (event.currentTarget as HTMLInputElement).value.trim());
+        }}
+      />
+      <div class="foot">
+        <span class="note">${size}<br />${date}</span>
+        ${
+          foreign
+            ? this.#button('download', rare('plates.download', { name }), () => this.#download(plate))
+            : this.#button('copy', rare('plates.duplicate', { name }), () =>
+                this.#then(async () => {
+                  await this.studio.services.plates().duplicate(id, rare('plates.copyOf', { name }));
+                }),
+              )
+        }
+        ${this.#button('bin', rare('plates.delete', { name }), () => this.#remove(plate), elsewhere)}
+      </div>
+    </li>`;
+  }
+
+  #button(name: IconName, label: string, run: () => Promise<void>, disabled = false): TemplateResult {
+    return html`<button
+      type="button"
+      class="plain square"
+      aria-label=${label}
+      title=${label}
+      ?disabled=${disabled}
+      @click=${() => void run()}
+    >
+      ${icon(name, 16)}
+    </button>`;
+  }
+
+  /** What may fail, and the list as it is after that. */
+  async #then(action: () => Promise<void>): Promise<void> {
+    await this.studio.attempt(action);
+    this.#read();
+  }
+
+  async #open(id: string, take: boolean): Promise<void> {
+    const opened = await this.studio.attempt(() => this.studio.services.openPlate(id, take));
+    if (opened) this.close();
+    else this.#read();
+  }
+
+  async #rename(plate: Listed, name: string): Promise<void> {
+    if (name === plate.name) return;
+    await this.#then(async () => {
+      if (plate.here) this.studio.change((now) => ({ ...now, name }));
+      else await this.studio.services.plates().rename(plate.id, name);
+      await Promise.resolve(); // by now the change is waiting to be kept
+    });
+  }
+
+  /** As it is kept, for the version that can open it. */
+  async #download(plate: Listed): Promise<void> {
+    await this.studio.attempt(async () => {
+      const { packStored } = await import('../files/project.js');
+      const packed = await packStored(await this.studio.services.plates().stored(plate.id));
+      this.studio.deliver(packed, `${plainName(plate.name) || 'plate'}.sillon.zip`);
+    });
+  }
+
+  async #remove(plate: Listed): Promise<void> {
+    await this.#then(async () => {
+      if (plate.here) {
+        this.studio.services.newPlate();
+        await Promise.resolve();
+      }
+      const undo = await this.studio.services.plates().remove(plate.id);
+      this.foreign = undefined;
+      this.deleted = { name: this.#nameOf(plate), undo };
+    });
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>('.told button')?.focus(); // its own button has gone, or will
+  }
+}

@@ -1,0 +1,82 @@
+// A design from elsewhere brings printer settings of its own: said before anything of them is used.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { broughtText } from '../i18n/say.js';
+import { t } from '../i18n/text.js';
+import { StudioElement } from '../controls/element.js';
+import { icon } from '../controls/icons.js';
+
+@customElement('sillon-brought')
+export class BroughtBar extends StudioElement {
+  static override reads = ['plate'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      .bar {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 8px 14px;
+        padding: 8px 16px;
+        border-bottom: 1px solid var(--line);
+        background: var(--tint);
+      }
+      .bar > .icon {
+        flex: none;
+        color: var(--accent);
+      }
+      p {
+        flex: 1 1 300px;
+        margin: 0;
+        overflow-wrap: anywhere;
+      }
+      .buttons {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 6px;
+      }
+      @media (max-width: 720px) {
+        .bar > .icon {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult | typeof nothing {
+    const { brought, printer } = this.state.plate;
+    if (brought === undefined) return nothing;
+    return html`<div class="bar" role="region" aria-label=${t('brought.title')}>
+      ${icon('warn')}
+      <p>${broughtText(brought, printer)}</p>
+      <div class="buttons">
+        <button
+          type="button"
+          @click=${() => {
+            this.studio.show('brought');
+          }}
+        >
+          ${t('brought.show')}
+        </button>
+        <button
+          type="button"
+          @click=${() => {
+            this.studio.useBrought(false);
+          }}
+        >
+          ${t('verb.use')}
+        </button>
+        <button
+          type="button"
+          class="main"
+          @click=${() => {
+            this.studio.keepOwnPrinter();
+          }}
+        >
+          ${t('brought.keep')}
+        </button>
+      </div>
+    </div>`;
+  }
+}

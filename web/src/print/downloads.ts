@@ -1,0 +1,66 @@
+// What can be downloaded, and before it what speaks against it.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { rare, type RareTextId } from '../i18n/rare.js';
+import { t } from '../i18n/text.js';
+import '../quality/doubts-list.js';
+import { StudioElement } from '../controls/element.js';
+import { icon, type IconName } from '../controls/icons.js';
+import { menuStyle } from '../controls/menu-style.js';
+import type { Product } from '../studio/studio.js';
+
+const products: readonly (readonly [Product, IconName])[] = [
+  ['gcode', 'print'],
+  ['body', 'body'],
+  ['svg', 'toolpath'],
+  ['png', 'camera'],
+  ['view', 'sun'],
+  ['project', 'file'],
+];
+
+@customElement('sillon-downloads')
+export class Downloads extends StudioElement {
+  static override reads = ['plate'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    menuStyle,
+    css`
+      :host {
+        display: block;
+      }
+      sillon-doubts {
+        padding: 4px 10px 0;
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { print } = this.state.plate;
+    return html`<sillon-doubts .studio=${this.studio}></sillon-doubts>
+      ${products.map(([product, name]) => {
+        const missing = product === 'body' && print.base === 0;
+        const help: RareTextId = missing ? 'export.body.none' : `export.${product}.help`;
+        const save = (): void => void this.studio.save(product);
+        return this.#item(name, t(`export.${product}`), rare(help), save, missing);
+      })}
+      <hr />
+      ${this.#item('share', t('verb.share'), rare('export.link.help'), () => {
+        this.studio.show('share');
+      })}`;
+  }
+
+  #item(name: IconName, label: string, help: string, run: () => void, disabled = false): TemplateResult {
+    return html`<button
+      type="button"
+      class="item"
+      ?disabled=${disabled}
+      @click=${() => {
+        this.dispatchEvent(new Event('done'));
+        run();
+      }}
+    >
+      ${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}
+    </button>`;
+  }
+}

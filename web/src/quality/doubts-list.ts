@@ -1,0 +1,114 @@
+// What speaks against printing the plate as it is, each in one sentence with the way out; and how a code is read.
+import type { PictureReport } from 'sillon';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { rare } from '../i18n/rare.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { doubtsOf, hasPicture, legible, type Doubt, type Seen } from '../model/doubts.js';
+import { leastSeen } from '../model/lamp.js';
+import type { Plate } from '../model/plate.js';
+import type { PlateResult } from '../model/state.js';
+import { isOf } from '../model/result.js';
+import { StudioElement } from '../controls/element.js';
+import { icon } from '../controls/icons.js';
+import './scan-note.js';
+
+type Cycles = PlateResult['toolpath']['cycles'];
+
+/** Computed once, wherever it is shown. */
+const answers = new WeakMap<Cycles, Promise<Seen>>();
+
+function words(
+  doubt: Doubt,
+  { toolpath }: Plate,
+  pictures: readonly PictureReport[] | undefined,
+  seen: Seen | undefined,
+): string {
+  switch (doubt) {
+    case 'small': {
+      const [height, need] = [seen?.letters ?? 0, legible * toolpath.spacing];
+      return rare('doubt.small', { height: formatNumber(height, 1), need: formatNumber(need, 1) });
+    }
+    case 'blank':
+    case 'letters':
+    case 'fine':
+    case 'faint':
+      return rare(`doubt.${doubt}`);
+    default:
+      return t(`lamp.weak.${doubt}`, leastSeen(pictures));
+  }
+}
+
+@customElement('sillon-doubts')
+export class Doubts extends StudioElement {
+  static override reads = ['plate', 'result', 'scan', 'directions'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        display: block;
+        min-height: 1px; /* of nothing, nobody could tell whether it is in sight */
+      }
+      p {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 8px;
+        margin: 0 0 10px;
+        color: var(--bad);
+        font-size: var(--note);
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { plate, result } = this.state;
+    const finished = result?.measured === true && !result.coarse && isOf(result, plate) ? result : undefined;
+    const seen = finished === undefined ? undefined : this.#seen(finished);
+    const pictures = finished?.report.pictures;
+    return html`${doubtsOf(plate, pictures, seen).map(
+      (doubt) =>
+        html`<p class=${doubt} role="status">
+          ${icon('warn', 16)} <span>${words(doubt, plate, pictures, seen)}</span>
+        </p>`,
+    )}
+    ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}`;
+  }
+
+  /** While nobody looks, nothing is computed. */
+  #visible = false;
+  readonly #watch = new IntersectionObserver((entries) => {
+    this.#visible = entries.some(({ isIntersecting }) => isIntersecting);
+    if (this.#visible) this.requestUpdate();
+  });
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#watch.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#watch.disconnect();
+  }
+
+  #asked: Cycles | undefined;
+  #known: { of: Cycles; how: Seen } | undefined;
+
+  /** Asked for while somebody looks; draws again once it is known. */
+  #seen(result: PlateResult): Seen | undefined {
+    const { cycles } = result.toolpath;
+    const { directions } = this.state;
+    if (this.#known?.of === cycles) return this.#known.how;
+    if (!this.#visible || directions === undefined || !hasPicture(result.plate) || this.#asked === cycles)
+      return undefined;
+    this.#asked = cycles;
+    const answer = answers.get(cycles) ?? this.studio.services.seen(result, directions);
+    answers.set(cycles, answer);
+    void this.studio.attempt(async () => {
+      this.#known = { of: cycles, how: await answer };
+      this.requestUpdate();
+    });
+    return undefined;
+  }
+}

@@ -1,0 +1,253 @@
+// What to know before printing: one sentence per measure, how wide the beads are, and places to look at.
+import { css, html, nothing, svg, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { threadsWords, verdictText } from '../i18n/say.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { verdictsOf, type Verdict } from '../model/verdicts.js';
+import { widthHistogram } from '../controls/histogram.js';
+import type { Mark } from '../model/view.js';
+import './doubts-list.js';
+import { StudioElement } from '../controls/element.js';
+import { icon, type IconName } from '../controls/icons.js';
+import { panelStyle } from '../controls/panel-style.js';
+
+const icons: Record<Verdict['level'], IconName> = { good: 'check', fair: 'info', poor: 'warn' };
+const mostListed = 60;
+
+/** Which places a measure speaks of. */
+const placesOf: Partial<Record<Verdict['measure'], readonly Mark['kind'][]>> = {
+  path: ['lost'],
+  coverage: ['gap', 'lost'],
+  uTurns: ['turn'],
+  widths: ['narrow', 'wide'],
+  lost: ['lost', 'kept'],
+};
+
+@customElement('sillon-quality-panel')
+export class QualityPanel extends StudioElement {
+  static override reads = ['result', 'progress', 'marks', 'mark', 'engine'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    panelStyle,
+    css`
+      .verdicts {
+        display: grid;
+        gap: 14px;
+      }
+      .verdicts li {
+        display: grid;
+        grid-template-columns: auto 1fr auto;
+        gap: 0 10px;
+      }
+      .verdicts .icon {
+        grid-row: span 2;
+        margin-top: 1px;
+      }
+      .verdicts b {
+        font-weight: 600;
+        overflow-wrap: anywhere;
+      }
+      .verdicts p {
+        grid-column: 2 / -1;
+        color: var(--soft);
+      }
+      .verdicts .good .icon {
+        color: var(--good);
+      }
+      .verdicts .fair .icon {
+        color: var(--accent);
+      }
+      .verdicts .poor :is(.icon, .level) {
+        color: var(--bad);
+      }
+      figure {
+        margin: 0;
+      }
+      .histogram {
+        display: block;
+        width: 100%;
+        height: 110px;
+        overflow: visible;
+      }
+      .histogram .bar {
+        fill: var(--accent);
+      }
+      .histogram .axis {
+        stroke: var(--edge);
+      }
+      .histogram .limit {
+        stroke: var(--ink);
+        stroke-dasharray: 2 3;
+      }
+      .histogram text {
+        fill: var(--soft);
+        font-size: 10px;
+        font-variant-numeric: tabular-nums;
+      }
+      .places {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 8px;
+      }
+      .list {
+        display: grid;
+        gap: 2px;
+        max-height: 260px;
+        margin: 0 -8px;
+        overflow: auto;
+      }
+      .list button {
+        width: 100%;
+        justify-content: space-between;
+        padding: 0 8px;
+        font-weight: 400;
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { result, engine } = this.state;
+    const verdicts = result === undefined || !result.measured ? [] : verdictsOf(result.report);
+    return html`
+      <section aria-labelledby="quality-title">
+        <h2 id="quality-title">${t('section.quality')}</h2>
+        <sillon-doubts .studio=${this.studio}></sillon-doubts>
+        ${
+          verdicts.length === 0
+            ? html`<p class="note">${t(this.state.progress === undefined ? 'measure.none' : 'measure.waiting')}</p>`
+            : html`<ul class="verdicts">
+                ${verdicts.map(
+                  (verdict) =>
+                    html`<li class=${verdict.level}>
+                      ${icon(icons[verdict.level], 18)}
+                      <b>${this.#name(verdict, verdicts)}</b
+                      ><span class="note level">${t(`level.${verdict.level}`)}</span>
+                      <p>${verdictText(verdict)} ${this.#look(verdict)}</p>
+                    </li>`,
+                )}
+              </ul>`
+        }
+      </section>
+      ${result === undefined ? nothing : this.#histogram()} ${this.#places()}
+      ${
+        engine === undefined
+          ? nothing
+          : html`<section>
+              <p class="note">
+                ${threadsWords(engine, this.studio.threads).count}. ${threadsWords(engine, this.studio.threads).why}
+              </p>
+            </section>`
+      }
+    `;
+  }
+
+  /** Of several pictures with the file's. */
+  #name(verdict: Verdict, verdicts: readonly Verdict[]): string {
+    const label = t(`measure.${verdict.measure}`);
+    const same = verdicts.filter(({ measure }) => measure === verdict.measure);
+    const directions = this.state.result?.plate.directions;
+    if (same.length === 1 || directions?.kind !== 'lamp') return label;
+    const name = directions.pictures[same.indexOf(verdict)]?.file.name ?? '';
+    return t('setting.value', { label, value: name });
+  }
+
+  /** The first place that the verdict speaks of. */
+  #look({ measure, level }: Verdict): TemplateResult | typeof nothing {
+    const kinds = placesOf[measure] ?? [];
+    const at = this.state.marks.findIndex(({ kind }) => kinds.includes(kind));
+    const good = (measure === 'lost' || measure === 'path') && level === 'good';
+    if (at < 0 || (good && this.state.marks[at]?.kind !== 'kept')) return nothing;
+    return html`<button
+      type="button"
+      class="link"
+      aria-label="${t(`measure.${measure}`)}: ${t('mark.look')}"
+      @click=${() => {
+        this.studio.lookAtMark(at);
+      }}
+    >
+      ${t('mark.look')}
+    </button>`;
+  }
+
+  #histogram(): TemplateResult | typeof nothing {
+    const { result } = this.state;
+    if (result === undefined) return nothing;
+    const { bars, low, high } = widthHistogram(result.toolpath);
+    const top = Math.max(...bars, 1e-9);
+    const step = 300 / bars.length;
+    const { spacing } = result.toolpath;
+    const at = ((spacing - low) / (high - low)) * 300;
+    return html`<section aria-labelledby="widths-title">
+      <h3 id="widths-title">${t('histogram.widths')}</h3>
+      <figure>
+        <svg class="histogram" viewBox="0 0 300 110" role="img" aria-labelledby="widths-title">
+          ${bars.map(
+            (bar, k) =>
+              svg`<rect class="bar" x=${k * step + 0.5} width=${Math.max(0.5, step - 1)} y=${88 - (84 * bar) / top}
+                height=${(84 * bar) / top} />`,
+          )}
+          <line class="axis" x1="0" x2="300" y1="88.5" y2="88.5" />
+          <line class="limit" x1=${at} x2=${at} y1="0" y2="88" />
+          <text x="0" y="103">${formatNumber(low)} mm</text>
+          <text x="300" y="103" text-anchor="end">${formatNumber(high)} mm</text>
+          <text x=${at} y="103" text-anchor="middle">${formatNumber(spacing)}</text>
+        </svg>
+      </figure>
+    </section>`;
+  }
+
+  #places(): TemplateResult | typeof nothing {
+    const { marks, mark } = this.state;
+    if (marks.length === 0) return nothing;
+    const step = (by: number): void => {
+      this.studio.lookAtMark((mark + by + marks.length + (mark < 0 && by < 0 ? 1 : 0)) % marks.length);
+    };
+    return html`<section aria-labelledby="places-title">
+      <div class="places">
+        <h3 id="places-title">${t('mark.count', { n: marks.length })}</h3>
+        <span class="buttons">
+          <button
+            type="button"
+            class="square"
+            aria-label=${t('mark.previous')}
+            @click=${() => {
+              step(-1);
+            }}
+          >
+            ${icon('previous')}
+          </button>
+          <button
+            type="button"
+            class="square"
+            aria-label=${t('mark.next')}
+            @click=${() => {
+              step(1);
+            }}
+          >
+            ${icon('next')}
+          </button>
+        </span>
+      </div>
+      <ul class="list">
+        ${marks.slice(0, mostListed).map(
+          ({ kind, x, y }, k) =>
+            html`<li>
+              <button
+                type="button"
+                class="plain"
+                aria-pressed=${String(k === mark)}
+                @click=${() => {
+                  this.studio.lookAtMark(k);
+                }}
+              >
+                <span>${t(`mark.${kind}`)}</span
+                ><span class="note figures">${formatNumber(x, 1)}; ${formatNumber(y, 1)} mm</span>
+              </button>
+            </li>`,
+        )}
+      </ul>
+    </section>`;
+  }
+}

@@ -1,0 +1,48 @@
+// Under which lamp the QR code of the plate can be read, or that it cannot, and what helps.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { rare } from '../i18n/rare.js';
+import { language } from '../i18n/text.js';
+import { isOf } from '../model/result.js';
+import { stretches } from './stretches.js';
+import { StudioElement } from '../controls/element.js';
+import { icon } from '../controls/icons.js';
+
+const told = ([from, to]: [number, number]): string => (from === to ? `${from}°` : `${from}–${to}°`);
+
+@customElement('sillon-scan-note')
+export class ScanNote extends StudioElement {
+  static override reads = ['scan', 'plate'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      p {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 8px;
+        margin: 0 0 12px;
+        color: var(--soft);
+        font-size: var(--note);
+      }
+      .good .icon {
+        color: var(--good);
+      }
+      .poor .icon {
+        color: var(--bad);
+      }
+    `,
+  ];
+
+  override render(): TemplateResult | typeof nothing {
+    const { scan, plate } = this.state;
+    if (scan === undefined || !isOf(scan, plate)) return nothing;
+    const lamps = stretches(scan.azimuths).map(told);
+    const where = new Intl.ListFormat(language(), { type: 'disjunction' }).format(lamps);
+    const empty = plate.directions.kind === 'qr' && plate.directions.text === '';
+    return html`<p class=${lamps.length > 0 ? 'good' : 'poor'} role="status">
+      ${icon(lamps.length > 0 ? 'check' : 'warn', 16)}
+      <span>${lamps.length > 0 ? rare('scan.reads', { where }) : rare(empty ? 'scan.empty' : 'scan.none')}</span>
+    </p>`;
+  }
+}

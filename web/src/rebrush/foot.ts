@@ -1,0 +1,135 @@
+// Of the re-brushing page: what goes on at the foot of its panel, and what is told where there is nothing to work on.
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Rebrushed, SlicedFile } from 'sillon';
+import { r } from '../i18n/rebrush.js';
+import { exactWords } from '../i18n/say-problem.js';
+import { problemWords } from '../i18n/say.js';
+import { formatDuration, language, t } from '../i18n/text.js';
+import type { Problem } from '../model/problem.js';
+import { lackOf, type Face, type Wish } from '../model/rebrush.js';
+import { icon } from '../controls/icons.js';
+import { leftReasons } from './faces.js';
+
+export interface Progress {
+  fraction: number;
+  secondsLeft: number | undefined;
+}
+
+/** @param fraction  undefined: nobody knows */
+export function progressBar(
+  what: string,
+  fraction: number | undefined,
+  onCancel: () => void,
+  rest = '',
+): TemplateResult {
+  const percent = fraction === undefined ? undefined : Math.floor(100 * fraction);
+  return html`<div class="job">
+    <span role="status">${what}</span>
+    <button type="button" @click=${onCancel}>${t('verb.cancel')}</button>
+    <div
+      class="bar ${percent === undefined ? 'unknown' : ''}"
+      role="progressbar"
+      aria-label=${what}
+      aria-valuemin="0"
+      aria-valuemax="100"
+      aria-valuenow=${percent ?? nothing}
+    >
+      <div .style=${`--share: ${fraction ?? 0.3}`}></div>
+    </div>
+    ${percent === undefined ? nothing : html`<span class="note">${t('progress.percent', { percent })} ${rest}</span>`}
+  </div>`;
+}
+
+/** The page's, or else the engine's own, which are English: in another language they are for those who ask. */
+function engineWords(problem: Problem): TemplateResult | typeof nothing {
+  const told = exactWords(problem);
+  if (told !== undefined) return html`<p>${told.message}</p>`;
+  const { detail } = problem;
+  if (detail === '') return nothing;
+  if (language() === 'en') return html`<p>${detail}</p>`;
+  return html`<details>
+    <summary>${icon('fold', 14)} ${t('problem.details')}</summary>
+    <p lang="en">${detail}</p>
+  </details>`;
+}
+
+/** Where nothing can be done with a file. @param print  undefined: it cannot be read */
+export function noWork(
+  name: string,
+  print: SlicedFile | undefined,
+  faces: readonly Face[],
+  problem: Problem | undefined,
+): TemplateResult {
+  const message =
+    print === undefined ? r('unreadable', { name }) : r(print.surfaces.length === 0 ? 'noTops' : 'noFaces', { name });
+  return html`<div class="problem" role="alert">
+    ${icon('warn')}
+    <div>
+      <p><b>${message}</b></p>
+      ${problem === undefined ? nothing : engineWords(problem)}
+      ${print === undefined ? html`<p class="note">${r('unreadableHelp')}</p>` : leftReasons(faces)}
+    </div>
+  </div>`;
+}
+
+export interface Foot {
+  wish: Wish;
+  print: SlicedFile;
+  /** Of the file that is saved. */
+  name: string;
+  progress: Progress | undefined;
+  problem: Problem | undefined;
+  cancelled: boolean;
+  /** Of the choices as they are now. */
+  done: Rebrushed | undefined;
+  /** What was saved, in a sentence; empty: nothing. */
+  saved: string;
+  onCancel: () => void;
+  onAgain: () => void;
+  onSave: () => void;
+}
+
+export function foot(of: Foot): TemplateResult {
+  const { wish, progress, problem, cancelled, done } = of;
+  const lack = lackOf(wish);
+  return html`${progress === undefined ? nothing : making(wish, progress, of.onCancel)}
+    ${problem === undefined ? nothing : failed(problem)}
+    ${lack === '' ? nothing : html`<p class="note" role="status">${r(lack)}</p>`}
+    ${
+      cancelled || (problem !== undefined && lack === '')
+        ? html`<div class="buttons">
+            ${cancelled ? html`<span role="status">${r('cancelled')}</span>` : nothing}
+            <button type="button" @click=${of.onAgain}>${r('again')}</button>
+          </div>`
+        : nothing
+    }
+    ${done === undefined ? nothing : ready(done, of.print)}
+    <button type="button" class="main" ?disabled=${done === undefined} @click=${of.onSave}>
+      ${icon('download')} <span>${r('download', { name: of.name })}</span>
+    </button>
+    ${of.saved === '' ? nothing : html`<p class="note" role="status">${of.saved}</p>`}`;
+}
+
+function making({ chosen }: Wish, { fraction, secondsLeft }: Progress, onCancel: () => void): TemplateResult {
+  const k = Math.min(chosen.size, 1 + Math.floor(fraction * chosen.size));
+  const rest = secondsLeft === undefined ? '' : t('progress.left', { time: formatDuration(secondsLeft) });
+  return progressBar(r('making', { k, n: chosen.size }), fraction, onCancel, rest);
+}
+
+function failed(problem: Problem): TemplateResult {
+  const engine = problem.code === 'InvalidArgument' || problem.code === 'InvalidFile';
+  const { message, hint } = problemWords(problem);
+  return html`<div class="problem" role="alert">
+    ${icon('warn')}
+    <div>
+      <p><b>${engine ? r('failed') : message}</b></p>
+      ${engineWords(problem)} ${engine || hint === '' ? nothing : html`<p class="note">${hint}</p>`}
+    </div>
+  </div>`;
+}
+
+function ready({ seconds, surfaces }: Rebrushed, { slicer }: SlicedFile): TemplateResult {
+  const n = surfaces.filter(({ replaced }) => replaced).length;
+  const time = formatDuration(Math.abs(seconds));
+  return html`<p role="status">${r('ready', { n, time, more: r(seconds < 0 ? 'shorter' : 'longer'), slicer })}</p>`;
+}

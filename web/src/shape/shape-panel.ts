@@ -1,0 +1,149 @@
+// The shape, and how large it is.
+import { html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { formatNumber, t } from '../i18n/text.js';
+import { newShape } from '../model/defaults.js';
+import { pageOf, type Plate, type ShapeSource } from '../model/plate.js';
+import { settingOf, withValue } from '../model/settings.js';
+import { StudioElement } from '../controls/element.js';
+import { DrawnChoices } from '../controls/drawn-choices.js';
+import { cards, numberField } from '../controls/fields.js';
+import { fileChip } from '../controls/file-chip.js';
+import { icon } from '../controls/icons.js';
+import { panelStyle } from '../controls/panel-style.js';
+import { settingField } from '../controls/setting-field.js';
+import { lengthField, sizeFields, sizeStyle } from './size-fields.js';
+
+const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
+
+@customElement('sillon-shape-panel')
+export class ShapePanel extends StudioElement {
+  static override reads = ['plate', 'keepRatio', 'units'] as const;
+
+  static override styles = [...StudioElement.styles, panelStyle, sizeStyle];
+
+  readonly #pictures = new DrawnChoices<ShapeSource['kind']>(this, () => this.studio.services.shapePictures);
+
+  override render(): TemplateResult {
+    const { plate } = this.state;
+    const { shape } = plate;
+    return html`
+      <section aria-labelledby="shape-title">
+        <h2 id="shape-title">${t('section.shape')}</h2>
+        ${cards<ShapeSource['kind']>({
+          id: 'shape-kind',
+          label: t('section.shape'),
+          value: shape.kind,
+          options: [
+            { value: 'disc', label: t('shape.disc'), icon: 'disc', picture: this.#pictures.url('disc') },
+            {
+              value: 'rectangle',
+              label: t('shape.rectangle'),
+              icon: 'rectangle',
+              picture: this.#pictures.url('rectangle'),
+            },
+            { value: 'rounded', label: t('shape.rounded'), icon: 'rounded', picture: this.#pictures.url('rounded') },
+            { value: 'file', label: t('shape.file'), icon: 'file', picture: this.#pictures.url('file') },
+          ],
+          onChoose: (kind) => {
+            void this.#choose(kind);
+          },
+        })}
+        ${this.#details(shape)}
+      </section>
+      <section aria-labelledby="size-title">
+        <h3 id="size-title">${t('section.size')}</h3>
+        ${sizeFields(this.studio)} ${this.#fit(plate)}
+      </section>
+      <section aria-label=${t('verb.rotate')}>
+        <div class="buttons">
+          ${this.#action('turn', t('verb.rotateLeft'), () => {
+            this.#turn(90);
+          })}
+          ${this.#action('mirror', t('verb.mirror'), () => {
+            this.#mirror();
+          })}
+        </div>
+        ${settingField(this.studio, 'print.rotate')}
+      </section>
+    `;
+  }
+
+  #action(name: 'turn' | 'mirror', label: string, run: () => void): TemplateResult {
+    const pressed = name === 'mirror' ? String(this.state.plate.print.mirror) : nothing;
+    return html`<button type="button" aria-pressed=${pressed} @click=${run}>${icon(name, 16)} ${label}</button>`;
+  }
+
+  #turn(by: number): void {
+    const setting = settingOf('print.rotate');
+    this.studio.change((plate) => {
+      const turned = plate.print.rotate + by;
+      return withValue(plate, setting, turned > 180 ? turned - 360 : turned);
+    });
+  }
+
+  #mirror(): void {
+    this.studio.change((plate) => withValue(plate, settingOf('print.mirror'), !plate.print.mirror));
+  }
+
+  async #choose(kind: ShapeSource['kind']): Promise<void> {
+    const { shape, width, height } = this.state.plate;
+    if (shape.kind === 'file') this.studio.left = { ...this.studio.left, shape: { shape, width, height } };
+    const { shape: left } = this.studio.left;
+    if (kind === 'file') {
+      if (left !== undefined) {
+        this.studio.change((plate) => ({ ...plate, ...left }));
+        return;
+      }
+      this.requestUpdate(); // the card stays as it was until a file is there
+      await this.studio.open(await this.studio.pick('.svg,.png,.jpg,.jpeg,image/*'));
+      return;
+    }
+    this.studio.change((plate) => {
+      const side = kind === 'disc' ? Math.min(...pageOf(plate)) : undefined;
+      return { ...plate, shape: newShape(kind), ...(side === undefined ? {} : { width: side, height: side }) };
+    });
+  }
+
+  #details(shape: ShapeSource): TemplateResult | typeof nothing {
+    if (shape.kind === 'rounded') {
+      const { plate, units } = this.state;
+      const field = {
+        id: 'radius',
+        label: t('shape.radius'),
+        value: shape.radius,
+        min: 0,
+        max: 500,
+        step: 0.5,
+        usual: [0, Math.max(1, Math.floor(Math.min(plate.width, plate.height) / 2))] as const,
+        onInput: (radius: number) => {
+          this.studio.change((now) => ({ ...now, shape: { kind: 'rounded', radius } }), 'radius');
+        },
+        onSettle: () => {
+          this.studio.settle();
+        },
+      };
+      return numberField(lengthField(field, units));
+    }
+    if (shape.kind !== 'file') return nothing;
+    return html`${fileChip(this.studio, shape.file, '.svg,.png,.jpg,.jpeg,image/*')}
+    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}`;
+  }
+
+  #fit({ printer, toolpath, width, height }: Plate): TemplateResult {
+    const bed = [printer.bedMax[0] - printer.bedMin[0], printer.bedMax[1] - printer.bedMin[1]] as const;
+    const box = this.studio.boxOnBed();
+    const beads = Math.floor(Math.min(...pageOf({ width, height })) / toolpath.spacing);
+    const tooLarge = box[0] > bed[0] || box[1] > bed[1];
+    return html`<p class="note figures">
+        ${t('size.onBed', {
+          width: formatNumber(box[0], 1),
+          height: formatNumber(box[1], 1),
+          bedWidth: bed[0],
+          bedHeight: bed[1],
+        })}
+      </p>
+      ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${t('size.tooLarge')}</p>` : nothing}
+      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} ${t('size.tooThin', { n: beads })}</p>` : nothing}`;
+  }
+}

@@ -1,0 +1,115 @@
+// How large the plate is, in millimetres or inches.
+import { css, html, type TemplateResult } from 'lit';
+import { t } from '../i18n/text.js';
+import type { Units } from '../model/guest.js';
+import type { Plate } from '../model/plate.js';
+import { numberField, numberInput, type NumberField } from '../controls/fields.js';
+import { icon } from '../controls/icons.js';
+import type { Studio } from '../studio/studio.js';
+
+const smallest = 1; // [mm]
+const largest = 1000;
+const inch = 25.4; // [mm]
+const hundredth = (value: number): number => Math.round(value * 100) / 100;
+
+/** A length in the visitor's units. */
+export const inUnits = (length: number, units: Units): number => (units === 'in' ? length / inch : length);
+
+/** A field of millimetres, shown in the visitor's units. */
+export function lengthField(field: NumberField, units: Units): NumberField {
+  if (units === 'mm') return { ...field, unit: 'mm' };
+  const shown = (value: number): number => Math.round((value / inch) * 1000) / 1000;
+  return {
+    ...field,
+    unit: 'in',
+    value: shown(field.value),
+    min: shown(field.min),
+    max: shown(field.max),
+    step: 0.01,
+    usual: field.usual === undefined ? undefined : [shown(field.usual[0]), shown(field.usual[1])],
+    onInput: (value) => {
+      field.onInput(value * inch);
+    },
+  };
+}
+
+/** For the panel that shows `sizeFields`. */
+export const sizeStyle = css`
+  .size {
+    display: grid;
+    grid-template-columns: 1fr auto 1fr;
+    align-items: end;
+    gap: 8px;
+  }
+  .size .measure {
+    width: 100%;
+    min-width: 0;
+  }
+  .size label {
+    display: block;
+    margin-bottom: 4px;
+  }
+`;
+
+/** @param sizes  what the plate gets with another side */
+function sideField(
+  studio: Studio,
+  side: 'width' | 'height',
+  label: string,
+  sizes: (plate: Plate, value: number) => Partial<Plate>,
+): NumberField {
+  const { plate, units } = studio.store.state;
+  return lengthField(
+    {
+      id: `size-${side}`,
+      label,
+      value: hundredth(plate[side]),
+      min: smallest,
+      max: largest,
+      step: 0.1,
+      usual: [10, 200],
+      onInput: (value) => {
+        studio.change((now) => ({ ...now, ...sizes(now, value) }), side);
+      },
+      onSettle: () => {
+        studio.settle();
+      },
+    },
+    units,
+  );
+}
+
+export function sizeFields(studio: Studio): TemplateResult {
+  const { keepRatio, plate } = studio.store.state;
+  const { kind } = plate.shape;
+  if (kind === 'disc')
+    return numberField(sideField(studio, 'width', t('size.diameter'), (_, value) => ({ width: value, height: value })));
+  const locked = keepRatio || kind === 'file'; // a file's proportions are its own
+  const stacked = (side: 'width' | 'height', other: 'width' | 'height'): TemplateResult => {
+    const field = sideField(studio, side, t(`size.${side}`), (now, value) => ({
+      [side]: value,
+      ...(locked ? { [other]: hundredth((now[other] / now[side]) * value) } : {}),
+    }));
+    return html`<div class="field stacked">
+      <label for=${field.id}>${field.label}</label>${numberInput(field)}
+      <p class="error" id="${field.id}-error" role="status" hidden></p>
+    </div>`;
+  };
+  return html`<div class="size">
+    ${stacked('width', 'height')}
+    <button
+      type="button"
+      class="square"
+      aria-pressed=${String(locked)}
+      aria-label=${t('size.lock')}
+      title=${t('size.lock')}
+      ?disabled=${kind === 'file'}
+      @click=${() => {
+        studio.store.set({ keepRatio: !keepRatio });
+      }}
+    >
+      ${icon(locked ? 'lock' : 'unlock', 16)}
+    </button>
+    ${stacked('height', 'width')}
+  </div>`;
+}

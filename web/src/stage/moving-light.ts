@@ -1,0 +1,121 @@
+// How the light over the plate moves by itself: it sways, circles, or turns from one picture's lamp to the next.
+import { homeLight, lampsOf } from '../model/lamp.js';
+import type { Light } from '../model/view.js';
+import { Aim, between, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
+import type { Shown } from '../studio/shown.js';
+import type { Studio } from '../studio/studio.js';
+
+const slowFrame = 120; // [ms]
+const mostSlowFrames = 8;
+const leap = 15; // [degrees] farther than that, the light springs to where it turns
+const flipEach = 2600; // [ms] for each picture while the lamp turns
+const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
+const longestStep = 50; // [ms] of a frame: after a pause the light does not leap
+
+export class MovingLight {
+  /** Whether a pointer floats above the plate. */
+  #hovered = false;
+  readonly #aim = new Aim();
+  #lastTouch = performance.now();
+  #lastFrame = 0;
+  /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
+  #slowFrames = 0;
+  #flipBegan = 0;
+  readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
+
+  constructor(private readonly studio: Studio) {}
+
+  /** Somebody is there. @returns whether the light had come to rest */
+  touch(): boolean {
+    const rested = this.#rests(performance.now());
+    this.#lastTouch = performance.now();
+    return rested;
+  }
+
+  /** A pointer floats there, ±1 at the edges and y up; undefined: it has gone, or draws. */
+  hover(place: readonly [number, number] | undefined): void {
+    const now = performance.now();
+    const { lightMode, view, recording, tool, flipping, plate } = this.#state;
+    const left = this.#hovered && place === undefined;
+    const aimed = left ? this.#aim.leave(now) : undefined;
+    this.#hovered = place !== undefined;
+    if (lightMode !== 'pointer' || view !== 'appearance' || recording || tool !== 'pan') return;
+    if (place !== undefined && this.#leads()) {
+      const light = lightUnder(...place);
+      this.#aim.move(light, now);
+      this.studio.store.set({ light });
+    } else if (left && plate.directions.kind === 'lamp' && !flipping) {
+      this.studio.store.set({ aimed });
+    }
+  }
+
+  /** Moves the light to where it is now. @returns [ms] until it moves again: 0 with the next frame, undefined not by itself */
+  move(now: number): number | undefined {
+    const { lightMode, view, light, aimed, recording, tool, flipping } = this.#state;
+    // It keeps still under a brush: else nobody could tell what a stroke changes.
+    if (view !== 'appearance' || recording || document.hidden || tool !== 'pan') return undefined;
+    const resting = this.#rests(now) || this.#calm.matches;
+    const orbits = lightMode === 'orbit' && !this.#calm.matches;
+    const free = lightMode === 'pointer' && !this.#leads();
+    if (!orbits && !free) return undefined;
+    const slow = this.#isSlow();
+    const sways = free && !resting && !slow && !this.studio.keepsStill() && aimed === undefined;
+    const elapsed = now - (this.#lastFrame || now);
+    if (elapsed > slowFrame && elapsed < 1000) ++this.#slowFrames;
+    else if (elapsed <= slowFrame) this.#slowFrames = 0;
+    this.#lastFrame = now;
+    const wait = this.#steps() ? flipEach : 0;
+    const step = Math.min(longestStep, Math.max(0, elapsed)); // a frame's time may lie before that of a drawing between frames
+    if (orbits) {
+      const azimuth = (light.azimuth + (360 * step) / swayPeriod) % 360;
+      this.studio.store.set({ light: { azimuth, elevation: light.elevation } });
+      return wait;
+    }
+    // Back to where the plate looks as it is meant to, and a little around it.
+    const home = aimed ?? this.#home(now);
+    const aim = sways && !flipping ? swayed(home, now) : home;
+    const jumps = this.#calm.matches || slow || (flipping && near(light, aim, leap));
+    const way = jumps ? aim : turned(light, aim, step);
+    const arrives = near(way, aim, 0.05);
+    const next = arrives ? aim : way;
+    // The last steps of a fast screen are small: left out, the light would never arrive.
+    if (!near(next, light, 1e-6)) this.studio.store.set({ light: next });
+    return sways || (flipping && !resting) || !arrives ? wait : undefined;
+  }
+
+  /** Whether the light is where the pointer is: over the plate, unless somebody has asked for the lamp to turn. */
+  #leads(): boolean {
+    const { flipping, welcome } = this.#state;
+    return this.#hovered && (!flipping || welcome);
+  }
+
+  get #state(): Readonly<Shown> {
+    return this.studio.store.state;
+  }
+
+  #rests = (now: number): boolean => now - this.#lastTouch > swayFor;
+
+  #isSlow = (): boolean => this.#slowFrames >= mostSlowFrames;
+
+  /** Whether the lamp turns from picture to picture without a way between. */
+  #steps = (): boolean => this.#state.flipping && this.#isSlow();
+
+  /** Of the picture that is shown; while the lamp turns, between two. */
+  #home(now: number): Light {
+    const { plate, result, lamp, flipping } = this.#state;
+    const look = result?.toolpath.look;
+    const lamps = lampsOf(plate.directions, look);
+    if (!flipping || lamps.length < 2) {
+      this.#flipBegan = 0;
+      return lamps[lamp] ?? homeLight(plate, look);
+    }
+    if (this.#flipBegan === 0) this.#flipBegan = now - lamp * flipEach;
+    const turn = (now - this.#flipBegan) / flipEach;
+    const from = Math.floor(turn) % lamps.length;
+    const to = (from + 1) % lamps.length;
+    if (this.#state.lamp !== from) this.studio.store.set({ lamp: from });
+    // It rests at each picture for half of the time.
+    const share = this.#steps() ? 0 : Math.min(1, Math.max(0, 2 * (turn % 1) - 0.5));
+    return between(lamps[from] as Light, lamps[to] as Light, (1 - Math.cos(Math.PI * share)) / 2);
+  }
+}

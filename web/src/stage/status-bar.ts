@@ -1,0 +1,184 @@
+// The line below the plate: what it measures and takes, and what the engine does.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { progressWords } from '../i18n/say.js';
+import { formatDuration, formatNumber, t } from '../i18n/text.js';
+import { isOf } from '../model/result.js';
+import { StudioElement } from '../controls/element.js';
+import { icon } from '../controls/icons.js';
+import { inUnits } from '../shape/size-fields.js';
+import { pageOf } from '../model/plate.js';
+
+@customElement('sillon-status')
+export class StatusBar extends StudioElement {
+  static override reads = ['plate', 'result', 'summary', 'progress', 'reading', 'cancelled', 'live', 'units'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    css`
+      :host {
+        position: relative;
+        display: flex;
+        align-items: center;
+        gap: 0 18px;
+        min-height: 40px;
+        padding: 0 6px 0 14px;
+        border-top: 1px solid var(--line);
+        background: var(--surface);
+        font-size: var(--note);
+        white-space: nowrap;
+      }
+      .figures {
+        display: flex;
+        flex: 1;
+        flex-wrap: wrap;
+        gap: 0 16px;
+        min-width: 0;
+        overflow: hidden;
+        color: var(--soft);
+      }
+      .figures b {
+        color: var(--ink);
+        font-weight: 500;
+      }
+      .job {
+        display: flex;
+        flex: 1;
+        align-items: center;
+        gap: 12px;
+        min-width: 0;
+      }
+      .job .stage {
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      .job .share {
+        color: var(--soft);
+        font-variant-numeric: tabular-nums;
+      }
+      .bar {
+        position: absolute;
+        inset: -2px 0 auto;
+        height: 2px;
+        background: var(--line);
+      }
+      .bar div {
+        height: 100%;
+        width: calc(100% * var(--share));
+        background: var(--accent);
+      }
+      .zoom {
+        display: flex;
+      }
+      .job button {
+        min-height: max(28px, var(--control));
+        font-size: var(--note);
+      }
+      @media (max-width: 720px) {
+        :host {
+          padding-left: 10px;
+        }
+      }
+      /* Words go before figures are cut off. The container is the stage, which is as wide: Chromium gives no boxes to what
+         comes later into an element that measures itself. */
+      @container (max-width: 600px) {
+        .rest {
+          display: none;
+        }
+        .figures {
+          gap: 0 10px;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { progress, reading } = this.state;
+    return html`${
+        reading !== undefined
+          ? this.#job(t('job.reading', { name: reading.name }), reading.fraction, '', reading.cancel)
+          : progress === undefined
+            ? this.#figures()
+            : this.#progress(progress)
+      }
+      <div class="zoom" role="group" aria-label=${t('section.view')}>
+        ${this.#button('minus', t('verb.zoomOut'), () => this.studio.stage?.zoom(1 / 1.4))}
+        ${this.#button('plus', t('verb.zoomIn'), () => this.studio.stage?.zoom(1.4))}
+        ${this.#button('fit', t('verb.fit'), () => this.studio.stage?.fit())}
+      </div>`;
+  }
+
+  #button(name: 'minus' | 'plus' | 'fit', label: string, run: () => void): TemplateResult {
+    return html`<button type="button" class="plain square" aria-label=${label} title=${label} @click=${run}>
+      ${icon(name, 16)}
+    </button>`;
+  }
+
+  #progress(progress: NonNullable<this['state']['progress']>): TemplateResult {
+    const { job, stage, left } = progressWords(progress);
+    return this.#job(stage === '' ? job : stage, progress.fraction, left, () => {
+      this.studio.services.cancel();
+    });
+  }
+
+  #job(what: string, fraction: number, left: string, cancel: () => void): TemplateResult {
+    const percent = Math.floor(100 * fraction);
+    return html`<div
+        class="bar"
+        role="progressbar"
+        aria-label=${what}
+        aria-valuemin="0"
+        aria-valuemax="100"
+        aria-valuenow=${percent}
+      >
+        <div .style=${`--share: ${fraction}`}></div>
+      </div>
+      <div class="job">
+        <span class="stage">${what}</span>
+        <span class="share">${t('progress.percent', { percent })}</span><span class="share rest">${left}</span>
+        <button type="button" @click=${cancel}>${t('verb.cancel')}</button>
+      </div>`;
+  }
+
+  #figures(): TemplateResult {
+    const { plate, result, cancelled, units } = this.state;
+    const size = pageOf(plate).map((length) => formatNumber(inUnits(length, units), units === 'in' ? 2 : 1));
+    // Figures of another plate - the last one that could be made - would be taken for this one's.
+    const own = result !== undefined && isOf(result, plate);
+    const length = own ? result.report.lengthMm : undefined;
+    const summary = own ? this.state.summary : undefined;
+    return html`<div class="figures">
+      ${
+        cancelled
+          ? html`<span>${t('job.cancelled')}</span>
+              <button
+                type="button"
+                class="link"
+                @click=${() => {
+                  this.studio.services.retry();
+                }}
+              >
+                ${t('verb.retry')}
+              </button>`
+          : html`<b>${size.join(' × ')} ${units}</b> ${
+                length === undefined
+                  ? nothing
+                  : html`<span class="rest"
+                      >${t('summary.length')} <b>${t('summary.metres', { m: formatNumber(length / 1000, 1) })}</b></span
+                    >`
+              }
+              ${
+                summary === undefined
+                  ? nothing
+                  : html`<span
+                        ><span class="rest">${t('summary.time')} </span><b>${formatDuration(summary.seconds)}</b></span
+                      >
+                      <span
+                        ><span class="rest">${t('summary.weight')} </span
+                        ><b>${t('summary.grams', { g: formatNumber(summary.filamentGrams, 1) })}</b></span
+                      >`
+              }`
+      }
+    </div>`;
+  }
+}

@@ -1,0 +1,479 @@
+// What the elements can do. They know the state and this; what it takes stands in main.ts.
+import type { Autosave } from '../files/autosave.js';
+import { download } from '../files/download.js';
+import { plainName } from '../files/file-name.js';
+import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
+import { t } from '../i18n/text.js';
+import { toReview, useBrought, withoutBrought } from '../model/brought.js';
+import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
+import { nothingLeft, type Left } from '../model/left.js';
+import { pageOf, type Plate, type Stroke } from '../model/plate.js';
+import type { Seen } from '../model/doubts.js';
+import type { DirectionRaster } from '../model/raster.js';
+import type { Box } from '../model/rebrush.js';
+import type { Problem } from '../model/problem.js';
+import { isAbort, problemOf, same } from '../model/problem.js';
+import type { Store } from '../model/store.js';
+import type { PlateResult, Theme, Tool } from '../model/state.js';
+import type { Light, ViewName } from '../model/view.js';
+import type { OpenedFiles, Role } from '../model/file-role.js';
+import type { Example } from '../model/example.js';
+import type { Dialog, LightMode, Notice, NoticeAction, Shown } from './shown.js';
+
+export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
+
+/** Draws one picture for each choice of a panel; @param wanted  false once nobody waits for them. */
+export type Draw<Name extends string> = (plate: Plate, wanted: () => boolean) => Promise<Map<Name, Blob>>;
+
+/** What reaches beyond the page's thread; each may reject. */
+export interface Services {
+  cancel(): void;
+  retry(): void;
+  /** @param ms  from a preview to its picture */
+  drew(ms: number): void;
+  gcode(): Promise<Gcode>;
+  /** G-code in the zip that Bambu printers take. */
+  pack(gcode: Blob): Promise<Blob>;
+  /** The base layers as a solid, 3MF. */
+  body(): Promise<Blob>;
+  svg(): Promise<Blob>;
+  view(): Promise<Blob>;
+  project(plate: Plate): Promise<Blob>;
+  /** What the project file tells the command line, without its pictures. */
+  projectData(plate: Plate): Promise<object>;
+  link(plate: Plate): Promise<{ url: string; told: string }>;
+  setLanguage(language: string): Promise<void>;
+  /** Opens files as they are guessed; they can be changed in the dialog 'files'. */
+  open(files: readonly File[], role?: Role): Promise<void>;
+  /** Uses one of the files that were opened last as something else. */
+  setRole(index: number, role: Role): Promise<void>;
+  openExample(example: Example): Promise<void>;
+  /** Takes the printer from G-code or settings of another program. */
+  importPrinter(file: File): Promise<void>;
+  newPlate(): void;
+  /** Writes the project over the file that it was opened from. @returns what is said of it; empty where there is none */
+  savedInPlace(project: Blob): Promise<string>;
+  /** The plate that is shown now is that of a project file. */
+  openedFrom(project: File): void;
+  /** Those that are kept here. @throws where none is kept: in frames whose page does not ask for it */
+  plates(): Autosave;
+  /** Shows one of them. @param take  also from another tab, which goes on with a copy */
+  openPlate(id: string, take: boolean): Promise<void>;
+  /** What this is need not be said again. */
+  welcomed(): void;
+  /** Whether what `toReview` says was seen already. */
+  reviewed(text: string): boolean;
+  setReviewed(text: string): void;
+  /** A file of the visitor's own spools, as its text; undefined: none is kept. */
+  keptSpools(): string | undefined;
+  keepSpools(text: string): void;
+  /** For what the plate has no part in. */
+  engine(): Promise<Engine>;
+  /** What each kind of directions, and each shape, makes of the plate. */
+  kindPictures: Draw<Plate['directions']['kind']>;
+  shapePictures: Draw<Plate['shape']['kind']>;
+  /** How well a finished plate shows what its directions ask for. */
+  seen(result: PlateResult, directions: DirectionRaster): Promise<Seen>;
+  /** Of the plate as it is now, in full. */
+  directions(): Promise<DirectionRaster>;
+  /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
+  handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
+  /** What a start or end block would do, line by line. */
+  examine(block: string, flavor: PrinterValues['flavor']): Promise<GcodeFinding[]>;
+}
+
+/** What the canvas lends to others. */
+export interface Stage {
+  /** For keys: also where a button has gone that had the focus. */
+  focus(): void;
+  fit(): void;
+  zoom(factor: number): void;
+  /** Millimetres of the page. */
+  lookAt(x: number, y: number, across: number): void;
+  capture(width: number): Promise<Blob>;
+  record(seconds: number, signal?: AbortSignal): Promise<Blob>;
+}
+
+const noticeFor = 7000; // [ms]
+const offerFor = 30_000; // [ms] of a notice with a button: time to read, decide, and reach it by keys
+
+export const isPacked = (product: Product, plate: Plate): boolean =>
+  product === 'gcode' && plate.printer.flavor === 'bambu';
+const endings: Record<Product, string> = {
+  gcode: '.gcode',
+  body: '.base.3mf',
+  svg: '.svg',
+  png: '.png',
+  view: '.view.png',
+  project: '.sillon.zip',
+};
+
+const fileName = (plate: Plate, product: string): string => `${plainName(plate.name) || 'plate'}${product}`;
+
+/** What tells one G-code file from another on a printer's screen: `_0.4mm_PLA_1h05m`. */
+export function gcodeMark({ printer }: Plate, seconds: number): string {
+  const minutes = Math.max(1, Math.round(seconds / 60));
+  const hours = Math.floor(minutes / 60);
+  const time = hours > 0 ? `${hours}h${String(minutes % 60).padStart(2, '0')}m` : `${minutes}m`;
+  const words = [`${Number(printer.nozzle.toFixed(2))}mm`, plainName(printer.filamentType), time];
+  return words.map((word) => (word === '' ? '' : `_${word}`)).join('');
+}
+
+/** Phones ask their owner, and only after a touch; computers have no tilt to tell. */
+async function mayTilt(): Promise<boolean> {
+  if (!('DeviceOrientationEvent' in window)) return false;
+  const { requestPermission } = DeviceOrientationEvent as { requestPermission?: () => Promise<string> };
+  try {
+    if (requestPermission !== undefined) return (await requestPermission()) === 'granted';
+  } catch {
+    return false;
+  }
+  return matchMedia('(pointer: coarse)').matches;
+}
+
+export class Studio {
+  stage: Stage | undefined;
+  services!: Services;
+  /** Gives a file to the visitor, or to the page that shows this one. */
+  deliver: (blob: Blob, name: string) => void = download;
+  /** Of opened files, to save them back in their place. */
+  readonly handles = new WeakMap<File, FileSystemHandle>();
+  /** Of the plate that is shown. */
+  left: Left = nothingLeft;
+  #nextNotice = 1;
+  #reviewed: (() => void) | undefined;
+
+  constructor(
+    readonly store: Store<Shown>,
+    /** What the engine is asked for. */
+    readonly threads: 'auto' | 'off' | number,
+  ) {}
+
+  // --- The plate ----------------------------------------------------------------------------------------------------------
+
+  /** @param gesture  names a drag that goes on until `settle`. */
+  change(change: (plate: Plate) => Plate, gesture?: string): void {
+    this.store.change(change, gesture);
+    if (gesture !== undefined && !this.store.state.live) this.store.set({ live: true });
+  }
+
+  settle(): void {
+    this.store.settle();
+    if (this.store.state.live) this.store.set({ live: false });
+  }
+
+  /** Lower left corner of a plate in the middle of the bed. */
+  centredPlace(): [number, number] {
+    const { bedMin, bedMax } = this.store.state.plate.printer;
+    const [width, height] = this.boxOnBed();
+    const middle = (k: 0 | 1, length: number): number => Math.round((10 * (bedMin[k] + bedMax[k] - length)) / 2) / 10;
+    return [middle(0, width), middle(1, height)];
+  }
+
+  /** The page's box as it lies turned. */
+  boxOnBed(): [number, number] {
+    const { plate } = this.store.state;
+    const [width, tall] = pageOf(plate);
+    const angle = (plate.print.rotate * Math.PI) / 180;
+    const c = Math.abs(Math.cos(angle));
+    const s = Math.abs(Math.sin(angle));
+    return [c * width + s * tall, s * width + c * tall];
+  }
+
+  // --- The page -----------------------------------------------------------------------------------------------------------
+
+  setView(view: ViewName): void {
+    this.store.set({ view });
+  }
+
+  setPanel(panel: string): void {
+    this.store.set({ panel });
+    if (panel === 'quality') this.setView('quality');
+  }
+
+  setTool(tool: Tool): void {
+    if (this.store.state.plate.directions.kind === 'lamp') return; // solved for as a whole: there is nothing to brush over
+    this.store.set({ tool });
+    // In the shimmer strokes are seen as they will be; elsewhere they are seen as directions.
+    if (tool !== 'pan' && this.store.state.view !== 'appearance') this.setView('directions');
+  }
+
+  togglePlay(): void {
+    const { playing, played } = this.store.state;
+    this.setView('toolpath');
+    this.store.set(playing ? { playing: false } : { playing: true, played: played >= 1 ? 0 : played });
+  }
+
+  /** Where the plate looks as it is meant to; the light comes back to it. */
+  homeLight(): Light {
+    const { plate, result, light, lightMode } = this.store.state;
+    return lightMode === 'fixed' ? light : homeLight(plate, result?.toolpath.look);
+  }
+
+  /** Of the plate's pictures. */
+  lamps(): Light[] {
+    const { plate, result } = this.store.state;
+    return lampsOf(plate.directions, result?.toolpath.look);
+  }
+
+  /** The light moves to a picture's lamp and stays near it. */
+  showLamp(lamp: number): void {
+    this.store.set({ lamp, aimed: undefined, flipping: false, lightMode: 'pointer', view: 'appearance' });
+  }
+
+  /** Whether the visitor asks for little motion. */
+  calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+  /** The light stands still while nobody moves it: somebody's own picture would be lost beside its lamp. */
+  keepsStill(): boolean {
+    const { plate, lamp } = this.store.state;
+    return this.calm() || isOwnPicture(plate, lamp);
+  }
+
+  /** The lamp turns from each picture to the next until it is told to stop. */
+  flip(): void {
+    const { flipping, lamp } = this.store.state;
+    const next = (lamp + 1) % Math.max(1, this.lamps().length);
+    if (this.calm()) this.showLamp(next);
+    else this.store.set({ flipping: !flipping, aimed: undefined, lightMode: 'pointer', view: 'appearance' });
+  }
+
+  /** By hand: whatever moved the light before leaves it alone. */
+  setLight(change: Partial<Light>): void {
+    const light = { ...this.store.state.light, ...change };
+    this.store.set({ light, aimed: undefined, lightMode: 'fixed', flipping: false });
+  }
+
+  async setLightMode(lightMode: LightMode): Promise<void> {
+    if (lightMode === 'tilt' && !(await mayTilt())) {
+      this.notify(t('light.tiltDenied'));
+      this.store.set({ lightMode: 'orbit' });
+      return;
+    }
+    this.store.set({ lightMode, aimed: undefined, flipping: false });
+  }
+
+  lookAtMark(index: number): void {
+    const mark = this.store.state.marks[index];
+    if (mark === undefined) return;
+    this.store.set({ mark: index, view: 'quality' });
+    this.stage?.lookAt(mark.x, mark.y, 20 * this.store.state.plate.toolpath.spacing);
+  }
+
+  setTheme(theme: Theme): void {
+    this.store.set({ theme });
+  }
+
+  /** Not to be said again on this device. */
+  endWelcome(): void {
+    this.store.set({ welcome: false, flipping: false });
+    this.services.welcomed();
+  }
+
+  show(dialog: Dialog | undefined): void {
+    this.store.set({ dialog });
+  }
+
+  async setLanguage(language: string): Promise<void> {
+    await this.attempt(() => this.services.setLanguage(language));
+  }
+
+  // --- Words --------------------------------------------------------------------------------------------------------------
+
+  notify(text: string, ...actions: NoticeAction[]): void {
+    this.tell({ text, actions });
+  }
+
+  fail(problem: Problem): void {
+    this.tell({ text: '', problem });
+  }
+
+  dismiss(id: number): void {
+    this.store.set({ notices: this.store.state.notices.filter((notice) => notice.id !== id) });
+  }
+
+  /** Runs what may fail; a failure is told. @returns whether it went well. */
+  async attempt(action: () => Promise<void> | void): Promise<boolean> {
+    try {
+      await action();
+      return true;
+    } catch (error) {
+      if (!isAbort(error)) this.fail(problemOf(error));
+      return false;
+    }
+  }
+
+  tell(words: Omit<Notice, 'id'>): void {
+    const { problem } = this.store.state;
+    if (problem !== undefined && words.problem !== undefined && same(problem, words.problem)) return; // it stands there already
+    const id = this.#nextNotice++;
+    const others = this.store.state.notices.filter(
+      (notice) => notice.problem === undefined || words.problem === undefined,
+    );
+    const all = [...others, { id, ...words }];
+    const latest = all.filter(({ stays }) => !stays).slice(-3);
+    this.store.set({ notices: all.filter((notice) => notice.stays || latest.includes(notice)) });
+    if (words.problem !== undefined || words.stays) return;
+    const shownFor = words.actions?.length ? offerFor : noticeFor;
+    setTimeout(() => {
+      this.dismiss(id);
+    }, shownFor);
+  }
+
+  /** @param opened  undefined: another plate, of other files; what was offered for those before would be done to these */
+  setOpened(opened: OpenedFiles | undefined): void {
+    this.store.set({ opened, notices: this.store.state.notices.filter(({ ofFiles }) => !ofFiles) });
+  }
+
+  // --- Files --------------------------------------------------------------------------------------------------------------
+
+  /** @param role  of all of them, where it is known */
+  async open(files: readonly File[], role?: Role): Promise<void> {
+    if (files.length > 0) await this.attempt(() => this.services.open(files, role));
+  }
+
+  /** Asks for files; the plate is as before where none is chosen. @param accept  empty: any; then a project among them can be
+   * saved back in its place */
+  async pick(accept = ''): Promise<File[]> {
+    if (accept === '' && 'showOpenFilePicker' in window)
+      return (await import('../files/in-place.js')).pickFiles(this.handles);
+    return new Promise((resolve) => {
+      const input = document.createElement('input');
+      input.type = 'file';
+      input.multiple = true;
+      input.accept = accept;
+      input.addEventListener('change', () => {
+        resolve([...(input.files ?? [])]);
+      });
+      input.addEventListener('cancel', () => {
+        resolve([]);
+      });
+      input.click();
+    });
+  }
+
+  async save(product: Product): Promise<void> {
+    if (product !== 'gcode' || !this.#mustReview()) await this.#save(product);
+    else this.whenReviewed(() => void this.#save(product));
+  }
+
+  /** Takes a file to the printer, at once or once everything was seen that it would run. */
+  whenReviewed(save: () => void): void {
+    if (this.#mustReview()) this.review(save);
+    else save();
+  }
+
+  /** Shows the blocks. @param save  what their button is for; left out: the plate's own file */
+  review(save?: () => void): void {
+    this.#reviewed = save;
+    this.show('blocks');
+  }
+
+  /** The blocks are on the screen no more. */
+  goOn(): void {
+    const { printer } = this.store.state.plate;
+    this.services.setReviewed(toReview(printer));
+    if (this.#reviewed === undefined) void this.#save('gcode');
+    else this.#reviewed();
+  }
+
+  async #save(product: Product): Promise<void> {
+    await this.attempt(async () => {
+      const { blob, name } = await this.make(product);
+      const place = product === 'project' ? await this.services.savedInPlace(blob) : '';
+      if (place !== '') {
+        this.notify(place);
+        return;
+      }
+      this.deliver(blob, name);
+      if (product === 'body') this.#offerRest(name);
+      else this.notify(t('export.done', { name }));
+    });
+  }
+
+  /** Nothing moves or heats a machine that nobody has seen. */
+  #mustReview(): boolean {
+    const text = toReview(this.store.state.plate.printer);
+    return text !== '' && !this.services.reviewed(text);
+  }
+
+  /** What the design brings is used from now on. @param seen  every line of it was on the screen */
+  useBrought(seen: boolean): void {
+    this.settle();
+    this.change(useBrought);
+    const text = toReview(this.store.state.plate.printer);
+    if (seen && text !== '') this.services.setReviewed(text);
+  }
+
+  keepOwnPrinter(): void {
+    this.settle();
+    this.change(withoutBrought);
+  }
+
+  /** Whoever prints the base elsewhere mostly wants the rest above it next. */
+  #offerRest(name: string): void {
+    const { plate, mode } = this.store.state;
+    if (plate.print.showSide !== 'up' || mode !== 'edit') {
+      this.notify(t('export.done', { name }));
+      return;
+    }
+    const { base, startHeight, layerHeight, firstLayerHeight } = plate.print;
+    const first = (startHeight === 0 && firstLayerHeight) || layerHeight;
+    const height = Number((startHeight + first + (base - 1) * layerHeight).toFixed(3));
+    this.notify(t('export.body.rest', { name, height }), {
+      label: t('export.body.set'),
+      run: () => {
+        this.change((now) => ({ ...now, print: { ...now.print, base: 0, startHeight: height } }));
+      },
+    });
+  }
+
+  /** A file of the plate as it is now. */
+  async make(product: Product): Promise<{ blob: Blob; name: string }> {
+    const { plate } = this.store.state;
+    const blob = await this.#make(product, plate);
+    const { summary } = this.store.state;
+    const mark = product === 'gcode' && summary !== undefined ? gcodeMark(plate, summary.seconds) : '';
+    return { blob, name: fileName(plate, mark + (isPacked(product, plate) ? '.gcode.3mf' : endings[product])) };
+  }
+
+  async #gcode(plate: Plate): Promise<Blob> {
+    const { blob } = await this.services.gcode();
+    return isPacked('gcode', plate) ? this.services.pack(blob) : blob;
+  }
+
+  async #make(product: Product, plate: Plate): Promise<Blob> {
+    switch (product) {
+      case 'gcode':
+        return this.#gcode(plate);
+      case 'body':
+        return this.services.body();
+      case 'svg':
+        return this.services.svg();
+      case 'view':
+        return this.services.view();
+      case 'project':
+        return this.services.project(plate);
+      case 'png':
+        return this.#canvas().capture(2400);
+    }
+  }
+
+  /** @param width  [pixels] */
+  async picture(width: number): Promise<{ blob: Blob; name: string }> {
+    const { plate } = this.store.state;
+    return { blob: await this.#canvas().capture(width), name: fileName(plate, endings.png) };
+  }
+
+  /** One turn of the light. */
+  async video(seconds: number, signal?: AbortSignal): Promise<{ blob: Blob; name: string }> {
+    const { plate } = this.store.state;
+    const blob = await this.#canvas().record(seconds, signal);
+    return { blob, name: fileName(plate, blob.type.startsWith('video/mp4') ? '.mp4' : '.webm') };
+  }
+
+  #canvas(): Stage {
+    if (this.stage === undefined) throw new Error('the canvas is not there');
+    return this.stage;
+  }
+}
