@@ -204,8 +204,7 @@ export interface BodyOptions extends RunOptions {
 }
 
 /** docs/guide/calibrate.md shows each. */
-export type CalibrationKind =
-  'first-layer' | 'flow' | 'advance' | 'speed' | 'temperature' | 'fan' | 'width' | 'directions' | 'swatch' | 'coupon';
+export type CalibrationKind = 'flow' | 'speed' | 'fan' | 'width' | 'directions' | 'swatch' | 'coupon';
 
 export interface CalibrationRequest {
   printer?: Partial<Printer>;
