@@ -467,7 +467,7 @@ export interface ToolpathOptions extends Partial<ToolpathParams> {
 }
 
 /** Ways to make a toolpath; docs/reference/project.md says what they change. */
-export type Preset = 'draft' | 'fewest-turns' | 'fine' | 'paper-2023' | 'standard' | 'strict';
+export type Preset = 'draft' | 'fewest-turns' | 'fine' | 'paper-2023' | 'standard';
 
 /** A picture to be seen, and where its lamp stands. */
 export interface LampPicture {

@@ -558,17 +558,13 @@ export const de: Translation = {
   'preset.draft': 'Entwurf',
   'preset.standard': 'Standard',
   'preset.fine': 'Fein',
-  'preset.strict': 'Streng',
   'preset.fewest-turns': 'Wenigste Kehren',
-  'preset.paper-2023': 'Aufsatz 2023',
   'preset.custom': 'Angepasst',
   'preset.draft.help': 'Schnell, und die halbe Dateigröße.',
   'preset.standard.help': 'Richtig für die meisten Platten.',
   'preset.fine.help': 'Die wenigsten Kehren und Knicke; dauert länger.',
-  'preset.strict.help': 'Folgt vor allem den Richtungen; Lücken und Knicke werden nicht ausgeglichen.',
   'preset.fewest-turns.help':
     'Abstand und Richtungen dürfen abweichen und Bahnen den Rand verlassen, wo das Kehren spart.',
-  'preset.paper-2023.help': 'Das Verfahren, wie 2023 veröffentlicht, zum Vergleich.',
 
   'printer.generic': 'Allgemein',
   'printer.generic-centre': 'Allgemein, Nullpunkt in der Mitte',
