@@ -6,7 +6,6 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 
 namespace cli {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "sillon/gcode_reader/finding.hpp"
+#include "sillon/gcode_reader/check.hpp"
 
 namespace cli {
 

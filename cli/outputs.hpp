@@ -9,7 +9,7 @@
 #include "pictures.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace cli {
 

@@ -12,7 +12,7 @@
 #include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 namespace cli {
 

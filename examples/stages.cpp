@@ -12,10 +12,10 @@
 
 #include "assemble.hpp"
 #include "files.hpp"
-#include "look/direction_colour.hpp"
+#include "look/preview_parts.hpp"
+#include "pipeline/stages.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/preview.hpp"
-#include "sillon/pipeline/stages.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace {

@@ -18,7 +18,6 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/look/thumbnails.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 

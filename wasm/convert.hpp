@@ -20,7 +20,7 @@
 #include "sillon/look/preview.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/printer_import/printer_import.hpp"
-#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
 
 namespace convert {
 

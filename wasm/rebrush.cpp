@@ -14,10 +14,8 @@
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
-#include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/rebrush/rebrush.hpp"
-#include "sillon/rebrush/relief.hpp"
 
 namespace {
 

@@ -23,7 +23,6 @@
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/look/thumbnails.hpp"
 #include "words.hpp"
 
 namespace cli {

@@ -10,7 +10,7 @@
 #include "commands/commands.hpp"
 #include "run.hpp"
 #include "sillon/geometry/outline.hpp"
-#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
 #include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 #include "words.hpp"

@@ -1,10 +1,8 @@
-#include "base/json_text.hpp"
+#include "base/json.hpp"
 
 #include <doctest/doctest.h>
 
 #include <limits>
-
-#include "base/json.hpp"
 
 using namespace sillon;
 

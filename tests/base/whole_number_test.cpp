@@ -1,4 +1,4 @@
-#include "base/whole_number.hpp"
+#include "base/numbers.hpp"
 
 #include <doctest/doctest.h>
 

@@ -13,12 +13,11 @@
 #include <vector>
 
 #include "assemble.hpp"
-#include "sillon/gcode/read_back.hpp"
+#include "gcode/read_back.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/quality/picture_measures.hpp"
 
 namespace bench {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "calibrate/coupon.hpp"
+#include "calibrate/prints.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/settings/presets.hpp"

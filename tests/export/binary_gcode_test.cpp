@@ -1,4 +1,4 @@
-#include "export/binary_gcode.hpp"
+#include "export/packing.hpp"
 
 #include <doctest/doctest.h>
 

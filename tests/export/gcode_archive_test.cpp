@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "export/md5.hpp"
-#include "export/zip_reader.hpp"
+#include "export/packing.hpp"
+#include "export/zip.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 
 using namespace sillon;

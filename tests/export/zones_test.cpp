@@ -21,9 +21,9 @@
 #include <utility>
 #include <vector>
 
-#include "export/bytes.hpp"
-#include "export/zip_reader.hpp"
-#include "export/zone_slabs.hpp"
+#include "export/packing.hpp"
+#include "export/zip.hpp"
+#include "export/zone_parts.hpp"
 #include "sillon/geometry/outline.hpp"
 
 using namespace sillon;

@@ -4,13 +4,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/fast_math.hpp"
-#include "sillon/field/constraints.hpp"
-#include "sillon/field/direction_tolerance.hpp"
-#include "sillon/field/line_field.hpp"
-#include "sillon/field/phase_field.hpp"
-#include "sillon/field/sine_field.hpp"
-#include "sillon/field/spacing_field.hpp"
-#include "sillon/pipeline/stages.hpp"
+#include "field/fields.hpp"
+#include "pipeline/stages.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"

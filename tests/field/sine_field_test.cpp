@@ -1,4 +1,4 @@
-#include "sillon/field/sine_field.hpp"
+#include "field/fields.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sillon/geometry/grid.hpp"
+#include "geometry/signed_distance.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sillon/input/svg.hpp"
+#include "input/svg.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr double kEdge = 1e-5;  // [mm] clipping rounds

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bytes.hpp"
-#include "gcode_reader/grammar.hpp"
+#include "gcode_reader/parser.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 

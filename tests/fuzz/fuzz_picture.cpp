@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "base/crc32.hpp"
+#include "base/checksums.hpp"
 #include "sillon/input/image_io.hpp"
 
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "bytes.hpp"
+#include "geometry/parts.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/geometry/keep_thin.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/settings/presets.hpp"

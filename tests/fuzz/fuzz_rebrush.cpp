@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "sillon/rebrush/rebrush.hpp"
-#include "sillon/rebrush/relief.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gcode/plan.hpp"
+#include "gcode/job.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "support/about.hpp"

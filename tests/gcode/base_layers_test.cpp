@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "gcode/hatch.hpp"
-#include "gcode/offset_loops.hpp"
 #include "support/about.hpp"
 #include "support/gcode_job.hpp"
 

@@ -1,4 +1,4 @@
-#include "gcode/template.hpp"
+#include "gcode/blocks.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // What slicers' expressions come to; where PrusaSlicer is installed, it evaluates the same ones.
-#include "gcode/expression.hpp"
+#include "gcode/blocks.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "gcode/template.hpp"
 #include "support/damaged.hpp"
 #include "support/installed.hpp"
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "sillon/gcode/bed_fit.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "support/about.hpp"
 #include "support/gcode_job.hpp"

@@ -1,4 +1,4 @@
-#include "sillon/gcode/patches.hpp"
+#include "sillon/gcode/writer.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "sillon/gcode/read_back.hpp"
+#include "gcode/read_back.hpp"
 
 #include "support/gcode_job.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sillon/gcode/patches.hpp"
+#include "sillon/gcode/writer.hpp"
 #include "support/about.hpp"
 #include "support/gcode_job.hpp"
 

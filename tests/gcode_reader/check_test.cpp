@@ -12,7 +12,6 @@
 
 #include "base/fast_math.hpp"
 #include "gcode_reader/coverage.hpp"
-#include "gcode_reader/grammar.hpp"
 #include "gcode_reader/parser.hpp"
 #include "support/about.hpp"
 #include "support/damaged.hpp"

@@ -1,4 +1,4 @@
-#include "sillon/gcode_reader/examine.hpp"
+#include "sillon/gcode_reader/check.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "gcode_reader/commands.hpp"
-#include "sillon/gcode_reader/check.hpp"
+#include "gcode_reader/parser.hpp"
 
 using namespace sillon;
 

@@ -1,4 +1,4 @@
-#include "geometry/chamfer_distance.hpp"
+#include "geometry/signed_distance.hpp"
 
 #include <doctest/doctest.h>
 

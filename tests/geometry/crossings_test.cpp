@@ -1,4 +1,4 @@
-#include "geometry/crossings.hpp"
+#include "geometry/closed_curves.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "sillon/geometry/grid.hpp"
+#include "geometry/signed_distance.hpp"
 
 #include <doctest/doctest.h>
 

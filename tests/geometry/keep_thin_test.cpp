@@ -1,4 +1,4 @@
-#include "sillon/geometry/keep_thin.hpp"
+#include "geometry/parts.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "sillon/geometry/signed_distance.hpp"
+#include "geometry/signed_distance.hpp"
 
 #include <doctest/doctest.h>
 
 #include <numbers>
 
-#include "sillon/geometry/connected_parts.hpp"
+#include "geometry/parts.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;

@@ -1,4 +1,4 @@
-#include "sillon/input/direction_map.hpp"
+#include "sillon/input/plate_input.hpp"
 
 #include <doctest/doctest.h>
 

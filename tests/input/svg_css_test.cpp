@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "input/svg.hpp"
 #include "sillon/geometry/outline.hpp"
-#include "sillon/input/svg.hpp"
 
 using namespace sillon;
 

@@ -1,4 +1,4 @@
-#include "sillon/input/svg.hpp"
+#include "input/svg.hpp"
 
 #include <doctest/doctest.h>
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sillon/gcode/read_back.hpp"
+#include "gcode/read_back.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
 using namespace sillon;

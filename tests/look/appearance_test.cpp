@@ -7,9 +7,9 @@
 #include <numbers>
 #include <set>
 
-#include "look/decay.hpp"
+#include "look/inversion_parts.hpp"
+#include "sillon/look/inversion.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/look/tones.hpp"
 
 using namespace sillon;
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 using namespace sillon;
 

@@ -11,10 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "look/direction_colour.hpp"
-#include "look/qoi.hpp"
+#include "look/preview_parts.hpp"
 #include "sillon/export/svg_drawing.hpp"
-#include "sillon/look/thumbnails.hpp"
 #include "support/about.hpp"
 
 using namespace sillon;

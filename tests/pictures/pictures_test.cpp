@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sillon/input/image_io.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 #include "sillon/report/warning.hpp"
 
 using namespace sillon;

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "sillon/geometry/signed_distance.hpp"
-#include "sillon/pipeline/session.hpp"
+#include "geometry/signed_distance.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;

@@ -1,6 +1,6 @@
 // The whole way from shape to toolpath: truths, promises on every scene, goldens.
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/input/plate_size.hpp"
+#include "input/plate_size.hpp"
 
 #include <doctest/doctest.h>
 

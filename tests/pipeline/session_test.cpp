@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sillon/pipeline/session.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "support/scenes.hpp"
 #include "support/told_reason.hpp"

@@ -1,8 +1,7 @@
 #include "sillon/printer_import/printer_import.hpp"
 #include "export/zip.hpp"
-#include "gcode/template.hpp"
-#include "printer_import/formats.hpp"
-#include "printer_import/spelling.hpp"
+#include "gcode/blocks.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <doctest/doctest.h>
 

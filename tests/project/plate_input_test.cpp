@@ -1,11 +1,11 @@
 // From a project and its files to shape, directions and modes.
-#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
 
 #include <doctest/doctest.h>
 
 #include <map>
 
-#include "sillon/geometry/keep_thin.hpp"
+#include "geometry/parts.hpp"
 #include "sillon/input/image_io.hpp"
 
 using namespace sillon;

@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "sillon/pipeline/session.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
 #include "support/about.hpp"

@@ -1,4 +1,4 @@
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 #include <doctest/doctest.h>
 

@@ -43,15 +43,11 @@
 #include <vector>
 
 #include "rebrush/blocks.hpp"
-#include "rebrush/marks.hpp"
-#include "rebrush/move_times.hpp"
 #include "rebrush/region.hpp"
 #include "rebrush/replace.hpp"
-#include "rebrush/totals.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/outline.hpp"
-#include "sillon/rebrush/relief.hpp"
 #include "support/damaged.hpp"
 #include "support/rebrushed.hpp"
 

@@ -1,5 +1,5 @@
 // A print from above: heights in closed form, and any bytes end in a relief or a sentence.
-#include "sillon/rebrush/relief.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 
 #include <doctest/doctest.h>
 

@@ -17,7 +17,7 @@
 #include "sillon/calibrate/read_photo.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/appearance.hpp"
-#include "sillon/look/tones.hpp"
+#include "sillon/look/inversion.hpp"
 #include "support/scenes.hpp"
 
 #define STB_IMAGE_WRITE_STATIC

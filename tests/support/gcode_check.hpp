@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gcode_reader/grammar.hpp"
+#include "gcode_reader/parser.hpp"
 
 namespace sillon::test {
 

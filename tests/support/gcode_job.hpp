@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode/motion.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"

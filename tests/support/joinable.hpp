@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/signed_distance.hpp"
 #include "sillon/geometry/outline.hpp"
-#include "sillon/geometry/signed_distance.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 
 namespace scenes {

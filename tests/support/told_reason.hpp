@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "sillon/base/result.hpp"
 
 /// "OverBedEdge left=2 back=5.5"; empty: the message alone says it.

@@ -1,4 +1,4 @@
-#include "sillon/toolpath/bead_width.hpp"
+#include "toolpath/path.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,8 @@
-#include "sillon/toolpath/contour.hpp"
+#include "toolpath/path.hpp"
 
 #include <doctest/doctest.h>
 
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 

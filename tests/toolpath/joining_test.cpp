@@ -12,10 +12,9 @@
 #include <tuple>
 
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
-#include "sillon/toolpath/stitch.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
+#include "toolpath/path.hpp"
 
 using namespace sillon;
 

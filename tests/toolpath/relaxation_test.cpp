@@ -1,5 +1,5 @@
 // Relaxation, bead widths and the finished toolpath.
-#include "sillon/toolpath/relaxation.hpp"
+#include "toolpath/path.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,9 +8,6 @@
 #include <numbers>
 
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
-#include "sillon/toolpath/bead_width.hpp"
-#include "sillon/toolpath/simplify.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 #include "toolpath/relaxation_steps.hpp"

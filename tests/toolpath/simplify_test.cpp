@@ -1,4 +1,4 @@
-#include "sillon/toolpath/simplify.hpp"
+#include "toolpath/path.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "sillon/toolpath/small_cycles.hpp"
+#include "toolpath/path.hpp"
 
 #include <doctest/doctest.h>
 

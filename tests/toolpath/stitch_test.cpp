@@ -1,4 +1,4 @@
-#include "sillon/toolpath/stitch.hpp"
+#include "toolpath/path.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
-#include "sillon/pipeline/stages.hpp"
+#include "pipeline/stages.hpp"
 #include "support/scenes.hpp"
 #include "toolpath/joining.hpp"
 

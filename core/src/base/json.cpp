@@ -1,7 +1,5 @@
 #include "base/json.hpp"
 
-#include "base/json_text.hpp"
-
 namespace sillon {
 namespace {
 

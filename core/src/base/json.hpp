@@ -1,14 +1,16 @@
-// The JSON library, as all of core uses it.
+// JSON, read and written.
 #pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+// The JSON library, as all of core uses it.
 
 // Its checks of itself are for its authors. In the web's engine they would be a quarter of its code.
 #if defined(__EMSCRIPTEN__) && !defined(JSON_ASSERT)
 #define JSON_ASSERT(x) (static_cast<void>(0))
 #endif
-
-#include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
 
 namespace sillon {
 
@@ -21,5 +23,13 @@ Json parseJson(std::string_view text);
 
 /// On one line; bytes that are no UTF-8 become U+FFFD instead of an exception.
 std::string jsonText(const Json& value);
+
+// JSON that is written without the JSON library, whose header takes compilers long.
+
+/// In quotes, escaped; bytes that are no UTF-8 become U+FFFD.
+std::string jsonString(std::string_view text);
+
+/// The shortest form that reads back as the same number, in every locale; "null" where it is not finite.
+std::string jsonNumber(double value);
 
 }  // namespace sillon

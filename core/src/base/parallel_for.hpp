@@ -6,9 +6,15 @@
 #include <functional>
 #include <memory>
 
+#include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 
 namespace sillon {
+
+// How a job ends that was asked to stop.
+
+/// ErrorCode::Cancelled.
+Error cancelledRun();
 
 /// Threads that wait for work between loops; the caller is worker 0.
 class ThreadPool {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 
 #if defined(__SSE2__)

@@ -5,11 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "calibrate/kinds.hpp"
-#include "calibrate/lay_out.hpp"
-#include "calibrate/plate.hpp"
-#include "calibrate/swatch.hpp"
+#include "base/numbers.hpp"
+#include "calibrate/prints.hpp"
 
 namespace sillon {
 namespace {

@@ -1,12 +1,7 @@
-#include "calibrate/coupon.hpp"
+#include "calibrate/prints.hpp"
 
 #include <algorithm>
 #include <string>
-
-#include "calibrate/kinds.hpp"
-#include "calibrate/pieces.hpp"
-#include "calibrate/plate.hpp"
-#include "calibrate/star.hpp"
 
 namespace sillon {
 

@@ -1,15 +1,12 @@
-#include "calibrate/find_coupon.hpp"
+#include "calibrate/photo.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
-#include "base/cancelled.hpp"
-#include "base/decimal_text.hpp"
-#include "calibrate/find_outline.hpp"
-#include "calibrate/find_spirals.hpp"
-#include "calibrate/plane_map.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
 
 namespace sillon {
 namespace {

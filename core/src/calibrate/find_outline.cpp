@@ -1,4 +1,4 @@
-#include "calibrate/find_outline.hpp"
+#include "calibrate/photo.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-
-#include "calibrate/normal_equations.hpp"
 
 namespace sillon {
 namespace {

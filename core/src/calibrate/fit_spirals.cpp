@@ -1,13 +1,10 @@
-#include "calibrate/fit_spirals.hpp"
+#include "calibrate/photo.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-
-#include "calibrate/normal_equations.hpp"
-#include "calibrate/spiral_model.hpp"
 
 namespace sillon {
 namespace {

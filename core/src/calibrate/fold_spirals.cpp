@@ -1,4 +1,4 @@
-#include "calibrate/fold_spirals.hpp"
+#include "calibrate/photo.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/decimal_text.hpp"
-#include "calibrate/lamp_part.hpp"
+#include "base/numbers.hpp"
+#include "calibrate/photo.hpp"
 #include "sillon/calibrate/read_photo.hpp"
 
 namespace sillon {

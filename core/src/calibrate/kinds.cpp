@@ -1,4 +1,4 @@
-#include "calibrate/kinds.hpp"
+#include "calibrate/prints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 
 namespace sillon {
 namespace {

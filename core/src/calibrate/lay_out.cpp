@@ -1,13 +1,8 @@
-#include "calibrate/lay_out.hpp"
+#include "calibrate/prints.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "calibrate/coupon.hpp"
-#include "calibrate/kinds.hpp"
-#include "calibrate/pieces.hpp"
-#include "calibrate/star.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "calibrate/normal_equations.hpp"
+#include "calibrate/photo.hpp"
 
 #include <Eigen/Cholesky>
 

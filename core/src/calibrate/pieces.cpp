@@ -1,10 +1,9 @@
-#include "calibrate/pieces.hpp"
+#include "calibrate/prints.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/fast_math.hpp"
-#include "calibrate/strokes.hpp"
 
 namespace sillon {
 namespace {

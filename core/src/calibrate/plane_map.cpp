@@ -1,9 +1,7 @@
-#include "calibrate/plane_map.hpp"
+#include "calibrate/photo.hpp"
 
 #include <cmath>
 #include <cstddef>
-
-#include "calibrate/normal_equations.hpp"
 
 namespace sillon {
 namespace {

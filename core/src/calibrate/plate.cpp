@@ -1,11 +1,9 @@
-#include "calibrate/plate.hpp"
+#include "calibrate/prints.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "calibrate/kinds.hpp"
-#include "calibrate/pieces.hpp"
+#include "base/numbers.hpp"
 
 namespace sillon {
 

@@ -8,17 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/cancelled.hpp"
-#include "base/decimal_text.hpp"
 #include "base/json.hpp"
-#include "calibrate/find_coupon.hpp"
-#include "calibrate/fit_spirals.hpp"
-#include "calibrate/lamp_part.hpp"
-#include "calibrate/refine_map.hpp"
-#include "calibrate/spiral_model.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
+#include "calibrate/photo.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/appearance.hpp"
-#include "sillon/look/tones.hpp"
+#include "sillon/look/inversion.hpp"
 
 namespace sillon {
 namespace {

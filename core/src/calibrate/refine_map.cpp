@@ -1,11 +1,9 @@
-#include "calibrate/refine_map.hpp"
+#include "calibrate/photo.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
-
-#include "calibrate/plane_map.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "calibrate/spiral_model.hpp"
+#include "calibrate/photo.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "calibrate/pieces.hpp"
+#include "calibrate/prints.hpp"
 #include "sillon/look/appearance.hpp"
-#include "sillon/look/tones.hpp"
+#include "sillon/look/inversion.hpp"
 
 namespace sillon {
 namespace {

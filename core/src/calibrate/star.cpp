@@ -1,9 +1,7 @@
-#include "calibrate/star.hpp"
+#include "calibrate/prints.hpp"
 
 #include <cmath>
 #include <string>
-
-#include "calibrate/pieces.hpp"
 
 namespace sillon {
 

@@ -1,4 +1,4 @@
-#include "calibrate/strokes.hpp"
+#include "calibrate/prints.hpp"
 
 namespace sillon {
 namespace {

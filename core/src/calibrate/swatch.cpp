@@ -1,4 +1,4 @@
-#include "calibrate/swatch.hpp"
+#include "calibrate/prints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimal_text.hpp"
-#include "calibrate/strokes.hpp"
+#include "base/numbers.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 
@@ -20,7 +19,7 @@ namespace {
 constexpr Vec2 kCard{85.6, 53.98};  // [mm], ISO/IEC 7810 ID-1
 constexpr double kCorner = 3.18;    // [mm], likewise
 constexpr double kPixel = 0.2;      // [mm]
-constexpr double kMargin = 5;       // [mm]
+constexpr double kCardMargin = 5;       // [mm]
 constexpr double kLargest = 1.4;    // [mm] per unit of writing
 constexpr double kBold = 0.9;       // [units], thickness of strokes
 constexpr int kPatches = 12;        // of directions, along the lower edge
@@ -102,20 +101,20 @@ std::optional<Error> addSwatch(CalibrationPlate& plate, const Project& project, 
       shown(name), words({decimal(printer.nozzleTemperature, 0), "C BED ", decimal(printer.bedTemperature, 0)}),
       words({"FLOW ", decimal(print.flow, 2)}), layers};
   Picture picture;
-  const double room = kCard.y - 2 * kMargin - kPatchHeight;
+  const double room = kCard.y - 2 * kCardMargin - kPatchHeight;
   const double line = room / static_cast<double>(std::size(lines));
   for (std::size_t k = 0; k < std::size(lines); ++k) {
     if (lines[k].empty()) continue;
     const double unit =
-        std::min({kLargest, (kCard.x - 2 * kMargin) / textWidth(lines[k]), 0.72 * line / kLetterHeight});
-    const double y = kCard.y - kMargin - line * static_cast<double>(k + 1) + (line - kLetterHeight * unit) / 2;
-    picture.write(lines[k], {kMargin, y}, unit);
+        std::min({kLargest, (kCard.x - 2 * kCardMargin) / textWidth(lines[k]), 0.72 * line / kLetterHeight});
+    const double y = kCard.y - kCardMargin - line * static_cast<double>(k + 1) + (line - kLetterHeight * unit) / 2;
+    picture.write(lines[k], {kCardMargin, y}, unit);
   }
-  const double step = (kCard.x - 2 * kMargin) / kPatches;
+  const double step = (kCard.x - 2 * kCardMargin) / kPatches;
   plate.values.clear();
   for (int k = 0; k < kPatches; ++k) {
     const double degrees = 15 * k;
-    const Bounds box{{kMargin + k * step, kMargin - 2}, {kMargin + (k + 1) * step, kMargin - 2 + kPatchHeight}};
+    const Bounds box{{kCardMargin + k * step, kCardMargin - 2}, {kCardMargin + (k + 1) * step, kCardMargin - 2 + kPatchHeight}};
     picture.fill(box, degrees > 90 ? degrees - 180 : degrees,
                  [&](Vec2 p) { return p.x >= box.min.x && p.x < box.max.x && p.y >= box.min.y && p.y < box.max.y; });
     plate.values.push_back({"", degrees, 0.5 * (box.min + box.max), 0});

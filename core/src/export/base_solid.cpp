@@ -7,13 +7,10 @@
 #include <cstring>
 #include <utility>
 
-#include "export/mesh_xml.hpp"
-#include "export/prism.hpp"
+#include "export/mesh.hpp"
 #include "export/zip.hpp"
 #include "gcode/job.hpp"
 #include "gcode/layout.hpp"
-#include "gcode/plate_transform.hpp"
-#include "gcode/validation.hpp"
 
 namespace sillon {
 namespace {

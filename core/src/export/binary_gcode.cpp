@@ -1,4 +1,4 @@
-#include "export/binary_gcode.hpp"
+#include "export/packing.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,11 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/crc32.hpp"
+#include "base/checksums.hpp"
 #include "base/lines.hpp"
-#include "export/bytes.hpp"
-#include "export/gcode_facts.hpp"
-#include "export/packed_limits.hpp"
 #include "input/inflate.hpp"
 #include "sillon/export/gcode_archive.hpp"
 

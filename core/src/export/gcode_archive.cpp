@@ -9,15 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimal_text.hpp"
 #include "base/json.hpp"
-#include "export/binary_gcode.hpp"
-#include "export/gcode_facts.hpp"
-#include "export/gzip.hpp"
-#include "export/md5.hpp"
-#include "export/packed_limits.hpp"
+#include "base/numbers.hpp"
+#include "export/packing.hpp"
 #include "export/zip.hpp"
-#include "export/zip_reader.hpp"
 
 namespace sillon {
 namespace {

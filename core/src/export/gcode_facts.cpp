@@ -1,4 +1,4 @@
-#include "export/gcode_facts.hpp"
+#include "export/packing.hpp"
 
 #include <fast_float/fast_float.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/lines.hpp"
-#include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/layers.hpp"
 
 namespace sillon {
 namespace {

@@ -1,13 +1,11 @@
-#include "export/gzip.hpp"
+#include "export/packing.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "base/crc32.hpp"
-#include "export/bytes.hpp"
-#include "export/packed_limits.hpp"
+#include "base/checksums.hpp"
 #include "input/inflate.hpp"
 #include "sillon/export/gcode_archive.hpp"
 

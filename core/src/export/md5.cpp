@@ -1,10 +1,8 @@
-#include "export/md5.hpp"
+#include "export/packing.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-
-#include "export/bytes.hpp"
 
 namespace sillon {
 

@@ -1,6 +1,6 @@
-#include "export/mesh_xml.hpp"
+#include "export/mesh.hpp"
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 
 namespace sillon {
 

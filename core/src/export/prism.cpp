@@ -1,4 +1,4 @@
-#include "export/prism.hpp"
+#include "export/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "sillon/export/zones.hpp"
 #include "sillon/geometry/outline.hpp"
 

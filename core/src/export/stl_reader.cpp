@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "export/bytes.hpp"
+#include "export/packing.hpp"
 #include "sillon/export/zones.hpp"
 
 namespace sillon {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "look/direction_colour.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "look/preview_parts.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

@@ -1,13 +1,12 @@
-#include "export/zip_reader.hpp"
+#include "export/zip.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "base/crc32.hpp"
+#include "base/checksums.hpp"
 #include "base/sort_key.hpp"
-#include "export/bytes.hpp"
-#include "export/packed_limits.hpp"
+#include "export/packing.hpp"
 #include "input/inflate.hpp"
 
 namespace sillon {

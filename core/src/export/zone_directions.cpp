@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "export/zone_picture.hpp"
+#include "export/zone_parts.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "export/zone_picture.hpp"
-#include "geometry/chamfer_distance.hpp"
+#include "export/zone_parts.hpp"
+#include "geometry/signed_distance.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {

@@ -5,11 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimal_text.hpp"
-#include "export/mesh_xml.hpp"
-#include "export/prism.hpp"
+#include "base/numbers.hpp"
+#include "export/mesh.hpp"
 #include "export/zip.hpp"
-#include "export/zone_slabs.hpp"
+#include "export/zone_parts.hpp"
 #include "sillon/export/zones.hpp"
 
 namespace sillon {

@@ -1,4 +1,4 @@
-#include "export/zone_slabs.hpp"
+#include "export/zone_parts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/cancelled.hpp"
-#include "base/decimal_text.hpp"
-#include "export/zone_outlines.hpp"
-#include "export/zone_picture.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
+#include "export/zone_parts.hpp"
 #include "input/map_defect.hpp"
 #include "sillon/geometry/outline.hpp"
 

@@ -1,9 +1,8 @@
-#include "sillon/field/constraints.hpp"
+#include "field/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 

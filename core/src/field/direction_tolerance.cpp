@@ -1,10 +1,9 @@
-#include "sillon/field/direction_tolerance.hpp"
+#include "field/fields.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 

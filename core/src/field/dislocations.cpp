@@ -1,4 +1,4 @@
-#include "sillon/field/dislocations.hpp"
+#include "field/fields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
-#include "field/double_angle.hpp"
+#include "field/hierarchy.hpp"
 
 namespace sillon {
 namespace {

@@ -6,11 +6,28 @@
 // parent cell (X, Y) are the cells (X, Y) of the four planes.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "sillon/base/types.hpp"
+
 namespace sillon {
+
+// Between a direction and its line: d and -d are the same z = e^{2i angle}.
+
+/// z of a unit direction: (cos 2a, sin 2a).
+inline Vec2f lineOf(Vec2f d) { return {d.x * d.x - d.y * d.y, 2 * d.x * d.y}; }
+
+/// One of the two unit directions of a unit z, by the half-angle formulas.
+inline Vec2f directionOf(Vec2f z) {
+  const float c = std::sqrt(std::max(0.0f, 0.5f * (1 + z.x)));
+  const float s = std::sqrt(std::max(0.0f, 0.5f * (1 - z.x)));
+  const Vec2f d{c, z.y < 0 ? -s : s};
+  return d * (1 / length(d));
+}
 
 inline constexpr int kColours = 4;
 

@@ -1,13 +1,11 @@
-#include "sillon/field/line_field.hpp"
+#include "field/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "field/double_angle.hpp"
 #include "field/hierarchy.hpp"
 
 namespace sillon {

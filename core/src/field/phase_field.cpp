@@ -1,14 +1,12 @@
-#include "sillon/field/phase_field.hpp"
+#include "field/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/free_memory.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "field/double_angle.hpp"
 #include "field/hierarchy.hpp"
 
 namespace sillon {

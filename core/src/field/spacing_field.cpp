@@ -1,12 +1,11 @@
-#include "sillon/field/spacing_field.hpp"
+#include "field/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "field/double_angle.hpp"
+#include "field/hierarchy.hpp"
 
 namespace sillon {
 namespace {

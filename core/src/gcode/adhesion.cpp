@@ -1,10 +1,9 @@
-#include "gcode/adhesion.hpp"
+#include "gcode/base_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "gcode/layout.hpp"
-#include "gcode/offset_loops.hpp"
 
 namespace sillon {
 namespace {

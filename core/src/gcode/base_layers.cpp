@@ -6,11 +6,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "gcode/hatch.hpp"
+#include "base/numbers.hpp"
 #include "gcode/layout.hpp"
-#include "gcode/offset_loops.hpp"
-#include "gcode_reader/bead_raster.hpp"
+#include "gcode_reader/coverage.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {

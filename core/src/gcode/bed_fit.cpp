@@ -1,10 +1,9 @@
-#include "sillon/gcode/bed_fit.hpp"
+#include "gcode/layout.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "gcode/plate_transform.hpp"
 #include "printer/bed.hpp"
 
 namespace sillon {

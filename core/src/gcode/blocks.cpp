@@ -5,11 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/decimal_text.hpp"
 #include "base/lines.hpp"
+#include "base/numbers.hpp"
 #include "gcode/layout.hpp"
-#include "gcode/template.hpp"
-#include "gcode_reader/commands.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"

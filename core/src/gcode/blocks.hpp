@@ -1,14 +1,57 @@
-// Start and end blocks: values put in, and what a printer would come to grief at.
+// Start and end blocks of a print.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "gcode/job.hpp"
+#include "gcode/nozzle.hpp"
 #include "sillon/base/result.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// What slicers reckon in their start and end blocks: {first_layer_temperature[0] - 60}, {if max_layer_z < 100}.
+
+/// A placeholder's names, one per program that people know them from, and its values: {name} is the first, {name[k]}
+/// the k-th.
+struct TemplateValue {
+  std::vector<std::string_view> names;
+  std::vector<std::string> values;
+  bool whole = true;  ///< counts, temperatures: where no point is written, two of them are divided without a rest
+};
+
+/// The value of `name`, `name[k]` or `name_k`, and whether it is a whole one.
+struct FoundValue {
+  std::string text;
+  bool whole = true;
+};
+/// \return nothing: there is none.
+std::optional<FoundValue> templateValue(std::string_view name, std::size_t index,
+                                        const std::vector<TemplateValue>& values);
+
+/// The value of an expression as PrusaSlicer, OrcaSlicer and Bambu Studio write them: numbers, "texts", names with and
+/// without an index, + - * / %, comparisons, =~ with a literal text between .* and .*, and, or, not, a ? b : c, min,
+/// max, round, int, digits, zdigits, random (the least). Nothing: a name that has no value here, or what is no
+/// expression.
+std::optional<std::string> evaluated(std::string_view expression, const std::vector<TemplateValue>& values);
+
+// Start and end blocks of the user's: text with placeholders, as slicers have them.
+
+/// What blocks may ask for, by the names of PrusaSlicer, Orca, Cura and IceSL. \param beads  box around all beads [mm].
+std::vector<TemplateValue> templateValues(const Printer& printer, const PrintParams& params, const Bounds& beads);
+
+/// Puts values in the place of {expression}, [name], [name[0]] and <NAME>, and leaves out what {if}, {elsif}, {else}
+/// and {endif} say. In comments what has no value stays as it is. Lines become printable ASCII without trailing blanks,
+/// each ended by LF, and as many as before. \param block  how messages call the text. \return InvalidArgument with the
+/// line and what was left in it.
+Result<std::string> expandTemplate(std::string_view text, const std::vector<TemplateValue>& values,
+                                   std::string_view block);
+
+// Start and end blocks: values put in, and what a printer would come to grief at.
 
 /// Whether the start block lays beads of its own: makers' and slicers' blocks fill the nozzle so.
 bool primesItself(const Printer& printer, const PrintParams& params, const Bounds& beads);
@@ -24,5 +67,13 @@ bool setsPressureAdvance(std::string_view block);
 /// \return InvalidArgument with the line and what is wrong there.
 std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Printer& printer,
                                const PrintParams& params);
+
+// What surrounds the layers: the start block, heat and purge before them, and the end block.
+
+/// From cold to a primed nozzle beside the plate.
+void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params);
+
+/// Above the plate: what was changed of the machine goes back, then the end block, or parking and all off.
+void writeEnd(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params);
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-#include "gcode/board_rate.hpp"
+#include "gcode/motion.hpp"
 
 #include <algorithm>
 #include <cmath>

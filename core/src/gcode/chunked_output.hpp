@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "sillon/gcode/writer.hpp"
 
 namespace sillon {

@@ -1,11 +1,11 @@
-#include "gcode/expression.hpp"
+#include "gcode/blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/base64.hpp"
-#include "base/decimal_text.hpp"
+#include "base/checksums.hpp"
+#include "base/numbers.hpp"
 #include "printer/bed.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/base/version.hpp"

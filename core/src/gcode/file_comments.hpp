@@ -3,9 +3,18 @@
 
 #include "gcode/chunked_output.hpp"
 #include "gcode/job.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// Marks by which hosts leave out one of several plates.
+
+/// Klipper's list of the plates and where they stand; nothing for one plate, and for other dialects.
+void defineObjects(ChunkedOutput& out, const GcodeJob& job, GcodeFlavor flavor);
+
+/// Around the moves of one of several plates; nothing where there is one.
+void beginObject(ChunkedOutput& out, const GcodeJob& job, GcodeFlavor flavor, int copy);
+void endObject(ChunkedOutput& out, const GcodeJob& job, GcodeFlavor flavor, int copy);
 
 /// Pictures, measures and parameters. \param seconds  the whole print, as estimated.
 void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer, const PrintParams& params,

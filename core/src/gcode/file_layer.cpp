@@ -1,4 +1,4 @@
-#include "gcode/file_layer.hpp"
+#include "gcode/layers.hpp"
 
 namespace sillon {
 

@@ -1,20 +1,25 @@
-// A job that is ready to be written, and the heights of its layers.
+// A print, planned and checked before the first byte is written.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gcode/motion.hpp"
-#include "sillon/gcode/patches.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/report/warning.hpp"
-#include "sillon/settings/print_params.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// A job that is ready to be written, and the heights of its layers.
 
 inline constexpr double kLeastBead = 0.6;   ///< [nozzle], thinner beads tear
 inline constexpr double kWidestBead = 1.6;  ///< [nozzle], wider beads do not reach their sides
@@ -116,5 +121,29 @@ inline NextTo nextTo(const PrintParams& params, int turn) {
 inline double layerTop(const PrintParams& params, int layer) {
   return params.startHeight + firstLayerHeight(params) + layer * params.layerHeight;
 }
+
+// The part of G-code export that can fail: it checks everything, and lays out what will be written.
+
+/// \param across  null where needsAcross does not ask for it. \return InvalidArgument, DoesNotFit or EmptyShape, as
+/// writeGcode.
+Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
+                                 const Printer& printer, const PrintParams& params);
+
+/// \return InvalidArgument, DoesNotFit or EmptyShape, as writePatches.
+Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer, const PrintParams& params);
+
+// Ranges of everything G-code export is given.
+
+/// What can be judged number by number, before anything is placed: text, ranges, finite coordinates and widths.
+/// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles).
+/// \param across  read where needsAcross, and missing there if null.
+std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
+                                     const Printer& printer, const PrintParams& params);
+
+/// The same for patches. \return InvalidArgument, DoesNotFit or EmptyShape (no lines).
+std::optional<Error> checkPatchInput(const PatchPlate& plate, const Printer& printer, const PrintParams& params);
+
+/// The part of it that needs no toolpath.
+std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params);
 
 }  // namespace sillon

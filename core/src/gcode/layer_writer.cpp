@@ -1,10 +1,10 @@
-#include "gcode/layer_writer.hpp"
+#include "gcode/layers.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "base/decimal_text.hpp"
-#include "gcode/objects.hpp"
+#include "base/numbers.hpp"
+#include "gcode/file_comments.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/settings/presets.hpp"
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "base/decimal_text.hpp"
-#include "sillon/base/reasons.hpp"
-#include "sillon/gcode/bed_fit.hpp"
+#include "base/numbers.hpp"
+#include "sillon/base/result.hpp"
 
 namespace sillon {
 namespace {

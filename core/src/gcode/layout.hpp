@@ -1,4 +1,4 @@
-// Where plates lie on the bed: placement, copies, the grid of the file, and whether all of it fits.
+// Where plates lie on the bed.
 #pragma once
 
 #include <cmath>
@@ -6,14 +6,43 @@
 #include <string>
 #include <vector>
 
-#include "base/whole_number.hpp"
-#include "gcode/hatch.hpp"
+#include "base/numbers.hpp"
+#include "gcode/base_layers.hpp"
 #include "gcode/job.hpp"
+#include "gcode/motion.hpp"
 #include "printer/bed.hpp"
 #include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// A plate turned and mirrored on its page, before it is placed on the bed.
+
+/// Mirrored left to right if asked, then turned counter-clockwise, both about the page's middle; the page becomes the
+/// box around the turned one, with its lower left corner at the origin again. Quarter turns are exact.
+class PlateTransform {
+ public:
+  PlateTransform(const PrintParams& params, Vec2 page);
+
+  [[nodiscard]] bool none() const { return none_; }
+  [[nodiscard]] Vec2 apply(Vec2 p) const;
+  /// The point that apply() brings to p.
+  [[nodiscard]] Vec2 invert(Vec2 p) const;
+  [[nodiscard]] Toolpath apply(const Toolpath& toolpath) const;
+  [[nodiscard]] Shape apply(const Shape& shape) const;
+
+ private:
+  bool none_;
+  double mirror_;
+  double cos_;
+  double sin_;
+  Vec2 from_;  ///< middle of the page
+  Vec2 to_;    ///< middle of the turned page
+};
+
+// Where plates lie on the bed: placement, copies, the grid of the file, and whether all of it fits.
 
 /// To the grid of the file.
 inline PointUm rounded(Vec2 p) { return {toWhole(p.x * 1000), toWhole(p.y * 1000)}; }
@@ -53,5 +82,25 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
 
 /// What would bring a plate upon the bed that does not fit where it is; empty if nothing would.
 std::string wayOut(const Shape& shape, const Printer& printer, const PrintParams& params);
+
+// Where cycles begin: at places where a seam does not show.
+
+/// Marks where each cycle may begin unseen: within a bead of the border, seen along x or y; near a concave corner if it
+/// passes one. \param offset  from the shape to the cycles. \param spacing  of the toolpath [mm].
+void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Shape& shape, const ShapeScan& scan,
+               double spacing);
+
+// Whether a plate finds room on a bed, and what would help if it does not.
+
+/// Ways to bring all copies of a plate, brims included, upon the bed, judged by their boxes: shapes that find room only
+/// between the corners of a round bed or around its excluded part are not found, except single ones on a round bed.
+struct BedFit {
+  bool centred = false;  ///< in the middle of the bed, turned as it is
+  bool turned = false;   ///< there, after a quarter turn
+  int percent = 100;     ///< largest whole percentage of its size that fits there, turned as it is; 0: none
+};
+
+/// \param params  of which rotate, mirror, brim, copies and copyGap count. All values within their ranges.
+BedFit fitBed(const Shape& shape, const Printer& printer, const PrintParams& params);
 
 }  // namespace sillon

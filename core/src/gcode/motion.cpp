@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "base/fast_math.hpp"
-#include "base/whole_number.hpp"
-#include "gcode/board_rate.hpp"
-#include "gcode/scarf.hpp"
+#include "base/numbers.hpp"
 
 namespace sillon {
 namespace {

@@ -1,15 +1,17 @@
-// How a printer runs along one path: widths it can follow, feedrates, and the time it takes.
+// How the nozzle moves along a bead.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sillon/base/types.hpp"
-#include "sillon/settings/print_params.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// How a printer runs along one path: widths it can follow, feedrates, and the time it takes.
 
 using PointUm = Vec2T<std::int64_t>;  ///< on the bed [µm], exactly as it is written
 
@@ -66,5 +68,49 @@ Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& l
 /// Time for moves without plastic along points that all differ from their neighbours, from rest to rest [s].
 /// \param limits  of which flavor, acceleration and cornerSpeed count.
 double travelSeconds(const std::vector<PointUm>& points, double speed, const MotionLimits& limits);
+
+// What a slow board can follow: fewer moves where they come thick, then speeds that change as little as they may.
+
+/// Joins moves to longer ones where the path would otherwise be slowed by maxSegmentsPerSecond. Points left out lie
+/// within 10 um of the line that replaces them, and widths within 0.08 mm of the one that is written there: both as
+/// little as it takes. The plastic of what is joined is the sum of its parts. Paths that a board can follow stay as
+/// they are.
+void joinMoves(Motion& motion, const MotionLimits& limits);
+
+/// Speed per segment that no 8 moves in a row pass the board faster than it takes. \return counts what is slowed.
+std::vector<double> boardSpeeds(Motion& motion, const MotionLimits& limits);
+
+// Keeps the longest motion that was planned.
+
+/// Planned for the estimate, the longest motion is written without being planned again, which takes a third of the time
+/// of writing.
+class MotionPlans {
+ public:
+  /// \return valid until the next call.
+  const Motion& of(const BeadPath& path, std::size_t start, const MotionLimits& limits) {
+    if (path_ == &path && start_ == start && limits_ == limits) return longest_;
+    Motion motion = planMotion(path, start, limits);
+    if (motion.points.size() <= longest_.points.size()) return other_ = std::move(motion);
+    path_ = &path;
+    start_ = start;
+    limits_ = limits;
+    return longest_ = std::move(motion);
+  }
+
+ private:
+  const BeadPath* path_ = nullptr;
+  std::size_t start_ = 0;
+  MotionLimits limits_;
+  Motion longest_;
+  Motion other_;
+};
+
+// The seam of a closed path as a scarf joint: two slanted ends that overlap.
+
+/// Lets the plastic of a closed path grow evenly from nothing over the first `length`, and runs on over the same
+/// stretch at the end while it goes out as evenly. Both together are what the path had there, so that the volume stays.
+/// \param motion  of a closed path without coasting; its areas and widths are final. \param speeds  per segment [mm/s],
+/// continued likewise. \param length  [mm]; at most a quarter of the path is taken.
+void addScarf(Motion& motion, std::vector<double>& speeds, double length);
 
 }  // namespace sillon

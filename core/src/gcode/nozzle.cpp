@@ -4,8 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/decimal_text.hpp"
-#include "base/whole_number.hpp"
+#include "base/numbers.hpp"
 #include "gcode/job.hpp"
 
 namespace sillon {

@@ -7,7 +7,7 @@
 
 #include "gcode/chunked_output.hpp"
 #include "gcode/motion.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 

@@ -1,8 +1,8 @@
-#include "gcode/objects.hpp"
+#include "gcode/file_comments.hpp"
 
 #include <string>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode/layout.hpp"
 
 namespace sillon {

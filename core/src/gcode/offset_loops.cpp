@@ -1,12 +1,12 @@
-#include "gcode/offset_loops.hpp"
+#include "gcode/base_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/signed_distance.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/geometry/outline.hpp"
-#include "sillon/geometry/signed_distance.hpp"
-#include "sillon/toolpath/contour.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

@@ -1,18 +1,13 @@
-#include "gcode/plan.hpp"
+#include "gcode/job.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "base/decimal_text.hpp"
-#include "gcode/adhesion.hpp"
+#include "base/numbers.hpp"
 #include "gcode/base_layers.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode/layout.hpp"
-#include "gcode/plate_transform.hpp"
-#include "gcode/seams.hpp"
-#include "gcode/shape_scan.hpp"
-#include "gcode/validation.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/quality/metrics.hpp"
 

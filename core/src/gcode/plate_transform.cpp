@@ -1,4 +1,4 @@
-#include "gcode/plate_transform.hpp"
+#include "gcode/layout.hpp"
 
 #include <cmath>
 

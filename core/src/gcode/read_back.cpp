@@ -1,11 +1,10 @@
-#include "sillon/gcode/read_back.hpp"
+#include "gcode/read_back.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include "gcode/job.hpp"
 #include "gcode/layout.hpp"
-#include "gcode/plate_transform.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
 

@@ -1,4 +1,4 @@
-#include "gcode/scarf.hpp"
+#include "gcode/motion.hpp"
 
 #include <algorithm>
 #include <cmath>

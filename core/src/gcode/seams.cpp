@@ -1,8 +1,6 @@
-#include "gcode/seams.hpp"
+#include "gcode/layout.hpp"
 
 #include <algorithm>
-
-#include "gcode/layout.hpp"
 
 namespace sillon {
 namespace {

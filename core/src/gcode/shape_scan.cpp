@@ -1,4 +1,4 @@
-#include "gcode/shape_scan.hpp"
+#include "gcode/base_layers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,11 @@
-#include "gcode/start_and_end.hpp"
+#include "gcode/blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode/file_comments.hpp"
-#include "gcode/objects.hpp"
 #include "printer/bed.hpp"
 #include "printer/dialect.hpp"
 

@@ -1,12 +1,12 @@
-#include "gcode/template.hpp"
+#include "gcode/blocks.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
-#include "base/decimal_text.hpp"
 #include "base/lines.hpp"
+#include "base/numbers.hpp"
 #include "gcode/job.hpp"
 
 namespace sillon {

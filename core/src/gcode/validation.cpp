@@ -1,4 +1,4 @@
-#include "gcode/validation.hpp"
+#include "gcode/job.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "gcode/job.hpp"
-#include "settings/out_of_range.hpp"
-#include "sillon/base/reasons.hpp"
+#include "base/numbers.hpp"
+#include "settings/json.hpp"
+#include "sillon/base/result.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "gcode/blocks.hpp"
 #include "gcode/file_comments.hpp"
-#include "gcode/layer_writer.hpp"
-#include "gcode/motion_plans.hpp"
+#include "gcode/job.hpp"
+#include "gcode/layers.hpp"
+#include "gcode/motion.hpp"
 #include "gcode/nozzle.hpp"
-#include "gcode/plan.hpp"
-#include "gcode/start_and_end.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "gcode_reader/bead_raster.hpp"
+#include "gcode_reader/coverage.hpp"
 
 #include <algorithm>
 #include <bit>

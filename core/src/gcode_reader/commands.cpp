@@ -1,4 +1,4 @@
-#include "gcode_reader/commands.hpp"
+#include "gcode_reader/parser.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,10 +6,10 @@
 #include <map>
 #include <optional>
 
-#include "base/decimal_text.hpp"
-#include "gcode_reader/findings.hpp"
+#include "base/numbers.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
+#include "gcode_reader/rules.hpp"
 
 namespace sillon {
 namespace {

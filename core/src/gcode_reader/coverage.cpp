@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "gcode_reader/bead_raster.hpp"
-
 namespace sillon {
 namespace {
 

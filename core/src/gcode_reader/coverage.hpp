@@ -1,11 +1,49 @@
-// How much of what lies below it an oriented layer of a read file covers.
+// Cover of the laid beads.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sillon/base/types.hpp"
 
 namespace sillon {
+
+// Which cells of a plate beads lie on.
+
+/// Square cells over a box, at most 4 million of them.
+class BeadRaster {
+ public:
+  using Bits = std::vector<std::uint64_t>;  ///< one bit per cell: whether something lies on its centre
+
+  /// \param finest  side of the cells where they are not too many [mm], > 0.
+  BeadRaster(const Bounds& box, double finest);
+
+  [[nodiscard]] Bits none() const { return Bits(rowWords_ * static_cast<std::size_t>(rows_), 0); }
+
+  /// A rectangle with round ends. \param width  [mm]. \return how many cells it has looked at.
+  std::int64_t draw(Vec2f from, Vec2f to, double width, Bits& bits) const;
+
+  /// The cells of a row from one x to another [mm].
+  void fill(int row, double begin, double end, Bits& bits) const;
+
+  [[nodiscard]] std::int64_t cells() const { return static_cast<std::int64_t>(columns_) * rows_; }
+  [[nodiscard]] double cell() const { return cell_; }                   ///< side of a cell [mm]
+  [[nodiscard]] double firstY() const { return min_.y + 0.5 * cell_; }  ///< of the centres of the lowest row
+  [[nodiscard]] int rows() const { return rows_; }
+
+ private:
+  Vec2 min_;
+  double cell_ = 0;
+  double perMm_ = 0;  ///< cells
+  int columns_ = 0;
+  int rows_ = 0;
+  std::size_t rowWords_ = 0;
+};
+
+/// How many cells are set.
+std::int64_t countOf(const BeadRaster::Bits& bits);
+
+// How much of what lies below it an oriented layer of a read file covers.
 
 /// A bead as a file tells it, all [mm].
 struct LaidBead {

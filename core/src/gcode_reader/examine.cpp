@@ -1,11 +1,10 @@
-#include "sillon/gcode_reader/examine.hpp"
+#include "sillon/gcode_reader/check.hpp"
 
 #include <string>
 
-#include "base/decimal_text.hpp"
-#include "gcode_reader/commands.hpp"
-#include "gcode_reader/findings.hpp"
+#include "base/numbers.hpp"
 #include "gcode_reader/machine.hpp"
+#include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
 
 namespace sillon {

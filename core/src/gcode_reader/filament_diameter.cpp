@@ -1,4 +1,4 @@
-#include "gcode_reader/filament_diameter.hpp"
+#include "gcode_reader/file_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimal_text.hpp"
-#include "gcode_reader/file_settings.hpp"
-#include "gcode_reader/layer_mark.hpp"
+#include "base/numbers.hpp"
+#include "gcode_reader/layers.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
 

@@ -1,4 +1,4 @@
-#include "gcode_reader/findings.hpp"
+#include "gcode_reader/rules.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "gcode_reader/grammar.hpp"
+#include "gcode_reader/parser.hpp"
 
 #include <algorithm>
 #include <bitset>

@@ -1,10 +1,9 @@
-#include "gcode_reader/heaters.hpp"
+#include "gcode_reader/machine.hpp"
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 
 namespace sillon {

@@ -1,4 +1,4 @@
-#include "gcode_reader/laid_heights.hpp"
+#include "gcode_reader/layers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "gcode_reader/machine_memory.hpp"
-
 namespace sillon {
 namespace {
 

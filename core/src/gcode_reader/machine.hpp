@@ -1,6 +1,8 @@
-// What a printer knows while it runs a file: modes, place, filament, heat. One step per command.
+// The state of a machine while it reads G-code.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,9 +11,80 @@
 
 #include "gcode_reader/parser.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// Offsets that commands add up, which move what a file prints without its coordinates telling it.
+
+/// The sum of babysteps, G-code offsets, home offsets and workplace origins [mm].
+class Offsets {
+ public:
+  struct Axes {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+  };
+
+  /// Runs SET_GCODE_OFFSET, M290, M206 and G10 with L2 or L20; others change nothing.
+  /// \return the new sum, if the command changes it.
+  std::optional<Axes> run(const GcodeCommand& command, GcodeFlavor flavor);
+
+ private:
+  Axes code_;   // SET_GCODE_OFFSET, M290
+  Axes home_;   // M206
+  Axes place_;  // G10 L2, L20
+};
+
+// What a file asks of the heaters, and what it has waited for.
+
+inline constexpr double kColdest = 170;  ///< [degrees Celsius] of a nozzle that extrudes
+
+/// [degrees Celsius]
+struct Heater {
+  double target = 0;
+  double ready = 0;  ///< that was waited for, or less where less was asked for since: no colder than this
+
+  bool operator==(const Heater&) const = default;
+};
+
+/// The bed, the chamber and the nozzles of all tools. Tools that were never told share the heater that was told last,
+/// as the filaments of a changer share a nozzle.
+class Heaters {
+ public:
+  /// Runs M104, M109, M140, M190, M141, M191, RepRapFirmware's G10, M568 and M116, and Klipper's TURN_OFF_HEATERS,
+  /// SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. Less than 0 degrees switch off.
+  /// \param tool  the current one.
+  void run(const GcodeCommand& command, const GcodeWords& words, int tool);
+
+  /// For what heats in ways of its own, as start macros do.
+  void setNozzle(double degrees) { tell(told_) = {degrees, degrees}; }
+  void setBed(double degrees) { bed_ = {degrees, degrees}; }
+
+  [[nodiscard]] const Heater& nozzle(int tool) const { return nozzles_[indexOf(tool)]; }
+  [[nodiscard]] const Heater& bed() const { return bed_; }
+  [[nodiscard]] const Heater& chamber() const { return chamber_; }
+  /// Tools beside this one whose nozzle has a target.
+  [[nodiscard]] std::vector<int> otherHotTools(int tool) const;
+
+  bool operator==(const Heaters&) const = default;
+
+ private:
+  static constexpr std::size_t kTools = 16;
+
+  [[nodiscard]] std::size_t indexOf(int tool) const;
+  Heater& tell(std::size_t index);
+  void runNamed(const GcodeCommand& command);
+
+  std::array<Heater, kTools> nozzles_{};
+  std::array<bool, kTools> known_{};  // that were told
+  std::size_t told_ = 0;              // whose nozzle was told last
+  bool separate_ = false;             // a tool was told that was not the current one: each has a nozzle of its own
+  Heater bed_;
+  Heater chamber_;
+};
+
+// What a printer knows while it runs a file: modes, place, filament, heat. One step per command.
 
 inline constexpr unsigned kAxisX = 1, kAxisY = 2, kAxisZ = 4;
 inline constexpr unsigned kPlane = kAxisX | kAxisY;
@@ -109,5 +182,37 @@ bool setsTool(const GcodeCommand& command, const GcodeWords& words, bool duet = 
 
 /// What M200 makes of volumetric extrusion; nothing: it is another command, or leaves it as it is.
 std::optional<bool> volumetricBy(const GcodeCommand& command, const GcodeWords& words);
+
+// What a printer puts aside and takes up again: states by name or on a stack, and the filament that each tool holds
+// back.
+
+/// \param tool  from 0; others change nothing.
+void changeTool(MachineState& state, int tool);
+
+/// M120 and M121 of RepRapFirmware.
+void pushModes(MachineState& state);
+void popModes(MachineState& state);
+
+/// SAVE_GCODE_STATE and RESTORE_GCODE_STATE of Klipper: modes, origin and what E is written as. \return the way back,
+/// where MOVE=1 asks for it.
+std::optional<MachineMove> runMemory(MachineState& state, const GcodeCommand& command);
+
+// Where the code that changes a tool or a filament begins and ends: it cuts, flushes and wipes in ways of its own.
+
+/// \return true: it begins; false: it ends; nothing: the line is something else. PrusaSlicer's comments, and M620 S and
+/// M621 S of Bambu's printers.
+inline std::optional<bool> toolChangeMark(const GcodeParts& parts) {
+  if (parts.code.empty()) {
+    if (parts.comment == "CP TOOLCHANGE START" || parts.comment == "CP PRIMING START") return true;
+    const bool ends = parts.comment == "CP TOOLCHANGE END" || parts.comment == "CP PRIMING END";
+    return ends ? std::optional(false) : std::nullopt;
+  }
+  if (!parts.code.starts_with("M62")) return std::nullopt;
+  const GcodeCommand command = commandOf(parts.code);
+  const bool begins = command.is('M', 620);
+  if (!begins && !command.is('M', 621)) return std::nullopt;
+  const std::size_t word = command.rest.find_first_not_of(" \t");
+  return word != std::string_view::npos && command.rest[word] == 'S' ? std::optional(begins) : std::nullopt;
+}
 
 }  // namespace sillon

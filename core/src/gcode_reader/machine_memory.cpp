@@ -1,4 +1,4 @@
-#include "gcode_reader/machine_memory.hpp"
+#include "gcode_reader/machine.hpp"
 
 #include <algorithm>
 #include <memory>

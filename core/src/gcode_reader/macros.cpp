@@ -1,6 +1,5 @@
 #include "gcode_reader/macros.hpp"
 
-#include "gcode_reader/heaters.hpp"
 #include "gcode_reader/machine.hpp"
 
 namespace sillon {

@@ -1,4 +1,4 @@
-#include "gcode_reader/offsets.hpp"
+#include "gcode_reader/machine.hpp"
 
 #include <utility>
 

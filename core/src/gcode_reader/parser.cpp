@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "gcode_reader/grammar.hpp"
-
 namespace sillon {
 namespace {
 

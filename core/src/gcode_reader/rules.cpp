@@ -6,11 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "gcode_reader/commands.hpp"
-#include "gcode_reader/grammar.hpp"
+#include "base/numbers.hpp"
+#include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
-#include "gcode_reader/tool_change.hpp"
+#include "gcode_reader/parser.hpp"
 #include "printer/bed.hpp"
 
 namespace sillon {

@@ -3,21 +3,30 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gcode_reader/coverage.hpp"
 #include "gcode_reader/file_settings.hpp"
-#include "gcode_reader/findings.hpp"
-#include "gcode_reader/heaters.hpp"
-#include "gcode_reader/laid_heights.hpp"
-#include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/layers.hpp"
 #include "gcode_reader/machine.hpp"
-#include "gcode_reader/offsets.hpp"
 #include "gcode_reader/parser.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
 namespace sillon {
+
+// Makes findings: the one place where their codes, rules and sentences stand.
+
+using FindingValues = std::vector<std::pair<std::string, std::string>>;
+
+/// \param code  one of the list in findings.cpp. \param values  for the sentence's {names}.
+/// line and count are left to the caller.
+GcodeFinding makeFinding(std::string_view code, bool error, FindingValues values = {});
+
+/// Text of a file, as a sentence may show it: at most 60 characters, printable ASCII, quoted.
+std::string shownText(std::string_view text);
 
 inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
 inline constexpr double kHottestBed = 120;

@@ -1,4 +1,4 @@
-#include "geometry/border_depth.hpp"
+#include "geometry/bead_room.hpp"
 
 namespace sillon {
 namespace {

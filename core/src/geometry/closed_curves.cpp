@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/parallel_for.hpp"
-#include "geometry/crossings.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/geometry/connected_parts.hpp"
+#include "geometry/parts.hpp"
 
 #include <algorithm>
 #include <numeric>

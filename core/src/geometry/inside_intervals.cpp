@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/winding.hpp"
+#include "geometry/outline_steps.hpp"
 
 namespace sillon {
 

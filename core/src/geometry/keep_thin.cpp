@@ -1,4 +1,4 @@
-#include "sillon/geometry/keep_thin.hpp"
+#include "geometry/parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "base/sort_key.hpp"
 #include "geometry/bead_room.hpp"
-#include "geometry/lost_cells.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {

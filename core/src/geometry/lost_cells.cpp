@@ -1,9 +1,8 @@
-#include "geometry/lost_cells.hpp"
+#include "geometry/parts.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "geometry/bead_room.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "geometry/outline_steps.hpp"
 
 namespace sillon {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 
 namespace sillon {
 namespace {

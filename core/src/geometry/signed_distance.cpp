@@ -1,4 +1,4 @@
-#include "sillon/geometry/signed_distance.hpp"
+#include "geometry/signed_distance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 
 namespace sillon {

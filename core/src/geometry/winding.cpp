@@ -1,4 +1,4 @@
-#include "geometry/winding.hpp"
+#include "geometry/outline_steps.hpp"
 
 namespace sillon {
 

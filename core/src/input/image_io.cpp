@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/crc32.hpp"
+#include "base/checksums.hpp"
 #include "input/inflate.hpp"
 
 namespace {

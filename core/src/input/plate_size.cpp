@@ -1,12 +1,12 @@
-#include "sillon/input/plate_size.hpp"
+#include "input/plate_size.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "base/decimal_text.hpp"
-#include "sillon/base/reasons.hpp"
+#include "base/numbers.hpp"
+#include "sillon/base/result.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

@@ -1,9 +1,9 @@
 #include <optional>
 #include <utility>
 
+#include "input/plate_size.hpp"
 #include "job/place_on_bed.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/plate_size.hpp"
 #include "sillon/job/plate.hpp"
 #include "sillon/settings/table.hpp"
 

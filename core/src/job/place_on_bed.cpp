@@ -1,6 +1,6 @@
 #include "job/place_on_bed.hpp"
 
-#include "sillon/gcode/bed_fit.hpp"
+#include "gcode/layout.hpp"
 
 namespace sillon {
 

@@ -1,9 +1,9 @@
 #include <utility>
 
-#include "sillon/gcode/read_back.hpp"
+#include "gcode/read_back.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/look/thumbnails.hpp"
+#include "sillon/look/preview.hpp"
 
 namespace sillon {
 

@@ -4,7 +4,7 @@
 
 #include "base/fast_math.hpp"
 #include "look/appearance_data.hpp"
-#include "look/decay.hpp"
+#include "look/inversion_parts.hpp"
 
 namespace sillon {
 namespace {

@@ -1,6 +1,6 @@
 // Iterated conditional modes on a hierarchy: each cell in turn takes the best of 64 directions given its neighbours,
 // cells of one of four colours at a time, from coarse to fine.
-#include "look/direction_solver.hpp"
+#include "look/inversion_parts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,10 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "base/cancelled.hpp"
-#include "look/direction_solver.hpp"
-#include "look/lamp_choice.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "base/parallel_for.hpp"
+#include "look/inversion_parts.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "look/lamp_choice.hpp"
+#include "look/inversion_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "look/page_tones.hpp"
+#include "look/inversion_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

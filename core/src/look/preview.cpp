@@ -8,14 +8,12 @@
 #include <new>
 #include <string>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
-#include "look/decay.hpp"
-#include "look/direction_colour.hpp"
+#include "look/inversion_parts.hpp"
 #include "look/preview_parts.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/tones.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "sillon/look/inversion.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

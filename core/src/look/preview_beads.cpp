@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/simd.hpp"
-#include "look/direction_colour.hpp"
 
 namespace sillon {
 namespace {

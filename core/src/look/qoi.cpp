@@ -1,4 +1,4 @@
-#include "look/qoi.hpp"
+#include "look/preview_parts.hpp"
 
 #include <array>
 #include <cstddef>
@@ -8,12 +8,12 @@ namespace {
 
 constexpr int kLongestRun = 62;
 
-struct Colour {
+struct Pixel {
   std::uint8_t r = 0;
   std::uint8_t g = 0;
   std::uint8_t b = 0;
   std::uint8_t a = 255;
-  friend bool operator==(const Colour&, const Colour&) = default;
+  friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
 }  // namespace
@@ -27,12 +27,12 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
   byte(3);  // channels
   byte(0);  // sRGB
 
-  std::array<Colour, 64> seen{};
-  for (Colour& colour : seen) colour.a = 0;
-  Colour before;
+  std::array<Pixel, 64> seen{};
+  for (Pixel& colour : seen) colour.a = 0;
+  Pixel before;
   int run = 0;
   for (std::size_t k = 0; k + 2 < rgb.size(); k += 3) {
-    const Colour now{rgb[k], rgb[k + 1], rgb[k + 2]};
+    const Pixel now{rgb[k], rgb[k + 1], rgb[k + 2]};
     if (now == before) {
       if (++run == kLongestRun) byte(0xC0 | (run - 1)), run = 0;
       continue;

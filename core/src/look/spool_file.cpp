@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
 #include "base/json.hpp"
+#include "base/numbers.hpp"
 #include "base/words.hpp"
 #include "sillon/look/spools.hpp"
 

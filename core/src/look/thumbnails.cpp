@@ -1,9 +1,9 @@
-#include "sillon/look/thumbnails.hpp"
+#include "sillon/look/preview.hpp"
 
 #include <array>
 #include <utility>
 
-#include "look/qoi.hpp"
+#include "look/preview_parts.hpp"
 #include "sillon/input/image_io.hpp"
 
 namespace sillon {

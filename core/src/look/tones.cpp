@@ -1,4 +1,4 @@
-#include "sillon/look/tones.hpp"
+#include "sillon/look/inversion.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 
 #include "base/fast_math.hpp"
 #include "sillon/input/image_io.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

@@ -1,12 +1,11 @@
-#include "pictures/choose_lamp.hpp"
+#include "pictures/parts.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
-#include "pictures/rasters.hpp"
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "pictures/missing_tones.hpp"
+#include "pictures/parts.hpp"
 
 #include <algorithm>
 #include <cmath>

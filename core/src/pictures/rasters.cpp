@@ -1,4 +1,4 @@
-#include "pictures/rasters.hpp"
+#include "pictures/parts.hpp"
 
 #include <algorithm>
 #include <cmath>

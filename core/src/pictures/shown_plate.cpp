@@ -2,10 +2,9 @@
 #include <utility>
 #include <vector>
 
-#include "pictures/missing_tones.hpp"
-#include "pictures/rasters.hpp"
+#include "pictures/parts.hpp"
 #include "sillon/pictures/pictures.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 namespace sillon {
 

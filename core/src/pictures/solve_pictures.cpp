@@ -3,13 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "look/page_tones.hpp"
-#include "pictures/choose_lamp.hpp"
-#include "pictures/rasters.hpp"
-#include "project/input_file.hpp"
+#include "look/inversion_parts.hpp"
+#include "pictures/parts.hpp"
+#include "project/files.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 namespace sillon {
 

@@ -1,4 +1,4 @@
-#include "sillon/pipeline/session.hpp"
+#include "sillon/pipeline/pipeline.hpp"
 
 #include <optional>
 

@@ -3,23 +3,17 @@
 #include <algorithm>
 #include <string>
 
-#include "base/cancelled.hpp"
-#include "base/decimal_text.hpp"
 #include "base/free_memory.hpp"
-#include "field/double_angle.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
+#include "field/fields.hpp"
+#include "field/hierarchy.hpp"
 #include "geometry/closed_curves.hpp"
 #include "input/map_defect.hpp"
-#include "sillon/base/reasons.hpp"
-#include "sillon/field/direction_tolerance.hpp"
-#include "sillon/field/sine_field.hpp"
-#include "sillon/field/spacing_field.hpp"
-#include "sillon/input/plate_size.hpp"
+#include "input/plate_size.hpp"
+#include "sillon/base/result.hpp"
 #include "sillon/settings/table.hpp"
-#include "sillon/toolpath/contour.hpp"
-#include "sillon/toolpath/simplify.hpp"
-#include "sillon/toolpath/small_cycles.hpp"
-#include "sillon/toolpath/thin_features.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

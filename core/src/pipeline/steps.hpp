@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/stages.hpp"
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/pipeline/stages.hpp"
 
 namespace sillon {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 

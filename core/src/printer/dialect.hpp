@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/decimal_text.hpp"
-#include "sillon/settings/printer.hpp"
+#include "base/numbers.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 

@@ -1,12 +1,10 @@
-#include "printer_import/bed_area.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include "printer_import/slicer_text.hpp"
 
 namespace sillon {
 namespace {

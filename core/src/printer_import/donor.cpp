@@ -6,22 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode/blocks.hpp"
-#include "gcode/template.hpp"
-#include "gcode_reader/filament_diameter.hpp"
-#include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/file_settings.hpp"
+#include "gcode_reader/layers.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/rules.hpp"
-#include "printer_import/fold_settings.hpp"
-#include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
-#include "printer_import/same_lines.hpp"
-#include "printer_import/slicer_settings.hpp"
-#include "printer_import/slicer_text.hpp"
-#include "printer_import/spelling.hpp"
+#include "printer_import/slicer_files.hpp"
 #include "sillon/gcode_reader/check.hpp"
 
 namespace sillon {

@@ -1,4 +1,4 @@
-#include "printer_import/fold_settings.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,9 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode_reader/parser.hpp"
-#include "printer_import/slicer_text.hpp"
 
 namespace sillon {
 namespace {

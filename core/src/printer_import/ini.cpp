@@ -1,12 +1,10 @@
-#include "printer_import/formats.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "printer_import/notes.hpp"
-#include "printer_import/slicer_settings.hpp"
-#include "printer_import/slicer_text.hpp"
 
 namespace sillon {
 namespace {

@@ -2,10 +2,8 @@
 #include <utility>
 
 #include "base/json.hpp"
-#include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
-#include "printer_import/slicer_settings.hpp"
-#include "printer_import/slicer_text.hpp"
+#include "printer_import/slicer_files.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon {

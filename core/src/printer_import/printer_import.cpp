@@ -3,9 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "export/zip_reader.hpp"
-#include "printer_import/formats.hpp"
-#include "printer_import/slicer_text.hpp"
+#include "export/zip.hpp"
+#include "printer_import/slicer_files.hpp"
 #include "sillon/export/gcode_archive.hpp"
 
 namespace sillon {

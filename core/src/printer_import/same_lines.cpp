@@ -1,4 +1,4 @@
-#include "printer_import/same_lines.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
 #include <cmath>

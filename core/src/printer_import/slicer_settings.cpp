@@ -1,4 +1,4 @@
-#include "printer_import/slicer_settings.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,18 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimal_text.hpp"
 #include "base/lines.hpp"
-#include "gcode/template.hpp"
-#include "gcode_reader/filament_diameter.hpp"
+#include "base/numbers.hpp"
+#include "gcode/blocks.hpp"
+#include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/parser.hpp"
-#include "printer_import/bed_area.hpp"
-#include "printer_import/fold_settings.hpp"
-#include "printer_import/formats.hpp"
 #include "printer_import/notes.hpp"
-#include "printer_import/slicer_text.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/look/thumbnails.hpp"
+#include "sillon/look/preview.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace sillon {

@@ -1,4 +1,4 @@
-#include "printer_import/slicer_text.hpp"
+#include "printer_import/slicer_files.hpp"
 
 #include <fast_float/fast_float.h>
 

@@ -8,8 +8,8 @@
 
 #include "base/json.hpp"
 #include "base/words.hpp"
-#include "project/scene_file.hpp"
-#include "settings/json_in.hpp"
+#include "project/files.hpp"
+#include "settings/json.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 

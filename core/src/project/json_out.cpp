@@ -1,4 +1,4 @@
-#include "settings/json_out.hpp"
+#include "settings/json.hpp"
 
 #include "sillon/project/project.hpp"
 

@@ -1,4 +1,4 @@
-#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
 
 #include <optional>
 #include <span>
@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "base/words.hpp"
+#include "geometry/parts.hpp"
 #include "input/map_defect.hpp"
-#include "project/input_file.hpp"
-#include "sillon/geometry/keep_thin.hpp"
+#include "input/plate_size.hpp"
+#include "input/svg.hpp"
+#include "project/files.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/input/plate_size.hpp"
-#include "sillon/input/svg.hpp"
 
 namespace sillon {
 namespace {

@@ -1,11 +1,10 @@
-#include "project/scene_file.hpp"
+#include "project/files.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
 #include "base/json.hpp"
-#include "settings/json_in.hpp"
-#include "settings/json_out.hpp"
+#include "settings/json.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

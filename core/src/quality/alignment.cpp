@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel_for.hpp"
-#include "sillon/field/constraints.hpp"
+#include "field/fields.hpp"
 
 namespace sillon {
 namespace {

@@ -11,7 +11,7 @@
 #include "base/capsule_rows.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "sillon/geometry/grid.hpp"
+#include "geometry/signed_distance.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {

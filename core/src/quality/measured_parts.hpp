@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "geometry/closed_curves.hpp"
+#include "geometry/signed_distance.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/geometry/signed_distance.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/settings/toolpath_params.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 

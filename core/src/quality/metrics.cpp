@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
 #include "base/sort_key.hpp"
-#include "base/whole_number.hpp"
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
-#include "geometry/lost_cells.hpp"
+#include "geometry/parts.hpp"
+#include "geometry/signed_distance.hpp"
+#include "input/plate_size.hpp"
 #include "pipeline/steps.hpp"
 #include "quality/measured_parts.hpp"
-#include "sillon/geometry/signed_distance.hpp"
-#include "sillon/input/plate_size.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,12 @@
 #include <new>
 #include <utility>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
 #include "input/map_defect.hpp"
 #include "sillon/input/image_io.hpp"
-#include "toolpath/toolpath_check.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

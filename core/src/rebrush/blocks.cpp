@@ -8,15 +8,12 @@
 #include <numbers>
 #include <utility>
 
-#include "base/cancelled.hpp"
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
 #include "base/sort_key.hpp"
+#include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
-#include "gcode_reader/tool_change.hpp"
-#include "rebrush/marks.hpp"
-#include "rebrush/move_times.hpp"
 #include "rebrush/region.hpp"
-#include "rebrush/skins.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon {

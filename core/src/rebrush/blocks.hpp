@@ -1,7 +1,8 @@
-// The moves that lay a surface, with everything that must hold before and after them.
+// Blocks of beads in a file, and what is told about them.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,9 +11,64 @@
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/machine.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/rebrush/surfaces.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 
 namespace sillon {
+
+// How slicers mark what they lay.
+
+enum class MarkKind { None, Layer, Role, Width, Height, Z, Object };
+
+/// What the following moves are.
+enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
+
+/// What a comment says.
+struct Mark {
+  MarkKind kind = MarkKind::None;
+  RoleKind role = RoleKind::Other;
+  double value = 0;       ///< of Height and Z [mm]
+  std::string_view name;  ///< of the object; of a layer, the comment
+};
+
+/// \param comment  without ';', trimmed.
+Mark readMark(std::string_view comment);
+
+/// The object that a command begins or ends, where it is one that slicers write: EXCLUDE_OBJECT_START, M486, M624,
+/// M625.
+std::optional<std::string> objectOf(std::string_view code);
+
+/// "PrusaSlicer 2.5.0" and the slicer, if a comment tells it.
+struct Program {
+  Slicer slicer;
+  std::string name;
+};
+std::optional<Program> programOf(std::string_view comment);
+
+// How long moves take.
+
+/// By the rule of Klipper's planner: trapezoids, corners by their square corner velocity. \param acceleration  where
+/// the text begins [mm/s²]; M204 and SET_VELOCITY_LIMIT change it. \return [s].
+double secondsOfMoves(std::string_view text, const MachineState& before, double acceleration);
+
+/// What an acceleration command sets for beads [mm/s²]; 0: it is none.
+double accelerationOf(std::string_view code);
+
+// What a file tells of its own duration: comments and progress commands.
+
+/// Somewhere the print takes longer, or shorter.
+struct TimeChange {
+  std::size_t at = 0;  ///< behind it [bytes of the file as it was]
+  double seconds = 0;
+  bool firstLayer = false;
+};
+
+/// Changes the times of the file: "estimated printing time", "model printing time", "total estimated time", TIME,
+/// TIME_ELAPSED, and P, R, Q, S of M73. Everything else keeps its bytes. \param edits  what else becomes of the file,
+/// in its order, whole lines; receives the lines that change. \param changes  in the order of the file, none within an
+/// edit. \return the number of lines that have changed.
+std::int64_t changeTotals(std::string_view gcode, const std::vector<TimeChange>& changes, std::vector<Edit>& edits);
+
+// The moves that lay a surface, with everything that must hold before and after them.
 
 /// A wipe after the last bead: a move that pulls filament while it goes back over beads that will no longer be there,
 /// or a short one straight on that pushes nothing (Cura).

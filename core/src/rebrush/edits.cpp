@@ -1,4 +1,4 @@
-#include "sillon/rebrush/edits.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 
 #include <cstddef>
 

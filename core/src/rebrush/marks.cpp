@@ -1,6 +1,6 @@
-#include "rebrush/marks.hpp"
+#include "rebrush/blocks.hpp"
 
-#include "gcode_reader/layer_mark.hpp"
+#include "gcode_reader/layers.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

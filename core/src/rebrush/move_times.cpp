@@ -1,4 +1,4 @@
-#include "rebrush/move_times.hpp"
+#include "rebrush/blocks.hpp"
 
 #include <algorithm>
 #include <cmath>

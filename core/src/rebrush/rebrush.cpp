@@ -4,14 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "base/cancelled.hpp"
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
+#include "base/parallel_for.hpp"
+#include "geometry/signed_distance.hpp"
 #include "rebrush/blocks.hpp"
-#include "rebrush/move_times.hpp"
 #include "rebrush/replace.hpp"
-#include "rebrush/totals.hpp"
 #include "rebrush/wanted_directions.hpp"
-#include "sillon/geometry/signed_distance.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/settings/table.hpp"

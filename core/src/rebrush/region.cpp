@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "geometry/chamfer_distance.hpp"
+#include "geometry/signed_distance.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/rebrush/relief.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "base/cancelled.hpp"
+#include "base/parallel_for.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
-#include "rebrush/marks.hpp"
+#include "rebrush/blocks.hpp"
 
 namespace sillon {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "base/decimal_text.hpp"
 #include "base/lines.hpp"
-#include "gcode_reader/heaters.hpp"
+#include "base/numbers.hpp"
+#include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

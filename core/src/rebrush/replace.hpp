@@ -9,7 +9,7 @@
 #include "rebrush/blocks.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/rebrush/edits.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 
 namespace sillon {
 

@@ -1,4 +1,4 @@
-#include "rebrush/skins.hpp"
+#include "rebrush/region.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "sillon/rebrush/surfaces.hpp"
+#include "sillon/rebrush/rebrush.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "rebrush/totals.hpp"
+#include "rebrush/blocks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

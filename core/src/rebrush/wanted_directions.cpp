@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "look/page_tones.hpp"
+#include "look/inversion_parts.hpp"
 #include "rebrush/blocks.hpp"
 #include "sillon/look/spools.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "sillon/base/run_context.hpp"
 #include "sillon/look/inversion.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 
 namespace sillon {

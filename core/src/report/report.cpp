@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "base/json_text.hpp"
+#include "base/json.hpp"
+#include "base/numbers.hpp"
 #include "sillon/base/version.hpp"
 
 namespace sillon {

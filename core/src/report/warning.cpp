@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "base/decimal_text.hpp"
-#include "base/json_text.hpp"
+#include "base/json.hpp"
+#include "base/numbers.hpp"
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
 

@@ -1,4 +1,4 @@
-#include "settings/json_in.hpp"
+#include "settings/json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include "base/json.hpp"
 #include "base/words.hpp"
-#include "settings/json_out.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace sillon {

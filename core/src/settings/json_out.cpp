@@ -1,10 +1,10 @@
-#include "settings/json_out.hpp"
+#include "settings/json.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
-#include "base/json_text.hpp"
+#include "base/json.hpp"
 #include "base/words.hpp"
 
 namespace sillon {

@@ -4,11 +4,10 @@
 #include <string_view>
 #include <utility>
 
-#include "base/decimal_text.hpp"
 #include "base/json.hpp"
+#include "base/numbers.hpp"
 #include "base/words.hpp"
-#include "settings/json_in.hpp"
-#include "settings/json_out.hpp"
+#include "settings/json.hpp"
 #include "settings/preset_data.hpp"
 #include "sillon/settings/table.hpp"
 

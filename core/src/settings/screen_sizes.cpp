@@ -1,4 +1,4 @@
-#include "sillon/settings/screen_sizes.hpp"
+#include "sillon/settings/project.hpp"
 
 #include <algorithm>
 #include <charconv>

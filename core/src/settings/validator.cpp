@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "base/words.hpp"
-#include "settings/json_out.hpp"
-#include "settings/out_of_range.hpp"
-#include "sillon/settings/screen_sizes.hpp"
+#include "settings/json.hpp"
+#include "sillon/settings/project.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

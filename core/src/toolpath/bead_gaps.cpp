@@ -1,10 +1,10 @@
-#include "sillon/toolpath/bead_gaps.hpp"
+#include "toolpath/path.hpp"
 
 #include <cmath>
 
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "geometry/border_depth.hpp"
+#include "geometry/bead_room.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 

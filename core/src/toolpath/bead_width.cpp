@@ -1,13 +1,12 @@
-#include "sillon/toolpath/bead_width.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "geometry/border_depth.hpp"
+#include "geometry/bead_room.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 

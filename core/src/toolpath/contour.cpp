@@ -1,11 +1,10 @@
-#include "sillon/toolpath/contour.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "base/cancelled.hpp"
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 

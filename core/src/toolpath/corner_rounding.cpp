@@ -4,9 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/border_depth.hpp"
+#include "geometry/bead_room.hpp"
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
 #include "geometry/point_grid.hpp"
 
 namespace sillon {

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
 
 namespace sillon {
 namespace {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "field/fields.hpp"
+#include "geometry/parts.hpp"
 #include "geometry/point_grid.hpp"
-#include "sillon/field/line_field.hpp"
-#include "sillon/geometry/connected_parts.hpp"
-#include "sillon/geometry/signed_distance.hpp"
-#include "sillon/settings/toolpath_params.hpp"
+#include "geometry/signed_distance.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 

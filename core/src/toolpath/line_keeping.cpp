@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/parallel_for.hpp"
-#include "field/double_angle.hpp"
+#include "field/hierarchy.hpp"
 #include "geometry/closed_curves.hpp"
 
 namespace sillon {

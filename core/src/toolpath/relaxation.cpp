@@ -1,13 +1,11 @@
-#include "sillon/toolpath/relaxation.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 
-#include "base/cancelled.hpp"
 #include "base/free_memory.hpp"
 #include "base/parallel_for.hpp"
-#include "geometry/border_depth.hpp"
+#include "geometry/bead_room.hpp"
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
 #include "toolpath/relaxation_steps.hpp"
 
 namespace sillon {

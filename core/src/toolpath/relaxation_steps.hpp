@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "field/fields.hpp"
 #include "geometry/closed_curves.hpp"
+#include "geometry/signed_distance.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/field/line_field.hpp"
-#include "sillon/geometry/signed_distance.hpp"
 
 namespace sillon {
 

@@ -1,14 +1,12 @@
-#include "sillon/toolpath/simplify.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "geometry/closed_curves.hpp"
-#include "geometry/crossings.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/toolpath/stitch.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/cancelled.hpp"
 #include "base/parallel_for.hpp"
 #include "base/sort_key.hpp"
 #include "geometry/closed_curves.hpp"

@@ -1,4 +1,4 @@
-#include "sillon/toolpath/thin_features.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 #include <cstddef>

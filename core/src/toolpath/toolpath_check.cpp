@@ -1,6 +1,6 @@
-#include "toolpath/toolpath_check.hpp"
+#include "toolpath/path.hpp"
 
-#include "base/decimal_text.hpp"
+#include "base/numbers.hpp"
 
 namespace sillon {
 namespace {

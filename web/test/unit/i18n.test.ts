@@ -492,7 +492,7 @@ test('findings of the file are told in every language, with their line', async (
 });
 
 test('why the engine refuses a plate has words in every language', async () => {
-  const header = readFileSync('core/include/sillon/base/reasons.hpp', 'utf8');
+  const header = readFileSync('core/include/sillon/base/result.hpp', 'utf8');
   const reasons = [...header.matchAll(/constexpr char k(\w+)\[\] = "(\w+)";/g)].map(([, , name = '']) => name);
   assert.ok(reasons.length >= 8);
   const values = { setting: 'print.layerHeight', value: 0.5, low: 0.05, high: 0.32, left: 2, back: 5.5, by: 0.25 };

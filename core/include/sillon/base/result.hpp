@@ -1,4 +1,5 @@
-// Errors as values: nothing throws out of the core but std::bad_alloc, where the system has no more memory.
+// Errors as values: nothing throws out of the core but std::bad_alloc, where the system has no more
+// memory.
 #pragma once
 
 #include <cassert>
@@ -20,7 +21,8 @@ enum class ErrorCode {
   Internal,         ///< our fault
 };
 
-/// A number, or a word where `text` is not empty: the name of a setting, or what a reader of a file says.
+/// A number, or a word where `text` is not empty: the name of a setting, or what a reader of a file
+/// says.
 struct NamedValue {
   NamedValue(const char* named, double value) : name(named), number(value) {}
   NamedValue(const char* named, std::string value) : name(named), text(std::move(value)) {}
@@ -32,8 +34,9 @@ struct NamedValue {
 
 struct Error {
   ErrorCode code = ErrorCode::Internal;
-  std::string message;                  ///< one English sentence: what, which value, which range is allowed
-  const char* reason = "";              ///< which sentence that is, where other languages have it too: base/reasons.hpp
+  std::string message;  ///< one English sentence: what, which value, which range is allowed
+  /// Which sentence that is, where other languages have it too: a name of sillon::reason
+  const char* reason = "";
   std::vector<NamedValue> values = {};  ///< of the reason
 };
 
@@ -41,8 +44,10 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}      // NOLINT(google-explicit-constructor)
-  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
+  Result(T value)
+      : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+  Result(Error error)
+      : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }
@@ -68,3 +73,31 @@ class [[nodiscard]] Result {
 };
 
 }  // namespace sillon
+
+/// Why a job is refused, as codes: what `Error::reason` may be, for those who say it in another
+/// language than English. Besides: the name of a warning (report/warning.hpp) that is no mere
+/// warning here, with its values.
+namespace sillon::reason {
+
+/// A number of a project: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's
+/// own unit.
+inline constexpr char kSettingOutOfRange[] = "SettingOutOfRange";
+/// The plate on the bed: `left`, `right`, `front`, `back`: by how much it lies over that edge [mm];
+/// those that it does.
+inline constexpr char kOverBedEdge[] = "OverBedEdge";
+/// On a round bed: `by` [mm].
+inline constexpr char kOverRoundBed[] = "OverRoundBed";
+/// The plate touches the part of the bed that the printer's profile excludes.
+inline constexpr char kOnExcludedZone[] = "OnExcludedZone";
+/// The job with its lift: `height`, and `most`, which the printer reaches [mm].
+inline constexpr char kTooHigh[] = "TooHigh";
+/// Several plates on one bed: `height`, and `most`, at which the print head passes over the others
+/// [mm].
+inline constexpr char kCopiesTooHigh[] = "CopiesTooHigh";
+/// No bead fits anywhere: `spacing` [mm].
+inline constexpr char kNoBeadFits[] = "NoBeadFits";
+/// More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at
+/// which it would do, each where there is one.
+inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
+
+}  // namespace sillon::reason

@@ -8,7 +8,8 @@
 
 namespace sillon {
 
-/// A point or vector of two components. World space: mm, x right, y up, origin at the page's lower left.
+/// A point or vector of two components. World space: mm, x right, y up, origin at the page's lower
+/// left.
 template <class T>
 struct Vec2T {
   T x{};
@@ -46,7 +47,9 @@ struct Bounds {
     if (p.x > max.x) max.x = p.x;
     if (p.y > max.y) max.y = p.y;
   }
-  [[nodiscard]] bool holds(Vec2 p) const { return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y; }
+  [[nodiscard]] bool holds(Vec2 p) const {
+    return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y;
+  }
   [[nodiscard]] bool empty() const { return max.x < min.x || max.y < min.y; }
   [[nodiscard]] Vec2 size() const { return empty() ? Vec2{} : max - min; }
 };
@@ -60,7 +63,8 @@ struct Image {
   std::vector<std::uint16_t> samples;  ///< width * height * channels
 
   [[nodiscard]] std::uint16_t at(int x, int y, int channel) const {
-    return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+    return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(x)) *
                        static_cast<std::size_t>(channels) +
                    static_cast<std::size_t>(channel)];
   }
@@ -76,16 +80,21 @@ struct RgbImage {
 /// Closed curves, one after the other.
 struct ClosedCurves {
   std::vector<Vec2f> points;  ///< [mm]
-  std::vector<int> begin;     ///< curve k is points[begin[k]] .. points[begin[k + 1] - 1]; size: curves + 1
+  /// Curve k is points[begin[k]] .. points[begin[k + 1] - 1]; size: curves + 1
+  std::vector<int> begin;
 
   [[nodiscard]] int count() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
-  [[nodiscard]] int size(int curve) const { return begin[static_cast<std::size_t>(curve) + 1] - begin[curve]; }
+  [[nodiscard]] int size(int curve) const {
+    return begin[static_cast<std::size_t>(curve) + 1] - begin[curve];
+  }
 };
 
-/// One closed path of beads. The segment from the last point to the first is extruded like any other.
+/// One closed path of beads. The segment from the last point to the first is extruded like any
+/// other.
 struct Cycle {
   std::vector<Vec2f> points;  ///< [mm], no repeated first point, at least 3
-  std::vector<float> widths;  ///< bead width ω at each point [mm]: room between the half-way lines to the neighbours
+  /// Bead width ω at each point [mm]: room between the half-way lines to the neighbours
+  std::vector<float> widths;
 };
 
 /// What the pipeline makes: one cycle per connected part of the shape, in printing order.

@@ -1,4 +1,5 @@
-// Small prints that teach a printer's and a filament's settings: which values lie where, and what to type back.
+// Small prints that teach a printer's and a filament's settings: which values lie where, and what
+// to type back.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/gcode/patches.hpp"
+#include "sillon/gcode/writer.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -30,7 +31,7 @@ struct CalibrationRequest {
   CalibrationKind kind = CalibrationKind::Coupon;
   std::optional<double> from;  ///< first value, in the kind's unit; unset: the kind's own
   std::optional<double> to;    ///< last value
-  Project project;             ///< of which printer, print and toolpath count, and the names of the profiles
+  Project project;  ///< of which printer, print and toolpath count, and the names of the profiles
 };
 
 /// A value that was tried, and where.
@@ -55,14 +56,15 @@ struct CalibrationPlate {
 };
 
 /// Lays out a plate.
-/// \return InvalidArgument (what, value, range), or as generateToolpath for the swatch. Whether it fits the bed and the
-/// hot end shows when it is written.
+/// \return InvalidArgument (what, value, range), or as generateToolpath for the swatch. Whether it
+/// fits the bed and the hot end shows when it is written.
 Result<CalibrationPlate> makeCalibration(const CalibrationRequest& request, const RunContext& run);
 
 /// As writePatches, or as writeGcode for the swatch.
 Result<GcodeSummary> writeCalibration(const CalibrationPlate& plate, const GcodeSink& sink);
 
-/// The beads above the base as cycles there and back, for previews; widths times flow, so that too little leaves gaps.
+/// Makes cycles of the beads above the base, for previews. Widths are multiplied by the flow, so
+/// that too little leaves gaps.
 Toolpath shownCalibration(const CalibrationPlate& plate);
 
 }  // namespace sillon

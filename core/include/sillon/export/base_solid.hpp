@@ -8,31 +8,34 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/settings/print_params.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 
-/// A closed surface, outside on the left of each triangle's edges as seen from there. Every edge between two points
-/// belongs to two triangles, in opposite directions.
+/// A closed surface, outside on the left of each triangle's edges as seen from there. Every edge
+/// between two points belongs to two triangles, in opposite directions.
 struct Mesh {
-  std::vector<std::array<double, 3>> points;  ///< x, y, z on the bed [mm], on the grid of the G-code
+  /// X, y, z on the bed [mm], on the grid of the G-code
+  std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// The shape between the bottom and the top of the base layers, as the G-code places it, with all copies; no elephant's
-/// foot is taken off. Whether it fits the bed is not looked at: writeGcode does.
-/// \return InvalidArgument (also for a plate without a base), DoesNotFit (in height), EmptyShape, TooLarge.
+/// Makes the solid of the base layers, as the G-code places it, with all copies. No elephant's foot
+/// is taken off. Whether it fits the bed is not looked at: writeGcode does.
+/// \return InvalidArgument (also for a plate without a base), DoesNotFit (in height), EmptyShape,
+/// TooLarge.
 Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
 
-/// What is wrong with a mesh, in one sentence: a corner that is not a point of it, or a point that is not finite.
-/// Empty: nothing.
+/// What is wrong with a mesh, in one sentence: a corner that is not a point of it, or a point that
+/// is not finite. Empty: nothing.
 [[nodiscard]] std::string meshDefect(const Mesh& mesh);
 
-/// Binary STL. \return InvalidArgument as meshDefect tells.
+/// Binary STL.
+/// \return InvalidArgument as meshDefect tells.
 Result<std::string> writeStl(const Mesh& mesh);
 
-/// 3MF with one object, uncompressed. The same bytes for the same mesh. \return InvalidArgument as meshDefect tells.
+/// 3MF with one object, uncompressed. The same bytes for the same mesh.
+/// \return InvalidArgument as meshDefect tells.
 Result<std::string> write3mf(const Mesh& mesh);
 
 }  // namespace sillon

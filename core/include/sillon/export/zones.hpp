@@ -1,4 +1,5 @@
-// The field of directions cut into a few zones of one direction each, for slicers that lay straight lines only.
+// The field of directions cut into a few zones of one direction each, for slicers that lay straight
+// lines only.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/export/base_solid.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/direction_map.hpp"
+#include "sillon/input/plate_input.hpp"
 
 namespace sillon {
 
@@ -20,22 +21,24 @@ struct ZoneParams {
 
 /// Where the lines run one way; may be of several parts.
 struct DirectionZone {
-  double degrees = 0;       ///< 0 <= degrees < 180, counter-clockwise from +x, whole tenths
-  double areaMm2 = 0;       ///< within the shape
-  std::vector<Ring> rings;  ///< on the page, inside on their left; beyond the shape they go on to 1 mm off the page
+  double degrees = 0;  ///< 0 <= degrees < 180, counter-clockwise from +x, whole tenths
+  double areaMm2 = 0;  ///< within the shape
+  /// On the page, inside on their left; beyond the shape they go on to 1 mm off the page
+  std::vector<Ring> rings;
 };
 
 /// Together they cover the page and a border of 1 mm; no two overlap.
 struct DirectionZones {
   std::vector<DirectionZone> zones;  ///< by angle
-  double error = 0;                  ///< mean angle between the map and the zones, over the shape [degrees]
+  double error = 0;  ///< mean angle between the map and the zones, over the shape [degrees]
 };
 
-/// Directions that are nearest to the map's in the mean square, then places as even as their borders allow; what is
-/// narrower than `least` goes to its neighbours. The same bytes for the same arguments. \return InvalidArgument,
-/// EmptyShape or Cancelled.
-Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions, const ZoneParams& params,
-                                      const RunContext& run);
+/// Cuts directions into zones of one direction each, nearest to the map's in the mean square. Then
+/// borders are evened; what is narrower than `least` goes to its neighbours. The same bytes for the
+/// same arguments.
+/// \return InvalidArgument, EmptyShape or Cancelled.
+Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions,
+                                      const ZoneParams& params, const RunContext& run);
 
 /// Layers as the slicer will cut the body.
 struct ZoneLayers {
@@ -44,29 +47,36 @@ struct ZoneLayers {
 };
 
 struct ZonePackage {
-  std::string bytes;             ///< of the 3MF
-  bool everySlopeTurned = true;  ///< false: slopes, or lower tops, are left to the slicer, as there are too many
+  std::string bytes;  ///< of the 3MF
+  /// False: slopes, or lower tops, are left to the slicer, as there are too many
+  bool everySlopeTurned = true;
 };
 
-/// A 3MF with the body as one object, and each zone as a modifier volume with the angle that makes the slicer's top
-/// lines run along it: fill_angle (PrusaSlicer), solid_infill_direction and infill_direction (OrcaSlicer, Bambu
-/// Studio), to which they add 90 degrees on every other layer, and top_layer_direction (OrcaSlicer from 2.4.2), to
-/// which nothing is added. In PrusaSlicer's form, which all three open. Zones reach 2 mm or 8 layers below each level
-/// top, which gets its own angles, and through gentle slopes layer by layer, up to 400,000 triangles in all.
-/// \param corner  of the zones' page on the bed [mm]. \return InvalidArgument or TooLarge.
-Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers);
+/// Makes a 3MF of the body and one modifier per zone. Each modifier has the angle that makes the
+/// slicer's top lines run along its zone: fill_angle (PrusaSlicer), solid_infill_direction and
+/// infill_direction (OrcaSlicer, Bambu Studio), to which they add 90 degrees on every other layer,
+/// and top_layer_direction (OrcaSlicer from 2.4.2), to which nothing is added. In PrusaSlicer's
+/// form, which all three open. Zones reach 2 mm or 8 layers below each level top, which gets its
+/// own angles, and through gentle slopes layer by layer, up to 400,000 triangles in all.
+/// \param corner  of the zones' page on the bed [mm].
+/// \return InvalidArgument or TooLarge.
+Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner,
+                             const ZoneLayers& layers);
 
-/// The shape less its holes in height: a prism from the bed up. \param height  [mm], 0.05..5000.
+/// The shape less its holes in height: a prism from the bed up.
+/// \param height  [mm], 0.05..5000.
 /// \return EmptyShape, InvalidFile or TooLarge.
 Result<Mesh> prismOf(const Shape& shape, double height);
 
-/// STL, as bytes or as text. \return InvalidFile; TooLarge for more than 10 million triangles.
+/// STL, as bytes or as text.
+/// \return InvalidFile; TooLarge for more than 10 million triangles.
 Result<Mesh> readStl(std::string_view bytes);
 
 /// Edges that an odd number of triangles share: 0 for closed bodies.
 std::size_t openEdges(const Mesh& mesh);
 
-/// The body as seen from above, on a page as large as its box. \param corner  receives the page's place on the bed.
+/// The body as seen from above, on a page as large as its box.
+/// \param corner  receives the page's place on the bed.
 /// \return EmptyShape or TooLarge.
 Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner);
 

@@ -1,4 +1,4 @@
-// Toolpath to G-code that printers take. Rules and reasons: docs/reference/gcode.md.
+// Toolpaths and test pieces to G-code.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,11 @@
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/report/warning.hpp"
-#include "sillon/settings/print_params.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// Toolpath to G-code that printers take. Rules and reasons: docs/reference/gcode.md.
 
 /// Totals of what was written, and what the user should know.
 struct GcodeSummary {
@@ -25,7 +26,8 @@ struct GcodeSummary {
   std::int64_t moves = 0;
   std::int64_t bytes = 0;
   double clampedLengthMm = 0;  ///< extruded with a width held at 0.6 or 1.6 nozzle
-  double curveSlowedMm = 0;    ///< of oriented beads that curveAcceleration slows, or that stay even beside slower ones
+  /// Of oriented beads that curveAcceleration slows, or that stay even beside slower ones
+  double curveSlowedMm = 0;
   std::vector<Warning> warnings;
 };
 
@@ -33,9 +35,46 @@ struct GcodeSummary {
 using GcodeSink = std::function<bool(std::string_view)>;
 
 /// Checks the whole job, then writes it. Nothing reaches the sink if anything is wrong.
-/// \param across  of generateAcross, for the same shape; needed where needsAcross, not read elsewhere. \return
-/// InvalidArgument, DoesNotFit (overhang per side), EmptyShape.
-Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape, const Printer& printer,
-                                const PrintParams& params, const GcodeSink& sink, const Toolpath* across = nullptr);
+/// \param across  of generateAcross, for the same shape; needed where needsAcross, not read
+/// elsewhere.
+/// \return InvalidArgument, DoesNotFit (overhang per side), EmptyShape.
+Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape,
+                                const Printer& printer, const PrintParams& params,
+                                const GcodeSink& sink, const Toolpath* across = nullptr);
+
+// Test pieces to G-code: open beads in patches, each printed with a flow, speed or fan of its own.
+
+/// One open bead.
+struct PatchLine {
+  std::vector<Vec2> points;    ///< on the page [mm], at least 2 that differ
+  std::vector<double> widths;  ///< one per point [mm], 0.6 to 1.6 nozzle
+};
+
+/// Beads of one layer that are printed alike, one after the other.
+struct Patch {
+  /// Counted from the bed, 0 the lowest; `base` layers are filled by themselves and take none
+  int layer = 0;
+  std::vector<PatchLine> lines;
+  double flow = 1;   ///< 0.01..2
+  double speed = 0;  ///< [mm/s], 0..1000, never lowered for minLayerTime; 0: as oriented layers
+  /// Speed * spacing / width, at most 1.5 speed, as PrintParams::constantFlow
+  bool constantFlow = false;
+  double spacing = 0;  ///< of constantFlow [mm], > 0 there
+  double fan = -1;     ///< [%], 0..100; below 0: the layer's
+};
+
+/// A plate of patches, all within its shape.
+struct PatchPlate {
+  Shape shape;                 ///< what the base layers fill
+  std::vector<Patch> patches;  ///< in the order of printing, layer by layer
+};
+
+/// Checks the whole job, then writes it like writeGcode: PrintParams::base plain layers, then
+/// `layers` layers of patches. The page is neither turned nor mirrored, shown from above, on the
+/// bed, and there is one of it.
+/// \return InvalidArgument (also where maxFlow or machineSpeed would slow a patch's own speed),
+/// DoesNotFit, EmptyShape.
+Result<GcodeSummary> writePatches(const PatchPlate& plate, const Printer& printer,
+                                  const PrintParams& params, const GcodeSink& sink);
 
 }  // namespace sillon

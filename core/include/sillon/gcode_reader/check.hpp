@@ -1,4 +1,4 @@
-// Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer but the grammar.
+// Reads any G-code and lists what is wrong with it.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,33 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sillon/base/types.hpp"
-#include "sillon/gcode_reader/finding.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// What a reader of G-code has to say: a code with values, and the English sentence made from them.
+
+/// One rule that was broken, however often.
+struct GcodeFinding {
+  /// One per sentence, such as too-hot; the list with rules and sentences: findings.cpp
+  std::string code;
+  /// What it belongs to: commands, grammar, homing, heating, modes, bounds, height, extrusion,
+  /// flow, speed, rate, retraction, cycle, coverage, noise, settings, totals, layers, end
+  std::string rule;
+  bool error = false;      ///< the print or the machine is at risk; else worth knowing
+  std::int64_t line = 0;   ///< the first, from 1; 0: the file as a whole
+  std::int64_t count = 0;  ///< lines that break it in this way
+  /// Of the first, by name, as the sentence shows them
+  std::vector<std::pair<std::string, std::string>> values;
+  std::string message;  ///< about the first
+};
+
+// Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer
+// but the grammar.
 
 /// What the file does. Lengths mm, speeds mm/s.
 struct GcodeCheck {
@@ -28,24 +48,26 @@ struct GcodeCheck {
   std::int64_t retractions = 0;
   Bounds box;      ///< of those beads' middles; start and end blocks left out where they are marked
   double top = 0;  ///< highest bead
-  double lowest =
-      std::numeric_limits<double>::infinity();  ///< move along the bed or down, where a Z was told since homing
-  double fastest = 0;                           ///< of beads
-  double slowedMm = 0;                          ///< of oriented beads slower than the fastest of their layer
-  double mostFlow = 0;                          ///< [mm³/s]
-  double mostMoves = 0;                         ///< [1/s], over any 8 moves
-  double noise = -1;  ///< 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none
-  /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no base. The outline is in
-  /// no file; what the base layers fill is taken for it.
+  /// Move along the bed or down, where a Z was told since homing
+  double lowest = std::numeric_limits<double>::infinity();
+  double fastest = 0;    ///< of beads
+  double slowedMm = 0;   ///< of oriented beads slower than the fastest of their layer
+  double mostFlow = 0;   ///< [mm³/s]
+  double mostMoves = 0;  ///< [1/s], over any 8 moves
+  /// 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none
+  double noise = -1;
+  /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no
+  /// base. The outline is in no file; what the base layers fill is taken for it.
   std::vector<double> coverage;
   std::string printer;      ///< printer_model
   bool homes = false;       ///< all axes before the first bead, or at all where there is none
   bool homesPlane = false;  ///< X and Y, with Z or without
   bool heatsBed = false;    ///< and waits
   bool heatsNozzle = false;
-  double nozzleTarget = 0;         ///< of the current tool, at the end [degrees Celsius]
-  double nozzleReady = 0;          ///< that was waited for, or less where less was asked for since
-  std::vector<int> otherHotTools;  ///< whose nozzles have a target at the end, beside the current one's
+  double nozzleTarget = 0;  ///< of the current tool, at the end [degrees Celsius]
+  double nozzleReady = 0;   ///< that was waited for, or less where less was asked for since
+  /// Whose nozzles have a target at the end, beside the current one's
+  std::vector<int> otherHotTools;
   double bedTarget = 0;
   double chamberTarget = 0;
   double retracted = 0;            ///< filament drawn back at the end and not returned [mm]
@@ -58,12 +80,26 @@ struct GcodeCheck {
   }
 };
 
-/// \param printer  whose bed, height, nozzle, filament and limits count; unset: what the file's own settings say, and
-/// no limits. Lines that are marked as a start or end block may reach 10 mm over the bed's edge, as makers' own do.
+/// \param printer  whose bed, height, nozzle, filament and limits count; unset: what the file's own
+/// settings say, and no limits. Lines that are marked as a start or end block may reach 10 mm over
+/// the bed's edge, as makers' own do.
 GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& printer = {});
 
-/// What checkGcode cannot judge, as neither `printer` nor the file itself tells the limits: of "bed", "height",
-/// "nozzle", "flow" and "speed". Apart from checkGcode, so that those who always know the printer go without.
-std::vector<std::string> uncheckedIn(std::string_view text, const std::optional<Printer>& printer = {});
+/// What checkGcode cannot judge, as neither `printer` nor the file itself tells the limits: of
+/// "bed", "height", "nozzle", "flow" and "speed". Apart from checkGcode, so that those who always
+/// know the printer go without.
+std::vector<std::string> uncheckedIn(std::string_view text,
+                                     const std::optional<Printer>& printer = {});
+
+// Looks at a start or end block line by line, before it is trusted with a machine.
+
+/// What each line of a block by somebody else would do that its reader should know: heat beyond 300
+/// degrees Celsius (bed 120), moves below the bed, commands that outlive the print, reach files or
+/// the network, move or heat in ways that nobody can follow, or have no place in a print; and
+/// commands that are not in the list of known ones, and macros, whose meaning is not in the block.
+/// One finding per line and code, in the order of the lines; count is 1.
+/// \param block  up to any size; a template's {names} are read as numbers.
+/// \param flavor  only tells which commands are unknown: what is an error is one for every machine.
+std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavor);
 
 }  // namespace sillon

@@ -1,4 +1,5 @@
-// The border of a shape: what separates inside from outside once paths overlap, touch or cross themselves.
+// The border of a shape: what separates inside from outside once paths overlap, touch or cross
+// themselves.
 #pragma once
 
 #include <functional>
@@ -23,25 +24,29 @@ struct Outline {
 };
 
 /// Splits all rings where they meet and keeps the pieces with inside on exactly one side.
-/// \return EmptyShape if no area remains; TooLarge beyond 4 million pieces; InvalidArgument for a point beyond
+/// \return EmptyShape if no area remains; TooLarge beyond 4 million pieces; InvalidArgument for a
+/// point beyond
 ///   kMaxCoordinate.
 Result<Outline> resolveOutline(const Shape& shape);
 
-/// The same with all points on the grid of 0.001 mm that files hold: each moves by at most 0.71 µm for each of the
-/// pieces that cross there, and what is narrower vanishes. Pieces meet at their ends only, and from each point as many
-/// go as come.
+/// The same with all points on the grid of 0.001 mm that files hold: each moves by at most 0.71 µm
+/// for each of the pieces that cross there, and what is narrower vanishes. Pieces meet at their
+/// ends only, and from each point as many go as come.
 Result<Outline> outlineOnGrid(const Shape& shape);
 
-/// Whether a place counts as inside, by which paths are filled there (1) and which not (0), in the order of the paths.
+/// Tells whether a place counts as inside. Given are the paths in order, 1 where they are filled
+/// there.
 using InsideRule = std::function<bool(const std::vector<char>& filled)>;
 
 /// The area that a rule makes of several paths, such as what two have in common.
-/// \return rings that run with the inside on their left, points on a grid of 1 nm; no rings if nothing is inside;
+/// \return rings that run with the inside on their left, points on a grid of 1 nm; no rings if
+/// nothing is inside;
 ///   TooLarge beyond 4 million pieces.
 Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRule& rule);
 
-/// The shape as one path on the same page, with all points on the grid of 0.001 mm: paths that overlap, share an edge
-/// or lie less than the grid apart are one body. As outlineOnGrid, with its errors.
+/// The shape as one path on the same page, with all points on the grid of 0.001 mm: paths that
+/// overlap, share an edge or lie less than the grid apart are one body. As outlineOnGrid, with its
+/// errors.
 Result<Shape> unitedOnGrid(const Shape& shape);
 
 /// A stretch of a horizontal line: x from begin to end [mm], begin < end.
@@ -50,9 +55,10 @@ struct Interval {
   double end = 0;
 };
 
-/// The inside of the shape along horizontal lines y = firstY + row * step [mm]: for each row ascending, disjoint
-/// intervals of x [mm]. Exact for any winding and overlap.
+/// The inside of the shape along horizontal lines y = firstY + row * step [mm]: for each row
+/// ascending, disjoint intervals of x [mm]. Exact for any winding and overlap.
 /// \param rows  >= 0.
-std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step, int rows);
+std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step,
+                                                   int rows);
 
 }  // namespace sillon

@@ -36,7 +36,8 @@ struct DrawingFacts {
   double offPage = 0;           ///< painted, but cut off at the page's edges [mm²]
   /// What is shown and not read beside texts and images: "<marker>", "CSS \"r\"", ...; at most 8.
   std::vector<std::string> unread = {};
-  double faintMm2 = 0;  ///< painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
+  /// Painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
+  double faintMm2 = 0;
 
   friend bool operator==(const DrawingFacts&, const DrawingFacts&) = default;
 };
@@ -60,22 +61,26 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// Axis-parallel rectangle that fills its page. \param size  width and height [mm], each > 0.
+/// Axis-parallel rectangle that fills its page.
+/// \param size  width and height [mm], each > 0.
 Result<Shape> makeRectangle(Vec2 size);
 /// \param radius  corner radius [mm], >= 0, clamped to half the shorter side.
 Result<Shape> makeRoundedRectangle(Vec2 size, double radius);
-/// Disc that fills its page. \param diameter  [mm], > 0.
+/// Disc that fills its page.
+/// \param diameter  [mm], > 0.
 Result<Shape> makeDisc(double diameter);
 
-/// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width.
-/// An image with transparent pixels is read by its alpha alone. \param width  of the page [mm], > 0; the height
-/// follows.
+/// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width. An
+/// image with transparent pixels is read by its alpha alone.
+/// \param width  of the page [mm], > 0; the height follows.
 Result<Shape> shapeFromMask(const Image& mask, double width);
 
-/// The same shape and page scaled so that the page is `width` mm wide. \param width  [mm], > 0.
+/// The same shape and page scaled so that the page is `width` mm wide.
+/// \param width  [mm], > 0.
 Result<Shape> scaledToWidth(const Shape& shape, double width);
 
-/// Box around the points of all rings, also of those that enclose nothing [mm]; empty without points.
+/// Box around the points of all rings [mm]. Rings that enclose nothing count too; it is empty
+/// without points.
 Bounds bounds(const Shape& shape);
 
 }  // namespace sillon

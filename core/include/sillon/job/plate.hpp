@@ -1,5 +1,5 @@
-// The way to a plate: from a project and the files it names to solved pictures, toolpath, measures, warnings and
-// report.
+// The way to a plate: from a project and the files it names to solved pictures, toolpath, measures,
+// warnings and report.
 #pragma once
 
 #include <array>
@@ -12,14 +12,12 @@
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/gcode/writer.hpp"
-#include "sillon/gcode_reader/finding.hpp"
+#include "sillon/gcode_reader/check.hpp"
 #include "sillon/input/plate_input.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/pipeline/session.hpp"
-#include "sillon/project/plate_input.hpp"
+#include "sillon/project/project.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/quality/picture_measures.hpp"
 #include "sillon/report/input_note.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
@@ -47,9 +45,11 @@ struct PlateOptions {
   PlatePath path = PlatePath::Seen;
   bool measure = true;
   bool countDislocations = false;  ///< among the measures; takes a twentieth of the plate's time
-  bool judgePictures = true;       ///< by the toolpath, where it is measured; no need to where checkPlateGcode follows
-  Session* session = nullptr;      ///< keeps stages from plate to plate
-  std::optional<KeptPictures>* keptPictures = nullptr;  ///< keeps solved pictures from plate to plate
+  /// By the toolpath, where it is measured; no need to where checkPlateGcode follows
+  bool judgePictures = true;
+  Session* session = nullptr;  ///< keeps stages from plate to plate
+  /// Keeps solved pictures from plate to plate
+  std::optional<KeptPictures>* keptPictures = nullptr;
 };
 
 /// A plate, and all that is known of it.
@@ -76,27 +76,30 @@ struct Plate {
   [[nodiscard]] Report report() const;
 };
 
-/// Makes a plate. Its progress is one fraction, whatever is asked for. \param read  hands over the files that the
-/// project names.
-/// \return the errors of invalidSettings, readPlateInput, plateTooLarge, solvePictures, generateToolpath,
-/// measureToolpath and measurePictures.
-Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options, const RunContext& run);
+/// Makes a plate. Its progress is one fraction, whatever is asked for.
+/// \param read  hands over the files that the project names.
+/// \return the errors of invalidSettings, readPlateInput, plateTooLarge, solvePictures,
+/// generateToolpath, measureToolpath and measurePictures.
+Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options,
+                        const RunContext& run);
 
 /// Facts for the G-code that the plate does not know.
 struct PlateGcodeOptions {
   std::string date = PrintParams().date;
-  std::optional<std::array<std::uint8_t, 3>> colour;  ///< of thumbnails of pictures; none: the project's spool
+  /// Of thumbnails of pictures; none: the project's spool
+  std::optional<std::array<std::uint8_t, 3>> colour;
 };
 
-/// Writes the G-code of a plate, with its notes and thumbnails, and with the path below it, which is made if the
-/// project needs one and the plate has none. Fills Plate::gcode. \return the errors of lookThumbnails, generateAcross
-/// and writeGcode.
-std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& options, const GcodeSink& sink,
-                                     const RunContext& run);
+/// Writes the G-code of a plate, with its notes and thumbnails. The path below it is made if the
+/// project needs one and the plate has none. Fills Plate::gcode.
+/// \return the errors of lookThumbnails, generateAcross and writeGcode.
+std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& options,
+                                     const GcodeSink& sink, const RunContext& run);
 
-/// Reads the plate's G-code as a printer would, and judges its pictures by what it lays, where the plate was measured.
-/// Fills Plate::findings and Plate::shown. \param gcode  the whole text that writePlateGcode wrote. \return the errors
-/// of readBack and measurePictures.
+/// Reads the plate's G-code as a printer would. Where the plate was measured, its pictures are
+/// judged by the beads that the file lays. Fills Plate::findings and Plate::shown.
+/// \param gcode  the whole text that writePlateGcode wrote.
+/// \return the errors of readBack and measurePictures.
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run);
 
 }  // namespace sillon

@@ -1,39 +1,59 @@
-// Pictures of a toolpath: beads coloured by direction with a legend, and their look under one light.
+// Rendered pictures of plates: previews, and the thumbnails of printers' screens.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/look/appearance.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// Pictures of a toolpath: beads coloured by direction with a legend, and their look under one
+// light.
 
 /// What the look is drawn for: a lamp, a spool and an eye.
 struct LookParams {
   Lamp lamp{60, 35, 0.1};
   std::array<std::uint8_t, 3> colour{24, 78, 168};  ///< of the body, sRGB; blue PLA
   Roughness roughness{2.36, 17.32};
-  double eyeDistance = 2.4;  ///< of the eye above the plate's middle, in its longer sides, 0.1..1000; 0: far away
+  /// Of the eye above the plate's middle, in its longer sides, 0.1..1000; 0: far away
+  double eyeDistance = 2.4;
 };
 
 struct PreviewParams {
-  int width = 1600;  ///< of one panel with its margins [pixels], 16..16384; the height follows the page
+  /// Of one panel with its margins [pixels], 16..16384; the height follows the page
+  int width = 1600;
   LookParams look;
 };
 
-/// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then the look by the model
-/// of appearance.hpp, exposed for its brightest direction. \param page  [mm]. \return InvalidArgument, TooLarge (beyond
-/// 32768 pixels per side or 100 million in all) or Cancelled.
-Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params, const RunContext& run);
+/// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then
+/// the look by the model of appearance.hpp, exposed for its brightest direction.
+/// \param page  [mm].
+/// \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million in all) or
+/// Cancelled.
+Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,
+                               const RunContext& run);
 
 /// The look alone, the page as large as fits with a margin, on the preview's dark ground.
-/// \param width, height  [pixels], 16..1024.
+/// \param width,  height  [pixels], 16..1024.
 /// \return as renderPreview.
-Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int height, const LookParams& look,
-                            const RunContext& run);
+Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int height,
+                            const LookParams& look, const RunContext& run);
+
+// The look of a plate for the printer's screen.
+
+/// Pictures for PrintParams::thumbnails.
+/// \param screenSizes  as readThumbnailSizes.
+/// \param page  [mm].
+/// \return as readThumbnailSizes and renderLook.
+Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page,
+                                              std::string_view screenSizes, const LookParams& look,
+                                              const RunContext& run);
 
 }  // namespace sillon

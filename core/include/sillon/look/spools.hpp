@@ -9,7 +9,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/look/appearance.hpp"
-#include "sillon/settings/picture_params.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 
@@ -38,7 +38,8 @@ const Spool& spoolOf(SpoolName name);
 /// \return InvalidFile (which spool, what of it, what is allowed) or TooLarge (beyond 1 MiB).
 Result<std::vector<Spool>> readSpools(std::string_view text);
 
-/// \param nozzle  diameter [mm]; between those measured in proportion, beyond them as the nearer one.
+/// \param nozzle  diameter [mm]; between those measured in proportion, beyond them as the nearer
+/// one.
 Roughness roughnessOf(const Spool& spool, double nozzle, bool bedSide);
 
 }  // namespace sillon

@@ -1,4 +1,5 @@
-// The finished plate as a small picture of directions, from which web pages draw its shimmer: docs/reference/view.md.
+// The finished plate as a small picture of directions, from which web pages draw its shimmer:
+// docs/reference/view.md.
 #pragma once
 
 #include <array>
@@ -17,9 +18,11 @@ struct ViewParams {
   Roughness roughness;
 };
 
-/// PNG, at most 200 KiB: per texel the beads' mean direction, the share that is covered, and the beads' mean width.
+/// PNG, at most 200 KiB: per texel the beads' mean direction, the share that is covered, and the
+/// beads' mean width.
 /// \param page  [mm], 0.001..100000 per side.
 /// \return the same bytes for the same toolpath; InvalidArgument, TooLarge.
-Result<std::vector<std::uint8_t>> viewFile(const Toolpath& toolpath, Vec2 page, const ViewParams& params);
+Result<std::vector<std::uint8_t>> viewFile(const Toolpath& toolpath, Vec2 page,
+                                           const ViewParams& params);
 
 }  // namespace sillon

@@ -11,9 +11,8 @@
 #include "sillon/look/inversion.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/project/plate_input.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/quality/picture_measures.hpp"
+#include "sillon/quality/metrics.hpp"
 
 namespace sillon {
 
@@ -25,7 +24,8 @@ struct PlatePictures {
   Roughness roughness;          ///< of the spool, on the side that is seen
   double level = 1;             ///< SolvedDirections::level
   double contrast = 1;          ///< of the first lamp's brightest and darkest direction
-  std::vector<double> fieldR;   ///< of what the directions alone show and what is asked for; beads only lower it
+  /// Of what the directions alone show and what is asked for; beads only lower it
+  std::vector<double> fieldR;
 };
 
 /// The last result of solvePictures, and what it had been asked for.
@@ -45,39 +45,49 @@ Roughness roughnessOf(const Project& project);
 /// \return what reading and decodeImage return.
 Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const ReadInput& read);
 
-/// How much of each picture a plate shows. \param measures  of each, or empty: not measured.
-std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures, const std::vector<PictureMeasures>& measures);
+/// How much of each picture a plate shows.
+/// \param measures  of each, or empty: not measured.
+std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures,
+                                       const std::vector<PictureMeasures>& measures);
 
 /// How the pictures are solved for.
 InversionParams inversionOf(const PictureParams& params);
 
-/// Called before each plate that is made to choose a lamp. \param trial  0, 1, ... of `trials`.
+/// Called before each plate that is made to choose a lamp.
+/// \param trial  0, 1, ... of `trials`.
 using OnTrial = std::function<void(int trial, int trials)>;
 
-/// Reads the pictures and puts the directions that show them into the input. A project without pictures: nothing is
-/// read and none are shown. The lamp of a single picture that is left open is the one of three whose plate, made with
-/// the usual toolpath settings, shows it best. \param kept  of the plate before, as while somebody edits: what is asked
-/// for once more is taken from there; none after pictures of more than 4 million pixels. \return what reading,
-/// decodeImage and solveDirections return.
-Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
-                                    const RunContext& run, std::optional<KeptPictures>* kept = nullptr,
+/// Reads the pictures and puts the directions that show them into the input. A project without
+/// pictures: nothing is read and none are shown. The lamp of a single picture that is left open is
+/// the one of three whose plate, made with the usual toolpath settings, shows it best.
+/// \param kept  of the plate before, as while somebody edits: what is asked for once more is taken
+/// from there; none after pictures of more than 4 million pixels.
+/// \return what reading, decodeImage and solveDirections return.
+Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read,
+                                    PlateInput& input, const RunContext& run,
+                                    std::optional<KeptPictures>* kept = nullptr,
                                     const OnTrial& onTrial = {});
 
 /// How many plates makeShownPlate makes: one, and one more per correction.
 int platesFor(const PictureParams& params);
 
-/// Makes a toolpath of an input. \param round  0, 1, ... of `rounds`.
-using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
+/// Makes a toolpath of an input.
+/// \param round  0, 1, ... of `rounds`.
+using MakeToolpath =
+    std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
 
-/// Makes the plate that solvePictures has prepared. It is then looked at: what its beads, above all their ends, take
-/// from the pictures' tones is asked for on top of them, and the plate is made again, `corrections` times; the plate
-/// with the highest sum of r is returned, and `input` has its directions. Pictures with local contrast are made once.
+/// Makes the plate that solvePictures has prepared. It is then looked at: what its beads, above all
+/// their ends, take from the pictures' tones is asked for on top of them, and the plate is made
+/// again, `corrections` times; the plate with the highest sum of r is returned, and `input` has its
+/// directions. Pictures with local contrast are made once.
 /// \return what make, seePlate and solveDirections return.
-Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePictures& pictures, PlateInput& input,
-                                      const MakeToolpath& make, const RunContext& run);
+Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePictures& pictures,
+                                      PlateInput& input, const MakeToolpath& make,
+                                      const RunContext& run);
 
-/// How previews and thumbnails look at the plate. \param picture  under whose lamp, from far above, as it was solved
-/// for; beyond the pictures: under the preview's own lamp.
+/// How previews and thumbnails look at the plate.
+/// \param picture  under whose lamp, from far above, as it was solved for; beyond the pictures:
+/// under the preview's own lamp.
 LookParams lookOf(const Project& project, const PlatePictures& pictures, std::size_t picture);
 
 }  // namespace sillon

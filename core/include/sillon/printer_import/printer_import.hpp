@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
-#include "sillon/settings/printer.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 
@@ -19,9 +19,10 @@ struct ImportNote {
 };
 
 struct ImportedPrinter {
-  Printer printer;                  ///< values that the file does not tell are the profile's, else the defaults
-  std::string profile;              ///< of the same machine, whose values lie under the file's; empty: none is known
-  std::string source;               ///< "donor G-code", "PrusaSlicer settings", "Orca settings", "project"
+  Printer printer;  ///< values that the file does not tell are the profile's, else the defaults
+  /// Of the same machine, whose values lie under the file's; empty: none is known
+  std::string profile;
+  std::string source;  ///< "donor G-code", "PrusaSlicer settings", "Orca settings", "project"
   std::vector<std::string> read;    ///< names of the settings taken, ascending
   std::vector<ImportNote> notRead;  ///< each once
 };
@@ -30,13 +31,18 @@ struct ImportedPrinter {
 std::vector<std::string> importNoteCodes();
 
 /// Tells the kind of file by its content:
-/// - G-code that the user's slicer made for their printer: its start and end blocks, proven there, and its settings;
+/// - G-code that the user's slicer made for their printer: its start and end blocks, proven there,
+/// and its settings;
 /// - PrusaSlicer or SuperSlicer settings (.ini), flat or a bundle with `inherits`;
-/// - an Orca or Bambu Studio preset (.json, .orca_printer), whose `inherits` lies in another file and is listed, or a
+/// - an Orca or Bambu Studio preset (.json, .orca_printer), whose `inherits` lies in another file
+/// and is listed, or a
 ///   project (.3mf) that has all settings;
 /// - a project of our own, of which the printer is taken.
-/// \param bytes  at most 256 MiB. \param name  printer of a bundle; empty: the active one, else the last.
-/// \return InvalidFile, TooLarge, or InvalidArgument where a bundle has no printer of that name.
+/// \param bytes  at most 256 MiB.
+/// \param name  printer of a bundle; empty: the active one, else the
+/// last.
+/// \return InvalidFile, TooLarge, or InvalidArgument where a bundle has no printer of that
+/// name.
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name = {});
 
 }  // namespace sillon

@@ -1,24 +1,60 @@
-// Project files (JSON, versioned) and the published scene files, which are read as they are.
+// Project files, and the inputs they name.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/input/plate_input.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
 
+// Project files (JSON, versioned) and the published scene files, which are read as they are.
+
 inline constexpr int kProjectVersion = 1;
 
-/// Reads a project or a published scene. Keys, units, ranges and defaults: docs/reference/project.md.
+/// Reads a project or a published scene. Keys, units, ranges and defaults:
+/// docs/reference/project.md.
 /// \param json  at most 1 MiB, nested at most 64 deep.
-/// \return InvalidFile (no JSON, unknown or repeated key, wrong type) or InvalidArgument (out of range); the message
-/// names the key.
+/// \return InvalidFile (no JSON, unknown or repeated key, wrong type) or InvalidArgument (out of
+/// range); the message names the key.
 Result<Project> readProject(std::string_view json);
 
-/// The project as JSON with every field but `print.date` and `print.notes`, which belong to a run; readable by
-/// readProject, and equal when read back if invalidSettings finds nothing.
+/// Writes a project as JSON. All fields are there but `print.date` and `print.notes`, which belong
+/// to a run; readProject reads it back equal if invalidSettings finds nothing.
 std::string writeProject(const Project& project);
+
+// From a project and the files it names to what the pipeline eats.
+
+/// An input as it comes: a file's bytes, or a picture decoded elsewhere.
+using InputFile = std::variant<std::string, Image>;
+
+/// Hands over the file that a project names.
+/// \param what  "shape", "direction picture", "mode picture": for messages.
+using ReadInput =
+    std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
+
+/// What a project says of directions, for shapes that come from elsewhere.
+struct PlateField {
+  DirectionMap directions;
+  ModeMap modes;
+};
+
+/// Reads and decodes directions and modes.
+/// \return as readPlateInput.
+Result<PlateField> readPlateField(const Project& project, const ReadInput& read);
+
+/// Reads and decodes shape, directions and modes. A shape file is SVG if it begins like one or is
+/// called .svg, else a mask picture. With `keepThin` the shape's thin places are widened to one
+/// bead.
+/// \return what `read` returned, or the errors of readSvg, decodeImage, the maps and
+/// keepThinPlaces, with the file's name.
+Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
+                                  const RunContext& run = RunContext());
 
 }  // namespace sillon

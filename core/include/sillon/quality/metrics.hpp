@@ -1,9 +1,9 @@
-// How good a plate is: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings. Definitions:
-// docs/reference/metrics.md.
+// How good a toolpath is: alignment, coverage, turns, and how well a picture is seen.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +12,14 @@
 #include "sillon/base/types.hpp"
 #include "sillon/field/dislocations.hpp"
 #include "sillon/geometry/outline.hpp"
+#include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
-#include "sillon/settings/toolpath_params.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// How good a plate is: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings.
+// Definitions: docs/reference/metrics.md.
 
 /// Length-weighted distribution of the delivered widths, in spacings.
 struct WidthMeasures {
@@ -23,7 +27,8 @@ struct WidthMeasures {
   double median = 0;
   double p99 = 0;
   double belowHalf = 0;  ///< share of the length narrower than half a spacing
-  double clamped = 0;    ///< share of the length at the allowed minimum or maximum, or narrower at a border
+  /// Share of the length at the allowed minimum or maximum, or narrower at a border
+  double clamped = 0;
 };
 
 /// Areas are shares of the shape's area in percent. NaN never occurs; an empty toolpath measures 0.
@@ -38,34 +43,86 @@ struct Measures {
   double fillRatio = 0;             ///< bead area / shape area, a ratio
   double shapeAreaMm2 = 0;
   double lostAreaMm2 = 0;  ///< of all lost places
-  /// Which no bead of one spacing can reach, the largest first. As wide as a strip of the same mean depth, at most as
-  /// the thickest point within tau/8.
+  /// Which no bead of one spacing can reach, the largest first. As wide as a strip of the same mean
+  /// depth, at most as the thickest point within tau/8.
   std::vector<ThinPlace> lostPlaces;
   double keptAreaMm2 = 0;             ///< of all kept places
   std::vector<ThinPlace> keptPlaces;  ///< which were widened to one bead (keepThinPlaces)
   std::int64_t uTurns = 0;
   std::int64_t kinks = 0;
-  std::int64_t crossings = 0;      ///< pairs of non-consecutive segments that share a point, on coordinates of 1 µm
-  std::int64_t dislocations = 0;   ///< of the waves that these directions make: beads that begin or end
+  /// Pairs of non-consecutive segments that share a point, on coordinates of 1 µm
+  std::int64_t crossings = 0;
+  /// Of the waves that these directions make: beads that begin or end
+  std::int64_t dislocations = 0;
   std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
-  double dislocationBound = 0;     ///< about as many are forced by the directions at one constant spacing
-  double turnBound = 0;            ///< the same with the U-turns where beads meet the border: about as many as uTurns
+  /// About as many are forced by the directions at one constant spacing
+  double dislocationBound = 0;
+  /// The same with the U-turns where beads meet the border: about as many as uTurns
+  double turnBound = 0;
   WidthMeasures width;
   std::string digest;  ///< 16 hex digits of the toolpath on a grid of 1 µm
 };
 
 /// Judges a toolpath as delivered. Takes a fifth to two fifths as long as making it.
-/// \param input         what the toolpath was made of.
-/// \param dislocations  those of the waves of this input, where they are known (ToolpathResult::dislocations).
-/// \return InvalidArgument (what of the toolpath, the maps or the parameters is out of range), TooLarge, OutOfMemory,
-/// the errors of resolveOutline, or Cancelled.
-Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& input, const ToolpathParams& params,
-                                 const RunContext& run, const std::optional<Dislocations>& dislocations = std::nullopt);
+/// \param input  what the toolpath was made of.
+/// \param dislocations  those of the waves of this input, where they are known
+/// (ToolpathResult::dislocations).
+/// \return InvalidArgument (what of the toolpath, the maps or the parameters is out of range),
+/// TooLarge, OutOfMemory, the errors of resolveOutline, or Cancelled.
+Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& input,
+                                 const ToolpathParams& params, const RunContext& run,
+                                 const std::optional<Dislocations>& dislocations = std::nullopt);
 
-/// Pairs of non-consecutive segments that share a point, all cycles together, exact on integers of 1 µm.
+/// Counts pairs of non-consecutive segments that share a point, exactly, on integers of 1 µm.
 std::int64_t countCrossings(const Toolpath& toolpath);
 
-/// Digest of points and widths in µm: equal digests mean equal plates. Widths that are missing count as 0.
+/// Digest of points and widths in µm: equal digests mean equal plates. Widths that are missing
+/// count as 0.
 std::string digestOf(const Toolpath& toolpath);
+
+// How well a toolpath shows the pictures it was made for, each under its lamp. Definitions:
+// docs/reference/metrics.md.
+
+struct PictureMeasures {
+  /// Pearson's, of what is seen and the picture, both as sRGB codes of cells of 2 tau; 0: flat
+  double r = 0;
+  double ssim = 0;      ///< of the same after the best affine fit, Gaussian window of 1.5 cells
+  double contrast = 1;  ///< light at the 99th percentile of the cells by that at the 1st
+  /// r with each picture under this lamp, in order; its own r at its own place
+  std::vector<double> others;
+};
+
+/// How much of one picture a plate shows: r with what was asked for, -1..1.
+struct PictureFacts {
+  bool oneTone = false;  ///< nothing can be seen in it, whatever its r
+  double fieldR = 1;     ///< of what the directions alone show; 1: the plate has no other picture
+  double seenR = 1;      ///< of what the beads show; 1: not measured
+};
+
+/// What a plate shows under each lamp, in cells of about 2 tau.
+struct SeenCells {
+  int width = 0;
+  int height = 0;
+  /// Per lamp, row 0 on top; negative where there is no plate
+  std::vector<std::vector<float>> light;
+};
+
+/// Renders a plate as cells of light, one raster per lamp. Light is lightOf of the nearest bead at
+/// points tau/4 apart, averaged over each cell; cells less than half covered are no plate.
+/// \param page  [mm].
+/// \return InvalidArgument, TooLarge (more than 100 million points) or Cancelled.
+Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const Lamp> lamps,
+                           const Roughness& roughness, const RunContext& run);
+
+/// One row per picture, of what seePlate sees.
+/// \return as seePlate.
+Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
+                                                     std::span<const ShownPicture> pictures,
+                                                     const Roughness& roughness,
+                                                     const RunContext& run);
+
+/// The same of light that is known: rows of cells, row 0 on top, negative where there is no plate.
+/// As of no plate where there are not as many cells as the picture has.
+PictureMeasures compareTones(std::span<const float> light, const Tones& picture);
 
 }  // namespace sillon

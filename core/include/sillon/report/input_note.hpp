@@ -11,7 +11,8 @@
 namespace sillon {
 
 struct InputNote {
-  const char* code;  ///< DrawingInPixels, NoSize, TextLeftOut, ImagesLeftOut, SeveralColours or LinesAsShape
+  /// DrawingInPixels, NoSize, TextLeftOut, ImagesLeftOut, SeveralColours or LinesAsShape
+  const char* code;
   std::vector<NamedValue> values;  ///< `n` of what is left out
   std::string message;             ///< one English sentence without a full stop
 };

@@ -1,4 +1,5 @@
-// The report of a plate: what was made, how good it is, what a print of it takes, and what should be known of it.
+// The report of a plate: what was made, how good it is, what a print of it takes, and what should
+// be known of it.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +10,8 @@
 #include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/quality/picture_measures.hpp"
 #include "sillon/report/warning.hpp"
-#include "sillon/settings/toolpath_params.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 
@@ -48,8 +48,8 @@ struct Report {
   std::int64_t peakBytes = 0;             ///< of the process, as measured by the caller; 0: unknown
   int threads = 1;                        ///< that the run was allowed
   std::vector<ReportedPicture> pictures;  ///< empty: left out
-  bool fromGcode = false;                 ///< the pictures were judged by the G-code, not by the toolpath
-  std::optional<PrintTotals> print;       ///< none: left out
+  bool fromGcode = false;  ///< the pictures were judged by the G-code, not by the toolpath
+  std::optional<PrintTotals> print;  ///< none: left out
   std::vector<Warning> warnings;
 };
 
@@ -59,7 +59,9 @@ Report reportOf(const ToolpathResult& plate, const std::optional<Measures>& meas
 /// The report as JSON, with the same bytes on every platform.
 std::string reportJson(const Report& report);
 
-/// Lines on how a plate was made and how good it is, for the header of its G-code (PrintParams::notes).
-std::vector<std::string> plateNotes(const ToolpathParams& params, const std::optional<Measures>& measures);
+/// Lines for the header of a plate's G-code (PrintParams::notes): how it was made, and its
+/// measures.
+std::vector<std::string> plateNotes(const ToolpathParams& params,
+                                    const std::optional<Measures>& measures);
 
 }  // namespace sillon

@@ -1,4 +1,5 @@
-// Warnings about a plate or its file: a code with its values, and the English sentence made of them.
+// Warnings about a plate or its file: a code with its values, and the English sentence made of
+// them.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,6 @@
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/quality/picture_measures.hpp"
 
 namespace sillon {
 
@@ -71,17 +71,22 @@ const char* warningName(WarningCode code);
 /// Warnings about a drawing, whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);
 
-/// Warnings about pictures with one tone, and about the one that is shown least, if that is below r 0.7, at which few
-/// recognise it: as one direction per place has to show several, or as the beads are too wide for it.
+/// Makes the warnings about pictures. They tell those of one tone, and the one that is shown least
+/// if its r is below 0.7, at which few recognise it: as one direction per place has to show
+/// several, or as the beads are too wide for it.
 std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures);
 
-/// All warnings about a plate before there is G-code: about its drawing, toolpaths that could not be joined to the rest
-/// of their part, its pictures, and places narrower than a bead, where they are more than 0.5 % of the shape.
-/// \param apart  ToolpathResult::apart. \param measures  none: nothing lost is told. \param page  of the plate [mm].
+/// All warnings about a plate before there is G-code: about its drawing, toolpaths that could not
+/// be joined to the rest of their part, its pictures, and places narrower than a bead, where they
+/// are more than 0.5 % of the shape.
+/// \param apart  ToolpathResult::apart.
+/// \param measures  none: nothing lost is told.
+/// \param page  of the plate [mm].
 /// \param spacing  tau [mm].
 std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
-                                   const std::vector<PictureFacts>& pictures, const std::optional<Measures>& measures,
-                                   Vec2 page, double spacing);
+                                   const std::vector<PictureFacts>& pictures,
+                                   const std::optional<Measures>& measures, Vec2 page,
+                                   double spacing);
 
 /// A JSON list of objects with `code`, `values` and `message`.
 std::string warningsJson(const std::vector<Warning>& warnings);

@@ -1,5 +1,6 @@
-// The one table of settings. Project files, the command line, the documentation, the types of the npm package and the
-// studio's fields are made from it; defaults are the initialisers of the structs. CONTRIBUTING.md shows how to add one.
+// The one table of settings. Project files, the command line, the documentation, the types of the
+// npm package and the studio's fields are made from it; defaults are the initialisers of the
+// structs. CONTRIBUTING.md shows how to add one.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,8 @@ enum class SettingType {
   Name,         ///< of a preset or profile, whose values lie under the section's others
 };
 
-/// The structs that settings are read from or written to. Null: settings that lie there are skipped.
+/// The structs that settings are read from or written to. Null: settings that lie there are
+/// skipped.
 struct SettingsView {
   Project* project = nullptr;
   ToolpathParams* toolpath = nullptr;
@@ -57,8 +59,9 @@ struct ChoiceField {
 };
 
 /// The field of a setting in a view. monostate: not there.
-using Field = std::variant<std::monostate, double*, int*, std::uint64_t*, bool*, std::string*, Vec2*,
-                           std::optional<double>*, std::optional<Vec2>*, std::vector<LampPicture>*, ChoiceField>;
+using Field = std::variant<std::monostate, double*, int*, std::uint64_t*, bool*, std::string*,
+                           Vec2*, std::optional<double>*, std::optional<Vec2>*,
+                           std::vector<LampPicture>*, ChoiceField>;
 
 struct Setting {
   Section section;
@@ -69,10 +72,12 @@ struct Setting {
   double low = 0;
   double high = 0;
   Level level = Level::Advanced;
-  const char* choices = "";  ///< with spaces between; in the order of the enumerators, or of false, true
+  /// With spaces between; in the order of the enumerators, or of false, true
+  const char* choices = "";
 };
 
-/// What help and documentation say of a setting, in ASCII. Apart from it: the engines in browsers do without.
+/// What help and documentation say of a setting, in ASCII. Apart from it: the engines in browsers
+/// do without.
 struct SettingWords {
   const char* label = "";   ///< at most a few words
   const char* help = "";    ///< one sentence without full stop
@@ -97,18 +102,22 @@ std::string fullName(const Setting& setting);
 /// "one two three" as three words.
 std::vector<std::string> splitWords(std::string_view text);
 
-/// Index in `choices` of the value that a field has, and back. \param field  ChoiceField or bool*.
+/// Index in `choices` of the value that a field has, and back.
+/// \param field  ChoiceField or bool*.
 std::size_t chosen(const Field& field);
 void choose(const Field& field, std::size_t index);
 
-/// The value that a project has, as in its file, but texts without quotes; empty: the setting has no field.
+/// The value that a project has, as in its file, but texts without quotes; empty: the setting has
+/// no field.
 std::string settingText(const Setting& setting, const Project& project);
 
-/// Holds every setting of a view against its range and against the rules that hold between settings of one section.
+/// Checks every setting of a view. It checks ranges, and rules that hold between settings of one
+/// section.
 /// \return the first that is wrong: name, value, range
 [[nodiscard]] std::optional<Error> invalidSettings(const Project& project);
 [[nodiscard]] std::optional<Error> invalidSettings(const ToolpathParams& toolpath);
-[[nodiscard]] std::optional<Error> invalidSettings(const Printer& printer, const PrintParams& print);
+[[nodiscard]] std::optional<Error> invalidSettings(const Printer& printer,
+                                                   const PrintParams& print);
 
 /// The table as JSON: `sillon settings --json`, from which docs and types are made.
 std::string settingsJson();

@@ -1,5 +1,5 @@
 // SVG 1.1/2 geometry to polygons: https://www.w3.org/TR/SVG2/. RapidXML reads the XML, fast_float the numbers.
-#include "sillon/input/svg.hpp"
+#include "input/svg.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,10 +10,6 @@
 
 #include <rapidxml/rapidxml.hpp>
 
-#include "input/svg/svg_elements.hpp"
-#include "input/svg/svg_entities.hpp"
-#include "input/svg/svg_namespaces.hpp"
-#include "input/svg/svg_nesting.hpp"
 #include "input/svg/svg_node.hpp"
 #include "input/svg/svg_reader.hpp"
 

@@ -1,12 +1,10 @@
-#include "input/svg/svg_clip.hpp"
+#include "input/svg/svg_path.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
-
-#include "input/svg/svg_path.hpp"
 
 namespace sillon::svg {
 namespace {

@@ -1,4 +1,4 @@
-#include "input/svg/svg_color_name.hpp"
+#include "input/svg/svg_style.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "input/svg/svg_elements.hpp"
+#include "input/svg/svg_node.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,8 @@
 
 #include <Eigen/LU>
 
-#include "input/svg/svg_clip.hpp"
-#include "input/svg/svg_length.hpp"
-#include "input/svg/svg_nesting.hpp"
-#include "input/svg/svg_paint.hpp"
-#include "input/svg/svg_paint_server.hpp"
 #include "input/svg/svg_path.hpp"
-#include "input/svg/svg_shape.hpp"
-#include "input/svg/svg_stroke.hpp"
 #include "input/svg/svg_style.hpp"
-#include "input/svg/svg_viewport.hpp"
 #include "sillon/geometry/outline.hpp"
 
 namespace sillon::svg {

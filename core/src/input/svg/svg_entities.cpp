@@ -1,4 +1,4 @@
-#include "input/svg/svg_entities.hpp"
+#include "input/svg/svg_node.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "input/svg/svg_length.hpp"
+#include "input/svg/svg_path.hpp"
 
 #include <array>
 #include <cmath>

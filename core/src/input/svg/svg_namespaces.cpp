@@ -1,4 +1,4 @@
-#include "input/svg/svg_namespaces.hpp"
+#include "input/svg/svg_node.hpp"
 
 #include <algorithm>
 #include <cstddef>

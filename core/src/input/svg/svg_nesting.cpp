@@ -1,4 +1,4 @@
-#include "input/svg/svg_nesting.hpp"
+#include "input/svg/svg_node.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,14 +1,19 @@
-// Elements of an SVG document as RapidXML keeps them.
+// Elements of a drawing, and what they name.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <rapidxml/rapidxml.hpp>
+#include <string>
 #include <string_view>
 
-#include <rapidxml/rapidxml.hpp>
-
+#include "input/svg.hpp"
 #include "input/svg/svg_reader.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon::svg {
+
+// Elements of an SVG document as RapidXML keeps them.
 
 using Node = rapidxml::xml_node<>;
 
@@ -28,5 +33,30 @@ inline std::optional<std::string_view> hrefOf(const Node& node) {
   const std::optional<std::string_view> href = attribute(node, "href");
   return href ? href : attribute(node, "xlink:href");
 }
+
+// What a DOCTYPE abbreviates: Illustrator writes <!ENTITY st0 "fill:none;"> and style="&st0;".
+
+/// The text with its own general entities written out; empty: it has none. Entities hold only those declared before.
+/// Throws Refused: the text would be longer than `maxBytes`, or there are too many entities.
+std::string withEntities(std::string_view text, std::size_t maxBytes);
+
+// Which elements are SVG's, whatever prefixes a file gives them: https://www.w3.org/TR/xml-names/.
+
+/// Leaves elements of SVG their local names and all others empty ones, and calls each href of XLink `xlink:href`.
+/// Throws Refused: the root is no <svg>, or there are more namespaces than can be.
+void resolveNamespaces(Node& root);
+
+// Whether a text nests as XML does, and not too deep: looked over before RapidXML reads it.
+
+inline constexpr int kMaxDepth = 200;  ///< of elements, <use> counted in: each level costs stack
+
+/// Throws Refused: no well-formed XML, or nested deeper than kMaxDepth.
+void checkNesting(std::string_view text);
+
+// The elements of a drawing, from the root downwards, as areas.
+
+/// \param[out] current  the element that was being read when reading stopped; null outside of elements.
+/// Throws Refused.
+Shape drawElements(const Node& root, const SvgOptions& options, const Node*& current);
 
 }  // namespace sillon::svg

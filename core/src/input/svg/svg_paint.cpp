@@ -1,4 +1,4 @@
-#include "input/svg/svg_paint.hpp"
+#include "input/svg/svg_style.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,6 @@
 #include <string>
 
 #include <fast_float/fast_float.h>
-
-#include "input/svg/svg_color_name.hpp"
 
 namespace sillon::svg {
 namespace {

@@ -1,4 +1,4 @@
-#include "input/svg/svg_paint_server.hpp"
+#include "input/svg/svg_style.hpp"
 
 #include <algorithm>
 #include <functional>

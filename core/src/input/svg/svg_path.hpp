@@ -1,15 +1,52 @@
-// Paths and basic shapes of SVG as polygons: https://www.w3.org/TR/SVG2/, chapters 9 and 10.
+// Lengths, viewports, paths, shapes and strokes of a drawing.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
-#include <Eigen/Geometry>
-
+#include "input/svg/svg_node.hpp"
+#include "input/svg/svg_work.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon::svg {
+
+// Lengths with units: https://www.w3.org/TR/SVG2/coords.html#Units.
+
+inline constexpr double kMmPerPx = 25.4 / 96;
+
+struct Length {
+  double value = 0;
+  double mmPerUnit = 0;  ///< 0: user units
+  bool percent = false;
+};
+
+/// Of a CSS length, in lower case; 0: no unit, user units. Nothing for an unknown one. em and ex: of a 16 px font.
+std::optional<double> mmPerUnit(std::string_view unit);
+
+/// Nothing for a missing attribute and for "auto". Throws Refused: an unknown unit.
+std::optional<Length> lengthOf(const Node& node, const char* name);
+
+/// Lengths in user units of the drawing. Throws Refused where an attribute cannot be read.
+struct UserUnits {
+  double mm = kMmPerPx;  ///< of one
+
+  /// \param full  100 % in user units
+  [[nodiscard]] double of(const Node& node, const char* name, double full, double missing) const;
+  /// Throws Refused if it is negative, too.
+  [[nodiscard]] double positive(const Node& node, const char* name, double full, double missing) const;
+  /// rx and ry; a missing one is like the other. \param full  100 % of either.
+  [[nodiscard]] Vec2 radii(const Node& node, Vec2 full) const;
+  /// Of a style; NaN for what is none.
+  [[nodiscard]] double ofStyle(std::string_view text, double full) const;
+};
+
+// Paths and basic shapes of SVG as polygons: https://www.w3.org/TR/SVG2/, chapters 9 and 10.
 
 using Matrix = Eigen::Affine2d;
 Matrix rotation(double degrees);
@@ -67,5 +104,95 @@ void drawPolygon(Outliner& out, std::string_view text, bool closed);
 void drawEllipse(Outliner& out, Vec2 center, Vec2 radii);
 /// \param radii  of the corners; 0 where they are sharp.
 void drawRectangle(Outliner& out, Vec2 corner, Vec2 size, Vec2 radii);
+
+// Transforms and viewports: https://www.w3.org/TR/SVG2/coords.html.
+
+/// (x, y) -> (a x + c y + e, b x + d y + f), as SVG counts them.
+Matrix matrix(double a, double b, double c, double d, double e, double f);
+Matrix shifted(double x, double y);
+
+/// What lengths in CSS refer to.
+struct CssLengths {
+  UserUnits units;
+  Vec2 box;  ///< of the element's transform-box: 100 % in user units
+};
+
+/// \param text  attribute `transform`, or the property where `css` is given: it takes units and translateX, skew, ...
+/// Throws Refused, for transforms in space, too.
+Matrix parseTransform(std::string_view text, const CssLengths* css = nullptr);
+/// \param text  `transform-origin`, from the corner of the box; what lies behind is not read. Throws Refused.
+Vec2 parseOrigin(std::string_view text, const CssLengths& css);
+
+struct ViewBox {
+  Vec2 min;
+  Vec2 size;
+};
+
+/// Nothing where there is none. Throws Refused.
+std::optional<ViewBox> viewBoxOf(const Node& node);
+/// Lays a viewBox into a viewport of the given size at the origin, as preserveAspectRatio says. Throws Refused.
+Matrix fit(const Node& node, const ViewBox& box, Vec2 size);
+
+// Outlines of the elements that have one: paths and basic shapes.
+
+/// Whether elements of this name have an outline.
+bool isShape(std::string_view name);
+
+/// \param view  what percentages refer to, in user units. \return false: it has no area, and no stroke either.
+/// Throws Refused.
+bool outlineShape(Outliner& out, const Node& node, Vec2 view, const UserUnits& units);
+
+// Strokes as areas: https://www.w3.org/TR/SVG2/painting.html, chapters 13.4 and 13.5.
+
+enum class StrokeCap { Butt, Round, Square };
+enum class StrokeJoin { Miter, Round, Bevel };
+
+/// Lengths in user units of the element.
+struct Stroke {
+  double width = 1;
+  StrokeCap cap = StrokeCap::Butt;
+  StrokeJoin join = StrokeJoin::Miter;
+  double miterLimit = 4;       ///< >= 1
+  std::vector<double> dashes;  ///< dash, gap, dash, ...; each >= 0, an even number; empty: solid
+  double dashOffset = 0;       ///< where in the pattern a line begins
+};
+
+/// What a stroke covers, to be filled by nonzero winding: no part of a ring runs against the others, so that overlaps
+/// never cancel.
+/// \param toWorld  from the element's units to mm; of a singular one nothing is left.
+/// \param tolerance  of round caps and joins [mm]. \param pointsLeft  of the whole drawing.
+/// Throws Refused: too many points.
+std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stroke, const Matrix& toWorld,
+                              double tolerance, std::int64_t& pointsLeft);
+
+// Areas that limit what is shown, and areas laid over each other.
+
+/// What is shown lies inside of it.
+struct Limit {
+  FilledPath area;
+  Bounds box;
+  bool isBox = false;  ///< nothing of the box is outside
+};
+
+/// An area that adds to what lies below it, or hides it.
+struct Layer {
+  FilledPath path;
+  bool adds = true;
+  bool faint = false;  ///< painted at half opacity or less
+};
+
+std::shared_ptr<const Limit> limitOf(FilledPath area);
+/// Whether nothing of `box` is cut off.
+bool covers(const Limit& limit, const Bounds& box);
+Bounds boxOf(const std::vector<Ring>& rings);
+
+/// What of the paths `rule` says. Throws Refused.
+FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule, Work& work);
+/// What of a path lies within all limits. Throws Refused.
+FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work);
+/// What of a path lies outside of a limit that is a box, in pieces. Throws Refused.
+std::vector<FilledPath> beyondBox(const FilledPath& path, const Limit& limit, Work& work);
+/// Layers from below upwards as one area. Throws Refused.
+FilledPath flattened(const std::vector<Layer>& layers, Work& work);
 
 }  // namespace sillon::svg

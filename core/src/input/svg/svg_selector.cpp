@@ -1,4 +1,4 @@
-#include "input/svg/svg_selector.hpp"
+#include "input/svg/svg_style.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "input/svg/svg_shape.hpp"
+#include "input/svg/svg_path.hpp"
 
 #include <cmath>
 

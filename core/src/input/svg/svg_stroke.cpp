@@ -1,4 +1,4 @@
-#include "input/svg/svg_stroke.hpp"
+#include "input/svg/svg_path.hpp"
 
 #include <algorithm>
 #include <cmath>

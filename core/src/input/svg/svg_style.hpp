@@ -1,9 +1,11 @@
-// The CSS that decides what an SVG element shows.
+// Styles and paints of a drawing.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -11,10 +13,39 @@
 #include <vector>
 
 #include "input/svg/svg_node.hpp"
-#include "input/svg/svg_selector.hpp"
+#include "input/svg/svg_path.hpp"
 #include "input/svg/svg_work.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon::svg {
+
+// The words CSS knows for colours.
+
+/// Whether CSS has a colour of this name, of the system's colours too. \param name  in lower case.
+bool isColorName(std::string_view name);
+
+// Selectors of CSS rules: https://www.w3.org/TR/selectors-4/.
+
+/// What one element must have: the `g.a#b` of "svg > g.a#b path".
+struct Compound {
+  std::string name;                ///< empty: any
+  std::vector<std::string> marks;  ///< ".a", "#b"
+  bool child = false;              ///< stands directly inside of the element before it, not somewhere inside
+
+  [[nodiscard]] bool fits(const Node& node, Work& work) const;
+};
+
+struct Selector {
+  std::vector<Compound> elements;  ///< outermost first
+
+  /// \return nothing where a part of the text is not read.
+  static std::optional<Selector> read(std::string_view text);
+  [[nodiscard]] bool fits(const Node& node, Work& work) const;
+  /// As CSS counts: ids, then classes, then names. Below 2^20.
+  [[nodiscard]] std::int64_t specificity() const;
+};
+
+// The CSS that decides what an SVG element shows.
 
 /// In the order of kPropertyNames.
 enum class Property : std::size_t {
@@ -161,5 +192,65 @@ class StyleSheet {
   std::int64_t order_ = 0;
   std::string unread_;
 };
+
+// What an element is painted with, as far as it matters where one bead is like the next: whether it is seen at all,
+// whether it is black, which hides in a mask, and whether its colour is that of others.
+
+struct Paint {
+  double alpha = 1;          ///< 0: none
+  std::uint64_t colour = 0;  ///< 0xRRGGBB, or another number for each name and each gradient
+  bool pattern = false;
+  bool gradient = false;
+
+  [[nodiscard]] bool black() const { return colour == 0; }
+};
+
+/// Added to the colour of a name or a gradient.
+inline constexpr std::uint64_t kOther = 0x1000000;
+
+/// Nobody sees less. Drawing programs lay it over whole pages, to catch clicks.
+inline constexpr double kFaintest = 0.02;
+
+/// Inherited from element to element, but for `opacity`, which is the product of all around, and `strokeScales`.
+struct PaintState {
+  Paint color;  ///< currentColor
+  Paint fill;
+  Paint stroke{0};
+  double fillOpacity = 1;
+  double strokeOpacity = 1;
+  double opacity = 1;
+  bool visible = true;
+  bool strokeScales = true;  ///< with transforms; false: it is as wide as without them
+  FillRule fillRule = FillRule::NonZero;
+  FillRule clipRule = FillRule::NonZero;
+  Stroke line;
+
+  [[nodiscard]] double fillAlpha() const { return visible ? fill.alpha * fillOpacity * opacity : 0; }
+  [[nodiscard]] double strokeAlpha() const { return visible ? stroke.alpha * strokeOpacity * opacity : 0; }
+};
+
+/// What a style needs to know of the document.
+struct PaintContext {
+  std::function<std::optional<Paint>(std::string_view id)> server;  ///< a gradient or pattern; nothing: it is neither
+  std::function<double(std::string_view)> length;                   ///< in user units; NaN: not a length
+};
+
+/// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
+void apply(const Style& style, const PaintContext& context, PaintState& state);
+
+/// Of a stop of a gradient.
+Paint stopPaint(const Style& style, const Paint& current);
+
+/// "#a" of "url(#a)", without the #; empty: no such reference.
+std::string_view urlOf(std::string_view value);
+
+// Gradients and patterns as one paint each: https://www.w3.org/TR/SVG2/pservers.html.
+
+using Ids = std::unordered_map<std::string_view, const Node*>;
+
+/// A gradient is as opaque as its most opaque stop, and black where all its stops are; nothing: `id` names neither.
+/// \param current  currentColor. Throws Refused: too much.
+std::optional<Paint> serverPaint(std::string_view id, const Ids& ids, const StyleSheet& styles, const Paint& current,
+                                 Work& work);
 
 }  // namespace sillon::svg

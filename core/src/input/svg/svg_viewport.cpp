@@ -1,4 +1,4 @@
-#include "input/svg/svg_viewport.hpp"
+#include "input/svg/svg_path.hpp"
 
 #include <algorithm>
 #include <array>

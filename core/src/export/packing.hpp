@@ -1,0 +1,126 @@
+// Packed files: bytes, checksums, gzip, limits, and Prusa's binary G-code.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+
+namespace sillon {
+
+// Numbers in files, lowest byte first.
+
+/// Appends a number's `bytes` lowest bytes; more than 8 bytes end in zeros.
+inline void append(std::string& out, std::uint64_t value, int bytes) {
+  for (int k = 0; k < bytes; ++k) {
+    out += static_cast<char>(value & 0xFF);
+    value >>= 8;
+  }
+}
+
+/// The number of `count` bytes from `at`, which the caller knows to be there.
+inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
+  std::uint64_t value = 0;
+  for (int k = count - 1; k >= 0; --k) {
+    value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(k)]);
+  }
+  return value;
+}
+
+// MD5, which Bambu's firmware checks.
+
+/// RFC 1321, in upper case.
+std::string md5(std::string_view text);
+
+/// The same of a text in parts.
+std::string md5(const std::vector<std::string_view>& parts);
+
+// Files packed by gzip, RFC 1952.
+
+inline bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+/// What the file holds. \return InvalidFile for one that is damaged or made of several; TooLarge above 256 MiB.
+Result<std::string> unzipped(std::string_view file);
+
+/// The text behind the header of `file`, with its name and date.
+/// \return as unzipped, of the header; TooLarge above 1 GiB.
+Result<std::string> zippedLike(std::string_view file, std::string_view text);
+
+/// The text behind a header without name and date. \return TooLarge above 1 GiB.
+Result<std::string> zipped(std::string_view text);
+
+// What packed files may hold, of whatever kind they are.
+
+/// Nothing that is deflated becomes smaller than this share.
+inline constexpr std::size_t kBestDeflate = 1032;
+
+/// \param size  of the G-code [bytes] \param kind  ".gz", ".bgcode", ... \return TooLarge, or nothing
+inline std::optional<Error> tooLargeToPack(std::size_t size, const char* kind) {
+  constexpr std::size_t kMostMiB = 1024;
+  if (size <= kMostMiB << 20) return std::nullopt;
+  std::string message = "the G-code is ";
+  message.append(std::to_string(size >> 20)).append(" MiB; in a ").append(kind);
+  message.append(" it must be at most ").append(std::to_string(kMostMiB));
+  return Error{ErrorCode::TooLarge, std::move(message)};
+}
+
+/// \param kind  as above. \param what  "is cut off", ...
+inline Error damagedFile(const char* kind, const char* what) {
+  std::string message = "the ";
+  message.append(kind).append(" ").append(what);
+  return {ErrorCode::InvalidFile, std::move(message)};
+}
+
+// What a G-code file tells of itself in its comments: figures, pictures, settings; and the box of its beads.
+
+/// What is read of figures and pictures: so many bytes at the beginning, and at the end.
+inline constexpr std::size_t kTold = std::size_t{1} << 20;
+
+/// The value of "; key = value" or "; key: value" in the first or the last MiB of a file, the last one there; letters,
+/// digits, blanks and ".+-#" of it, at most 60. Empty: there is none. \param before  stands before the ";"; empty: the
+/// comment may also follow another one in its line.
+std::string toldValue(std::string_view gcode, std::string_view key, std::string_view before = "\n");
+
+/// "1h 2m 3s" in seconds.
+std::uint64_t toldSeconds(std::string_view text);
+
+/// A number such as "12.5" and nothing else.
+std::optional<double> plainNumber(std::string_view text);
+
+struct ToldPicture {
+  int width = 0;
+  int height = 0;
+  std::string format;  ///< "PNG", "JPG" or "QOI"
+  std::string bytes;
+};
+
+/// The thumbnails in a file's comments, in its order.
+std::vector<ToldPicture> toldPictures(std::string_view gcode);
+
+/// Around the ends of all beads after the first layer mark, start and end blocks left out; empty without any.
+/// \param gcode  in parts of whole lines.
+Bounds printedBox(const std::vector<std::string_view>& gcode);
+
+// Prusa's binary G-code, version 1: https://github.com/prusa3d/libbgcode/blob/main/doc/specifications.md
+
+inline bool isBinaryGcode(std::string_view bytes) { return bytes.starts_with("GCDE"); }
+
+/// All G-code of the file, then its settings and figures as comments. \return as readGcodeContainer.
+Result<std::string> binaryToText(std::string_view file);
+
+/// The file with the G-code of `text`, and with figures of its comments in the place of those of the same names.
+/// \return as writeGcodeContainer.
+Result<std::string> binaryWithText(std::string_view file, std::string_view text);
+
+/// Undoes heatshrink, of a window of 2^windowBits bytes and runs of at most 2^4. \return at most `most` bytes.
+std::string unshrunk(std::string_view data, int windowBits, std::size_t most);
+
+/// Undoes MeatPack, and puts a blank before each word of a G command, which packing leaves out.
+std::string unmeatpacked(std::string_view data);
+
+}  // namespace sillon

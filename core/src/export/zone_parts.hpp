@@ -1,0 +1,70 @@
+// Zones of one colour, as pictures, outlines and slabs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/signed_distance.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/export/zones.hpp"
+#include "sillon/geometry/shape.hpp"
+
+namespace sillon {
+
+// What zones are cut from: the directions as a picture, and the steps of cutting it.
+
+/// Directions of the cells of a page.
+struct DirectionPicture {
+  Grid grid;
+  std::vector<char> inside;
+  std::vector<float> degrees;  ///< 0 <= degrees < 180, counter-clockwise from +x
+};
+
+/// Angle between two directions, which are the same after half a turn: 0..90 [degrees].
+inline double angleBetween(double a, double b) {
+  const double d = std::fmod(std::abs(a - b), 180);
+  return std::min(d, 180 - d);
+}
+
+/// At most `most` directions that are nearest to the picture's in the mean square, rising, in whole tenths.
+std::vector<double> zoneDirections(const DirectionPicture& picture, int most);
+
+/// Which of the directions each cell takes, -1 outside of the shape: the nearest ones, as even as their borders allow;
+/// what is narrower than `least` [mm] or smaller than its square goes to its neighbours. Of a cancelled run of no use.
+std::vector<std::int32_t> zoneLabels(const DirectionPicture& picture, const std::vector<double>& directions,
+                                     double least, const RunContext& run);
+
+/// Cells without a label take that of the nearest ones, ring by ring. \param where  which may.
+void spreadLabels(std::vector<std::int32_t>& label, const std::vector<char>& where, const Grid& grid);
+
+// The borders of a picture of zones.
+
+/// Rings of each zone, inside on their left. Neighbours share their border, point for point, so that they neither
+/// overlap nor leave a gap; steps of cells become straight lines within 0.75 cells.
+/// \param zone  of each cell, 0 to count - 1, row 0 below; zones that meet in a corner only are parted there.
+std::vector<std::vector<Ring>> zoneOutlines(std::vector<std::int32_t> zone, int count, const Grid& grid);
+
+// The heights at which zones turn a slicer's lines.
+
+/// Layers that follow each other and whose tops need angles of one kind.
+struct Slab {
+  double bottom = 0;    ///< [mm]
+  double top = 0;       ///< [mm]
+  bool turned = false;  ///< the slicer adds 90 degrees on the layer of the top
+};
+
+struct Slabs {
+  std::vector<Slab> list;
+  bool complete = true;  ///< false: some that are needed are missing, as there may be no more
+};
+
+/// From the bottom up: the layers below each level top, as deep as the solid layers of usual settings, and each layer
+/// of slopes that are gentle enough to show lines. What lies between them is left to the slicer. The highest and lowest
+/// slab go on beyond the body.
+/// \param most  slabs, at least 1; where there would be more, slopes go without, then the highest top decides for all.
+Slabs slabsOf(const Mesh& body, const ZoneLayers& layers, std::size_t most);
+
+}  // namespace sillon

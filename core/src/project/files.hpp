@@ -1,0 +1,31 @@
+// Files of projects: inputs, and the scene files of the paper.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/project/project.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace sillon {
+
+// A picture that a project names.
+
+/// \param what  it is, for messages.
+Result<Image> readPicture(const ReadInput& read, const std::string& name, const std::string& what);
+
+// The keys of the scene files published with the paper, which stand at the top level; a project may use them too.
+
+/// Their names, for messages about unknown ones.
+std::vector<std::string> sceneKeys();
+
+/// Whether an object without a version is such a scene.
+bool isScene(const nlohmann::json& root);
+
+/// Lays what they mean over a project. \return what is wrong: type or range. Empty: nothing.
+std::string readSceneKeys(const nlohmann::json& root, Project& project);
+
+}  // namespace sillon
