@@ -1,5 +1,6 @@
 #include "findings.hpp"
 
+#include <cstdio>
 #include <utility>
 
 namespace cli {
@@ -18,6 +19,14 @@ nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& fin
                     {"message", finding.message}});
   }
   return list;
+}
+
+std::string delayLine(const sillon::NeighbourDelay& delay) {
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "order      %.1f %% of the visible length waits over 30 s for its neighbour, %.1f %% over 120 s\n",
+                100 * delay.over30, 100 * delay.over120);
+  return line;
 }
 
 }  // namespace cli

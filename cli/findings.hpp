@@ -1,7 +1,8 @@
-// Findings of a reader of G-code as JSON.
+// Findings of a reader of G-code, as JSON and as lines.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "sillon/gcode_reader/check.hpp"
@@ -9,5 +10,8 @@
 namespace cli {
 
 nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& findings);
+
+/// A line for summaries: how long beads wait for their neighbours.
+std::string delayLine(const sillon::NeighbourDelay& delay);
 
 }  // namespace cli

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "assemble.hpp"
+#include "findings.hpp"
 #include "sillon/export/base_solid.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
@@ -285,6 +286,7 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
       out += print("curves     %.2f m of the oriented path slower than the rest\n", plate.gcode->curveSlowedMm / 1000);
     }
   }
+  if (plate.delay) out += delayLine(*plate.delay);
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
   const std::vector<sillon::Warning> warnings = plate.warnings();
   for (const OutputFile& file : files) {

@@ -16,9 +16,9 @@ toolpath: settings geometry field
 look: settings input toolpath
 pipeline: settings geometry input field toolpath
 quality: settings geometry input field toolpath look pipeline
-report: settings geometry look pipeline quality
 printer: settings
 gcode_reader: settings printer
+report: settings geometry look pipeline quality gcode_reader
 project: settings geometry input
 pictures: geometry input look pipeline quality project
 rebrush: settings geometry input look pipeline quality gcode_reader

@@ -344,6 +344,14 @@ inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>&
   val coverage = val::array();
   for (const double share : check.coverage) coverage.call<void>("push", share < 0 ? val::null() : val(share));
   out.set("coverage", coverage);
+  val delay = val::null();
+  if (check.delay) {
+    delay = val::object();
+    delay.set("over30", check.delay->over30);
+    delay.set("over120", check.delay->over120);
+    delay.set("most", check.delay->most);
+  }
+  out.set("neighbourDelay", delay);
   return out;
 }
 

@@ -1020,6 +1020,19 @@ export interface GcodeCheck {
   noise: number | null;
   /** Share of the base that each oriented layer of a file of ours covers; null where there is no base. */
   coverage: (number | null)[];
+  /** How long the beads of the visible layers wait for their neighbours; null: no oriented bead has one, or the file is
+   * not ours. */
+  neighbourDelay: NeighbourDelay | null;
+}
+
+/** Weighed by length; docs/reference/metrics.md. */
+export interface NeighbourDelay {
+  /** Share of the length beside a bead laid more than 30 s earlier or later, 0..1. */
+  over30: number;
+  /** More than 120 s. */
+  over120: number;
+  /** 90 % of the length wait no longer [s]. */
+  most: number;
 }
 
 /** One rule that was broken, however often. */

@@ -63,6 +63,7 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
                   shares.size() == 1 ? "the oriented layer" : "the oriented layer that covers least");
     out += line;
   }
+  if (check.delay) out += delayLine(*check.delay);
   for (const sillon::GcodeFinding& finding : check.findings) {
     out += (finding.error ? "error      " : "warning    ") + finding.rule + ": " + finding.message;
     if (finding.line > 0) out += " (line " + std::to_string(finding.line);
@@ -101,6 +102,10 @@ std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::st
                                 {"noise", known(check.noise)},
                                 {"coverage", nlohmann::ordered_json::array()}};
   for (const double share : check.coverage) out["coverage"].push_back(known(share));
+  if (check.delay) {
+    out["neighbourDelay"] = {
+        {"over30", check.delay->over30}, {"over120", check.delay->over120}, {"most", check.delay->most}};
+  }
   if (!check.box.empty()) {
     out["box"] = {{"min", {check.box.min.x, check.box.min.y}}, {"max", {check.box.max.x, check.box.max.y}}};
   }

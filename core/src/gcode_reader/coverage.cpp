@@ -86,13 +86,18 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
 
 }  // namespace
 
+const LaidBead* stackEnd(const LaidBead* begin, const LaidBead* end) {
+  const LaidBead* last = begin + 1;
+  while (last != end && (last->layer == (last - 1)->layer || last->top > (last - 1)->top)) ++last;
+  return last;
+}
+
 std::vector<double> orientedCoverage(const std::vector<LaidBead>& beads) {
   std::vector<double> shares;
   std::int64_t rest = kMostVisits;
   const LaidBead* const end = beads.data() + beads.size();
   for (const LaidBead* begin = beads.data(); begin != end;) {
-    const LaidBead* last = begin + 1;
-    while (last != end && (last->layer == (last - 1)->layer || last->top > (last - 1)->top)) ++last;
+    const LaidBead* last = stackEnd(begin, end);
     addStack(shares, begin, last, rest);
     begin = last;
   }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sillon/base/types.hpp"
+#include "sillon/gcode_reader/check.hpp"
 
 namespace sillon {
 
@@ -53,12 +55,22 @@ struct LaidBead {
   bool base = false;  ///< else oriented
   int layer = 0;      ///< ascending
   float top = 0;
+  float begin = 0;    ///< when it is begun [s]
+  float seconds = 0;  ///< it takes
 };
 
-/// Share of the area of all base layers of a stack that each of its oriented layers covers, in the order of the file. A
-/// new stack begins where a layer lies no higher than the one before it. Nothing tells the outline of a stack without
+/// The end of the stack that begins here: a new one begins where a layer lies no higher than the one before it.
+const LaidBead* stackEnd(const LaidBead* begin, const LaidBead* end);
+
+/// Share of the area of all base layers of a stack that each of its oriented layers covers, in the order of the file.
+/// Nothing tells the outline of a stack without
 /// base layers: -1; likewise where it would take more than a second. Beads are rectangles with round ends on a
 /// raster of 0.05 mm, coarser for plates above 100 cm².
 std::vector<double> orientedCoverage(const std::vector<LaidBead>& beads);
+
+/// How long the oriented beads of the lowest and of the highest layer of each stack wait for their neighbours. A
+/// neighbour lies 0.6 to 1.4 mean widths to one side; places without any are not counted.
+/// \return nothing where no place has a neighbour.
+std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads);
 
 }  // namespace sillon

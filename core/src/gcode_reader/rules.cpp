@@ -379,6 +379,7 @@ void Rules::move(const MachineMove& move) {
       found("no-speed", !block());  // firmware has a speed to begin with
       machine_.speed = 1;
     }
+    clock_ += move.length / machine_.speed;
     const double e = machine_.volumetric ? move.e / area_ : move.e;
     if (e > 0) return bead(move, e);
     if (e < 0) filament(e, 0);
@@ -425,7 +426,7 @@ void Rules::bead(const MachineMove& move, double e) {
     (speed < layerFastest_ ? layerSlowedMm_ : layerAtFastestMm_) += move.length;
   }
   const double section = e * area_ / move.length;
-  if (ours_ && (oriented_ || base_) && !block()) lay(from, to, section);
+  if (ours_ && (oriented_ || base_) && !block()) lay(from, to, section, move.length / speed);
   check_.filamentMm += e;
   if (!block()) counted_ += e;
   check_.pathMm += move.length;
@@ -483,13 +484,13 @@ void Rules::follow(Vec2 p) {
   trail_.erase(trail_.begin());
 }
 
-void Rules::lay(Vec2 from, Vec2 to, double section) {
+void Rules::lay(Vec2 from, Vec2 to, double section, double seconds) {
   if (layerHeight_ <= 0 || beads_.size() >= kMostBeads) return;
   const double flow = settings_.filamentFlow * (base_ ? baseFlow_ : flow_);
   const double width = std::min(section / layerHeight_ / flow, 10.0);
   const auto narrow = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
-  beads_.push_back(
-      {narrow(from), narrow(to), static_cast<float>(width), base_, layers_, static_cast<float>(machine_.z)});
+  beads_.push_back({narrow(from), narrow(to), static_cast<float>(width), base_, layers_, static_cast<float>(machine_.z),
+                    static_cast<float>(clock_ - seconds), static_cast<float>(seconds)});
 }
 
 void Rules::endLayer() {
@@ -514,6 +515,7 @@ void Rules::judgeLayers() {
   if (check_.noise > kMostNoise) whole("noise", {{"um", decimal(1000 * check_.noise, 1)}});
   if (beads_.size() >= kMostBeads) return;
   check_.coverage = orientedCoverage(beads_);
+  check_.delay = neighbourDelay(beads_);
   for (const double share : check_.coverage) {
     if (share < 0 || share >= kLeastCovered) continue;
     whole("coverage", {{"percent", fixed(100 * share, 1)}});

@@ -68,7 +68,7 @@ class Rules {
   void checkRate(double seconds);
   void follow(Vec2 p);
   void followOverlap(Vec2 to);
-  void lay(Vec2 from, Vec2 to, double section);
+  void lay(Vec2 from, Vec2 to, double section, double seconds);
   void judgeLayers();
   void judgeOrigin();
   void judgeTotals();
@@ -117,6 +117,7 @@ class Rules {
   std::vector<Vec2> trail_;                   // of an oriented path, the last five points
   std::array<std::int64_t, 1000> zigzags_{};  // vertices by amplitude, in steps of kNoiseStep
   std::vector<LaidBead> beads_;
+  double clock_ = 0;         // [s] of all moves in the plane, at their speeds
   double layerFastest_ = 0;  // of its oriented beads
   double layerSlowedMm_ = 0;
   double layerAtFastestMm_ = 0;

@@ -163,6 +163,7 @@ Report Plate::report() const {
   }
   out.fromGcode = judgedByGcode;
   if (gcode) out.print = {gcode->seconds, gcode->filamentMm, gcode->filamentGrams};
+  out.delay = delay;
   out.warnings = warnings();
   return out;
 }

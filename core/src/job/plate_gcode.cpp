@@ -37,7 +37,9 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
 
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run) {
   const Project& project = plate.project;
-  plate.findings = checkGcode(gcode, project.printer).findings;
+  GcodeCheck check = checkGcode(gcode, project.printer);
+  plate.findings = std::move(check.findings);
+  plate.delay = check.delay;
   if (plate.pictures.shown.empty() || !plate.measures) return std::nullopt;
   const auto read = readBack(gcode, plate.input.shape, project.printer, project.print, plate.toolpath().spacing);
   if (!read) return read.error();

@@ -125,6 +125,11 @@ std::string printJson(const PrintTotals& print) {
          ",\"grams\":" + hundredths(print.grams) + "}";
 }
 
+std::string delayJson(const NeighbourDelay& delay) {
+  return "{\"over30\": " + number(delay.over30, 4) + ", \"over120\": " + number(delay.over120, 4) +
+         ", \"most\": " + number(delay.most, 1) + "}";
+}
+
 std::string perimeterText(const ToolpathParams& params) {
   switch (params.perimeterMode) {
     case PerimeterMode::None:
@@ -180,6 +185,7 @@ std::string reportJson(const Report& report) {
   object.add("digest", jsonString(report.digest));
   if (!report.pictures.empty()) object.add("pictures", picturesJson(report.pictures, report.fromGcode));
   if (report.print) object.add("print", printJson(*report.print));
+  if (report.delay) object.add("neighbourDelay", delayJson(*report.delay));
   object.add("warnings", warningsJson(report.warnings));
   return object.text() + "\n";
 }

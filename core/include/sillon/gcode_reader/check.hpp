@@ -34,6 +34,17 @@ struct GcodeFinding {
 // Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer
 // but the grammar.
 
+/// How long the beads of the visible layers wait for their neighbours, weighed by length.
+///
+/// A bead that is squeezed between beads that cooled minutes ago lies higher and shines
+/// differently. Counted is the longer of the waits on its two sides, by the lengths and speeds of
+/// the moves.
+struct NeighbourDelay {
+  double over30 = 0;   ///< share of the length beside a bead laid more than 30 s earlier or later
+  double over120 = 0;  ///< more than 120 s
+  double most = 0;     ///< 90 % of the length wait no longer [s]
+};
+
 /// What the file does. Lengths mm, speeds mm/s.
 struct GcodeCheck {
   std::vector<GcodeFinding> findings;  ///< errors first, each sort by line
@@ -59,6 +70,8 @@ struct GcodeCheck {
   /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no
   /// base. The outline is in no file; what the base layers fill is taken for it.
   std::vector<double> coverage;
+  std::optional<NeighbourDelay>
+      delay;                ///< none where no oriented bead of a file of ours has a neighbour
   std::string printer;      ///< printer_model
   bool homes = false;       ///< all axes before the first bead, or at all where there is none
   bool homesPlane = false;  ///< X and Y, with Z or without

@@ -64,8 +64,9 @@ struct Plate {
   int threads = 1;                     ///< that the run was allowed
   // The G-code, once it is written.
   std::optional<GcodeSummary> gcode;
-  std::vector<GcodeFinding> findings;  ///< of reading it as a printer would
-  bool judgedByGcode = false;          ///< `shown` is what the G-code lays
+  std::vector<GcodeFinding> findings;   ///< of reading it as a printer would
+  std::optional<NeighbourDelay> delay;  ///< of the beads that the G-code lays
+  bool judgedByGcode = false;           ///< `shown` is what the G-code lays
 
   [[nodiscard]] const Toolpath& toolpath() const { return result.toolpath; }
   /// Tells what was taken for granted of the input, or left out of it.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sillon/gcode_reader/check.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
@@ -49,7 +50,8 @@ struct Report {
   int threads = 1;                        ///< that the run was allowed
   std::vector<ReportedPicture> pictures;  ///< empty: left out
   bool fromGcode = false;  ///< the pictures were judged by the G-code, not by the toolpath
-  std::optional<PrintTotals> print;  ///< none: left out
+  std::optional<PrintTotals> print;     ///< none: left out
+  std::optional<NeighbourDelay> delay;  ///< none: left out
   std::vector<Warning> warnings;
 };
 

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gcode_reader/coverage.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr float kNearest = 0.6f;   // of the mean of two widths, between neighbours' middles
+constexpr float kFarthest = 1.4f;  // likewise; the next bead but one is 2 away
+constexpr float kAlong = 0.6f;     // likewise, along the bead
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+
+// A piece of a bead, no longer than the bead is wide.
+struct Piece {
+  Vec2f at;
+  Vec2f along;  // unit
+  float width;
+  float length;
+  float time;  // when its middle is laid [s]
+};
+
+struct Wait {
+  float seconds;
+  float length;
+};
+
+void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
+  const Vec2f d = bead.to - bead.from;
+  const float size = length(d);
+  if (!(size > 0) || !(bead.width > 0)) return;
+  const int count = std::max(1, static_cast<int>(size / bead.width));
+  for (int k = 0; k < count; ++k) {
+    const float share = (static_cast<float>(k) + 0.5f) / static_cast<float>(count);
+    pieces.push_back({bead.from + d * share, d * (1 / size), bead.width, size / static_cast<float>(count),
+                      bead.begin + share * bead.seconds});
+  }
+}
+
+// The pieces of a layer, by square cells as wide as neighbours may be apart.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const std::vector<Piece>& pieces) : pieces_(pieces) {
+    Bounds box;
+    float widest = 0;
+    for (const Piece& piece : pieces) {
+      box.add(Vec2{piece.at.x, piece.at.y});
+      widest = std::max(widest, piece.width);
+    }
+    constexpr double kMostCells = 4e6;
+    cell_ = std::max(static_cast<double>(kFarthest * widest), std::sqrt(box.size().x * box.size().y / kMostCells));
+    min_ = box.min;
+    columns_ = static_cast<int>(box.size().x / cell_) + 1;
+    rows_ = static_cast<int>(box.size().y / cell_) + 1;
+    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+    for (const Piece& piece : pieces) ++first_[cellOf(piece.at) + 1];
+    for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    order_.resize(pieces.size());
+    for (std::size_t k = 0; k < pieces.size(); ++k) order_[next[cellOf(pieces[k].at)]++] = static_cast<int>(k);
+  }
+
+  /// The longer of the waits for the neighbours on either side; infinite without any.
+  [[nodiscard]] float wait(const Piece& piece) const {
+    float left = kUnknown;
+    float right = kUnknown;
+    const int column = columnOf(piece.at);
+    const int row = rowOf(piece.at);
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows_ - 1); ++y) {
+      const int begin = y * columns_ + std::max(column - 1, 0);
+      const int end = y * columns_ + std::min(column + 1, columns_ - 1) + 1;
+      for (int k = first_[begin]; k < first_[end]; ++k) {
+        const Piece& other = pieces_[order_[k]];
+        const Vec2f to = other.at - piece.at;
+        const float mean = 0.5f * (piece.width + other.width);
+        const float across = cross(piece.along, to);
+        if (std::abs(dot(piece.along, to)) > kAlong * mean) continue;
+        if (std::abs(across) < kNearest * mean || std::abs(across) > kFarthest * mean) continue;
+        float& side = across > 0 ? left : right;
+        side = std::min(side, std::abs(other.time - piece.time));
+      }
+    }
+    if (left == kUnknown || right == kUnknown) return std::min(left, right);
+    return std::max(left, right);
+  }
+
+ private:
+  [[nodiscard]] int columnOf(Vec2f p) const { return static_cast<int>((static_cast<double>(p.x) - min_.x) / cell_); }
+  [[nodiscard]] int rowOf(Vec2f p) const { return static_cast<int>((static_cast<double>(p.y) - min_.y) / cell_); }
+  [[nodiscard]] std::size_t cellOf(Vec2f p) const {
+    return static_cast<std::size_t>(rowOf(p)) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(columnOf(p));
+  }
+
+  const std::vector<Piece>& pieces_;
+  Vec2 min_;
+  double cell_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<int> first_;  // of each cell: its first place in order_
+  std::vector<int> order_;
+};
+
+void addWaits(const LaidBead* begin, const LaidBead* end, std::vector<Wait>& waits) {
+  std::vector<Piece> pieces;
+  for (const LaidBead* bead = begin; bead != end; ++bead) {
+    if (!bead->base) cutUp(*bead, pieces);
+  }
+  if (pieces.empty()) return;
+  const Neighbourhood neighbourhood(pieces);
+  for (const Piece& piece : pieces) {
+    const float wait = neighbourhood.wait(piece);
+    if (wait != kUnknown) waits.push_back({wait, piece.length});
+  }
+}
+
+}  // namespace
+
+std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads) {
+  std::vector<Wait> waits;
+  const LaidBead* const end = beads.data() + beads.size();
+  for (const LaidBead* begin = beads.data(); begin != end;) {
+    const LaidBead* const last = stackEnd(begin, end);
+    const auto inLayer = [](int layer) { return [layer](const LaidBead& bead) { return bead.layer == layer; }; };
+    const LaidBead* const lowest = std::find_if_not(begin, last, inLayer(begin->layer));
+    addWaits(begin, lowest, waits);
+    if (lowest != last) addWaits(std::find_if(lowest, last, inLayer((last - 1)->layer)), last, waits);
+    begin = last;
+  }
+  if (waits.empty()) return std::nullopt;
+  std::sort(waits.begin(), waits.end(), [](const Wait& a, const Wait& b) { return a.seconds < b.seconds; });
+  double all = 0;
+  for (const Wait& wait : waits) all += static_cast<double>(wait.length);
+  NeighbourDelay delay;
+  double sum = 0;
+  for (const Wait& wait : waits) {
+    if (sum < 0.9 * all) delay.most = static_cast<double>(wait.seconds);
+    const double share = static_cast<double>(wait.length) / all;
+    sum += static_cast<double>(wait.length);
+    if (wait.seconds > 30) delay.over30 += share;
+    if (wait.seconds > 120) delay.over120 += share;
+  }
+  return delay;
+}
+
+}  // namespace sillon
