@@ -16,9 +16,9 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 
-import { lacking, launch } from './support/browsers.js';
-import { root } from './support/projects.js';
-import { headerSets, serve } from './support/server.js';
+import { lacking, launch } from '../support/browsers.js';
+import { root } from '../support/projects.js';
+import { headerSets, serve } from '../support/server.js';
 
 const wasm = join(root, 'wasm');
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));

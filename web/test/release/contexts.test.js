@@ -12,10 +12,10 @@ import { lacking, launch, startChromium, withoutGraphics } from '../../../wasm/t
 import { serve as serveWith } from '../../../wasm/test/support/server.js';
 import { isolation } from '../../headers.js';
 import { serve } from '../../serve.js';
-import { natively } from './support/native.js';
+import { natively } from '../browser/support/native.js';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
-const pages = fileURLToPath(new URL('pages/', import.meta.url));
+const pages = fileURLToPath(new URL('../browser/pages/', import.meta.url));
 const web = fileURLToPath(new URL('../..', import.meta.url));
 const vite = fileURLToPath(new URL('../../../node_modules/vite/bin/vite.js', import.meta.url));
 const enginePath = fileURLToPath(new URL('../../../wasm/dist/engine/', import.meta.url));

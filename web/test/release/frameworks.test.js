@@ -14,7 +14,7 @@ import { build } from 'vite';
 import { lacking, startChromium } from '../../../wasm/test/support/browsers.js';
 import { serve as servePlain } from '../../../wasm/test/support/server.js';
 import { serve } from '../../serve.js';
-import { patience, until } from './support/waits.js';
+import { patience, until } from '../browser/support/waits.js';
 
 const skip = lacking('Chromium');
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));

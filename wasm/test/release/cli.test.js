@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { nativeProgram, root } from './support/projects.js';
+import { nativeProgram, root } from '../support/projects.js';
 
 const folders = ['native', 'node'].map((name) => mkdtempSync(join(tmpdir(), `sillon-${name}-`)));
 const programs = [

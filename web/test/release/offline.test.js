@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { lacking, startChromium } from '../../../wasm/test/support/browsers.js';
 import { serve as servePlain } from '../../../wasm/test/support/server.js';
 import { serve } from '../../serve.js';
-import { languages } from './support/languages.js';
+import { languages } from '../browser/support/languages.js';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const skip = lacking('Chromium');
