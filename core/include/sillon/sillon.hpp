@@ -52,6 +52,7 @@
 #include "sillon/toolpath/thin_features.hpp"
 
 // The way from a project to a plate.
+#include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/plate_input.hpp"
