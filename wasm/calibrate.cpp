@@ -1,4 +1,4 @@
-// Calibration prints: what JavaScript may call of sillon-calibrate, which is loaded when the first is wanted.
+// Calibration prints.
 #include "sillon/calibrate/calibrate.hpp"
 
 #include <emscripten/bind.h>
@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -70,12 +71,14 @@ sillon::Result<std::vector<std::uint8_t>> pictureOf(const sillon::Toolpath& show
   return png;
 }
 
-/// \param kind  as the command line names it. \param from, to  undefined: the kind's own.
-/// \param pictureSide  of the longer side [pixels], 0: no picture.
+}  // namespace
+
+namespace bindings {
+
 val calibrate(const std::string& kind, const val& from, const val& to, const std::string& projectJson,
               const val& filament, const std::string& date, int pictureSide) {
   return guarded([&](sillon::RunContext& run) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     const std::vector<std::string>& kinds = sillon::calibrationKinds();
     const auto found = std::find(kinds.begin(), kinds.end(), kind);
@@ -118,6 +121,4 @@ val calibrate(const std::string& kind, const val& from, const val& to, const std
   });
 }
 
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(calibrate) { emscripten::function("calibrate", &calibrate); }
+}  // namespace bindings

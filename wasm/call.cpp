@@ -13,7 +13,9 @@
 #include <new>
 #include <utility>
 
+#include "bindings.hpp"
 #include "convert.hpp"
+#include "kept.hpp"
 #include "sillon/base/version.hpp"
 #include "sillon/project/project.hpp"
 
@@ -27,56 +29,23 @@ using convert::success;
 std::unique_ptr<sillon::RunContext> context;
 double granted = 0;  // [bytes] that the host lets this module's memory grow to
 
-/// What is free in the engine's memory, or may be had; a quarter is left for pieces too small to use, and for answers.
+std::string incoming;  // filled by the host between two calls
+
+}  // namespace
+
+// A quarter is left for pieces too small to use, and for answers.
 double freeMemory() {
   const double most = std::min(static_cast<double>(emscripten_get_heap_max()), granted);
   return 0.75 * (most - static_cast<double>(static_cast<std::uint32_t>(mallinfo().uordblks)));
 }
 
-/// \param most  that this module's memory may grow to [bytes].
-/// \param poll  () => boolean, for RunContext::onPoll; null where memory is shared.
-val start(int threads, double most, const val& poll) {
-  return guarded([&](sillon::RunContext&) {
-    granted = most;
-    context = std::make_unique<sillon::RunContext>(threads);
-    if (!poll.isNull()) context->onPoll([poll] { return poll().as<bool>(); });
-    val out = val::object();
-    out.set("version", convert::toJs(sillon::kVersion));
-    out.set("cancelFlag", reinterpret_cast<std::uintptr_t>(&context->cancelFlag()));
-    return success(out);
-  });
+sillon::Result<sillon::Project> projectOf(const std::string& json) {
+  auto project = sillon::readProject(json);
+  if (project || project.error().code != sillon::ErrorCode::InvalidFile) return project;
+  sillon::Error error = project.error();
+  error.code = sillon::ErrorCode::InvalidArgument;
+  return error;
 }
-
-std::string incoming;  // filled by the host between two calls
-
-val room(double size) {
-  return guarded([&](sillon::RunContext&) {
-    incoming = std::string();
-    constexpr double kMiB = 1 << 20;
-    const double most = std::floor(freeMemory() / 2 / kMiB);  // what becomes of it is as large
-    if (!(size <= most * kMiB)) {
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "the file is %.0f MiB; it must be at most %.0f: put fewer objects into it, or slice with a coarser "
-                    "resolution",
-                    std::ceil(size / kMiB), most);
-      return failure("TooLarge", text);
-    }
-    incoming.resize(static_cast<std::size_t>(size));
-    return success(
-        val(emscripten::typed_memory_view(incoming.size(), reinterpret_cast<std::uint8_t*>(incoming.data()))));
-  });
-}
-
-val readProject(const std::string& json) {
-  return guarded([&](sillon::RunContext&) {
-    const auto project = sillon::readProject(json);
-    if (!project) return failure(project.error());
-    return success(val(sillon::writeProject(project.value())));
-  });
-}
-
-}  // namespace
 
 val guarded(const std::function<val(sillon::RunContext&)>& body) {
   try {
@@ -109,8 +78,47 @@ val file(const std::string& bytes) {
 
 }  // namespace call
 
-EMSCRIPTEN_BINDINGS(call) {
-  emscripten::function("start", &call::start);
-  emscripten::function("room", &call::room);
-  emscripten::function("readProject", &call::readProject);
+namespace bindings {
+
+using call::guarded;
+
+val start(int threads, double most, const val& poll) {
+  return guarded([&](sillon::RunContext&) {
+    call::granted = most;
+    call::context = std::make_unique<sillon::RunContext>(threads);
+    if (!poll.isNull()) call::context->onPoll([poll] { return poll().as<bool>(); });
+    val out = val::object();
+    out.set("version", convert::toJs(sillon::kVersion));
+    out.set("cancelFlag", reinterpret_cast<std::uintptr_t>(&call::context->cancelFlag()));
+    return convert::success(out);
+  });
 }
+
+val room(double size) {
+  return guarded([&](sillon::RunContext&) {
+    call::incoming = std::string();
+    constexpr double kMiB = 1 << 20;
+    const double most = std::floor(call::freeMemory() / 2 / kMiB);  // what becomes of it is as large
+    if (!(size <= most * kMiB)) {
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "the file is %.0f MiB; it must be at most %.0f: put fewer objects into it, or slice with a coarser "
+                    "resolution",
+                    std::ceil(size / kMiB), most);
+      return convert::failure("TooLarge", text);
+    }
+    call::incoming.resize(static_cast<std::size_t>(size));
+    return convert::success(val(
+        emscripten::typed_memory_view(call::incoming.size(), reinterpret_cast<std::uint8_t*>(call::incoming.data()))));
+  });
+}
+
+val keptNumbers() {
+  return guarded([](sillon::RunContext&) {
+    val list = val::array();
+    for (const int number : kept::numbers()) list.call<void>("push", number);
+    return convert::success(list);
+  });
+}
+
+}  // namespace bindings

@@ -137,20 +137,18 @@ inline val toJs(const sillon::Toolpath& toolpath) {
   return out;
 }
 
-inline sillon::Toolpath toolpathFrom(const val& js) {
-  sillon::Toolpath toolpath;
-  toolpath.spacing = js["spacing"].as<double>();
-  const val cycles = js["cycles"];
-  const auto count = cycles["length"].as<int>();
+inline std::vector<sillon::Cycle> cyclesFrom(const val& js) {
+  std::vector<sillon::Cycle> cycles;
+  const auto count = js["length"].as<int>();
   for (int k = 0; k < count; ++k) {
     sillon::Cycle cycle;
-    const std::vector<float> flat = numbers<float>(cycles[k]["points"]);
+    const std::vector<float> flat = numbers<float>(js[k]["points"]);
     cycle.points.resize(flat.size() / 2);
     for (std::size_t i = 0; i < cycle.points.size(); ++i) cycle.points[i] = {flat[2 * i], flat[2 * i + 1]};
-    cycle.widths = numbers<float>(cycles[k]["widths"]);
-    toolpath.cycles.push_back(std::move(cycle));
+    cycle.widths = numbers<float>(js[k]["widths"]);
+    cycles.push_back(std::move(cycle));
   }
-  return toolpath;
+  return cycles;
 }
 
 /// How a plate of pictures is to be seen: Toolpath.look.

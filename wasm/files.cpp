@@ -1,5 +1,4 @@
-// Files around a plate, to write and to read: what JavaScript may call of sillon-files, which is loaded when the first
-// is wanted. A visitor's first plate does not wait for it.
+// Files around a plate, to write and to read.
 #include <emscripten/bind.h>
 
 #include <algorithm>
@@ -13,12 +12,15 @@
 #include <utility>
 #include <vector>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
+#include "kept.hpp"
 #include "sillon/export/base_solid.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/job/path_gcode.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/view_file.hpp"
 #include "sillon/printer_import/printer_import.hpp"
@@ -34,43 +36,49 @@ using convert::failure;
 using convert::success;
 using emscripten::val;
 
+constexpr double kMostKeptText = 64 << 20;  // [bytes]
+
 val listOf(const std::vector<std::string>& texts) {
   val list = val::array();
   for (const std::string& text : texts) list.call<void>("push", val(text));
   return list;
 }
 
-/// \param below  a toolpath, or undefined.
+}  // namespace
+
+namespace bindings {
+
 val writeGcode(const val& toolpath, const val& below, const std::string& projectJson, const std::string& date,
-               const val& onChunk) {
+               int number, const val& onChunk) {
   return guarded([&](sillon::RunContext& run) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
-    sillon::PrintParams print = project.value().print;
-    print.date = date;
-    print.notes = emscripten::vecFromJSArray<std::string>(toolpath["notes"]);
-    const sillon::Toolpath path = convert::toolpathFrom(toolpath);
     const sillon::Shape shape = convert::shapeFrom(toolpath["shape"]);
-    auto thumbnails = sillon::lookThumbnails(path, shape.page, project.value().printer.screenSizes,
-                                             convert::lookFrom(toolpath["look"]), run);
-    if (!thumbnails) return failure(thumbnails.error());
-    print.thumbnails = std::move(thumbnails).value();
-    std::optional<sillon::Toolpath> across;
-    if (!below.isUndefined()) across = convert::toolpathFrom(below);
+    const sillon::PathToWrite path{kept::toolpathOf(toolpath),
+                                   shape,
+                                   below.isUndefined() ? nullptr : &kept::toolpathOf(below),
+                                   convert::lookFrom(toolpath["look"]),
+                                   emscripten::vecFromJSArray<std::string>(toolpath["notes"]),
+                                   date};
+    std::optional<std::string> text;
+    if (number > 0) text.emplace();
+    const double mostKept = std::min(kMostKeptText, call::freeMemory() / 8);
     const auto sink = [&](std::string_view piece) {
       const auto* data = reinterpret_cast<const std::uint8_t*>(piece.data());
-      return !run.cancelled() && onChunk(convert::copied(data, piece.size())).as<bool>();
+      if (text && static_cast<double>(text->size() + piece.size()) > mostKept) text.reset();
+      if (text) *text += piece;
+      return onChunk(convert::copied(data, piece.size())).as<bool>();
     };
-    const auto summary =
-        sillon::writeGcode(path, shape, project.value().printer, print, sink, across ? &*across : nullptr);
+    const auto summary = sillon::writePathGcode(path, project.value().printer, project.value().print, sink, run);
     if (!summary) return failure(summary.error());
+    if (text) kept::keep(number, std::move(*text));
     return success(convert::toJs(summary.value()));
   });
 }
 
 val writeBaseBody(const val& shape, const std::string& projectJson, bool stl) {
   return guarded([&](sillon::RunContext&) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     const auto mesh = sillon::baseBody(convert::shapeFrom(shape), project.value().printer, project.value().print);
     if (!mesh) return failure(mesh.error());
@@ -82,7 +90,7 @@ val writeBaseBody(const val& shape, const std::string& projectJson, bool stl) {
 
 val writeSvg(const val& toolpath) {
   return guarded([&](sillon::RunContext&) {
-    const auto svg = sillon::toolpathSvg(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page);
+    const auto svg = sillon::toolpathSvg(kept::toolpathOf(toolpath), convert::shapeFrom(toolpath["shape"]).page);
     if (!svg) return failure(svg.error());
     return file(svg.value());
   });
@@ -98,7 +106,7 @@ val renderPreview(const val& toolpath, int width, const val& light, const val& c
     params.look.lamp.elevation = light[1].as<double>();
     for (std::size_t k = 0; k < 3; ++k) params.look.colour[k] = colour[k].as<std::uint8_t>();
     params.look.roughness = {slopes[0].as<double>(), slopes[1].as<double>()};
-    const sillon::Toolpath path = convert::toolpathFrom(toolpath);
+    const sillon::Toolpath& path = kept::toolpathOf(toolpath);
     const sillon::Vec2 page = convert::shapeFrom(toolpath["shape"]).page;
     const double height = std::min(std::round(width * page.y / page.x), 1e6);
     const auto picture = lookOnly ? sillon::renderLook(path, page, width, static_cast<int>(height), params.look, run)
@@ -115,8 +123,7 @@ val writeView(const val& toolpath, const val& colour, double slopeAlong, double 
   return guarded([&](sillon::RunContext&) {
     const auto channel = [&colour](int k) { return colour[k].as<std::uint8_t>(); };
     const sillon::ViewParams params{{channel(0), channel(1), channel(2)}, {slopeAlong, slopeAcross}};
-    const auto view =
-        sillon::viewFile(convert::toolpathFrom(toolpath), convert::shapeFrom(toolpath["shape"]).page, params);
+    const auto view = sillon::viewFile(kept::toolpathOf(toolpath), convert::shapeFrom(toolpath["shape"]).page, params);
     if (!view) return failure(view.error());
     return success(convert::copied(view.value().data(), view.value().size()));
   });
@@ -138,49 +145,38 @@ val importPrinter(const std::string& name) {
   });
 }
 
-/// \param projectJson  whose printer counts; empty: what the file's own settings say.
-val checkGcode(const std::string& projectJson) {
+val checkGcode(const std::string& projectJson, int number) {
   return guarded([&](sillon::RunContext&) {
     std::optional<sillon::Printer> printer;
     if (!projectJson.empty()) {
-      const auto project = sillon::readProject(projectJson);
+      const auto project = call::projectOf(projectJson);
       if (!project) return failure(project.error());
       printer = project.value().printer;
     }
+    const auto checked = [&](std::string_view text) {
+      return success(convert::toJs(sillon::checkGcode(text, printer), sillon::uncheckedIn(text, printer)));
+    };
+    if (number > 0) return checked(kept::gcodeOf(number));
     const auto text = sillon::unpackGcode(call::takenFile());
     if (!text) return failure(text.error());
-    return success(
-        convert::toJs(sillon::checkGcode(text.value(), printer), sillon::uncheckedIn(text.value(), printer)));
+    return checked(text.value());
   });
 }
 
-val packGcode() {
+val packGcode(int number) {
   return guarded([&](sillon::RunContext&) {
-    const auto archive = sillon::packGcode(call::takenFile());
+    const auto archive = sillon::packGcode(number > 0 ? kept::gcodeOf(number) : call::takenFile());
     if (!archive) return failure(archive.error());
     return file(archive.value());
   });
 }
 
-/// \param projectJson  whose printer's flavour counts.
 val examineBlock(const std::string& block, const std::string& projectJson) {
   return guarded([&](sillon::RunContext&) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     return success(convert::toJs(sillon::examineBlock(block, project.value().printer.flavor)));
   });
 }
 
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(files) {
-  emscripten::function("writeGcode", &writeGcode);
-  emscripten::function("writeBaseBody", &writeBaseBody);
-  emscripten::function("writeSvg", &writeSvg);
-  emscripten::function("renderPreview", &renderPreview);
-  emscripten::function("writeView", &writeView);
-  emscripten::function("importPrinter", &importPrinter);
-  emscripten::function("checkGcode", &checkGcode);
-  emscripten::function("packGcode", &packGcode);
-  emscripten::function("examineBlock", &examineBlock);
-}
+}  // namespace bindings

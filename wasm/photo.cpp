@@ -1,5 +1,4 @@
-// Photographs of calibration coupons: what JavaScript may call of sillon-photo, which is loaded when the first is
-// wanted.
+// Photographs of calibration coupons.
 #include <emscripten/bind.h>
 
 #include <cstddef>
@@ -7,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
 #include "sillon/calibrate/read_photo.hpp"
@@ -66,11 +66,14 @@ sillon::CouponReading readingFrom(const val& js) {
   return read;
 }
 
-/// \param picture  as imageFrom takes it. \param projectJson  that the coupon was made with.
+}  // namespace
+
+namespace bindings {
+
 val readCoupon(const val& picture, const std::string& projectJson, const val& from, const val& to, const val& lampSize,
                const val& lampElevation) {
   return guarded([&](sillon::RunContext& run) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     const auto image = convert::imageFrom(picture, "photograph");
     if (!image) return failure(image.error());
@@ -82,7 +85,6 @@ val readCoupon(const val& picture, const std::string& projectJson, const val& fr
   });
 }
 
-/// \param readings  a list, as readingFrom takes them, of at least one.
 val joinReadings(const val& readings, const val& lampSize) {
   return guarded([&](sillon::RunContext&) {
     std::vector<sillon::CouponReading> each;
@@ -96,9 +98,4 @@ val joinReadings(const val& readings, const val& lampSize) {
   });
 }
 
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(photo) {
-  emscripten::function("readCoupon", &readCoupon);
-  emscripten::function("joinReadings", &joinReadings);
-}
+}  // namespace bindings

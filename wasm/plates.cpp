@@ -1,4 +1,4 @@
-// Plates: what JavaScript may call of sillon-st and sillon-mt.
+// Plates: what they are made of, and making them.
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
 
@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
+#include "kept.hpp"
 #include "sillon/job/plate.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
@@ -29,12 +31,15 @@ using emscripten::val;
 sillon::Session session;
 std::optional<sillon::KeptPictures> keptPictures;
 
-/// \param across  the path of the layer below instead, which nothing measures.
-val generateToolpath(const std::string& projectJson, const val& files, bool measure, bool across,
+}  // namespace
+
+namespace bindings {
+
+val generateToolpath(const std::string& projectJson, const val& files, bool measure, bool across, int number,
                      const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
     tell(run, onProgress, 0, 1);
-    auto project = sillon::readProject(projectJson);
+    auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     sillon::PlateOptions options;
     options.path = across ? sillon::PlatePath::Below : sillon::PlatePath::Seen;
@@ -42,9 +47,9 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     options.countDislocations = measure;
     options.session = &session;
     options.keptPictures = &keptPictures;
-    const auto made = sillon::makePlate(std::move(project).value(), convert::reader(files), options, run);
+    auto made = sillon::makePlate(std::move(project).value(), convert::reader(files), options, run);
     if (!made) return failure(made.error());
-    const sillon::Plate& plate = made.value();
+    sillon::Plate& plate = made.value();
 
     val notes = val::array();
     for (const std::string& note : sillon::plateNotes(plate.project.toolpath, plate.measures))
@@ -59,13 +64,14 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     sillon::Report report = plate.report();
     report.peakBytes = static_cast<std::int64_t>(emscripten_get_heap_size());
     out.set("report", val(sillon::reportJson(report)));
+    kept::keep(number, std::move(plate.result.toolpath));
     return success(out);
   });
 }
 
 val readShape(const std::string& projectJson, const val& files) {
   return guarded([&](sillon::RunContext& run) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     const auto input = sillon::readPlateInput(project.value(), convert::reader(files), run);
     if (!input) return failure(input.error());
@@ -81,7 +87,22 @@ val decodePicture(const val& file, const std::string& name) {
   });
 }
 
-/// Printers as the text of project files.
+val readProject(const std::string& json) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = sillon::readProject(json);
+    if (!project) return failure(project.error());
+    return success(val(sillon::writeProject(project.value())));
+  });
+}
+
+val writeProject(const std::string& projectJson) {
+  return guarded([&](sillon::RunContext&) {
+    const auto project = call::projectOf(projectJson);
+    if (!project) return failure(project.error());
+    return success(val(sillon::writeProject(project.value())));
+  });
+}
+
 val profiles() {
   return guarded([&](sillon::RunContext&) {
     const auto all = [](sillon::ProfileKind kind) {
@@ -101,11 +122,4 @@ val profiles() {
   });
 }
 
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(plates) {
-  emscripten::function("generateToolpath", &generateToolpath);
-  emscripten::function("readShape", &readShape);
-  emscripten::function("decodePicture", &decodePicture);
-  emscripten::function("profiles", &profiles);
-}
+}  // namespace bindings

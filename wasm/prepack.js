@@ -5,10 +5,7 @@ import { fileURLToPath } from 'node:url';
 
 const folder = dirname(fileURLToPath(import.meta.url));
 const { files } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-const engines = ['st', 'mt', 'files', 'rebrush', 'calibrate', 'photo'].flatMap((name) => [
-  `dist/engine/sillon-${name}.js`,
-  `dist/engine/sillon-${name}.wasm`,
-]);
+const engines = ['st', 'mt'].flatMap((name) => [`dist/engine/sillon-${name}.js`, `dist/engine/sillon-${name}.wasm`]);
 const program = ['dist/sillon.js', 'dist/cli/sillon.cjs', 'dist/cli/sillon.wasm'];
 const elements = ['dist/elements/sillon-studio.js', 'dist/elements/sillon-view.js'];
 const missing = [...files, ...engines, ...program, ...elements].filter((name) => {

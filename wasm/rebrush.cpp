@@ -1,5 +1,4 @@
-// Other people's prints: what JavaScript may call of sillon-rebrush, which is loaded when the first is wanted. It makes
-// plates and reads files, so neither of the other modules has to do both.
+// Other people's prints.
 #include <emscripten/bind.h>
 
 #include <cstddef>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
 #include "sillon/export/gcode_archive.hpp"
@@ -62,12 +62,6 @@ val fileOf(const sillon::SlicedFile& file) {
 std::optional<sillon::GcodeContainer> print;
 std::optional<sillon::SlicedFile> sliced;
 
-/// Makes room for another.
-void forgetPrint() {
-  print.reset();
-  sliced.reset();
-}
-
 /// What is wrong with it, if anything.
 std::optional<sillon::Error> findSurfaces(const sillon::RunContext& run) {
   if (sliced) return std::nullopt;
@@ -77,7 +71,29 @@ std::optional<sillon::Error> findSurfaces(const sillon::RunContext& run) {
   return std::nullopt;
 }
 
-/// Takes the file that came last.
+val picturesOf(const sillon::RebrushedSurface& made) {
+  val pictures = val::array();
+  for (std::size_t k = 0; k < made.pictures.size(); ++k) {
+    val out = val::object();
+    out.set("lamp", convert::toJs(sillon::Vec2{made.lamps[k].azimuth, made.lamps[k].elevation}));
+    out.set("r", made.pictures[k].r);
+    out.set("ssim", made.pictures[k].ssim);
+    out.set("contrast", made.pictures[k].contrast);
+    out.set("leftOut", made.leftOut[k]);
+    pictures.call<void>("push", out);
+  }
+  return pictures;
+}
+
+}  // namespace
+
+namespace bindings {
+
+void forgetPrint() {
+  print.reset();
+  sliced.reset();
+}
+
 val readPrint() {
   return guarded([&](sillon::RunContext&) {
     auto container = sillon::readGcodeContainer(call::takenFile());
@@ -95,7 +111,6 @@ val listSurfaces(const val& onProgress) {
   });
 }
 
-/// \param side  most cells of the longer side.
 val printRelief(int side, const val& onProgress) {
   return guarded([&](sillon::RunContext& run) {
     tell(run, onProgress, 0, 1);
@@ -111,26 +126,10 @@ val printRelief(int side, const val& onProgress) {
   });
 }
 
-val picturesOf(const sillon::RebrushedSurface& made) {
-  val pictures = val::array();
-  for (std::size_t k = 0; k < made.pictures.size(); ++k) {
-    val out = val::object();
-    out.set("lamp", convert::toJs(sillon::Vec2{made.lamps[k].azimuth, made.lamps[k].elevation}));
-    out.set("r", made.pictures[k].r);
-    out.set("ssim", made.pictures[k].ssim);
-    out.set("contrast", made.pictures[k].contrast);
-    out.set("leftOut", made.leftOut[k]);
-    pictures.call<void>("push", out);
-  }
-  return pictures;
-}
-
-/// \param projectJson  whose directions, modes, pictures and toolpath count. \param sides, fit, only  as sillon.d.ts
-/// names them. \param onPiece  takes the new file piece by piece: whole, it would be held once more.
 val rebrush(const std::string& projectJson, const val& files, const std::string& sides, const std::string& fit,
             const val& only, const val& onProgress, const val& onPiece) {
   return guarded([&](sillon::RunContext& run) {
-    const auto project = sillon::readProject(projectJson);
+    const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
     const sillon::PictureParams& asked = project.value().pictures;
     auto field = sillon::readPlateField(project.value(), convert::reader(files));
@@ -209,12 +208,4 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
   });
 }
 
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(rebrush) {
-  emscripten::function("forgetPrint", &forgetPrint);
-  emscripten::function("readPrint", &readPrint);
-  emscripten::function("listSurfaces", &listSurfaces);
-  emscripten::function("printRelief", &printRelief);
-  emscripten::function("rebrush", &rebrush);
-}
+}  // namespace bindings

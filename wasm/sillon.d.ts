@@ -15,7 +15,7 @@ export interface EngineOptions {
   /** Milliseconds without work after which the worker is ended and its memory given back; it comes back by itself.
    * 0..Infinity. Default 10000. */
   idleTimeout?: number;
-  /** Most memory that each of the engine's modules may take [MiB], 64..4096; so may, apart from it, the JavaScript of its worker
+  /** Most memory that the engine may take in each of its two workers [MiB], 64..4096; so may, apart from it, a worker's JavaScript
    * in Node, and a G-code file that is not taken in pieces. A call that would need more ends with `OutOfMemory`. Default:
    * 3072; with threads as much of it as the system lets them share. */
   memory?: number;
@@ -175,8 +175,8 @@ export interface Engine {
 }
 
 export interface RunOptions {
-  /** Rejects the call at once and ends its work within 100 ms; within two seconds in a page that shares no memory and
-   * whose Content-Security-Policy forbids `connect-src blob:`. */
+  /** Rejects the call at once and ends its work within 100 ms. A page that shares no memory (headers COOP and COEP) ends the
+   * worker for that, which browsers may take two seconds for, and the next plate reuses nothing. */
   signal?: AbortSignal;
   /** At most every 30 ms, and with 1 at the end. @param fraction of the whole job, in [0, 1], never falling. */
   onProgress?: (progress: { stage: string; fraction: number }) => void;

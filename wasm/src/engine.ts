@@ -3,7 +3,8 @@ import type * as api from '../sillon.js';
 import { invalid } from './errors.js';
 import * as input from './input.js';
 import type { Platform } from './platform.js';
-import type { CalibrateCall, FileCall, PhotoCall, PlateCall, Print, RebrushCall } from './protocol.js';
+import { beads, gcodes, memoryOf, newNumber } from './known.js';
+import type { Call } from './protocol.js';
 import { Queue, type Threads } from './queue.js';
 
 const mostAutoThreads = 8;
@@ -16,32 +17,35 @@ function plan(asked: 'auto' | 'off' | number, platform: Platform): Threads {
   return { threads: 1, reason: obstacle, reasonCode: 'NotIsolated' };
 }
 
-const oneThread: Threads = { threads: 1, reason: '', reasonCode: '' };
+const mostThreadsAside = 2;
+
+type PlateCall = Omit<Extract<Call, { name: 'generateToolpath' }>, 'name' | 'number'>;
+type GcodeCall = Extract<Call, { name: 'checkGcode' | 'packGcode' }>;
 
 export async function startEngine(platform: Platform, options: unknown): Promise<api.Engine> {
   const { threads: asked, assetBase, idleTimeout, memory } = input.engineOptions(options);
   const assets = platform.files(assetBase);
-  const plates = new Queue(platform, assets, idleTimeout, memory, plan(asked, platform));
+  const threads = plan(asked, platform);
+  const plates = new Queue(platform, assets, idleTimeout, memory, threads);
   await plates.start();
-  // Workers of their own, started by their first calls.
-  const files = new Queue(platform, { ...assets, st: assets.files }, idleTimeout, memory, oneThread);
-  const prints = new Queue(platform, { ...assets, st: assets.rebrush }, idleTimeout, memory, oneThread);
-  const calibrations = new Queue(platform, { ...assets, st: assets.calibrate }, idleTimeout, memory, oneThread);
-  const photographs = new Queue(platform, { ...assets, st: assets.photo }, idleTimeout, memory, oneThread);
+  // A worker of its own for all that needs no plate, so that none of it waits for one. Started by its first call.
+  const few = { ...threads, threads: Math.min(mostThreadsAside, threads.threads) };
+  const aside = new Queue(platform, assets, idleTimeout, memory, few, plates);
 
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
-  const run = (call: PlateCall, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
-  const numbers = new WeakMap<Blob, number>();
-  let lastNumber = 0;
-  const printOf = (given: unknown): Print => {
-    const file = input.bytesFile(given);
-    if (!(file instanceof Blob)) return { file, number: 0 };
-    const number = numbers.get(file) ?? ++lastNumber;
-    numbers.set(file, number);
-    return { file, number };
+  const run = (call: Call, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
+  /** Where the file is already, if that is free. */
+  const runOnGcode = (call: GcodeCall, options: input.CallOptions): Promise<unknown> =>
+    (plates.has(call.file.number) ? plates : aside).run(call, options);
+  const runAside = (call: Call, options: input.CallOptions): Promise<unknown> => aside.run(call, options);
+  const make = async (call: PlateCall, options: input.CallOptions): Promise<api.ToolpathResult> => {
+    const number = newNumber();
+    const made = (await run({ ...call, name: 'generateToolpath', number }, options)) as api.ToolpathResult;
+    const { cycles } = made.toolpath;
+    beads.mark(cycles, number, memoryOf(cycles));
+    return made;
   };
-  const runOnFile = (call: FileCall, options: input.CallOptions): Promise<unknown> => files.run(call, options);
   return {
     get info() {
       return plates.info;
@@ -54,10 +58,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
         ...sections,
         toolpath: input.section(params, 'params'),
       });
-      return (await run(
-        { name: 'generateToolpath', project, files, measure: measure && !across, across },
-        others,
-      )) as api.ToolpathResult;
+      return make({ project, files, measure: measure && !across, across }, others);
     },
 
     async warm(options) {
@@ -67,26 +68,28 @@ export async function startEngine(platform: Platform, options: unknown): Promise
         directions: { angle: 30 },
       });
       const project = input.projectText(sections);
-      await run({ name: 'generateToolpath', project, files, measure: true, across: false }, input.callOptions(options));
+      await make({ project, files, measure: true, across: false }, input.callOptions(options));
     },
 
     async writeGcode(toolpath, printer, print, options) {
       const { below, ...checked } = input.callOptions(options, ['onChunk', 'below']);
       const { date, ...others } = input.section(print, 'print');
-      const call: FileCall = {
+      const call: Call = {
         name: 'writeGcode',
         toolpath: input.toolpath(toolpath),
         below: below === undefined ? undefined : input.toolpath(below, 'below'),
         project: input.projectText({ print: others, printer: input.section(printer, 'printer') }),
         date: input.date(date),
-        inPieces: checked.onChunk !== undefined,
+        number: checked.onChunk === undefined ? newNumber() : 0,
       };
-      return (await runOnFile(call, checked)) as api.Gcode;
+      const written = (await run(call, checked)) as api.Gcode;
+      if (call.number !== 0) gcodes.mark(written.blob, call.number);
+      return written;
     },
 
     async writeBaseBody(shape, printer, print, options) {
       const checked = input.callOptions(options, ['format']);
-      const call: FileCall = {
+      const call: Call = {
         name: 'writeBaseBody',
         shape: input.shape(shape, 'shape'),
         project: input.projectText({
@@ -95,32 +98,32 @@ export async function startEngine(platform: Platform, options: unknown): Promise
         }),
         format: input.bodyFormat(checked.format),
       };
-      return (await runOnFile(call, checked)) as Blob;
+      return (await run(call, checked)) as Blob;
     },
 
     async writeSvg(toolpath, options) {
       const checked = input.callOptions(options);
-      return (await runOnFile({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;
+      return (await run({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;
     },
 
     async writeView(toolpath, params, options) {
       const checked = input.callOptions(options);
-      const call: FileCall = {
+      const call: Call = {
         name: 'writeView',
         toolpath: input.toolpath(toolpath),
         params: input.viewParams(params),
       };
-      return (await runOnFile(call, checked)) as Blob;
+      return (await run(call, checked)) as Blob;
     },
 
     async renderPreview(toolpath, params, options) {
       const checked = input.callOptions(options);
-      const call: FileCall = {
+      const call: Call = {
         name: 'renderPreview',
         toolpath: input.toolpath(toolpath),
         params: input.previewParams(params),
       };
-      return (await runOnFile(call, checked)) as Blob;
+      return (await run(call, checked)) as Blob;
     },
 
     async readShape(shape, directions, options) {
@@ -147,7 +150,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
     async writeProject(project, options) {
       const checked = input.callOptions(options);
-      const call: PlateCall = { name: 'writeProject', project: input.projectText(input.project(project)) };
+      const call: Call = { name: 'writeProject', project: input.projectText(input.project(project)) };
       return (await run(call, checked)) as string;
     },
 
@@ -157,92 +160,89 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
     async importPrinter(file, name, options) {
       const checked = input.callOptions(options);
-      const call: FileCall = { name: 'importPrinter', file: input.bytesFile(file), printer: input.printerName(name) };
-      return (await runOnFile(call, checked)) as api.ImportedPrinter;
+      const call: Call = { name: 'importPrinter', file: input.bytesFile(file), printer: input.printerName(name) };
+      return (await runAside(call, checked)) as api.ImportedPrinter;
     },
 
     async checkGcode(file, printer, options) {
       const checked = input.callOptions(options);
       const project = printer === undefined ? '' : input.projectText({ printer: input.section(printer, 'printer') });
-      return (await runOnFile({ name: 'checkGcode', file: input.bytesFile(file), project }, checked)) as api.GcodeCheck;
+      return (await runOnGcode({ name: 'checkGcode', file: input.gcode(file), project }, checked)) as api.GcodeCheck;
     },
 
     async examineBlock(block, flavor, options) {
       const checked = input.callOptions(options);
       const printer = flavor === undefined ? {} : { flavor };
       const project = input.projectText({ printer: input.section(printer, 'printer') });
-      const call: FileCall = { name: 'examineBlock', block: input.blockText(block), project };
-      return (await runOnFile(call, checked)) as api.GcodeFinding[];
+      const call: Call = { name: 'examineBlock', block: input.blockText(block), project };
+      return (await runAside(call, checked)) as api.GcodeFinding[];
     },
 
     async packGcode(file, options) {
       const checked = input.callOptions(options);
-      return (await runOnFile({ name: 'packGcode', file: input.bytesFile(file) }, checked)) as Blob;
+      return (await runOnGcode({ name: 'packGcode', file: input.gcode(file) }, checked)) as Blob;
     },
 
     async listSurfaces(file, options) {
-      const call: RebrushCall = { name: 'listSurfaces', print: printOf(file) };
-      return (await prints.run(call, input.callOptions(options))) as api.SlicedFile;
+      const call: Call = { name: 'listSurfaces', file: input.print(file) };
+      return (await runAside(call, input.callOptions(options))) as api.SlicedFile;
     },
 
     async printRelief(file, side, options) {
       const checked = input.callOptions(options);
-      const call: RebrushCall = { name: 'printRelief', print: printOf(file), side: input.cells(side) };
-      return (await prints.run(call, checked)) as api.PrintRelief;
+      const call: Call = { name: 'printRelief', file: input.print(file), side: input.cells(side) };
+      return (await runAside(call, checked)) as api.PrintRelief;
     },
 
     async rebrush(file, how, options) {
       const checked = input.callOptions(options);
       const { sides, fit, only, sections, files: given } = input.rebrushOptions(how);
-      const call: RebrushCall = {
+      const call: Call = {
         name: 'rebrush',
-        print: printOf(file),
+        file: input.print(file),
         project: input.projectText(sections),
         files: given,
         sides,
         fit,
         only,
       };
-      return (await prints.run(call, checked)) as api.Rebrushed;
+      return (await runAside(call, checked)) as api.Rebrushed;
     },
 
     async calibrate(kind, request, options) {
       const checked = input.callOptions(options);
       const { project, ...others } = input.calibration(request);
-      const call: CalibrateCall = {
+      const call: Call = {
         name: 'calibrate',
         kind: input.calibrationKind(kind),
         project: input.projectText(project),
         ...others,
       };
-      return (await calibrations.run(call, checked)) as api.Calibration;
+      return (await runAside(call, checked)) as api.Calibration;
     },
 
     async readCoupon(photograph, request, options) {
       const checked = input.callOptions(options);
       const { project, ...others } = input.couponRequest(request);
-      const call: PhotoCall = {
+      const call: Call = {
         name: 'readCoupon',
         picture: input.pixels(photograph, 'photograph'),
         project: input.projectText(project),
         ...others,
       };
-      return (await photographs.run(call, checked)) as api.CouponReading;
+      return (await runAside(call, checked)) as api.CouponReading;
     },
 
     async joinReadings(readings, request, options) {
       const checked = input.callOptions(options);
       const { lampSize } = input.couponRequest(request);
-      const call: PhotoCall = { name: 'joinReadings', readings: input.couponReadings(readings), lampSize };
-      return (await photographs.run(call, checked)) as api.CouponReading;
+      const call: Call = { name: 'joinReadings', readings: input.couponReadings(readings), lampSize };
+      return (await runAside(call, checked)) as api.CouponReading;
     },
 
     dispose() {
       plates.dispose();
-      files.dispose();
-      prints.dispose();
-      calibrations.dispose();
-      photographs.dispose();
+      aside.dispose();
     },
   };
 }

@@ -2,7 +2,8 @@
 // say is checked by the engine alone; here is what JSON cannot carry.
 import type * as api from '../sillon.js';
 import { SillonError, invalid } from './errors.js';
-import type { Files, ReadingFields } from './protocol.js';
+import { beads, gcodes, memoryOf, pictures, prints } from './known.js';
+import type { Files, KnownFile, Path, ReadingFields } from './protocol.js';
 
 type Fields = Record<string, unknown>;
 
@@ -143,7 +144,7 @@ function picture(value: Fields, path: string): api.Picture {
   };
 }
 
-function bytes(value: unknown, path: string): Uint8Array | Blob | undefined {
+function bytes(value: unknown, path: string): Uint8Array<ArrayBuffer> | Blob | undefined {
   if (ArrayBuffer.isView(value)) {
     return copied(path, () => new Uint8Array(value.buffer, value.byteOffset, value.byteLength).slice());
   }
@@ -156,13 +157,17 @@ function bytes(value: unknown, path: string): Uint8Array | Blob | undefined {
 
 function file(value: unknown, path: string): Files[string] {
   if (typeof value === 'string') {
-    if (path === 'shape.file' && /^\uFEFF?\s*(<|$)/.test(value)) return new TextEncoder().encode(value);
+    if (path === 'shape.file' && /^\uFEFF?\s*(<|$)/.test(value))
+      return { number: 0, value: new TextEncoder().encode(value) };
     const what = path === 'shape.file' ? fileKinds : fileKinds.replace('SVG text, ', '');
     throw mustBe(path, value, what, 'Names of files are not opened here: hand over their content.');
   }
   const content = bytes(value, path);
-  if (content !== undefined) return content;
-  if (kindOf(value) === 'Object') return picture(value as Fields, path);
+  if (content !== undefined) {
+    const memory = content instanceof Blob ? undefined : () => [content];
+    return { number: pictures.numberOf(value as object, memory), value: content };
+  }
+  if (kindOf(value) === 'Object') return { number: 0, value: picture(value as Fields, path) };
   throw mustBe(path, value, fileKinds, fileHint);
 }
 
@@ -433,13 +438,18 @@ export function pixels(value: unknown, path: string): api.Picture {
   return picture(value as Fields, path);
 }
 
-/** Bytes in any form. */
-export function bytesFile(value: unknown): Uint8Array | Blob {
+/** Bytes in any form. @param numberOf  of a Blob that the worker may keep */
+export function bytesFile(value: unknown, numberOf: (file: Blob) => number = () => 0): KnownFile {
   const content = bytes(value, 'file');
   if (content === undefined)
     throw mustBe('file', value, fileKinds.replace('SVG text, ', '').replace(' or a Picture', ''));
-  return content;
+  return { number: content instanceof Uint8Array ? 0 : numberOf(content), value: content };
 }
+
+export const print = (value: unknown): KnownFile => bytesFile(value, (file) => prints.numberOf(file));
+
+/** Only what the engine itself has written is kept. */
+export const gcode = (value: unknown): KnownFile => bytesFile(value, (file) => gcodes.find(file));
 
 /** "2026-11-21 at 07:30:00 UTC" */
 export function date(value: unknown = new Date()): string {
@@ -488,14 +498,31 @@ export function viewParams(value: unknown): api.ViewParams {
 }
 
 /** Types only: values are checked by the engine. */
-export function toolpath(value: unknown, path = 'toolpath'): api.Toolpath {
+export function toolpath(value: unknown, path = 'toolpath'): Path {
   const { spacing, cycles, shape: filled, notes, look: seen } = fieldsOf(value, path);
   return {
     ...(seen === undefined ? {} : { look: look(seen, `${path}.look`) }),
     shape: shape(filled, `${path}.shape`),
     spacing: finite(spacing, `${path}.spacing`),
-    cycles: listOf(cycles, `${path}.cycles`, cycle),
+    cycles: knownCycles(cycles, `${path}.cycles`),
     notes: listOf(notes, `${path}.notes`, text),
+  };
+}
+
+/** A list that the worker may keep is copied only where it has to travel. */
+function knownCycles(value: unknown, path: string): Path['cycles'] {
+  const copy = (): api.Cycle[] => listOf(value, path, cycle);
+  const list = value as api.Cycle[];
+  const number = Array.isArray(value) ? beads.find(list, memoryOf(list)) : 0;
+  if (number === 0) {
+    const cycles = copy();
+    return { number: beads.numberOf(list, memoryOf(list)), value: cycles };
+  }
+  return {
+    number,
+    get value() {
+      return copy();
+    },
   };
 }
 

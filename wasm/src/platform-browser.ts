@@ -45,22 +45,6 @@ function ownFiles(): EngineFiles {
         wasm: new URL('./engine/sillon-mt.wasm', import.meta.url).href,
         threadScript: new URL('./engine/sillon-mt.worker.js', import.meta.url).href,
       },
-      files: {
-        script: new URL('./engine/sillon-files.js', import.meta.url).href,
-        wasm: new URL('./engine/sillon-files.wasm', import.meta.url).href,
-      },
-      rebrush: {
-        script: new URL('./engine/sillon-rebrush.js', import.meta.url).href,
-        wasm: new URL('./engine/sillon-rebrush.wasm', import.meta.url).href,
-      },
-      calibrate: {
-        script: new URL('./engine/sillon-calibrate.js', import.meta.url).href,
-        wasm: new URL('./engine/sillon-calibrate.wasm', import.meta.url).href,
-      },
-      photo: {
-        script: new URL('./engine/sillon-photo.js', import.meta.url).href,
-        wasm: new URL('./engine/sillon-photo.wasm', import.meta.url).href,
-      },
     };
   } catch {
     // Bundles that are plain scripts have no import.meta.url, or an empty one.

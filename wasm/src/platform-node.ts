@@ -9,7 +9,7 @@ import { Worker } from 'node:worker_threads';
 
 import { SillonError, invalid, messageOf } from './errors.js';
 import { filesIn, type Platform } from './platform.js';
-import type { Files, FromWorker } from './protocol.js';
+import type { FromWorker } from './protocol.js';
 
 /** The engine's files, which a server's bundler leaves in the package. Written so that none takes it for a file that it is
  * to copy: a folder, which `new URL` beside `import.meta.url` would be to them, ends their work. */
@@ -42,15 +42,6 @@ function folderOf(assetBase: string | URL): URL {
   return new URL(text.endsWith('/') ? text : `${text}/`);
 }
 
-async function withoutBlob<T>(file: T | Blob, name: string): Promise<T | Uint8Array> {
-  if (!(file instanceof Blob)) return file;
-  try {
-    return new Uint8Array(await file.arrayBuffer());
-  } catch (problem) {
-    throw new SillonError('InvalidFile', `${name} could not be read: ${messageOf(problem)}`);
-  }
-}
-
 export const node: Platform = {
   files(assetBase) {
     const folder = assetBase === undefined ? ownFolder() : folderOf(assetBase);
@@ -71,14 +62,12 @@ export const node: Platform = {
   },
 
   // Blobs that stand for files on disk cannot be posted.
-  async portable(call) {
-    const sent = { ...call };
-    if ('file' in sent) sent.file = await withoutBlob(sent.file, 'file');
-    if ('print' in sent) sent.print = { ...sent.print, file: await withoutBlob(sent.print.file, 'file') };
-    if (!('files' in sent)) return sent;
-    const files: Files = {};
-    for (const [name, file] of Object.entries(sent.files)) files[name] = await withoutBlob(file, name);
-    return { ...sent, files };
+  async portable(file, name) {
+    try {
+      return new Uint8Array(await file.arrayBuffer());
+    } catch (problem) {
+      throw new SillonError('InvalidFile', `${name} could not be read: ${messageOf(problem)}`);
+    }
   },
 
   startWorker(files, _threads, memory, events) {

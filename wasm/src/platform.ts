@@ -1,5 +1,5 @@
 // What differs between browsers and Node.
-import type { Call, EngineFiles, FromWorker, ThreadScripts, ToWorker } from './protocol.js';
+import type { EngineFiles, FromWorker, ThreadScripts, ToWorker } from './protocol.js';
 
 export interface Platform {
   /** @throws SillonError InvalidArgument */
@@ -9,8 +9,8 @@ export interface Platform {
   obstacleToThreads(): string;
   /** The module, where the worker cannot fetch it by itself. @throws SillonError LoadFailed */
   compile?(wasm: string): Promise<WebAssembly.Module>;
-  /** The call as it can be posted to a worker. @throws SillonError InvalidFile */
-  portable?(call: Call): Promise<Call>;
+  /** A file as it can be posted to a worker. @throws SillonError InvalidFile */
+  portable?(file: Blob, name: string): Promise<Uint8Array>;
   /** @param memory  of its JavaScript, where a worker's can be limited [MiB]
    * @throws SillonError LoadFailed */
   startWorker(files: EngineFiles, threads: number, memory: number, events: WorkerEvents): Promise<EngineWorker>;
@@ -21,10 +21,6 @@ export const filesIn = (at: (name: string) => string): EngineFiles => ({
   worker: at('worker.js'),
   st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
   mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
-  files: { script: at('sillon-files.js'), wasm: at('sillon-files.wasm') },
-  rebrush: { script: at('sillon-rebrush.js'), wasm: at('sillon-rebrush.wasm') },
-  calibrate: { script: at('sillon-calibrate.js'), wasm: at('sillon-calibrate.wasm') },
-  photo: { script: at('sillon-photo.js'), wasm: at('sillon-photo.wasm') },
 });
 
 export interface WorkerEvents {

@@ -8,94 +8,72 @@ export interface EngineFiles {
   worker: string;
   st: ModuleFiles;
   mt: ModuleFiles & { threadScript: string };
-  /** Fetched when a file is to be written or read. */
-  files: ModuleFiles;
-  /** Fetched when a sliced file is to be read. */
-  rebrush: ModuleFiles;
-  /** Fetched for calibration prints. */
-  calibrate: ModuleFiles;
-  /** Fetched for photographs of one. */
-  photo: ModuleFiles;
 }
 export interface ModuleFiles {
   script: string;
   wasm: string;
 }
 
-/** Inputs by the names that the project gives them. */
-export type Files = Record<string, Uint8Array | Blob | api.Picture>;
-
-/** One call of the engine. `project` is the text of a project file. */
-export type Call = PlateCall | FileCall | RebrushCall | CalibrateCall | PhotoCall;
-
-/** Of the modules that make plates. */
-export type PlateCall =
-  | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean }
-  | { name: 'readShape'; project: string; files: Files }
-  | { name: 'decodePicture'; file: Uint8Array | Blob }
-  | { name: 'readProject'; project: string }
-  | { name: 'writeProject'; project: string }
-  | { name: 'profiles' };
-
-/** Of the module that writes and reads the files around a plate. */
-export type FileCall =
-  | {
-      name: 'writeGcode';
-      toolpath: api.Toolpath;
-      below: api.Toolpath | undefined;
-      project: string;
-      date: string;
-      inPieces: boolean;
-    }
-  | { name: 'writeBaseBody'; shape: api.Shape; project: string; format: 'stl' | '3mf' }
-  | { name: 'writeSvg'; toolpath: api.Toolpath }
-  | { name: 'writeView'; toolpath: api.Toolpath; params: api.ViewParams }
-  | { name: 'renderPreview'; toolpath: api.Toolpath; params: api.PreviewParams }
-  | { name: 'importPrinter'; file: Uint8Array | Blob; printer: string }
-  /** `project`: whose printer counts; empty: what the file's own settings say. */
-  | { name: 'checkGcode'; file: Uint8Array | Blob; project: string }
-  | { name: 'packGcode'; file: Uint8Array | Blob }
-  /** `project`: whose printer's flavor counts. */
-  | { name: 'examineBlock'; block: string; project: string };
-
-/** A sliced file. `number`: the same for the same Blob, whose text the module keeps for the next call; 0: none. */
-export interface Print {
-  file: Uint8Array | Blob;
+/** Something that the worker may keep under its number: then it travels without its value. 0: nothing is ever kept. */
+export interface Known<T> {
   number: number;
+  value: T | undefined;
 }
 
-/** Of the module that lays plates on other people's prints. */
-export type RebrushCall =
-  | { name: 'listSurfaces'; print: Print }
-  | { name: 'printRelief'; print: Print; side: number }
+export type KnownFile = Known<Uint8Array | Blob>;
+
+/** Inputs by the names that the project gives them. */
+export type Files = Record<string, Known<Uint8Array | Blob | api.Picture>>;
+
+/** A toolpath whose beads the worker may keep. */
+export type Path = Omit<api.Toolpath, 'cycles'> & { cycles: Known<api.Cycle[]> };
+
+/** A reading as the engine takes it back: of its spool only the colour. */
+export type ReadingFields = Omit<api.CouponReading, 'spool'> & { colour: api.Spool['colour'] };
+
+/** One call of the engine. `project` is the text of a project file. */
+export type Call =
+  /** `number`: under which the beads are kept. */
+  | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean; number: number }
+  | { name: 'readShape'; project: string; files: Files }
+  | { name: 'decodePicture'; file: KnownFile }
+  | { name: 'readProject'; project: string }
+  | { name: 'writeProject'; project: string }
+  | { name: 'profiles' }
+  /** `number`: under which the text is kept; 0: it is handed out in pieces. */
+  | { name: 'writeGcode'; toolpath: Path; below: Path | undefined; project: string; date: string; number: number }
+  | { name: 'writeBaseBody'; shape: api.Shape; project: string; format: 'stl' | '3mf' }
+  | { name: 'writeSvg'; toolpath: Path }
+  | { name: 'writeView'; toolpath: Path; params: api.ViewParams }
+  | { name: 'renderPreview'; toolpath: Path; params: api.PreviewParams }
+  | { name: 'importPrinter'; file: KnownFile; printer: string }
+  /** `project`: whose printer counts; empty: what the file's own settings say. */
+  | { name: 'checkGcode'; file: KnownFile; project: string }
+  | { name: 'packGcode'; file: KnownFile }
+  /** `project`: whose printer's flavor counts. */
+  | { name: 'examineBlock'; block: string; project: string }
+  | { name: 'listSurfaces'; file: KnownFile }
+  | { name: 'printRelief'; file: KnownFile; side: number }
   | {
       name: 'rebrush';
-      print: Print;
+      file: KnownFile;
       project: string;
       files: Files;
       sides: api.RebrushOptions['sides'];
       fit: api.RebrushOptions['fit'];
       only: number[];
-    };
-
-/** Of the module that writes calibration prints. */
-export interface CalibrateCall {
-  name: 'calibrate';
-  kind: string;
-  project: string;
-  from: number | undefined;
-  to: number | undefined;
-  filament: api.ViewParams | undefined;
-  date: string;
-  /** [pixels], 0: none. */
-  pictureSide: number;
-}
-
-/** A reading as the engine takes it back: of its spool only the colour. */
-export type ReadingFields = Omit<api.CouponReading, 'spool'> & { colour: api.Spool['colour'] };
-
-/** Of the module that reads photographs of the coupon. */
-export type PhotoCall =
+    }
+  | {
+      name: 'calibrate';
+      kind: string;
+      project: string;
+      from: number | undefined;
+      to: number | undefined;
+      filament: api.ViewParams | undefined;
+      date: string;
+      /** [pixels], 0: none. */
+      pictureSide: number;
+    }
   | {
       name: 'readCoupon';
       picture: api.Picture;
@@ -124,14 +102,12 @@ export interface StartMessage {
   threadScripts: ThreadScripts;
   /** If it has been compiled before. */
   compiled: WebAssembly.Module | undefined;
+  /** One byte of shared memory, for an engine with one thread; 1 asks the running call to stop. */
+  stop: Uint8Array | undefined;
 }
 
 /** One at a time. */
-export type ToWorker = StartMessage | { type: 'call'; call: Call; wanted: Wanted };
-
-/** How a worker without shared engine memory learns, while it computes, that its call is wanted no more: a byte that
- * becomes 1, or an address that cannot be fetched any more. */
-export type Wanted = Uint8Array | string | undefined;
+export type ToWorker = StartMessage | { type: 'call'; call: Call };
 
 export interface Failure extends Pick<api.SillonError, 'reason' | 'values'> {
   code: api.ErrorCode | 'Cancelled';
@@ -142,11 +118,12 @@ export interface Failure extends Pick<api.SillonError, 'reason' | 'values'> {
 export type FromWorker =
   /** All files are there. */
   | { type: 'loaded'; compiled: WebAssembly.Module }
-  /** `cancelFlag`: one byte of the engine's memory, if that can be shared; 1 asks the running call to stop. */
-  | { type: 'started'; version: string; cancelFlag: Uint8Array | undefined }
+  /** `stop`: the byte that asks an engine with threads to stop, in its memory. */
+  | { type: 'started'; version: string; stop: Uint8Array | undefined }
   | { type: 'progress'; stage: string; fraction: number }
   | { type: 'piece'; bytes: Uint8Array }
   /** Nothing to tell but that work goes on. */
   | { type: 'alive' }
-  | { type: 'done'; value: unknown }
-  | ({ type: 'failed' } & Failure);
+  /** `kept`: numbers of what the next call needs no value for. */
+  | { type: 'done'; value: unknown; kept: number[] }
+  | ({ type: 'failed'; kept: number[] } & Failure);

@@ -2,8 +2,9 @@
 import type * as api from '../sillon.js';
 import { SillonError, messageOf } from './errors.js';
 import type { CallOptions } from './input.js';
+import { withKnown } from './known.js';
 import type { Platform } from './platform.js';
-import type { Call, EngineFiles, FromWorker, Variant } from './protocol.js';
+import type { Call, EngineFiles, FromWorker, Known, Variant } from './protocol.js';
 import { Session } from './session.js';
 
 const longestTimer = 2 ** 31 - 1; // [ms]
@@ -31,7 +32,7 @@ interface Job {
 export type Threads = Pick<api.EngineInfo, 'threads' | 'reason' | 'reasonCode'>;
 
 export class Queue {
-  readonly #compiled: Partial<Record<Variant, WebAssembly.Module | undefined>> = {};
+  readonly #compiled: Partial<Record<Variant, WebAssembly.Module | undefined>>;
   #waiting: Job[] = [];
   #running: Job | undefined;
   #session: Session | undefined;
@@ -46,10 +47,19 @@ export class Queue {
     /** Of a session [MiB]. */
     readonly memory: number,
     private using: Threads,
-  ) {}
+    /** Whose compiled modules are used as well. */
+    other?: Queue,
+  ) {
+    this.#compiled = other === undefined ? {} : other.#compiled;
+  }
 
   get info(): api.EngineInfo {
     return { version: this.#version, variant: variantOf(this.using.threads), ...this.using };
+  }
+
+  /** Whether a call for what has this number could begin at once, without its value. */
+  has(number: number): boolean {
+    return this.#running === undefined && this.#session?.ended === false && this.#session.kept.has(number);
   }
 
   /** @throws SillonError LoadFailed, OutOfMemory, Crashed */
@@ -117,13 +127,16 @@ export class Queue {
     let session: Session | undefined;
     let kept = false;
     try {
-      const call = (await this.platform.portable?.(job.call)) ?? job.call;
-      if (this.#disposed) return; // else a session would start that nobody ends any more
       session = await this.#openSession(threads);
+      const call = await this.#sent(job.call, session);
       if (job.settled) return; // while the session started
+      if (session.ended) {
+        await this.#perform(job, threads);
+        return;
+      }
       job.started = true;
-      kept = session.keeps;
-      session.keeps ||= call.name === 'generateToolpath' || 'print' in call;
+      kept = session.madePlate || session.kept.size > 0;
+      session.madePlate ||= call.name === 'generateToolpath';
       const value = await session.run(call, (message) => {
         this.#tell(job, message);
       });
@@ -143,6 +156,17 @@ export class Queue {
       if (again && job.pieces === 0 && !job.settled) await this.#perform(job, 1);
       else job.reject(error);
     }
+  }
+
+  /** The call as it travels: without what the session knows. */
+  #sent(call: Call, { kept }: Session): Promise<Call> {
+    return withKnown(call, async <T>(part: Known<T>, name: string) => {
+      const { number } = part;
+      if (kept.has(number)) return { number, value: undefined };
+      const { value } = part;
+      const bytes = value instanceof Blob ? await this.platform.portable?.(value, name) : undefined;
+      return { number, value: (bytes as T | undefined) ?? value }; // what may be a Blob may be bytes
+    });
   }
 
   /** To the call's callbacks; what they throw ends the call. */

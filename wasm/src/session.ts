@@ -2,13 +2,18 @@
 import { SillonError, failureOf, messageOf } from './errors.js';
 import type { EngineWorker, Platform } from './platform.js';
 import type { Call, EngineFiles, FromWorker } from './protocol.js';
-import { type StopSign, flagSign, stopSign } from './stop.js';
 
 const startSilence = 10; // [s] that an engine may take to start once its files are there
 const callSilence = 60; // [s] without a sign of life: threads tell progress only, on large plates rarely
 const answerToCancel = 80; // [ms], so that a cancelled call's work ends within 100
 
 type OnMessage = (message: FromWorker) => void;
+
+function sharedByte(): Uint8Array | undefined {
+  const shares =
+    typeof SharedArrayBuffer !== 'undefined' && (globalThis.crossOriginIsolated as boolean | undefined) !== false;
+  return shares ? new Uint8Array(new SharedArrayBuffer(1)) : undefined;
+}
 
 /** Somebody waits for the worker's answer to a start or a call. */
 interface Waiting {
@@ -23,12 +28,14 @@ export class Session {
   version = '';
   /** Ended because it did not answer in time. */
   silent = false;
-  /** Has made a plate, and keeps fields of it for the next, or has read a print. */
-  keeps = false;
+  /** Has made a plate, and keeps fields of it for the next. */
+  madePlate = false;
+  /** Numbers of what it knows. */
+  kept: ReadonlySet<number> = new Set();
   #end: SillonError | undefined;
   #worker: EngineWorker | undefined;
-  #cancelFlag: Uint8Array | undefined;
-  #stop: StopSign | undefined;
+  /** One byte; 1 asks the running call to stop. undefined: no memory is shared. */
+  #stop: Uint8Array | undefined;
   #waiting: Waiting | undefined;
   #watch: ReturnType<typeof setInterval> | undefined;
   #quietSeconds = 0;
@@ -72,10 +79,11 @@ export class Session {
         this.#expectSigns(startSilence); // not before: the network may take its time
       } else if (message.type === 'started') {
         this.version = message.version;
-        this.#cancelFlag = message.cancelFlag;
+        this.#stop ??= message.stop;
       }
     });
-    this.#worker.post({ type: 'start', threads, memory, script, wasm, threadScripts, compiled });
+    this.#stop = threads === 1 ? sharedByte() : undefined;
+    this.#worker.post({ type: 'start', threads, memory, script, wasm, threadScripts, compiled, stop: this.#stop });
     await started;
     return compiled;
   }
@@ -84,9 +92,9 @@ export class Session {
   run(call: Call, onMessage: OnMessage): Promise<unknown> {
     const answer = this.#answer(onMessage, call.name);
     this.#expectSigns(callSilence);
-    this.#stop = this.#cancelFlag === undefined ? stopSign() : flagSign(this.#cancelFlag, undefined);
+    if (this.#stop !== undefined) Atomics.store(this.#stop, 0, 0);
     try {
-      this.#worker?.post({ type: 'call', call, wanted: this.#stop.wanted });
+      this.#worker?.post({ type: 'call', call });
     } catch (problem) {
       this.#settle()?.reject(
         new SillonError('InvalidArgument', `the input cannot be handed to the worker: ${messageOf(problem)}`),
@@ -95,12 +103,13 @@ export class Session {
     return answer;
   }
 
-  /** Stops the running call. Messages do not get into a worker that computes: it sees a sign. If it does not answer to
-   * that it is ended, which browsers may take two seconds for; a new one from the compiled module is ready in 40 ms. */
+  /** Stops the running call. Messages do not get into a worker that computes: it sees a byte of shared memory. A worker
+   * that does not answer, or shares none, is ended, which browsers may take two seconds for; a new one from the compiled
+   * module is ready in 40 ms. */
   cancel(): void {
     const waiting = this.#waiting;
     if (waiting === undefined) return;
-    this.#stop?.raise();
+    if (this.#stop !== undefined) Atomics.store(this.#stop, 0, 1);
     setTimeout(() => {
       if (this.#waiting === waiting) this.end(new SillonError('Crashed', 'the worker was ended to stop its call'));
     }, answerToCancel);
@@ -124,7 +133,6 @@ export class Session {
   #settle(): Waiting | undefined {
     const waiting = this.#waiting;
     this.#waiting = undefined;
-    this.#stop?.forget();
     clearInterval(this.#watch);
     this.#worker?.hold(false);
     return waiting;
@@ -134,6 +142,7 @@ export class Session {
     this.#quietSeconds = 0;
     this.#waiting?.onMessage(message);
     if (message.type === 'started') this.#settle()?.resolve(undefined);
+    if (message.type === 'done' || message.type === 'failed') this.kept = new Set(message.kept);
     if (message.type === 'done') this.#settle()?.resolve(message.value);
     if (message.type === 'failed') {
       const waiting = this.#settle();

@@ -213,6 +213,33 @@ for (const threads of [1, 2]) {
   });
 }
 
+test(
+  'without shared memory an abort ends the worker, and another goes on with what was kept',
+  { timeout: 600_000 },
+  async () => {
+    const { SharedArrayBuffer } = globalThis;
+    delete globalThis.SharedArrayBuffer;
+    const engine = await createEngine({ threads: 1, idleTimeout: Infinity }).finally(() => {
+      globalThis.SharedArrayBuffer = SharedArrayBuffer;
+    });
+    const { toolpath, report } = await engine.generateToolpath(...small);
+    const svg = await (await engine.writeSvg(toolpath)).text();
+    const workers = countWorkers();
+    const controller = new AbortController();
+    const { running, onProgress } = atWork();
+    const call = engine.generateToolpath(...endless, { signal: controller.signal, onProgress });
+    await running;
+    controller.abort();
+    assert.equal((await call.catch((error) => error)).name, 'AbortError');
+    assert.equal(await (await engine.writeSvg(toolpath)).text(), svg);
+    assert.equal(await digestOf(engine.generateToolpath(...small)), report.digest);
+    engine.dispose();
+    await until(() => workers.count.ended === workers.count.started);
+    workers.stop();
+    assert.equal(workers.count.started, 1);
+  },
+);
+
 test('a Blob that stands for a file on disk is read like any other', async () => {
   const engine = await createEngine({ threads: 'off' });
   const file = await openAsBlob(join(root, 'examples/inputs/photo.png'));

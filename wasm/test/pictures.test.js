@@ -1,4 +1,4 @@
-// Pictures that are handed over again are decoded once. The engine's worker runs here, in the test's own thread, around a
+// Pictures are kept under their numbers, and decoded once. The engine's worker runs here, in the test's own thread, around a
 // module that counts what it decodes.
 import assert from 'node:assert/strict';
 import { before, beforeEach, test } from 'node:test';
@@ -24,7 +24,7 @@ const counting = `
 // An eighth of the memory is for pictures: 8 MiB.
 before(() => {
   Object.assign(globalThis, { decoded: [], taken: [] });
-  return startHere('st', 64, `data:text/javascript,${encodeURIComponent(counting)}`);
+  return startHere(64, `data:text/javascript,${encodeURIComponent(counting)}`);
 });
 
 beforeEach(() => {
@@ -42,75 +42,99 @@ function picture(side, seed) {
   );
 }
 
-async function plate(file, changes = {}) {
+let last = 0;
+const newNumber = () => 1000 + ++last;
+
+/** @param number  of the file; without a file it is to be kept */
+async function plate(number, file, changes = {}) {
   const project = JSON.stringify({
     sillon: 1,
     shape: { builtin: 'disc', size: [8, 8] },
     directions: { file: 'directions.file', encoding: 'angle' },
     toolpath: { spacing: 0.5, ...changes },
   });
-  const files = { 'directions.file': file };
-  const answer = await ask({
+  const files = { 'directions.file': { number, value: file } };
+  return ask({
     type: 'call',
-    call: { name: 'generateToolpath', project, files, measure: false, across: false },
-    wanted: undefined,
+    call: { name: 'generateToolpath', project, files, measure: false, across: false, number: newNumber() },
   });
-  return answer;
 }
 
-test('a file that is handed over again is decoded once, whether as bytes or as a Blob', async () => {
+test('a picture that is kept is decoded once, and needs no file', async () => {
   const bytes = picture(64, 3);
-  const first = await plate(Uint8Array.from(bytes));
-  assert.equal(first.type, 'done', first.message);
-  const second = await plate(new Blob([bytes]));
-  const third = await plate(Uint8Array.from(bytes), { widthBalance: 0.2 });
-  assert.deepEqual(globalThis.decoded, ['directions.file']);
-  assert.deepEqual(second.value.toolpath, first.value.toolpath);
-  assert.equal(third.type, 'done');
+  for (const [number, file] of [
+    [1, Uint8Array.from(bytes)],
+    [2, new Blob([bytes])],
+  ]) {
+    globalThis.decoded.length = 0;
+    const first = await plate(number, file);
+    assert.equal(first.type, 'done', first.message);
+    assert.ok(first.kept.includes(number));
+    const second = await plate(number, undefined);
+    const third = await plate(number, undefined, { widthBalance: 0.2 });
+    assert.deepEqual(globalThis.decoded, ['directions.file']);
+    assert.deepEqual(second.value.toolpath, first.value.toolpath);
+    assert.equal(third.type, 'done');
+  }
 });
 
 test('the plate is the same as of the file itself', async () => {
   const bytes = picture(48, 5);
   globalThis.refuses = true;
-  const { value: ofFile } = await plate(Uint8Array.from(bytes));
+  const { value: ofFile } = await plate(3, Uint8Array.from(bytes));
   globalThis.refuses = false;
-  const { value: ofPixels } = await plate(Uint8Array.from(bytes));
+  const { value: ofPixels } = await plate(3, Uint8Array.from(bytes));
   const [file, pixels] = globalThis.taken.map((files) => files['directions.file']);
   assert.ok(file instanceof Uint8Array && pixels.samples instanceof Uint16Array);
   assert.deepEqual(ofPixels.toolpath, ofFile.toolpath);
 });
 
-test('other bytes are another picture, however the file is called', async () => {
-  const bytes = picture(64, 7);
-  await plate(Uint8Array.from(bytes));
-  const other = await plate(picture(64, 11));
-  assert.equal(globalThis.decoded.length, 2);
-  const again = await plate(Uint8Array.from(bytes));
-  assert.equal(globalThis.decoded.length, 2);
-  assert.notDeepEqual(again.value.toolpath, other.value.toolpath);
+test('what is kept is bounded: the picture that was used longest ago goes first', async () => {
+  const numbers = [11, 12, 13, 14, 15]; // 2 MB of samples each: four fit
+  let kept;
+  for (const number of numbers) ({ kept } = await plate(number, picture(1020, number)));
+  const those = () => kept.filter((number) => numbers.includes(number));
+  assert.deepEqual(those(), [12, 13, 14, 15]);
+  await plate(12, undefined);
+  ({ kept } = await plate(11, picture(1020, 11)));
+  assert.deepEqual(those(), [14, 15, 12, 11]);
+  assert.equal(globalThis.decoded.length, 6);
 });
 
-test('what is kept is bounded: the picture that was used longest ago goes first', async () => {
-  const files = [1, 2, 3, 4, 5].map((seed) => picture(1020, 12 + seed)); // 2 MB of samples each: four fit
-  for (const file of files) await plate(Uint8Array.from(file));
-  assert.equal(globalThis.decoded.length, 5);
-  await plate(Uint8Array.from(files[1]));
-  assert.equal(globalThis.decoded.length, 5);
-  await plate(Uint8Array.from(files[0]));
-  assert.equal(globalThis.decoded.length, 6);
-  await plate(Uint8Array.from(files[1])); // used later than the third
-  assert.equal(globalThis.decoded.length, 6);
+test('a picture that comes with one that is kept does not take its place before that is used', async () => {
+  const numbers = [21, 22, 23, 24];
+  for (const number of numbers) await plate(number, picture(1020, number));
+  const files = {
+    'modes.file': { number: 25, value: picture(1020, 25) },
+    'directions.file': { number: 21, value: undefined },
+  };
+  const project = JSON.stringify({
+    sillon: 1,
+    shape: { builtin: 'disc', size: [8, 8] },
+    directions: { file: 'directions.file', encoding: 'angle' },
+    modes: { file: 'modes.file' },
+    toolpath: { spacing: 0.5 },
+  });
+  const { type, message } = await ask({
+    type: 'call',
+    call: { name: 'generateToolpath', project, files, measure: false, across: false, number: newNumber() },
+  });
+  assert.equal(type, 'done', message);
 });
 
 test('a picture that is too large to be kept goes into the engine as it came', async () => {
-  const { type } = await plate(picture(1200, 17));
+  const { type, kept } = await plate(31, picture(1200, 17));
   assert.equal(type, 'done');
+  assert.equal(kept.includes(31), false);
   assert.equal(globalThis.decoded.length, 0);
   assert.ok(globalThis.taken[0]['directions.file'] instanceof Uint8Array);
 });
 
 test('what is no picture is refused with the sentence that names it', async () => {
-  const { type, code, message } = await plate(Uint8Array.from({ length: 100 }, (_, k) => k));
+  const { type, code, message } = await plate(
+    32,
+    Uint8Array.from({ length: 100 }, (_, k) => k),
+  );
   assert.equal(`${type} ${code}`, 'failed InvalidFile');
   assert.match(message, /directions\.file/);
 });

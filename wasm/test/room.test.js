@@ -14,10 +14,10 @@ function fileOf(size) {
   return Object.defineProperties(new Blob([]), { size: { value: size }, slice: { value: slice } });
 }
 
-before(() => startHere('rebrush', 1024));
+before(() => startHere(1024));
 
-const call = (call) => ask({ type: 'call', call, wanted: undefined });
-const list = (file, number = 0) => call({ name: 'listSurfaces', print: { file, number } });
+const call = (call) => ask({ type: 'call', call });
+const list = (value, number = 0) => call({ name: 'listSurfaces', file: { number, value } });
 const sample = readFileSync(join(root, 'tests/fuzz/seeds/rebrush/prusa.gcode'));
 
 /** A file whose pieces are told, by their sizes. */
@@ -63,24 +63,24 @@ test('after a refusal the next file is read, and it comes in pieces', async () =
   assert.equal(whole.surfaces.length, 2);
 });
 
-test('a print that is called for again is read once, until another takes its place or is refused', async () => {
-  const sizes = [];
-  const print = { file: watched(sample, sizes), number: 1 };
-  const relief = () => call({ name: 'printRelief', print, side: 64 });
-  const { value: listed } = await list(print.file, 1);
-  const { value: drawn } = await relief();
-  assert.deepEqual(sizes, [sample.length]);
+test('a print is kept under its number until another takes its place or is refused', async () => {
+  const relief = (value) => call({ name: 'printRelief', file: { number: 1, value }, side: 64 });
+  const { value: listed, kept } = await list(new Blob([sample]), 1);
+  assert.deepEqual(kept, [1]);
+  const { value: drawn } = await relief(undefined);
+  assert.equal(drawn.heights.length, drawn.columns * drawn.rows);
   const shorter = sample.subarray(0, sample.lastIndexOf(';LAYER_CHANGE'));
-  const { value: other } = await list(new Blob([shorter]), 2);
-  assert.ok(other.layers < listed.layers);
-  assert.deepEqual((await relief()).value, drawn);
-  assert.deepEqual(sizes, [sample.length, sample.length]);
-  assert.equal((await list(fileOf(2 ** 40), 3)).code, 'TooLarge');
-  assert.deepEqual((await list(print.file, 1)).value, listed);
-  assert.equal(sizes.length, 3);
+  const other = await list(new Blob([shorter]), 2);
+  assert.ok(other.value.layers < listed.layers);
+  assert.deepEqual(other.kept, [2]);
+  assert.equal((await relief(undefined)).code, 'Internal');
+  assert.deepEqual((await relief(new Blob([sample]))).value, drawn);
+  const refused = await list(fileOf(2 ** 40), 3);
+  assert.deepEqual([refused.code, refused.kept], ['TooLarge', []]);
+  assert.deepEqual((await list(new Blob([sample]), 1)).value, listed);
   // What is no print is none the second time either.
   for (let k = 0; k < 2; ++k) assert.equal((await list(new Blob(['G28\n']), 4)).code, 'InvalidFile');
-  assert.deepEqual((await relief()).value, drawn);
+  assert.deepEqual((await relief(new Blob([sample]))).value, drawn);
 });
 
 test('reading a print tells how far it is', async () => {

@@ -31,6 +31,7 @@
 #include "toolpath/path.hpp"
 
 // The way from a project to a plate.
+#include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"

@@ -7,7 +7,6 @@
 namespace sillon {
 namespace {
 
-constexpr double kBand = 4.6;      // [mm], high enough for a line of writing
 constexpr double kOutline = 0.35;  // [mm], what is laid keeps off the edge of its base
 
 /// Lower left corners of cells, four in a row, from the upper left.

@@ -2,34 +2,32 @@
 
 #include "gcode/read_back.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/look/preview.hpp"
 
 namespace sillon {
 
 std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& options, const GcodeSink& sink,
                                      const RunContext& run) {
   const Project& project = plate.project;
-  PrintParams print = project.print;
-  print.date = options.date;
-  print.notes = plateNotes(project.toolpath, plate.measures);
   // A plate without pictures has the same thumbnails everywhere, whatever its spool.
   LookParams look;
   if (!plate.pictures.shown.empty()) {
     look = lookOf(project, plate.pictures, 0);
     if (options.colour) look.colour = *options.colour;
   }
-  auto thumbnails = lookThumbnails(plate.toolpath(), plate.input.shape.page, project.printer.screenSizes, look, run);
-  if (!thumbnails) return thumbnails.error();
-  print.thumbnails = std::move(thumbnails).value();
-  if (needsAcross(print) && !plate.below) {
+  if (needsAcross(project.print) && !plate.below) {
     auto made = generateAcross(plate.input, project.toolpath, run);
     if (!made) return made.error();
     plate.below = std::move(made).value().toolpath;
   }
-  const auto untilCancelled = [&](std::string_view piece) { return sink(piece) && !run.cancelled(); };
-  auto summary = writeGcode(plate.toolpath(), plate.input.shape, project.printer, print, untilCancelled,
-                            plate.below ? &*plate.below : nullptr);
+  const PathToWrite path{plate.toolpath(),
+                         plate.input.shape,
+                         plate.below ? &*plate.below : nullptr,
+                         look,
+                         plateNotes(project.toolpath, plate.measures),
+                         options.date};
+  auto summary = writePathGcode(path, project.printer, project.print, sink, run);
   if (!summary) return summary.error();
   plate.gcode = std::move(summary).value();
   return std::nullopt;

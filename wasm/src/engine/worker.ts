@@ -5,11 +5,12 @@ import type {
   Failure,
   Files,
   FromWorker,
-  Print,
+  Known,
+  KnownFile,
+  Path,
   ReadingFields,
   StartMessage,
   ToWorker,
-  Wanted,
 } from '../protocol.js';
 
 type Outcome<T> = { value: T; error?: undefined } | { value?: undefined; error: Failure };
@@ -17,7 +18,7 @@ type OnProgress = (stage: string, fraction: number) => void;
 type Inputs = Record<string, Uint8Array | api.Picture>;
 type CopiedBytes = Uint8Array<ArrayBuffer>;
 
-/** wasm/plates.cpp, files.cpp, rebrush.cpp, calibrate.cpp and photo.cpp: of each module its part, and wasm/call.cpp. */
+/** wasm/bindings.hpp */
 interface SillonModule {
   start(threads: number, most: number, poll: (() => boolean) | null): Outcome<{ version: string; cancelFlag: number }>;
   generateToolpath(
@@ -25,20 +26,22 @@ interface SillonModule {
     files: Inputs,
     measure: boolean,
     across: boolean,
+    number: number,
     onProgress: OnProgress,
   ): Outcome<Omit<api.ToolpathResult, 'report'> & { report: string }>;
   writeGcode(
-    toolpath: api.Toolpath,
-    below: api.Toolpath | undefined,
+    toolpath: Path,
+    below: Path | undefined,
     project: string,
     date: string,
+    number: number,
     onChunk: (bytes: CopiedBytes) => boolean,
   ): Outcome<api.GcodeSummary>;
   writeBaseBody(shape: api.Shape, project: string, stl: boolean): Outcome<CopiedBytes>;
-  writeSvg(toolpath: api.Toolpath): Outcome<CopiedBytes>;
-  writeView(toolpath: api.Toolpath, colour: number[], slopeAlong: number, slopeAcross: number): Outcome<CopiedBytes>;
+  writeSvg(toolpath: Path): Outcome<CopiedBytes>;
+  writeView(toolpath: Path, colour: number[], slopeAlong: number, slopeAcross: number): Outcome<CopiedBytes>;
   renderPreview(
-    toolpath: api.Toolpath,
+    toolpath: Path,
     width: number,
     light: [number, number],
     colour: [number, number, number],
@@ -48,14 +51,15 @@ interface SillonModule {
   ): Outcome<CopiedBytes>;
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
-  /** For a file of so many bytes: valid until the next call, which takes the file from there. */
   room(size: number): Outcome<Uint8Array>;
-  readProject(project: string): Outcome<string>;
+  keptNumbers(): Outcome<number[]>;
+  readProject(json: string): Outcome<string>;
+  writeProject(project: string): Outcome<string>;
   profiles(): Outcome<{ printers: PrinterText[]; filaments: PrinterText[] }>;
   importPrinter(name: string): Outcome<Omit<api.ImportedPrinter, 'printer'> & { project: string }>;
-  checkGcode(project: string): Outcome<api.GcodeCheck>;
+  checkGcode(project: string, number: number): Outcome<api.GcodeCheck>;
   examineBlock(block: string, project: string): Outcome<api.GcodeFinding[]>;
-  packGcode(): Outcome<CopiedBytes>;
+  packGcode(number: number): Outcome<CopiedBytes>;
   forgetPrint(): void;
   readPrint(): Outcome<undefined>;
   listSurfaces(onProgress: OnProgress): Outcome<api.SlicedFile>;
@@ -135,10 +139,12 @@ const initialPages = 256; // as the modules are linked
 const progressEvery = 30; // [ms]
 const aliveEvery = 1000; // [ms]
 const pieceBytes = 4 * 2 ** 20;
-const fetchEvery = 50; // [ms]; a fetch takes 1 to 3
+
+const fatal: Failure['code'][] = ['OutOfMemory', 'Internal', 'Crashed']; // after which the engine is asked nothing
 
 let engine: SillonModule | undefined;
 let mostKept = Infinity; // [bytes] of a file that nobody takes in pieces
+let sharesLess = false; // memory than one thread would have
 let mostPictures = 0; // [bytes] of pictures' samples that are kept
 let lastPost = 0;
 
@@ -156,37 +162,14 @@ function buffersOf(value: unknown): ArrayBuffer[] {
 
 // --- Stop --------------------------------------------------------------------------------------------------------------
 
-let wanted: Wanted;
-let lastFetch = 0;
-let stopFlag: Uint8Array | undefined; // of an engine with threads, whose next step would take it back
+let stopByte: Uint8Array | undefined; // 1 asks the running call to stop
 
-/** Messages do not get into a worker that computes, but synchronous requests get out. */
-function canFetch(url: string): boolean {
-  try {
-    const request = new XMLHttpRequest();
-    request.open('GET', url, false);
-    request.send();
-    return true;
-  } catch {
-    return false;
-  }
-}
+const stopAsked = (): boolean => stopByte !== undefined && Atomics.load(stopByte, 0) !== 0;
 
-/** What a call begins with. An address that cannot be fetched now (policies may forbid it) tells nothing later. */
-function want(by: Wanted): void {
-  wanted = typeof by === 'string' && !canFetch(by) ? undefined : by;
-  lastFetch = performance.now();
-}
-
-function stopAsked(): boolean {
+/** For an engine with one thread, which asks while it computes. */
+function poll(): boolean {
   if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' }); // stages of large plates tell no progress for long
-  if (wanted === undefined) return false;
-  if (typeof wanted !== 'string') return Atomics.load(wanted, 0) !== 0;
-  const now = performance.now();
-  if (now - lastFetch < fetchEvery) return false;
-  const gone = !canFetch(wanted);
-  lastFetch = performance.now();
-  return gone;
+  return stopAsked();
 }
 
 class Failed extends Error implements Failure {
@@ -281,7 +264,15 @@ function limitGrowth(exports: WebAssembly.Exports, most: number): void {
   }
 }
 
-async function start({ threads, memory: most, script, wasm, threadScripts, compiled }: StartMessage): Promise<void> {
+async function start({
+  threads,
+  memory: most,
+  script,
+  wasm,
+  threadScripts,
+  compiled,
+  stop,
+}: StartMessage): Promise<void> {
   const { threadScript, mainScript } = threadScripts;
   if (threads > 1) startThreadsAsModules();
   mostKept = most * 2 ** 20;
@@ -322,10 +313,11 @@ async function start({ threads, memory: most, script, wasm, threadScripts, compi
   });
   scope.onerror = null;
   const bytes = (shared?.mib ?? most) * 2 ** 20;
-  const { version, cancelFlag } = valueOf(module.start(threads, bytes, memory === undefined ? stopAsked : null));
+  sharesLess = bytes < mostKept;
+  const { version, cancelFlag } = valueOf(module.start(threads, bytes, memory === undefined ? poll : null));
   engine = module;
-  stopFlag = memory === undefined ? undefined : new Uint8Array(memory.buffer, cancelFlag, 1);
-  post({ type: 'started', version, cancelFlag: stopFlag });
+  stopByte = memory === undefined ? stop : new Uint8Array(memory.buffer, cancelFlag, 1);
+  post({ type: 'started', version, stop: stopByte });
 }
 
 // --- Calls -------------------------------------------------------------------------------------------------------------
@@ -338,45 +330,87 @@ async function bytesOf(blob: Blob, name: string): Promise<Uint8Array> {
   }
 }
 
+/** Memory for a file; too little of it that threads share is no fault of the file. */
+function roomFor(size: number, module: SillonModule): Uint8Array {
+  const outcome = module.room(size);
+  if (sharesLess && outcome.error?.code === 'TooLarge') outcome.error.code = 'OutOfMemory';
+  return valueOf(outcome);
+}
+
+/** What has come though the worker might have kept it. */
+function brought<T>({ number, value }: Known<T>): T {
+  if (value === undefined) throw new Failed('Internal', `what has the number ${number} is not kept`);
+  return value;
+}
+
 /** A print may have 200 MB: it goes into the engine piece by piece, and is never whole in JavaScript. */
-async function bringIn(file: Blob | Uint8Array, module: SillonModule): Promise<void> {
+async function bringIn(known: KnownFile, module: SillonModule): Promise<void> {
+  const file = brought(known);
   if (!(file instanceof Blob)) {
-    valueOf(module.room(file.length)).set(file);
+    roomFor(file.length, module).set(file);
     return;
   }
-  const room = valueOf(module.room(file.size));
+  const room = roomFor(file.size, module);
   for (let at = 0; at < file.size; at += pieceBytes) {
     room.set(await bytesOf(file.slice(at, at + pieceBytes), 'file'), at);
   }
 }
 
+const sizeOf = (file: Blob | Uint8Array): number => (file instanceof Blob ? file.size : file.length);
+
+/** @returns the number of a text that the module keeps; 0: it has been brought in */
+async function gcodeIn(file: KnownFile, module: SillonModule): Promise<number> {
+  if (file.value === undefined) return file.number;
+  await bringIn(file, module);
+  return 0;
+}
+
 let printInside = 0; // number of the print whose text the module keeps
 
 /** Lists, pictures and new beads of one print read it once: bringing and unpacking it takes as long as they do. */
-async function bringPrint({ file, number }: Print, module: SillonModule): Promise<void> {
-  if (number !== 0 && number === printInside) return;
+async function bringPrint(file: KnownFile, module: SillonModule): Promise<void> {
+  if (file.value === undefined && file.number === printInside) return;
   printInside = 0;
   module.forgetPrint();
   await bringIn(file, module);
   valueOf(module.readPrint());
-  printInside = number;
-}
-
-async function inputsOf(files: Files, module: SillonModule): Promise<Inputs> {
-  const inputs: Inputs = {};
-  for (const [name, given] of Object.entries(files)) {
-    const file = given instanceof Blob ? await bytesOf(given, name) : given;
-    inputs[name] = file instanceof Uint8Array ? decoded(file, name, module) : file;
-    if (stopFlag !== undefined && Atomics.load(stopFlag, 0) !== 0) throw new Failed('Cancelled', 'stopped');
-  }
-  return inputs;
+  printInside = file.number;
 }
 
 /** Pictures of the last calls, the last used last: whoever changes a setting hands over the same files again, and decoding
  * one takes as long as making a small plate. */
-let pictures: { bytes: Uint8Array; picture: api.Picture }[] = [];
+const pictures = new Map<number, api.Picture>();
 
-const same = (a: Uint8Array, b: Uint8Array): boolean => a.length === b.length && a.every((byte, k) => byte === b[k]);
+async function inputsOf(files: Files, module: SillonModule): Promise<Inputs> {
+  const inputs: Inputs = {};
+  const before = new Map(pictures); // of which a new one may take the room
+  for (const [name, known] of Object.entries(files)) {
+    const kept = before.get(known.number);
+    if (kept !== undefined) {
+      inputs[name] = keep(known.number, kept);
+      continue;
+    }
+    const given = brought(known);
+    const file = given instanceof Blob ? await bytesOf(given, name) : given;
+    inputs[name] = file instanceof Uint8Array ? decoded(file, name, known.number, module) : file;
+    if (stopAsked()) throw new Failed('Cancelled', 'stopped');
+  }
+  return inputs;
+}
+
+function keep(number: number, picture: api.Picture): api.Picture {
+  if (number === 0) return picture;
+  pictures.delete(number);
+  pictures.set(number, picture);
+  let size = 0;
+  for (const { samples } of pictures.values()) size += samples.byteLength;
+  for (const [oldest, { samples }] of pictures) {
+    if (size <= mostPictures) break;
+    pictures.delete(oldest);
+    size -= samples.byteLength;
+  }
+  return picture;
+}
 
 /** Most bytes that a file's samples may need: what a PNG says, else a guess from what photographs need. */
 function samplesOf(bytes: Uint8Array): number {
@@ -386,19 +420,19 @@ function samplesOf(bytes: Uint8Array): number {
 }
 
 /** A picture as its pixels; the file as it is where it is none, or too large to be kept. */
-function decoded(bytes: Uint8Array, name: string, module: SillonModule): Uint8Array | api.Picture {
-  if (!('decodePicture' in module) || samplesOf(bytes) > mostPictures) return bytes;
-  let found = pictures.find((one) => same(one.bytes, bytes));
-  if (found === undefined) {
-    const { value: picture } = module.decodePicture(bytes, name);
-    if (picture === undefined) return bytes; // a drawing, or broken: making the plate tells what is wrong
-    found = { bytes, picture };
-  }
-  pictures = [...pictures.filter((one) => one !== found), found];
-  const size = (): number => pictures.reduce((sum, { picture }) => sum + picture.samples.byteLength, 0);
-  while (size() > mostPictures) pictures.shift();
-  return found.picture;
+function decoded(bytes: Uint8Array, name: string, number: number, module: SillonModule): Uint8Array | api.Picture {
+  if (samplesOf(bytes) > mostPictures) return bytes;
+  const { value: picture } = module.decodePicture(bytes, name);
+  if (picture === undefined) return bytes; // a drawing, or broken: making the plate tells what is wrong
+  return keep(number, picture);
 }
+
+/** What the next call needs no value for. */
+const kept = (module: SillonModule): number[] => [
+  ...valueOf(module.keptNumbers()),
+  ...pictures.keys(),
+  ...(printInside === 0 ? [] : [printInside]),
+];
 
 function valueOf<T>(outcome: Outcome<T>): T {
   if (outcome.error) {
@@ -411,13 +445,6 @@ function valueOf<T>(outcome: Outcome<T>): T {
 const printerOf = (project: string): api.PrinterValues =>
   (JSON.parse(project) as { printer: api.PrinterValues }).printer;
 
-/** A project made of arguments: what is wrong in it is no file's fault. */
-function completed(project: string, module: SillonModule): string {
-  const outcome = module.readProject(project);
-  if (outcome.error?.code === 'InvalidFile') outcome.error.code = 'InvalidArgument';
-  return valueOf(outcome);
-}
-
 async function perform(call: Call, module: SillonModule): Promise<unknown> {
   let lastProgress = -Infinity;
   const onProgress: OnProgress = (stage, fraction) => {
@@ -429,29 +456,29 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
 
   switch (call.name) {
     case 'generateToolpath': {
-      completed(call.project, module);
+      const { project, measure, across, number } = call;
       const files = await inputsOf(call.files, module);
-      const made = valueOf(module.generateToolpath(call.project, files, call.measure, call.across, onProgress));
+      const made = valueOf(module.generateToolpath(project, files, measure, across, number, onProgress));
       return { ...made, report: JSON.parse(made.report) as api.Report } satisfies api.ToolpathResult;
     }
     case 'writeGcode': {
-      completed(call.project, module);
-      const kept: CopiedBytes[] = [];
+      const { toolpath, below, project, date, number } = call;
+      const pieces: CopiedBytes[] = [];
       let size = 0;
       const summary = valueOf(
-        module.writeGcode(call.toolpath, call.below, call.project, call.date, (bytes) => {
-          if (call.inPieces) {
+        module.writeGcode(toolpath, below, project, date, number, (bytes) => {
+          if (number === 0) {
             post({ type: 'piece', bytes });
           } else {
             size += bytes.length;
             if (size > mostKept) throw new Failed('OutOfMemory', `the file has more than ${mostKept / 2 ** 20} MiB`);
-            kept.push(bytes);
+            pieces.push(bytes);
             if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' });
           }
           return true;
         }),
       );
-      return { blob: new Blob(kept, { type: 'text/x-gcode' }), summary } satisfies api.Gcode;
+      return { blob: new Blob(pieces, { type: 'text/x-gcode' }), summary } satisfies api.Gcode;
     }
     case 'writeSvg':
       return new Blob([valueOf(module.writeSvg(call.toolpath))], { type: 'image/svg+xml' });
@@ -469,16 +496,16 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return new Blob([png], { type: 'image/png' });
     }
     case 'readShape':
-      completed(call.project, module);
       return valueOf(module.readShape(call.project, await inputsOf(call.files, module)));
     case 'decodePicture': {
-      const bytes = call.file instanceof Blob ? await bytesOf(call.file, 'file') : call.file;
+      const file = brought(call.file);
+      const bytes = file instanceof Blob ? await bytesOf(file, 'file') : file;
       return valueOf(module.decodePicture(bytes, 'file'));
     }
     case 'readProject':
       return valueOf(module.readProject(call.project));
     case 'writeProject':
-      return completed(call.project, module);
+      return valueOf(module.writeProject(call.project));
     case 'profiles': {
       const { printers, filaments } = valueOf(module.profiles());
       const read = ({ id, project }: PrinterText): api.PrinterProfile => ({ id, printer: printerOf(project) });
@@ -489,33 +516,27 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const { project, ...others } = valueOf(module.importPrinter(call.printer));
       return { printer: printerOf(project), ...others } satisfies api.ImportedPrinter;
     }
-    case 'checkGcode': {
-      if (call.project !== '') completed(call.project, module);
-      await bringIn(call.file, module);
-      return valueOf(module.checkGcode(call.project));
-    }
+    case 'checkGcode':
+      return valueOf(module.checkGcode(call.project, await gcodeIn(call.file, module)));
     case 'examineBlock':
-      completed(call.project, module);
       return valueOf(module.examineBlock(call.block, call.project));
     case 'writeBaseBody': {
       const body = valueOf(module.writeBaseBody(call.shape, call.project, call.format === 'stl'));
       return new Blob([body], { type: `model/${call.format}` });
     }
     case 'packGcode':
-      if ((call.file instanceof Blob ? call.file.size : call.file.length) === 0)
+      if (call.file.value !== undefined && sizeOf(call.file.value) === 0)
         throw new Failed('InvalidFile', 'file is empty; it must be G-code');
-      await bringIn(call.file, module);
-      return new Blob([valueOf(module.packGcode())], { type: 'model/3mf' });
+      return new Blob([valueOf(module.packGcode(await gcodeIn(call.file, module)))], { type: 'model/3mf' });
     case 'printRelief':
-      await bringPrint(call.print, module);
+      await bringPrint(call.file, module);
       return valueOf(module.printRelief(call.side, onProgress));
     case 'listSurfaces':
-      await bringPrint(call.print, module);
+      await bringPrint(call.file, module);
       return valueOf(module.listSurfaces(onProgress));
     case 'rebrush': {
-      completed(call.project, module);
       const files = await inputsOf(call.files, module);
-      await bringPrint(call.print, module);
+      await bringPrint(call.file, module);
       const only = Float64Array.from(call.only);
       const pieces: Blob[] = []; // each out of this worker's memory as soon as it is there
       const made = valueOf(
@@ -526,7 +547,6 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return { blob: new Blob(pieces, { type: 'application/octet-stream' }), ...made } satisfies api.Rebrushed;
     }
     case 'calibrate': {
-      completed(call.project, module);
       const { kind, from, to, project, filament, date, pictureSide } = call;
       const made = valueOf(module.calibrate(kind, from, to, project, filament, date, pictureSide));
       const { bytes, png, setting, ...others } = made;
@@ -538,7 +558,6 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       } satisfies api.Calibration;
     }
     case 'readCoupon': {
-      completed(call.project, module);
       const { picture, project, from, to, lampSize, lampElevation } = call;
       return withSpool(valueOf(module.readCoupon(picture, project, from, to, lampSize, lampElevation)));
     }
@@ -554,12 +573,13 @@ async function answer(message: ToWorker): Promise<void> {
     } else if (engine === undefined) {
       throw new Failed('Internal', 'a call came before the start');
     } else {
-      want(message.wanted);
-      post({ type: 'done', value: await perform(message.call, engine) });
+      const value = await perform(message.call, engine);
+      post({ type: 'done', value, kept: kept(engine) });
     }
   } catch (problem) {
     const { code, message: text, reason, values } = failed(problem, 'Crashed', 'the engine stopped');
-    post({ type: 'failed', code, message: text, reason, values });
+    const still = engine === undefined || fatal.includes(code) ? [] : kept(engine);
+    post({ type: 'failed', code, message: text, reason, values, kept: still });
   }
 }
 

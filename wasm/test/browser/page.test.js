@@ -82,8 +82,7 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
     });
   }
 
-  // Three ways for a worker to see that it is to stop: the engine's shared memory, a shared byte beside it, and an
-  // address that is withdrawn.
+  // Three ways to stop a worker: the engine's shared memory, a shared byte beside it, and its end.
   for (const [kind, threads] of [
     ['isolated', 2],
     ['isolated', 'off'],

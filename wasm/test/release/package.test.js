@@ -70,21 +70,7 @@ test('it holds what is to be published and nothing else', () => {
     readdirSync(join(wasm, 'src', path))
       .filter((name) => name.endsWith('.ts'))
       .map((name) => `dist/${path}${name.replace(/ts$/, 'js')}`);
-  const engine = [
-    'files.js',
-    'files.wasm',
-    'calibrate.js',
-    'calibrate.wasm',
-    'photo.js',
-    'photo.wasm',
-    'rebrush.js',
-    'rebrush.wasm',
-    'mt.js',
-    'mt.wasm',
-    'mt.worker.js',
-    'st.js',
-    'st.wasm',
-  ].map((name) => `dist/engine/sillon-${name}`);
+  const engine = ['mt.js', 'mt.wasm', 'mt.worker.js', 'st.js', 'st.wasm'].map((name) => `dist/engine/sillon-${name}`);
   const tables = ['filaments', 'presets', 'printers'].flatMap((name) => [
     `data/${name}.d.ts`,
     `dist/data/${name}.json`,

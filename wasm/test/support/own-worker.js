@@ -23,8 +23,8 @@ export async function ask(message) {
   return last;
 }
 
-/** @param module  st, rebrush ... @param memory  [MiB] @param script  the module's glue, if not its own */
-export async function startHere(module, memory, script = at(`sillon-${module}.js`)) {
+/** @param memory  [MiB] @param script  the module's glue, if not its own */
+export async function startHere(memory, script = at('sillon-st.js')) {
   Object.assign(globalThis, {
     self: globalThis,
     WorkerGlobalScope: EventTarget, // only asked for, as the mark of a worker
@@ -37,7 +37,7 @@ export async function startHere(module, memory, script = at(`sillon-${module}.js
     },
   });
   await import(at('worker.js'));
-  const compiled = await WebAssembly.compile(readFileSync(join(folder, `sillon-${module}.wasm`)));
+  const compiled = await WebAssembly.compile(readFileSync(join(folder, 'sillon-st.wasm')));
   const start = {
     type: 'start',
     threads: 1,

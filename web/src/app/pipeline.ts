@@ -43,6 +43,7 @@ export class Pipeline {
   #cancels = 0;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
+  #summary: AbortController | undefined;
 
   constructor(
     private readonly store: Store<Shown>,
@@ -80,13 +81,13 @@ export class Pipeline {
     return this.engine.finished();
   }
 
-  /** Of the plate as it is now. */
-  async gcode(): Promise<Gcode> {
+  /** Of the plate as it is now. @param unwanted  ends it */
+  async gcode(unwanted?: AbortSignal): Promise<Gcode> {
     const current = await this.finished();
     const { plate } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, current)) return this.#written.gcode;
     clearTimeout(this.#summaryTimer);
-    const written = { plate, ...(await this.engine.gcode(plate)) };
+    const written = { plate, ...(await this.engine.gcode(plate, unwanted)) };
     this.#written = written;
     this.#tell('file', undefined);
     if (sameFile(written, this.store.state.plate, this.store.state.result))
@@ -196,6 +197,7 @@ export class Pipeline {
   /** Time, length and weight need the file to be written; it is kept for a download. */
   #summarise(): void {
     clearTimeout(this.#summaryTimer);
+    this.#summary?.abort(); // the next plate need not wait for it
     const { plate, result, summary } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, result)) {
       this.#tell('file', undefined);
@@ -207,7 +209,8 @@ export class Pipeline {
     this.#summaryTimer = setTimeout(() => {
       const { state } = this.store;
       if (state.live || state.cancelled || state.result?.toolpath.cycles !== result.toolpath.cycles) return;
-      this.gcode().catch((error: unknown) => {
+      this.#summary = new AbortController();
+      this.gcode(this.#summary.signal).catch((error: unknown) => {
         if (!isAbort(error)) this.#tell('file', problemOf(error));
       });
     }, summaryAfter);

@@ -120,8 +120,9 @@ export class StudioEngine {
   }
 
   /** @param plate  whose printer and print it is for; the path is that of the last update, whole and measured.
+   * @param unwanted  ends it, since the engine makes no plate meanwhile
    * @throws SillonError, StudioError, AbortError */
-  async gcode(plate: Plate): Promise<{ gcode: Gcode; check: GcodeCheck; result: PlateResult }> {
+  async gcode(plate: Plate, unwanted?: AbortSignal): Promise<{ gcode: Gcode; check: GcodeCheck; result: PlateResult }> {
     return this.#export(async (engine, result, signal) => {
       const below = await this.#below(engine, plate, signal);
       const gcode = await engine.writeGcode(inItsColour(result.toolpath, plate), plate.printer, plate.print, {
@@ -129,7 +130,7 @@ export class StudioEngine {
         signal,
       });
       return { gcode, check: await engine.checkGcode(gcode.blob, plate.printer, { signal }), result };
-    });
+    }, unwanted);
   }
 
   /** The base layers as a solid. @param plate  whose printer and layers count */
@@ -271,9 +272,14 @@ export class StudioEngine {
 
   async #export<Result>(
     write: (engine: Engine, result: PlateResult, signal: AbortSignal) => Promise<Result>,
+    unwanted?: AbortSignal,
   ): Promise<Result> {
     const control = new AbortController();
     const { signal } = control;
+    if (unwanted?.aborted === true) control.abort();
+    unwanted?.addEventListener('abort', () => {
+      control.abort();
+    });
     this.#exports.add(control);
     try {
       const result = await this.finished();

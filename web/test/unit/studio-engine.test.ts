@@ -409,6 +409,23 @@ test('cancel ends exports, whether they wait or write', async () => {
   await assert.rejects(writing, { name: 'AbortError' });
 });
 
+test('a file that nobody wants any more is not written to its end', async () => {
+  bench.studio.update(plateOf(50), raster);
+  await turn();
+  await bench.finishAll();
+  const control = new AbortController();
+  const unwanted = bench.studio.gcode(plateOf(50), control.signal);
+  const wanted = bench.studio.gcode(plateOf(50));
+  await turn();
+  assert.equal(bench.written.length, 2);
+  control.abort();
+  await assert.rejects(unwanted, { name: 'AbortError' });
+  await assert.rejects(bench.studio.gcode(plateOf(50), control.signal), { name: 'AbortError' });
+  assert.equal(bench.written.length, 2);
+  mock.timers.tick(50);
+  assert.equal(await (await wanted).gcode.blob.text(), 'G28');
+});
+
 // --- Its parts ------------------------------------------------------------------------------------------------------------
 
 test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {

@@ -1,0 +1,34 @@
+// G-code of a path, whether or not the plate that it came from is at hand.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/gcode/writer.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/look/preview.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace sillon {
+
+/// A path, and what its file tells and shows of it.
+struct PathToWrite {
+  const Toolpath& seen;
+  const Shape& shape;
+  const Toolpath* below = nullptr;  ///< path of the layer below, where needsAcross
+  LookParams look;                  ///< of the thumbnails
+  std::vector<std::string> notes;   ///< instead of the print's own
+  std::string date = PrintParams().date;
+};
+
+/// Writes the G-code of a path, with its notes and with the thumbnails that the printer's screen
+/// takes. It ends where the run is cancelled.
+/// \return the errors of lookThumbnails and writeGcode.
+Result<GcodeSummary> writePathGcode(const PathToWrite& path, const Printer& printer,
+                                    const PrintParams& print, const GcodeSink& sink,
+                                    const RunContext& run);
+
+}  // namespace sillon
