@@ -7,6 +7,7 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 
 // What a person may choose.
 #include "sillon/settings/input_params.hpp"

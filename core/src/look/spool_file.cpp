@@ -9,7 +9,7 @@
 
 #include "base/decimal_text.hpp"
 #include "base/json.hpp"
-#include "base/words.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/look/spools.hpp"
 
 namespace sillon {

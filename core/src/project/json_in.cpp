@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/json.hpp"
-#include "base/words.hpp"
 #include "project/scene_file.hpp"
 #include "settings/json_in.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 

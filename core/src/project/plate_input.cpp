@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/words.hpp"
 #include "input/map_defect.hpp"
 #include "project/input_file.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/geometry/keep_thin.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/input/plate_size.hpp"

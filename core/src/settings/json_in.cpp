@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/json.hpp"
-#include "base/words.hpp"
 #include "settings/json_out.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace sillon {

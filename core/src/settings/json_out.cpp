@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/json_text.hpp"
-#include "base/words.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {

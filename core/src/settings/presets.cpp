@@ -6,10 +6,10 @@
 
 #include "base/decimal_text.hpp"
 #include "base/json.hpp"
-#include "base/words.hpp"
 #include "settings/json_in.hpp"
 #include "settings/json_out.hpp"
 #include "settings/preset_data.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

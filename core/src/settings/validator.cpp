@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/words.hpp"
 #include "settings/json_out.hpp"
 #include "settings/out_of_range.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/settings/screen_sizes.hpp"
 #include "sillon/settings/table.hpp"
 
