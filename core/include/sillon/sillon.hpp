@@ -5,6 +5,7 @@
 #include "sillon/base/reasons.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
+#include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/base/version.hpp"
 #include "sillon/base/words.hpp"

@@ -2,6 +2,10 @@
 // Besides: the name of a warning (report/warning.hpp) that is no mere warning here, with its values.
 #pragma once
 
+#include <span>
+
+#include "sillon/base/sentence.hpp"
+
 namespace sillon::reason {
 
 /// A number of a project: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's own unit.
@@ -23,3 +27,13 @@ inline constexpr char kNoBeadFits[] = "NoBeadFits";
 inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
 
 }  // namespace sillon::reason
+
+namespace sillon {
+
+/// The sentences of reasons whose errors say nothing else.
+std::span<const Sentence> reasonSentences();
+
+/// What helps against most errors of a code, by its name; codes whose messages say it themselves have none.
+std::span<const Sentence> errorHints();
+
+}  // namespace sillon

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "sillon/base/sentence.hpp"
 
 namespace sillon {
 
 /// One rule that was broken, however often.
 struct GcodeFinding {
-  std::string code;       ///< one per sentence, such as too-hot; the list with rules and sentences: findings.cpp
+  std::string code;       ///< one of findingSentences(), such as too-hot
   std::string rule;       ///< what it belongs to: commands, grammar, homing, heating, modes, bounds, height, extrusion,
                           ///< flow, speed, rate, retraction, cycle, coverage, noise, settings, totals, layers, end
   bool error = false;     ///< the print or the machine is at risk; else worth knowing
@@ -19,5 +22,8 @@ struct GcodeFinding {
   std::vector<std::pair<std::string, std::string>> values;  ///< of the first, by name, as the sentence shows them
   std::string message;                                      ///< about the first
 };
+
+/// The sentence of each code.
+std::span<const Sentence> findingSentences();
 
 }  // namespace sillon

@@ -1,19 +1,21 @@
 // A printer out of the user's own files: what their slicer already knows need not be typed again.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/sentence.hpp"
 #include "sillon/settings/printer.hpp"
 
 namespace sillon {
 
 /// What could not be taken over, or needs a look.
 struct ImportNote {
-  std::string code;                                         ///< one of importNoteCodes()
+  std::string code;                                         ///< one of importNoteSentences()
   std::vector<std::pair<std::string, std::string>> values;  ///< by name, what the message says
   std::string message;                                      ///< one sentence in English
 };
@@ -26,8 +28,8 @@ struct ImportedPrinter {
   std::vector<ImportNote> notRead;  ///< each once
 };
 
-/// All codes of notes, for whoever has sentences of their own.
-std::vector<std::string> importNoteCodes();
+/// The sentence of each code.
+std::span<const Sentence> importNoteSentences();
 
 /// Tells the kind of file by its content:
 /// - G-code that the user's slicer made for their printer: its start and end blocks, proven there, and its settings;
