@@ -211,7 +211,7 @@ TEST_CASE("what the start block heats beside the printing nozzle is switched off
   for (const GcodeFinding& finding : checkGcode(own.text, job.printer).findings) CHECK(finding.rule != "end");
   const auto warns = [&](const std::string& end) {
     job.printer.endGcode = end;
-    return contains(job.write().result.value().warnings, "hot");
+    return contains(job.write().result.value().warnings, "leaves a heater on");
   };
   CHECK(warns("M104 S0\nM140 S0\nM141 S0\n"));
   CHECK(warns("M104 S0\nM104 T2 S0\nM140 S0\n"));

@@ -238,8 +238,8 @@ TEST_CASE("acceleration is held at the machine's, with a warning") {
   job.printer.machineAcceleration = 4000;
   const Written written = job.write();
   checkFile(job, written);
-  CHECK(
-      contains(written.result.value().warnings, "acceleration is 9000 mm/s2; it is held at machineAcceleration, 4000"));
+  CHECK(contains(written.result.value().warnings,
+                 "acceleration is 9000 mm/s2; it is held at printer.machineAcceleration, 4000"));
   CHECK(written.text.find("M204 P9000") == std::string::npos);
   job.printer.acceleration = 4000;
   CHECK(job.write().text == written.text);
@@ -400,7 +400,7 @@ TEST_CASE("above a print all layers are ordinary ones, and nothing moves below i
   CHECK(valueOf(text, "; total layers count = ") == "3");
   CHECK(valueOf(text, "; start height = ") ==
         "5.05 mm, of a print on the bed that homing and probing (G28, G29) must not touch");
-  CHECK(contains(written.result.value().warnings, "a print of 5.05 mm stands on the bed while the start block homes"));
+  CHECK(contains(written.result.value().warnings, "a print of 5.05 mm stands on the bed while the printer homes"));
   CHECK(contains(written.result.value().warnings, "the nozzle is not primed"));
 
   // The same layers as on the bed, but for its height, and but for what only the bed has.
@@ -729,12 +729,13 @@ TEST_CASE("what is odd but printable is written with a warning") {
       {"points of the path that lie more than 0.1 mm outside the shape: ", [](Job& j) { j.shape = rectangle(30, 15); }},
       {"maxFlow slows", [](Job& j) { j.printer.maxFlow = 2; }},
       {"maxSegmentsPerSecond slows", [](Job& j) { j.printer.maxSegmentsPerSecond = 2; }},
-      {"speed is 300 mm/s; it is held at machineSpeed, 40",
+      {"speed is 300 mm/s; it is held at printer.machineSpeed, 40",
        [](Job& j) {
          j.printer.machineSpeed = 40;
          j.printer.speed = 300;
        }},
-      {"travelSpeed is 120 mm/s; it is held at machineSpeed, 100", [](Job& j) { j.printer.machineSpeed = 100; }},
+      {"travelSpeed is 120 mm/s; it is held at printer.machineSpeed, 100",
+       [](Job& j) { j.printer.machineSpeed = 100; }},
       {"writing on it reads backwards", [](Job& j) { j.params.mirror = true; }},
       {"pressure advance is 0 after the print", [](Job& j) { j.printer.setPressureAdvance = true; }},
   };
@@ -967,7 +968,7 @@ TEST_CASE("warnings are a code with values, and the sentence made of them") {
   const auto flow = std::find_if(warnings.begin(), warnings.end(),
                                  [](const Warning& w) { return w.code == WarningCode::UnusualFlow; });
   REQUIRE(flow != warnings.end());
-  CHECK(flow->value("field")->text == "flow");
+  CHECK(flow->value("field")->text == "print.flow");
   CHECK(flow->value("value")->number == 0.5);
 }
 

@@ -28,24 +28,35 @@ std::string textOf(const std::pair<Name, std::string>& value) {
   return value.second;
 }
 
-/// A sentence with its values in the places of their {names}: each that it names is there, and it says all but those
-/// that it marks as unsaid. \param values  NamedValue, or pairs of a name and a text
+/// Whether a sentence gets each value that it says, and says each that it does not mark as unsaid.
+/// \param values  NamedValue, or pairs of a name and a text
 template <class Values>
-std::string filled(const Sentence& sentence, const Values& values) {
-  std::string out;
-  std::string said = std::string(" ") + sentence.unsaid + " ";
+bool saysAll(const Sentence& sentence, const Values& values) {
+  std::string names = std::string(" ") + sentence.unsaid + " ";
   std::string_view rest = sentence.text;
   for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
-    const std::size_t close = rest.find('}', open);
-    const std::string_view name = rest.substr(open + 1, close - open - 1);
-    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; });
-    assert(value != values.end());
-    out.append(rest.substr(0, open)) += textOf(*value);
-    said.append(name) += ' ';
-    rest.remove_prefix(close + 1);
+    const std::string_view name = rest.substr(open + 1, rest.find('}') - open - 1);
+    if (std::none_of(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; })) return false;
+    names.append(name) += ' ';
+    rest.remove_prefix(rest.find('}') + 1);
   }
-  for ([[maybe_unused]] const auto& value : values) {
-    assert(said.find(" " + std::string(nameOf(value)) + " ") != std::string::npos);
+  return std::all_of(values.begin(), values.end(), [&](const auto& one) {
+    return names.find(" " + std::string(nameOf(one)) + " ") != std::string::npos;
+  });
+}
+
+/// A sentence with its values in the places of their {names}. \param values  all that it says
+template <class Values>
+std::string filled(const Sentence& sentence, const Values& values) {
+  assert(saysAll(sentence, values));
+  std::string out;
+  std::string_view rest = sentence.text;
+  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    const std::size_t close = rest.find('}');
+    const std::string_view name = rest.substr(open + 1, close - open - 1);
+    out.append(rest.substr(0, open)) +=
+        textOf(*std::find_if(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; }));
+    rest.remove_prefix(close + 1);
   }
   return out.append(rest);
 }

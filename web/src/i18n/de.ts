@@ -1,4 +1,4 @@
-// Alle Wörter der Seite auf Deutsch; dieselben Schlüssel wie in en.ts.
+// Alle Wörter der Seite auf Deutsch; dieselben Schlüssel wie in en.
 import type { Translation } from './text.js';
 
 export const frame = { blocked: 'Das Studio kann hier nicht angezeigt werden.', open: 'In eigenem Tab öffnen' };

@@ -1,4 +1,4 @@
-// Tous les mots de la page, en français ; mêmes clés que en.ts.
+// Tous les mots de la page, en français ; mêmes clés que en.
 import type { Translation } from './text.js';
 
 export const frame = { blocked: 'Le studio ne peut pas être affiché ici.', open: 'L’ouvrir dans un onglet à part' };
