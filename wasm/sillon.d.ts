@@ -204,8 +204,7 @@ export interface BodyOptions extends RunOptions {
 }
 
 /** docs/guide/calibrate.md shows each. */
-export type CalibrationKind =
-  'first-layer' | 'flow' | 'advance' | 'speed' | 'temperature' | 'fan' | 'width' | 'directions' | 'swatch' | 'coupon';
+export type CalibrationKind = 'flow' | 'speed' | 'fan' | 'width' | 'directions' | 'swatch' | 'coupon';
 
 export interface CalibrationRequest {
   printer?: Partial<Printer>;
@@ -468,7 +467,7 @@ export interface ToolpathOptions extends Partial<ToolpathParams> {
 }
 
 /** Ways to make a toolpath; docs/reference/project.md says what they change. */
-export type Preset = 'draft' | 'fewest-turns' | 'fine' | 'paper-2023' | 'standard' | 'strict';
+export type Preset = 'draft' | 'fewest-turns' | 'fine' | 'paper-2023' | 'standard';
 
 /** A picture to be seen, and where its lamp stands. */
 export interface LampPicture {

@@ -58,7 +58,6 @@ double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 /// The line that says what to do with the value that is found.
 std::string whatToSet(const CalibrationPlate& plate) {
-  if (plate.kind == CalibrationKind::FirstLayer) return "add      the best value to " + plate.setting + "\n";
   if (plate.kind == CalibrationKind::Swatch) return "keep     the card with the spool\n";
   const bool several = plate.setting.find(',') != std::string::npos;
   return "set      " + plate.setting + " in the project to the best " + (several ? "values" : "value") + "\n";

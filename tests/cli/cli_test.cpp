@@ -686,25 +686,23 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   CHECK(told["seconds"] > 60);
 
   // The project's printer, with options over it.
-  folder.write("mine.json", R"({"sillon": 1, "printer": {"flavor": "klipper", "pressureAdvance": 0.06}})");
-  const Run own = folder.run("calibrate advance mine.json --from 0.02 --to 0.1 -o advance.gcode.3mf");
+  folder.write("mine.json", R"({"sillon": 1, "printer": {"flavor": "klipper", "pressureAdvance": 0.06,
+    "setPressureAdvance": true}})");
+  const Run own = folder.run("calibrate speed mine.json --from 20 --to 40 -o speed.gcode.3mf");
   CHECK(has(own.out, "warning  .gcode.3mf is for Bambu Lab printers"));
   CHECK_FALSE(has(done.out, "Bambu Lab"));
   CAPTURE(own.err);
   REQUIRE(own.code == 0);
   CHECK(has(own.out, "pressure advance is 0.06 after the print"));
-  CHECK(readAll(folder.at("advance.gcode.3mf")).starts_with("PK"));
-  CHECK(folder.run("check advance.gcode.3mf").code == 0);
+  CHECK(readAll(folder.at("speed.gcode.3mf")).starts_with("PK"));
+  CHECK(folder.run("check speed.gcode.3mf").code == 0);
 
-  // A value that belongs into no project.
-  CHECK(has(folder.run("calibrate first-layer -o z.gcode").out,
-            "add      the best value to the printer's own Z offset\n"));
   const Run swatch = folder.run("calibrate swatch -o card.gcode");
   CHECK(has(swatch.out, "keep     the card with the spool\n"));
   CHECK(!has(swatch.out, "pictures.spool"));
 
   folder.picture("l.png", 2, 2, [](int, int) { return 128; });
-  checkRefused(folder, "calibrate gloss -o a.gcode", "kind is \"gloss\"; it must be first-layer, flow, advance,");
+  checkRefused(folder, "calibrate gloss -o a.gcode", "kind is \"gloss\"; it must be flow, speed, fan,");
   checkRefused(folder, "calibrate flow", "--output");
   checkRefused(folder, "calibrate", "kind");
   checkRefused(folder, "calibrate flow --from x -o a.gcode", "--from");
@@ -1567,7 +1565,7 @@ TEST_CASE("an answer that is lost is a failure") {
 
 TEST_CASE("a reader that has gone away changes neither files nor the exit code") {
   const std::string commands[] = {std::string(kDisc) + "--gcode a.gcode",
-                                  "calibrate first-layer --printer prusa-mini -o a.gcode",
+                                  "calibrate width --printer prusa-mini -o a.gcode",
                                   "zones --shape disc --size 12 --angle 30 -o a.3mf"};
   for (const std::string& command : commands) {
     CAPTURE(command);

@@ -22,7 +22,7 @@ commands='
 30 60 | a.gcode.3mf a.png a-2.png c.png c-2.png v.png b.3mf p.json | generate --shape disc --size 5 --spacing 0.8 --layer-height 0.2 --threads THREADS --picture moon.png --picture sun.png --gcode out/a.gcode.3mf --preview out/a.png --preview-width 32 --conflict out/c.png --view out/v.png --body out/b.3mf --project out/p.json
 30 0 | | generate --shape disc --size 6 --threads THREADS --quiet
 20 60 | flow.gcode flow.png | calibrate flow --printer prusa-mini -o out/flow.gcode --preview out/flow.png --preview-width 32
-10 40 | layer.bgcode | calibrate first-layer --printer prusa-mini --json -o out/layer.bgcode
+10 40 | layer.bgcode | calibrate width --printer prusa-mini --json -o out/layer.bgcode
 3 8 | read.json | calibrate read coupon-photograph.jpg --name mine -o out/read.json
 30 60 | part.gcode part.json part.png | rebrush prusa.gcode --angle 30 --threads THREADS -o out/part.gcode --report out/part.json --preview out/part.png --preview-width 32
 30 60 | =prusa.gcode | rebrush out/prusa.gcode --angle 30 --threads THREADS --spools spools.json --spool mine

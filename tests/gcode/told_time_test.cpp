@@ -166,8 +166,8 @@ TEST_CASE("of a single layer the progress is exact: a line as soon as a bead com
 TEST_CASE("patches take the time of their own speeds, and progress knows") {
   PatchPlate patches{rectangle(30, 20),
                      {{.layer = 1, .lines = {{{{5, 5}, {25, 5}}, {0.4, 0.4}}}, .speed = 10},
-                      {.layer = 1, .lines = {{{{5, 8}, {25, 8}}, {0.4, 0.4}}}, .temperature = 200},
-                      {.layer = 2, .lines = {{{{5, 5}, {25, 5}}, {0.4, 0.4}}}, .speed = 7, .lift = 0.1}}};
+                      {.layer = 1, .lines = {{{{5, 8}, {25, 8}}, {0.4, 0.4}}}},
+                      {.layer = 2, .lines = {{{{5, 5}, {25, 5}}, {0.4, 0.4}}}, .speed = 7}}};
   Job job = atOnce();
   job.params.base = 1;
   job.params.layers = 2;

@@ -266,7 +266,7 @@ TEST_CASE("a preset lies under the section's own values, and all presets can be 
   CHECK(read.value().toolpath.spacing == 0.4);
   CHECK(
       has(problem(R"({"sillon": 1, "toolpath": {"preset": "paper"}})"), "toolpath.preset: \"paper\" is not a preset"));
-  CHECK(presets().size() == 6);
+  CHECK(presets().size() == 5);
   for (const std::string& id : presets()) {
     Project project;
     CHECK(applyPreset(id, project.toolpath).empty());

@@ -333,8 +333,7 @@ export function rebrushOptions(value: unknown): {
 }
 
 const calibrationKinds: readonly api.CalibrationKind[] = [
-  ...(['first-layer', 'flow', 'advance', 'speed', 'temperature'] as const),
-  ...(['fan', 'width', 'directions', 'swatch', 'coupon'] as const),
+  ...(['flow', 'speed', 'fan', 'width', 'directions', 'swatch', 'coupon'] as const),
 ];
 
 export function calibrationKind(value: unknown): api.CalibrationKind {

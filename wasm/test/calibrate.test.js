@@ -39,10 +39,7 @@ function native(...args) {
   return { status, stdout, stderr };
 }
 
-for (const kind of [
-  ...['first-layer', 'flow', 'advance', 'speed', 'temperature'],
-  ...['fan', 'width', 'directions', 'swatch', 'coupon'],
-]) {
+for (const kind of ['flow', 'speed', 'fan', 'width', 'directions', 'swatch', 'coupon']) {
   test(`${kind} is the native file, with the same table`, async () => {
     const { status, stdout, stderr } = native(kind, 'mine.json', '--json', '-o', 'out.gcode');
     assert.equal(status, 0, stderr);
@@ -163,10 +160,16 @@ test('several photographs are joined as the native program joins them', async ()
   });
 });
 
+test('the kinds are those of the native program', () => {
+  const [, kinds] = /it must be (.*) or read/.exec(native('gloss').stderr);
+  const refusal = /it must be one of (.*)/;
+  return assert.rejects(engine.calibrate('gloss'), (error) => refusal.exec(error.message)[1] === kinds);
+});
+
 test('what cannot be calibrated or read is refused in a sentence', async () => {
   const empty = { width: 300, height: 300, channels: 4, samples: new Uint8ClampedArray(4 * 300 * 300) };
   const refused = [
-    [() => engine.calibrate('gloss'), 'InvalidArgument', /kind is "gloss"; it must be one of first-layer, flow/],
+    [() => engine.calibrate('gloss'), 'InvalidArgument', /kind is "gloss"; it must be one of flow, speed/],
     [() => engine.calibrate('flow', { from: 2, to: 3 }), 'InvalidArgument', /flow would try 2; values must be 0\.5 to/],
     [() => engine.calibrate('flow', { from: '1' }), 'InvalidArgument', /request\.from is "1"/],
     [() => engine.calibrate('flow', { pictureSide: 5000 }), 'InvalidArgument', /pictureSide is 5000/],

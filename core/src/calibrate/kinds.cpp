@@ -11,18 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr const char* kNozzleHeight = "the printer's own Z offset";
-
 // In the order of CalibrationKind; usualRange says what follows from the printer.
 const CalibrationRow kKinds[] = {
-    {"first-layer", -0.06, 0.06, 7, 3, kNozzleHeight, "mm", "the square whose lines just close, without ridges"},
     {"flow", 0.88, 1.0, 7, 2, "print.flow", "", "the lowest disc without dark gaps between its rounds"},
-    {"advance", 0, 0.08, 9, 3, "printer.pressureAdvance, printer.setPressureAdvance", "s",
-     "the row whose beads are as wide in the U-turns as along the legs"},
     {"speed", 15, 70, 12, 1, "printer.showSpeed, print.constantFlow", "mm/s",
      "the fastest row that is as glossy as the slowest one; the half that looks more even decides constantFlow"},
-    {"temperature", -15, 15, 7, 0, "printer.nozzleTemperature", "degrees Celsius",
-     "the glossiest strip whose edges are clean"},
     {"fan", 0, 100, 5, 0, "printer.showFan", "%", "the glossiest strip whose edges are clean"},
     {"width", 0.6, 1.6, 6, 3, "toolpath.spacing, toolpath.spacingVariation", "mm",
      "the two widths between which beads lie closed and do not tear or flatten"},
@@ -40,30 +33,9 @@ std::pair<double, double> usualRange(const CalibrationRequest& request) {
   const Printer& printer = request.project.printer;
   const PrintParams& print = request.project.print;
   switch (request.kind) {
-    case CalibrationKind::FirstLayer: {
-      // 30 % of the layer's height, in steps of whole hundredths where that is 0.2 mm.
-      const double height = print.firstLayerHeight > 0 ? print.firstLayerHeight : print.layerHeight;
-      const double reach = std::min(0.09, std::max(0.015, std::round(60 * height) * 0.005));
-      return {-reach, reach};
-    }
-    case CalibrationKind::Temperature: {
-      const double low = printer.anyTemperature ? 0 : 170;
-      const double high = printer.anyTemperature ? 500 : printer.maxNozzleTemperature;
-      return {std::max(low, printer.nozzleTemperature + kind.from),
-              std::min(high, printer.nozzleTemperature + kind.to)};
-    }
     case CalibrationKind::Speed: {
       const double most = std::min(kind.to, fastest(printer, print, 1.25));
       return {std::min(kind.from, most / 2), most};
-    }
-    case CalibrationKind::Advance: {
-      // Around what is known; else a long retraction tells a tube between extruder and nozzle, which needs more.
-      constexpr double kTube = 2, kWithTube = 0.8, kMostAdvance = 2;
-      const double advance = printer.pressureAdvance;
-      const bool known = advance > 0 && (printer.setPressureAdvance || advance != Printer().pressureAdvance);
-      if (!known) return {kind.from, printer.retractLength >= kTube ? kWithTube : kind.to};
-      const double steps = kind.count - 1, unit = std::pow(10.0, kind.digits);
-      return {kind.from, std::min(kMostAdvance, steps * std::ceil(unit * 2 * advance / steps - 1e-9) / unit)};
     }
     case CalibrationKind::Width:
       return {kind.from * printer.nozzle, kind.to * printer.nozzle};
@@ -122,17 +94,11 @@ std::optional<Error> checkValues(const CalibrationRequest& request, const std::v
     return std::nullopt;
   };
   switch (request.kind) {
-    case CalibrationKind::FirstLayer:
-      return within(-0.1, 0.1);
     case CalibrationKind::Flow:
     case CalibrationKind::Coupon:
       return within(0.5, 1.5);
-    case CalibrationKind::Advance:
-      return within(0, 2);
     case CalibrationKind::Speed:
       return within(1, 1000);
-    case CalibrationKind::Temperature:
-      return within(printer.anyTemperature ? 1 : 170, printer.anyTemperature ? 500 : printer.maxNozzleTemperature);
     case CalibrationKind::Fan:
       return within(0, 100);
     case CalibrationKind::Width:

@@ -18,26 +18,6 @@ constexpr double kOutline = 0.35;  // [mm], what is laid keeps off the edge of i
 /// Lower left corners of cells, four in a row, from the upper left.
 Vec2 cell(int k, Vec2 step) { return {(k % 4) * step.x, -(k / 4) * step.y}; }
 
-// The whole square is one layer, lifted by its value; the writing lies on it.
-void firstLayer(PlateBuilder& plate) {
-  constexpr double kSide = 15;
-  plate.print().base = 0;
-  plate.print().layers = 2;
-  const double width = plate.width();
-  for (std::size_t k = 0; k < plate.values().size(); ++k) {
-    const double value = plate.values()[k];
-    const Vec2 corner = cell(static_cast<int>(k), {kSide + 2, kSide + kBand + 2});
-    const Ring square = box(corner, corner + Vec2{kSide, kSide + kBand});
-    plate.base(square);
-    const std::string label = std::string(value > 0 ? "+" : "") + written(value, plate.digits());
-    plate.label(label, corner + Vec2{kMargin, kMargin});
-    plate.value(value, label, corner + 0.5 * Vec2{kSide, kSide + kBand});
-    Patch& patch = plate.patch(filled(square, {1, 0}, width), 0);
-    patch.flow = plate.print().baseFlow;
-    patch.lift = value;
-  }
-}
-
 void discs(PlateBuilder& plate) {
   constexpr double kRadius = 6.5;
   constexpr double kAround = kRadius + 0.5;
@@ -77,20 +57,6 @@ void rows(PlateBuilder& plate, double length, double high, const Lay& lay) {
   }
 }
 
-void combs(PlateBuilder& plate) {
-  constexpr double kLength = 36;
-  constexpr double kRow = 6;
-  const Printer& printer = plate.printer();
-  // As fast as plates run: slower U-turns show nothing.
-  double speed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
-  speed = std::min(speed, fastest(printer, plate.print(), 1));
-  rows(plate, kLength, kRow, [&](Vec2 corner, double value) {
-    Patch& patch = plate.patch({comb(corner, kLength, kRow - 1, plate.width())});
-    patch.advance = value;
-    patch.speed = speed;
-  });
-}
-
 void speeds(PlateBuilder& plate) {
   plate.labels().speed = plate.values().front();
   const double width = plate.width();
@@ -107,11 +73,11 @@ void speeds(PlateBuilder& plate) {
   });
 }
 
-void strips(PlateBuilder& plate, double Patch::*field) {
+void fans(PlateBuilder& plate) {
   constexpr double kLength = 36;
   const double high = std::max(1.0, std::floor(4.6 / plate.width())) * plate.width();
   rows(plate, kLength, high + 0.6, [&](Vec2 corner, double value) {
-    plate.patch(filled(box(corner, corner + Vec2{kLength, high}), {1, 0}, plate.width())).*field = value;
+    plate.patch(filled(box(corner, corner + Vec2{kLength, high}), {1, 0}, plate.width())).fan = value;
   });
 }
 
@@ -162,23 +128,14 @@ void directions(PlateBuilder& plate) {
 
 void layOut(CalibrationKind kind, PlateBuilder& plate) {
   switch (kind) {
-    case CalibrationKind::FirstLayer:
-      firstLayer(plate);
-      break;
     case CalibrationKind::Flow:
       discs(plate);
-      break;
-    case CalibrationKind::Advance:
-      combs(plate);
       break;
     case CalibrationKind::Speed:
       speeds(plate);
       break;
-    case CalibrationKind::Temperature:
-      strips(plate, &Patch::temperature);
-      break;
     case CalibrationKind::Fan:
-      strips(plate, &Patch::fan);
+      fans(plate);
       break;
     case CalibrationKind::Width:
       widths(plate);

@@ -131,20 +131,6 @@ PatchLine wavyRow(Vec2 corner, double length, int lines, double width) {
   return line;
 }
 
-PatchLine comb(Vec2 corner, double length, double height, double width) {
-  PatchLine line;
-  const int legs = static_cast<int>((length - width) / (3 * width) + kRounding) + 1;
-  for (int k = 0; k < legs; ++k) {
-    const double x = corner.x + width / 2 + 3 * width * k;
-    const double low = corner.y + width / 2;
-    const double high = corner.y + height - width / 2;
-    line.points.push_back({x, k % 2 == 0 ? low : high});
-    line.points.push_back({x, k % 2 == 0 ? high : low});
-  }
-  line.widths.assign(line.points.size(), width);
-  return line;
-}
-
 std::vector<PatchLine> writing(std::string_view text, Vec2 corner, double unit, double width) {
   std::vector<PatchLine> lines;
   for (std::vector<Vec2>& points : textStrokes(text, corner, unit)) {

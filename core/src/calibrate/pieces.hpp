@@ -1,4 +1,4 @@
-// What calibration plates are made of: filled polygons, spirals, wedges, wavy rows, combs, writing.
+// What calibration plates are made of: filled polygons, spirals, wedges, wavy rows, writing.
 #pragma once
 
 #include <string_view>
@@ -31,9 +31,6 @@ PatchLine wedge(Vec2 leftMiddle, double length, int lines, double from, double t
 /// `lines` (even) beads side by side along +x, as one zigzag, that are by turns a quarter wider and narrower than
 /// `width`, over waves of 9 mm. Their cells are the rectangle. \param length  [mm], `width` plus a multiple of 9.
 PatchLine wavyRow(Vec2 corner, double length, int lines, double width);
-
-/// U-turns: legs of `height` along y, three widths apart, from the left to the right.
-PatchLine comb(Vec2 corner, double length, double height, double width);
 
 /// Writing. \param unit  a sixth of a capital's height [mm].
 std::vector<PatchLine> writing(std::string_view text, Vec2 corner, double unit, double width);

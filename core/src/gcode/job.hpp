@@ -70,12 +70,6 @@ struct GcodeJob {
   void warn(WarningCode code, std::vector<NamedValue> values = {}) { warnings.push_back({code, std::move(values)}); }
 };
 
-/// Whether patches try values of pressure advance.
-inline bool setsAdvance(const GcodeJob& job) {
-  return std::any_of(job.patches.begin(), job.patches.end(),
-                     [](const PlacedPatch& patch) { return patch.how.advance >= 0; });
-}
-
 /// A share as warnings tell it, to a tenth.
 inline double percent(double share) { return std::round(1000 * share) / 10; }
 

@@ -81,7 +81,6 @@ void LayerWriter::setMachine(const FileLayer& layer) {
       nozzle_.out() << accelerationCommand(printer_.flavor, printer_.acceleration);
     }
     nozzle_.out() << "M104 S" << fixed(printer_.nozzleTemperature, 0) << "\n";
-    patchHeat_ = 0;
   }
 }
 
@@ -113,21 +112,12 @@ void LayerWriter::patches(const FileLayer& layer) {
   const double layerFan = nozzle_.fanPercent();
   for (const PlacedPatch& patch : job_.patches) {
     if (patch.how.layer != layer.index) continue;
-    if (patch.how.temperature != patchHeat_) {
-      patchHeat_ = patch.how.temperature;
-      const double usual = layer.first ? printer_.firstLayerNozzleTemperature : printer_.nozzleTemperature;
-      heat(patchHeat_ > 0 ? patchHeat_ : usual);
-    }
     nozzle_.fan(patch.how.fan < 0 ? layerFan : patch.how.fan);
-    if (patch.how.advance >= 0 && patch.how.advance != advance_) {
-      advance_ = patch.how.advance;
-      nozzle_.out() << pressureAdvanceCommand(printer_.flavor, advance_);
-    }
     MotionLimits limits = layerLimits(layer, patch.how.flow);
     if (patch.how.speed > 0) limits.speed = patch.how.speed;
     if (patch.how.constantFlow) evenFlow(limits, patch.how.spacing);
     for (const BeadPath& path : patch.paths) {
-      lay(path, 0, limits, layer.height, layer.top + patch.how.lift, true);
+      lay(path, 0, limits, layer.height, layer.top, true);
       if (nozzle_.out().failed()) return;
     }
   }
@@ -147,14 +137,6 @@ void LayerWriter::lay(const BeadPath& path, std::size_t start, const MotionLimit
   oriented_.flowSlowed += motion.flowSlowedMm;
   oriented_.segmentSlowed += motion.segmentSlowedMm;
   oriented_.curveSlowed += motion.curveSlowedMm;
-}
-
-// Away from the plate, where what drips harms nothing.
-void LayerWriter::heat(double degrees) {
-  nozzle_.passOver(safeHeight(printer_, params_) - printer_.lift);
-  nozzle_.moveZ(safeHeight(printer_, params_));
-  nozzle_.travel(job_.aside, printer_.travelSpeed);
-  nozzle_.out() << waitForNozzle(printer_.flavor, degrees);
 }
 
 MotionLimits LayerWriter::layerLimits(const FileLayer& layer, double flow) const {

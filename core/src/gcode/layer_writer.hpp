@@ -45,7 +45,6 @@ class LayerWriter {
   void patches(const FileLayer& layer);
   void lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, double height, double top,
            bool oriented);
-  void heat(double degrees);
   [[nodiscard]] MotionLimits layerLimits(const FileLayer& layer, double flow) const;
   void evenFlow(MotionLimits& limits, double spacing) const;
   [[nodiscard]] double firstAcceleration() const;
@@ -56,8 +55,6 @@ class LayerWriter {
   MotionPlans& plans_;
   Nozzle& nozzle_;
   Paces pace_;
-  double advance_ = -1;   // [s], of patches
-  double patchHeat_ = 0;  // [degrees Celsius] that a patch asked for; 0: the layer's
   OrientedLength oriented_;
 };
 

@@ -86,7 +86,7 @@ Result<std::vector<BeadPath>> bedCycles(const Toolpath& given, const Shape& give
 // and thin where it sets off. Slow and constant is even. Klipper and RepRapFirmware have it in their own settings.
 void setShowSpeed(GcodeJob& job, const Printer& printer, double cyclesMm, const PrintParams& params) {
   const bool own = printer.flavor == GcodeFlavor::Klipper || printer.flavor == GcodeFlavor::RepRap;
-  job.knowsAdvance = own || printer.setPressureAdvance || setsAdvance(job) || setsPressureAdvance(job.startBlock);
+  job.knowsAdvance = own || printer.setPressureAdvance || setsPressureAdvance(job.startBlock);
   job.showSpeed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
   const bool unused = !job.patches.empty() && cyclesMm == 0;  // all patches have speeds of their own
   if (job.knowsAdvance || unused || printer.showSpeed > 0 || job.showSpeed <= kEvenSpeed) return;
@@ -128,7 +128,7 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   if (params.mirror && params.showSide == ShowSide::Up) {
     job.warn(WarningCode::MirroredUp);
   }
-  if (printer.setPressureAdvance || setsAdvance(job)) {
+  if (printer.setPressureAdvance) {
     const bool stays = printer.flavor == GcodeFlavor::Klipper;
     job.warn(WarningCode::PressureAdvanceReset, {{"value", stays ? printer.pressureAdvance : 0}});
   }

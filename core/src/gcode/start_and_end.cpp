@@ -52,8 +52,6 @@ void restoreMachine(ChunkedOutput& out, const GcodeJob& job, const Printer& prin
   const bool capped = printer.flavor != GcodeFlavor::Klipper;
   if (printer.setPressureAdvance && capped) {
     out << pressureAdvanceCommand(printer.flavor, 0);
-  } else if (setsAdvance(job)) {  // the last patch's value is nobody's
-    out << pressureAdvanceCommand(printer.flavor, capped ? 0 : printer.pressureAdvance);
   }
   if (printer.machineAcceleration > 0 && capped) {
     out << accelerationCommand(printer.flavor, printer.machineAcceleration);

@@ -193,31 +193,14 @@ std::optional<Error> checkPatch(const Patch& patch, const std::string& name, con
     if (value >= low && value <= high) return std::nullopt;
     return invalid(name + ": " + outOfRange(field, value, unit, range));
   };
-  const bool any = printer.anyTemperature;
   if (patch.layer < params.base || patch.layer >= layerCount(params)) {
     return invalid(name + ": layer is " + std::to_string(patch.layer) + "; it must be " + std::to_string(params.base) +
                    " to " + std::to_string(layerCount(params) - 1) + ", above the base");
   }
   if (auto error = within(patch.flow, 0.01, 2, "flow", "", "0.01 to 2")) return error;
   if (auto error = within(patch.speed, 0, 1000, "speed", " mm/s", "0 to 1000")) return error;
-  if (auto error = within(patch.lift, -0.1, 0.1, "lift", " mm", "-0.1 to 0.1")) return error;
-  if (patch.temperature != 0) {
-    const double high = any ? 500 : printer.maxNozzleTemperature;
-    const std::string range = (any ? "0 to " : "170 to ") + decimal(high, 3);
-    if (auto error = within(patch.temperature, any ? 0 : 170, high, "temperature", " degrees", range.c_str())) {
-      return error;
-    }
-  }
   if (!(patch.fan < 0)) {
     if (auto error = within(patch.fan, 0, 100, "fan", " %", "0 to 100, or below 0 for the layer's")) return error;
-  }
-  if (!(patch.advance < 0)) {
-    if (auto error = within(patch.advance, 0, 2, "advance", " s", "0 to 2, or below 0 to leave it")) return error;
-  }
-  const double height = patch.layer == 0 ? firstLayerHeight(params) : params.layerHeight;
-  if (layerTop(params, patch.layer) + std::min(printer.zOffset, 0.0) + patch.lift < kLowest) {
-    return invalid(name + ": lift is " + decimal(patch.lift, 3) + " mm on a layer of " + decimal(height, 3) +
-                   " mm; the nozzle must stay 0.05 mm above the bed");
   }
   if (patch.constantFlow && !(patch.spacing > 0 && patch.spacing <= kMaxCoordinate)) {
     return invalid(name + ": spacing is " + decimal(patch.spacing, 3) + " mm; it must be above 0 for constantFlow");
@@ -245,6 +228,7 @@ std::optional<Error> checkPatch(const Patch& patch, const std::string& name, con
   }
   // A patch that is slower than it says teaches a wrong value.
   if (patch.speed == 0) return std::nullopt;
+  const double height = patch.layer == 0 ? firstLayerHeight(params) : params.layerHeight;
   const double section = patch.flow * height * (patch.constantFlow ? patch.spacing : widest);
   if (patch.speed * section > printer.maxFlow) {
     return invalid(name + ": speed is " + decimal(patch.speed, 3) + " mm/s, for which a bead of " +

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { c } from '../i18n/calibrate.js';
 import { settingLabel, valueText } from '../i18n/say.js';
 import { formatNumber } from '../i18n/text.js';
-import { answerOf, offsetCommand, spacingBetween, withFound, withWidths } from './model.js';
+import { answerOf, spacingBetween, withFound, withWidths } from './model.js';
 import { settingOf, valueOf, type NumberSetting, type SettingId } from '../model/settings.js';
 import { flag, numberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
@@ -33,8 +33,6 @@ export function answerFields(
       return settingAnswer(studio, kind, answer.setting, calibration, found, change);
     case 'widths':
       return widthsAnswer(studio, calibration, found, change);
-    case 'offset':
-      return offsetAnswer(studio, calibration, found, change);
     case 'none':
       return html`<p>${c(kind === 'directions' ? 'best.directions' : 'best.swatch')}</p>`;
   }
@@ -145,15 +143,6 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
       studio.change((before) => withWidths(before, from, to));
       studio.notify(text);
     })}`;
-}
-
-function offsetAnswer(studio: Studio, calibration: Calibration, { value }: Found, change: Change): TemplateResult {
-  const command = offsetCommand(studio.store.state.plate.printer.flavor, value ?? 0);
-  return html`${triedValues(calibration, value, (next) => {
-      change({ value: next });
-    })}
-    <p>${c(command === '' ? 'best.offset' : 'best.offsetBy')}</p>
-    ${command === '' || value === undefined ? nothing : html`<p><code>${command}</code></p>`}`;
 }
 
 function useButton(studio: Studio, usable: boolean, value: string, use: () => void): TemplateResult {

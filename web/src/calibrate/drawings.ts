@@ -18,30 +18,16 @@ const star = (x: number, y: number, inner: number, outer: number, count: number)
     return `M${at(inner)}L${at(outer)}`;
   }).join('');
 
-/** Rows of upright U-turns from x to 44. */
-const combs = (x: number, rows: readonly number[], high: number): string =>
-  rows
-    .map((y) => {
-      const turns = Array.from({ length: Math.floor((44 - x) / 5) }, () => `v${-high}h2.5v${high}h2.5`);
-      return `M${x} ${y + high}${turns.join('')}`;
-    })
-    .join('');
-
 const lines = (x: number, right: number, ys: readonly number[]): string =>
   ys.map((y) => `M${x} ${y}H${right}`).join('');
-const square = (x: number, y: number, side: number, gap: number): string =>
-  `M${x} ${y}h${side}v${side}h${-side}z${Array.from({ length: Math.round(side / gap) - 1 }, (_, k) => `M${x} ${y + gap * (k + 1)}h${side}`).join('')}`;
 const waves = (y: number): string => `M5 ${y}q4.5 -5 9 0t9 0M26 ${y}q4.5 -2.5 9 0t9 0`;
 const strips = (y: number): string => `M5 ${y + 2}h4M14 ${y}h29v4h-29zM14 ${y + 2}h29`;
 
 const drawings: Record<CalibrationKind | 'coaster', string> = {
   coaster: `${spiral(24, 24, 18, 5)}M24 4.5a19.5 19.5 0 0 1 0 39a19.5 19.5 0 0 1 0 -39`,
   coupon: `${star(17, 18, 5, 12, 16)}${spiral(38, 9, 5, 3)}${spiral(38, 22, 5, 3)}M5 36l33 -3v9l-33 -3zM5 37.5h33`,
-  'first-layer': `${square(4, 8, 11, 2.75)}${square(18.5, 8, 11, 2.2)}${square(33, 8, 11, 1.8)}${square(4, 27, 11, 2.75)}${square(18.5, 27, 11, 2.2)}${square(33, 27, 11, 1.8)}`,
   flow: `${spiral(13, 14, 8, 3)}${spiral(35, 14, 8, 4)}${spiral(13, 35, 8, 5)}${spiral(35, 35, 8, 6)}`,
-  advance: combs(5, [6, 20, 34], 9),
   speed: [9, 16, 23, 30, 37].map(waves).join(''),
-  temperature: [7, 16, 25, 34].map(strips).join(''),
   fan: `${[7, 34].map(strips).join('')}M24 16.5a4 4 0 0 1 0 8a4 4 0 0 1 0 -8M24 20.5h-10M34 20.5h-10M5 27h4M14 29h29`,
   width: `M5 21L43 11M5 22.5L43 15.5M5 24H43M5 25.5L43 32.5M5 27L43 37M5 40v-3M17.5 40v-3M30.5 40v-3M43 40v-3`,
   directions: `${star(24, 25, 7, 16, 24)}M24 4v3M44.5 25h-3`,

@@ -1,33 +1,26 @@
 // Calibration prints: which there are, and which of a plate's settings each is about.
-import type { CalibrationKind, PrinterValues } from 'sillon';
+import type { CalibrationKind } from 'sillon';
 import type { Plate } from '../model/plate.js';
 import { accepts, settingOf, withValue, type SettingId, type SettingValue } from '../model/settings.js';
 
 /** The coupon has most of the others in it; each of these relies on those before it. */
-export const kinds: readonly CalibrationKind[] = [
-  ...(['coupon', 'first-layer', 'flow', 'advance', 'speed'] as const),
-  ...(['temperature', 'fan', 'width', 'directions', 'swatch'] as const),
-];
+export const kinds: readonly CalibrationKind[] = ['coupon', 'flow', 'speed', 'fan', 'width', 'directions', 'swatch'];
 
-/** What is typed back: a setting's own value, two widths, the printer's own menu, or nothing. */
-export type Answer = { kind: 'setting'; setting: SettingId } | { kind: 'widths' | 'offset' | 'none' };
+/** What is typed back: a setting's own value, two widths, or nothing. */
+export type Answer = { kind: 'setting'; setting: SettingId } | { kind: 'widths' | 'none' };
 
 const settingFor: Partial<Record<CalibrationKind, SettingId>> = {
   coupon: 'print.flow',
   flow: 'print.flow',
-  advance: 'printer.pressureAdvance',
   speed: 'printer.showSpeed',
-  temperature: 'printer.nozzleTemperature',
   fan: 'printer.showFan',
 };
 
 export function answerOf(kind: CalibrationKind): Answer {
   const setting = settingFor[kind];
   if (setting !== undefined) return { kind: 'setting', setting };
-  return { kind: kind === 'width' ? 'widths' : kind === 'first-layer' ? 'offset' : 'none' };
+  return { kind: kind === 'width' ? 'widths' : 'none' };
 }
-
-const firstLayerMore = 5; // [°C], as `withFilament` has it
 
 const withAll = (plate: Plate, values: Partial<Record<SettingId, SettingValue>>): Plate =>
   Object.entries(values).reduce((now, [id, value]) => {
@@ -39,14 +32,7 @@ const withAll = (plate: Plate, values: Partial<Record<SettingId, SettingValue>>)
 export function withFound(plate: Plate, kind: CalibrationKind, value: number, constant: boolean): Plate {
   const answer = answerOf(kind);
   if (answer.kind !== 'setting') return plate;
-  const more: Partial<Record<SettingId, SettingValue>> =
-    kind === 'advance'
-      ? { 'printer.setPressureAdvance': true }
-      : kind === 'temperature'
-        ? { 'printer.firstLayerNozzleTemperature': value + firstLayerMore }
-        : kind === 'speed'
-          ? { 'print.constantFlow': constant }
-          : {};
+  const more: Partial<Record<SettingId, SettingValue>> = kind === 'speed' ? { 'print.constantFlow': constant } : {};
   return withAll(plate, { [answer.setting]: value, ...more });
 }
 
@@ -60,11 +46,4 @@ export function spacingBetween(low: number, high: number): { spacing: number; va
 export function withWidths(plate: Plate, low: number, high: number): Plate {
   const { spacing, variation } = spacingBetween(low, high);
   return withAll(plate, { 'toolpath.spacing': spacing, 'toolpath.spacingVariation': variation });
-}
-
-/** What moves the nozzle by so much from now on; empty: a menu of the printer does it. @param offset  [mm] */
-export function offsetCommand(flavor: PrinterValues['flavor'], offset: number): string {
-  const by = String(offset);
-  if (flavor === 'klipper') return `SET_GCODE_OFFSET Z_ADJUST=${by} MOVE=1`;
-  return flavor === 'reprap' ? `M290 S${by}` : '';
 }

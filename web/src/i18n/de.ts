@@ -559,17 +559,13 @@ export const de: Translation = {
   'preset.draft': 'Entwurf',
   'preset.standard': 'Standard',
   'preset.fine': 'Fein',
-  'preset.strict': 'Streng',
   'preset.fewest-turns': 'Wenigste Kehren',
-  'preset.paper-2023': 'Aufsatz 2023',
   'preset.custom': 'Angepasst',
   'preset.draft.help': 'Schnell, und die halbe Dateigröße.',
   'preset.standard.help': 'Richtig für die meisten Platten.',
   'preset.fine.help': 'Die wenigsten Kehren und Knicke; dauert länger.',
-  'preset.strict.help': 'Folgt vor allem den Richtungen; Lücken und Knicke werden nicht ausgeglichen.',
   'preset.fewest-turns.help':
     'Abstand und Richtungen dürfen abweichen und Bahnen den Rand verlassen, wo das Kehren spart.',
-  'preset.paper-2023.help': 'Das Verfahren, wie 2023 veröffentlicht, zum Vergleich.',
 
   'printer.generic': 'Allgemein',
   'printer.generic-centre': 'Allgemein, Nullpunkt in der Mitte',
@@ -1287,10 +1283,6 @@ export const de: Translation = {
   'calibrate.best.lowest': 'Schmalste gleichmäßige Breite',
   'calibrate.best.widest': 'Breiteste gleichmäßige Breite',
   'calibrate.best.spacing': 'Abstand {spacing}\u00a0mm, Variation {variation}',
-  'calibrate.best.offset':
-    'Dieser Wert gehört zum Drucker, nicht zur Platte: in dessen Menü zum Z-Versatz addieren (Live-Z oder M851).',
-  'calibrate.best.offsetBy':
-    'Dieser Wert gehört zum Drucker, nicht zur Platte. Der Befehl verschiebt die Düse bis zum Neustart; dauerhaft gehört er in die Konfiguration.',
   'calibrate.best.directions':
     'Nichts, wenn die Zahlen richtig zu lesen sind. Oben das Filament wählen, dessen Bild wie der Druck glänzt, oder das eigene messen.',
   'calibrate.best.swatch': 'Nichts: Die Karte bleibt bei der Spule.',
@@ -1302,26 +1294,14 @@ export const de: Translation = {
   'calibrate.finds.coupon': 'Fluss, Breite und Richtungen in einem Druck.',
   'calibrate.see.coupon':
     'Die Scheibe mit dem kleinsten Wert ohne dunkle Lücken zählt. Das Lineal muss 30\u00a0mm messen. Auf einem Foto davon liest Sillon ab, wie das Filament glänzt.',
-  'calibrate.kind.first-layer': 'Erste Schicht',
-  'calibrate.finds.first-layer': 'Wie weit die Düse vom Bett entfernt ist.',
-  'calibrate.see.first-layer':
-    'Zu tief: Zwischen den Linien entstehen Grate. Zu hoch: Lücken, und beim Biegen lösen sich die Linien. Das richtige Quadrat ist auf beiden Seiten glatt.',
   'calibrate.kind.flow': 'Fluss',
   'calibrate.finds.flow': 'Wie viel Kunststoff die Fläche schließt.',
   'calibrate.see.flow':
     'Zu wenig: dunkle Lücken zwischen den Windungen. Zu viel: Die Fläche fühlt sich rau an. Richtig: Zwei helle Flügel drehen sich mit der Lampe, glatt wie auf einer Schallplatte. Der kleinste Wert ohne Lücken zählt.',
-  'calibrate.kind.advance': 'Pressure Advance',
-  'calibrate.finds.advance': 'Wie früh der Extruder schieben muss.',
-  'calibrate.see.advance':
-    'Zu wenig: dicke Kehren, danach dünne Schenkel. Zu viel: dünne oder gerissene Kehren. In der richtigen Zeile sind die Kehren überall gleich breit.',
   'calibrate.kind.speed': 'Tempo',
   'calibrate.finds.speed': 'Wie schnell Bahnen glänzend bleiben.',
   'calibrate.see.speed':
     'Ab einem Tempo wird der Glanz matt oder streifig. Die schnellste Zeile zählt, die aussieht wie die langsamste. Bleibt die rechte Hälfte länger gleichmäßig, passt gleichmäßiger Fluss zum Extruder.',
-  'calibrate.kind.temperature': 'Temperatur',
-  'calibrate.finds.temperature': 'Bei welcher Hitze das Filament am meisten glänzt.',
-  'calibrate.see.temperature':
-    'Heißer glänzt mehr, bis Fäden an den Kanten hängen oder die Bahnen verlaufen. Der glänzendste Streifen mit sauberen Kanten zählt.',
   'calibrate.kind.fan': 'Lüfter',
   'calibrate.finds.fan': 'Wie viel Luft der Glanz verträgt.',
   'calibrate.see.fan':

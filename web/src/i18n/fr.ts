@@ -562,16 +562,12 @@ export const fr: Translation = {
   'preset.draft': 'Brouillon',
   'preset.standard': 'Standard',
   'preset.fine': 'Fine',
-  'preset.strict': 'Stricte',
   'preset.fewest-turns': 'Moins de demi-tours',
-  'preset.paper-2023': 'Article 2023',
   'preset.custom': 'Personnalisé',
   'preset.draft.help': 'Rapide, avec un fichier deux fois plus petit.',
   'preset.standard.help': 'Convient à la plupart des plaques.',
   'preset.fine.help': 'Le moins de demi-tours et de cassures ; plus long.',
-  'preset.strict.help': 'Suit les directions avant tout ; écarts et cassures restent tels quels.',
   'preset.fewest-turns.help': 'Les cordons se serrent, s’écartent et quittent le bord là où cela évite des demi-tours.',
-  'preset.paper-2023.help': 'La méthode telle que publiée en 2023, pour comparer.',
 
   'printer.generic': 'Générique',
   'printer.generic-centre': 'Générique, origine au centre',
@@ -1302,10 +1298,6 @@ export const fr: Translation = {
   'calibrate.best.lowest': 'Largeur régulière la plus étroite',
   'calibrate.best.widest': 'Largeur régulière la plus grande',
   'calibrate.best.spacing': 'Écart de {spacing}\u00a0mm, variation {variation}',
-  'calibrate.best.offset':
-    'Cette valeur est celle de l’imprimante, non de la plaque\u00a0: ajoutez-la au décalage Z dans son menu (réglage Z en direct, ou M851).',
-  'calibrate.best.offsetBy':
-    'Cette valeur est celle de l’imprimante, non de la plaque. Cette commande déplace la buse jusqu’au redémarrage\u202f; gardez-la dans la configuration.',
   'calibrate.best.directions':
     'Rien, si les nombres se lisent bien. Choisissez plus haut le filament dont l’image brille comme votre impression, ou mesurez le vôtre.',
   'calibrate.best.swatch': 'Rien\u00a0: gardez la carte avec la bobine.',
@@ -1317,26 +1309,14 @@ export const fr: Translation = {
   'calibrate.finds.coupon': 'Débit, largeur et directions en une impression.',
   'calibrate.see.coupon':
     'Cherchez le disque de la plus petite valeur sans fentes sombres. La règle doit mesurer 30\u00a0mm. Sur une photo, Sillon lit comment brille votre filament.',
-  'calibrate.kind.first-layer': 'Première couche',
-  'calibrate.finds.first-layer': 'À quelle distance du plateau est la buse.',
-  'calibrate.see.first-layer':
-    'Trop bas\u00a0: des crêtes entre les lignes. Trop haut\u00a0: des fentes, et des lignes qui se séparent quand on plie le carré. Le bon carré est lisse des deux côtés.',
   'calibrate.kind.flow': 'Débit',
   'calibrate.finds.flow': 'Combien de matière ferme la surface.',
   'calibrate.see.flow':
     'Trop peu\u00a0: des fentes sombres entre les tours. Trop\u00a0: la surface est rugueuse. Juste\u00a0: deux ailes claires tournent avec la lampe, lisses comme sur un disque. Prenez la plus petite valeur sans fentes.',
-  'calibrate.kind.advance': 'Avance de pression',
-  'calibrate.finds.advance': 'Combien l’extrudeur doit anticiper.',
-  'calibrate.see.advance':
-    'Trop peu\u00a0: des virages épais, puis des jambes fines. Trop\u00a0: des virages fins ou rompus. Dans la bonne rangée, les virages ont partout la même largeur.',
   'calibrate.kind.speed': 'Vitesse',
   'calibrate.finds.speed': 'À quelle vitesse les cordons restent brillants.',
   'calibrate.see.speed':
     'Au-delà d’une vitesse, l’éclat devient mat ou rayé. Prenez la rangée la plus rapide qui ressemble à la plus lente. Si la moitié droite reste plus longtemps régulière, le débit constant convient à votre extrudeur.',
-  'calibrate.kind.temperature': 'Température',
-  'calibrate.finds.temperature': 'À quelle chaleur le filament brille le plus.',
-  'calibrate.see.temperature':
-    'Plus chaud brille plus, jusqu’à ce que des fils pendent aux bords ou que les cordons s’étalent. Prenez la bande la plus brillante aux bords nets.',
   'calibrate.kind.fan': 'Ventilateur',
   'calibrate.finds.fan': 'Combien d’air l’éclat supporte.',
   'calibrate.see.fan':

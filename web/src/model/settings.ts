@@ -278,20 +278,23 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
 }
 
 type Preset = Partial<ToolpathParams>;
-const presets = presetTable.presets as Record<keyof typeof presetTable.presets, Preset>;
+/** The method as published in 2023 is there for comparisons by command line, not as a quality to choose. */
+type Offered = Exclude<keyof typeof presetTable.presets, 'paper-2023'>;
+const presets = Object.fromEntries(
+  Object.entries(presetTable.presets).filter(([name]) => name !== 'paper-2023'),
+) as Record<Offered, Preset>;
 
 /** What any preset changes, as it is without one. The border and the seed are the person's own choice, which only
  * presets that name them change. */
 const neutral: Preset = Object.fromEntries(
-  Object.values(presets)
+  Object.values(presetTable.presets as Record<string, Preset>)
     .flatMap((preset) => Object.keys(preset) as (keyof ToolpathParams)[])
     .filter((key) => !['perimeterMode', 'perimeters', 'seed'].includes(key))
     .map((key) => [key, toolpathDefaults[key]]),
 );
 
 /** Ways to make a plate, from the engine's own table. Measured on the examples: draft halves the points, fine leaves
- * fewer U-turns and next to no kinks for up to twice the time, strict follows the directions best and leaves gaps and
- * kinks as they come. */
+ * fewer U-turns and next to no kinks for up to twice the time. */
 export const qualities = Object.fromEntries(
   Object.entries(presets).map(([name, preset]) => [name, { ...neutral, ...preset }]),
 ) as Record<keyof typeof presets, Preset>;

@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { kinds, answerOf, offsetCommand, spacingBetween, withFound, withWidths } from '../../src/calibrate/model.js';
+import { kinds, answerOf, spacingBetween, withFound, withWidths } from '../../src/calibrate/model.js';
 import { plateFrom, Unfit } from '../../src/model/check-plate.js';
 import { newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { lookOf, slopesOf, viewLook, withFilament, withSpool } from '../../src/model/filaments.js';
@@ -131,14 +131,9 @@ test('what a print has found goes to its setting', () => {
     return answer.kind === 'setting' ? [`${kind} ${answer.setting}`] : [];
   });
   assert.deepEqual(settings, [
-    ...['coupon print.flow', 'flow print.flow', 'advance printer.pressureAdvance', 'speed printer.showSpeed'],
-    ...['temperature printer.nozzleTemperature', 'fan printer.showFan'],
+    ...['coupon print.flow', 'flow print.flow', 'speed printer.showSpeed', 'fan printer.showFan'],
   ]);
   assert.equal(withFound(plate, 'coupon', 0.93, false).print.flow, 0.93);
-  const { pressureAdvance, setPressureAdvance } = withFound(plate, 'advance', 0.06, false).printer;
-  assert.deepEqual([pressureAdvance, setPressureAdvance], [0.06, true]);
-  const hot = withFound(plate, 'temperature', 225, false).printer;
-  assert.deepEqual([hot.nozzleTemperature, hot.firstLayerNozzleTemperature], [225, 230]);
   const fast = withFound(plate, 'speed', 30, true);
   assert.deepEqual([fast.printer.showSpeed, fast.print.constantFlow], [30, true]);
   assert.equal(withFound(plate, 'fan', 500, false), plate); // no control could have set it
@@ -148,10 +143,4 @@ test('two widths give a spacing between them and how far beads may depart from i
   assert.deepEqual(spacingBetween(0.32, 0.5), { spacing: 0.4, variation: 0.22 }); // as the guide says
   const { spacing, spacingVariation } = withWidths(newPlate(), 0.32, 0.5).toolpath;
   assert.deepEqual([spacing, spacingVariation], [0.4, 0.22]);
-});
-
-test('an offset becomes the command of the firmware, where there is one', () => {
-  assert.equal(offsetCommand('klipper', -0.02), 'SET_GCODE_OFFSET Z_ADJUST=-0.02 MOVE=1');
-  assert.equal(offsetCommand('reprap', 0.04), 'M290 S0.04');
-  assert.equal(offsetCommand('marlin', 0.04), '');
 });

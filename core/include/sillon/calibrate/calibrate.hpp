@@ -14,19 +14,16 @@
 namespace sillon {
 
 enum class CalibrationKind {
-  FirstLayer,   ///< squares, the nozzle higher and lower
-  Flow,         ///< discs
-  Advance,      ///< combs of U-turns
-  Speed,        ///< rows, at one speed and at one flow
-  Temperature,  ///< strips
-  Fan,          ///< strips
-  Width,        ///< a wedge of beads from 0.6 to 1.6 nozzle
-  Directions,   ///< a star of 24 sectors in a dial
-  Swatch,       ///< a card with the filament's name and settings
-  Coupon,       ///< star, flow, width, ruler and corner marks in one
+  Flow,        ///< discs
+  Speed,       ///< rows, at one speed and at one flow
+  Fan,         ///< strips
+  Width,       ///< a wedge of beads from 0.6 to 1.6 nozzle
+  Directions,  ///< a star of 24 sectors in a dial
+  Swatch,      ///< a card with the filament's name and settings
+  Coupon,      ///< star, flow, width, ruler and corner marks in one
 };
 
-/// "first-layer", "flow", ...: as the command line calls them, in the order of CalibrationKind.
+/// "flow", "speed", ...: as the command line calls them, in the order of CalibrationKind.
 const std::vector<std::string>& calibrationKinds();
 
 struct CalibrationRequest {
@@ -48,7 +45,7 @@ struct CalibrationValue {
 struct CalibrationPlate {
   CalibrationKind kind = CalibrationKind::Coupon;
   std::string setting;  ///< what to type back: "print.flow"; of several, separated by ", "
-  std::string unit;     ///< of the values: "mm", "s", "mm/s", "degrees Celsius", "%" or empty
+  std::string unit;     ///< of the values: "mm", "mm/s", "degrees", "%" or empty
   std::string advice;   ///< one sentence: which of the values is right
   std::vector<CalibrationValue> values;
   PatchPlate patches;  ///< without patches where `toolpath` has cycles

@@ -1,5 +1,4 @@
-// Test pieces to G-code: open beads in patches, each printed with a flow, speed, heat, fan or pressure advance of its
-// own.
+// Test pieces to G-code: open beads in patches, each printed with a flow, speed or fan of its own.
 #pragma once
 
 #include <vector>
@@ -27,10 +26,7 @@ struct Patch {
   double speed = 0;           ///< [mm/s], 0..1000, never lowered for minLayerTime; 0: as oriented layers
   bool constantFlow = false;  ///< speed * spacing / width, at most 1.5 speed, as PrintParams::constantFlow
   double spacing = 0;         ///< of constantFlow [mm], > 0 there
-  double lift = 0;            ///< moves the nozzle up, and adds no plastic [mm], -0.1..0.1
-  double temperature = 0;     ///< of the nozzle, which waits for it beside the plate [degrees Celsius]; 0: the layer's
   double fan = -1;            ///< [%], 0..100; below 0: the layer's
-  double advance = -1;        ///< pressure advance [s], 0..2; below 0: as it is
 };
 
 /// A plate of patches, all within its shape.

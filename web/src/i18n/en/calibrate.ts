@@ -23,10 +23,6 @@ export const words = {
   'calibrate.best.lowest': 'Narrowest even width',
   'calibrate.best.widest': 'Widest even width',
   'calibrate.best.spacing': 'Spacing {spacing} mm, variation {variation}',
-  'calibrate.best.offset':
-    'This value belongs to your printer, not to the plate: add it to the Z offset in its menu (live adjust Z, or M851).',
-  'calibrate.best.offsetBy':
-    'This value belongs to your printer, not to the plate. This command moves the nozzle until the printer restarts; keep it in your configuration.',
   'calibrate.best.directions':
     'Nothing, if the numbers read correctly. Choose the filament above whose picture shines like your print, or measure yours.',
   'calibrate.best.swatch': 'Nothing: keep the card with the spool.',
@@ -39,26 +35,14 @@ export const words = {
   'calibrate.finds.coupon': 'Flow, width and directions in one print.',
   'calibrate.see.coupon':
     'Find the lowest disc without dark gaps. The ruler must measure 30 mm. Photograph it, and Sillon reads from it how your filament shines.',
-  'calibrate.kind.first-layer': 'First layer',
-  'calibrate.finds.first-layer': 'How far the nozzle is from the bed.',
-  'calibrate.see.first-layer':
-    'Too low: ridges rise between the lines. Too high: gaps, and lines that separate when you bend the square. The right square is smooth on both sides.',
   'calibrate.kind.flow': 'Flow',
   'calibrate.finds.flow': 'How much plastic closes the surface.',
   'calibrate.see.flow':
     'Too little: dark gaps between the turns. Too much: the surface feels rough. Right: two bright wings turn with the lamp, smooth as on a record. Take the lowest value without gaps.',
-  'calibrate.kind.advance': 'Pressure advance',
-  'calibrate.finds.advance': 'How early the extruder must push.',
-  'calibrate.see.advance':
-    'Too little: thick turns with thin legs after them. Too much: thin or torn turns. The right row has turns of one width throughout.',
   'calibrate.kind.speed': 'Speed',
   'calibrate.finds.speed': 'How fast beads stay glossy.',
   'calibrate.see.speed':
     'Above some speed the gloss turns dull or streaky. Take the fastest row that looks like the slowest. If the right half stays even for longer, constant flow suits your extruder.',
-  'calibrate.kind.temperature': 'Temperature',
-  'calibrate.finds.temperature': 'At which heat the filament is glossiest.',
-  'calibrate.see.temperature':
-    'Hotter is glossier, until threads hang from the edges or beads flow flat. Take the glossiest strip with clean edges.',
   'calibrate.kind.fan': 'Fan',
   'calibrate.finds.fan': 'How much air the gloss can take.',
   'calibrate.see.fan':

@@ -323,17 +323,13 @@ export const words = {
   'preset.draft': 'Draft',
   'preset.standard': 'Standard',
   'preset.fine': 'Fine',
-  'preset.strict': 'Strict',
   'preset.fewest-turns': 'Fewest turns',
-  'preset.paper-2023': 'Paper 2023',
   'preset.custom': 'Custom',
   'preset.draft.help': 'Fast, and half the file size.',
   'preset.standard.help': 'Right for most plates.',
   'preset.fine.help': 'Fewest U-turns and kinks; takes longer.',
-  'preset.strict.help': 'Follows the directions above all; gaps and kinks are not evened out.',
   'preset.fewest-turns.help':
     'Spacing and directions may vary, and beads may leave the border, where that saves U-turns.',
-  'preset.paper-2023.help': 'The method as published in 2023, for comparison.',
 
   'printer.generic': 'Generic',
   'printer.generic-centre': 'Generic, origin in the centre',
