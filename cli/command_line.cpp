@@ -12,6 +12,7 @@
 #include "help.hpp"
 #include "run.hpp"
 #include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 #include "terminal.hpp"
 
 namespace cli {
@@ -28,35 +29,10 @@ struct Added {
   Action action;
 };
 
-/// Letters that must be put in, left out, replaced or swapped with the next one.
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  }
-  return d[a.size()][b.size()];
-}
-
 /// "; did you mean check?", or nothing where no name is near.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& names) {
-  const std::string* nearest = nullptr;
-  std::size_t least = std::min<std::size_t>(3, word.size() / 2 + 1);
-  for (const std::string& name : names) {
-    const bool begun = word.size() > 2 && name.rfind(word, 0) == 0;
-    const std::size_t distance = begun ? 0 : editDistance(word, name);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = &name;
-  }
-  return nearest == nullptr ? "" : "; did you mean " + *nearest + "?";
+  const std::vector<std::string> near = sillon::nearNames(word, names);
+  return near.empty() ? "" : "; did you mean " + near.front() + "?";
 }
 
 std::vector<std::string> commandNames() {

@@ -6,7 +6,7 @@ namespace cli {
 const std::vector<const Command*>& commands() {
   static const std::vector<const Command*> all{
       &generateCommand, &rebrushCommand,  &zonesCommand,     &calibrateCommand, &checkCommand,    &importCommand,
-      &shapeCommand,    &printersCommand, &filamentsCommand, &spoolsCommand,    &settingsCommand,
+      &shapeCommand,    &printersCommand, &filamentsCommand, &spoolsCommand,    &settingsCommand, &wordsCommand,
   };
   return all;
 }

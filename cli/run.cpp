@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "memory.hpp"
+#include "sillon/base/result.hpp"
 #include "threads.hpp"
 
 namespace cli {
@@ -81,7 +82,9 @@ int commit(const sillon::Result<Outcome>& made, const Run& run) {
 
 int endWithoutMemory() {
   // Without a string, which would take memory.
-  std::fputs("sillon: out of memory; use a larger spacing or a smaller size\n", stderr);
+  for (const auto& [code, text, unsaid] : sillon::errorHints()) {
+    if (std::strcmp(code, "OutOfMemory") == 0) std::fprintf(stderr, "sillon: out of memory; %s\n", text);
+  }
   return 2;
 }
 

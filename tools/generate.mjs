@@ -1,5 +1,6 @@
 // Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
-// the studio's defaults and ranges), from the appearance model (its constants and spools for the studio's views, and light
+// the studio's defaults and ranges), from the core's sentences (the studio's English of settings, warnings, notes, findings
+// and refusals, and the hints of errors in wasm/src/hints.ts), from the appearance model (its constants and spools for the studio's views, and light
 // to test these by) and from the includes of core (which room includes which, in docs/internals/rooms.md).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
@@ -152,11 +153,55 @@ const studioSection = (section) => `  ${section}: {\n${studioRows(section, '    
 
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
-${['toolpath', 'print', 'printer'].map(studioSection).join('\n')}
+${sectionsOfStudio.map(studioSection).join('\n')}
 } as const;
 
 export const pictureTable = {
 ${studioRows('pictures', '  ')}
+} as const;
+`;
+
+// --- web/src/i18n/en/core, wasm/src/hints.ts ---------------------------------------------------------------------------------
+
+const words = JSON.parse(execFileSync(program, ['words', '--json'], { encoding: 'utf8' }));
+const sectionsOfStudio = ['toolpath', 'print', 'printer'];
+const settingsOfStudio = settings.filter(
+  (setting) => sectionsOfStudio.includes(setting.section) && isOfStudio(setting),
+);
+const labels = new Map(settings.map(({ section, key, label }) => [`${section}.${key}`, typeset(label)]));
+
+const sentence = (text) => text[0].toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.');
+
+/** As a page prints it: settings by their labels, units and quotes as in books. */
+const printed = (text) =>
+  typeset(text)
+    .replace(/\b[a-z]+\.[a-z][A-Za-z]+\b/g, (name) => (labels.has(name) ? `“${labels.get(name)}”` : name))
+    .replace(/"([^"]*)"/g, '“$1”')
+    .replace(/(\}) degrees/g, '$1 °C')
+    .replace(/ %/g, '%')
+    .replace(/ um\b/g, ' µm')
+    .replace(/\b(k?mm|s)([23])\b/g, (_, unit, power) => unit + { 2: '²', 3: '³' }[power]);
+
+/** What null does has a label of its own there. */
+const helpOf = ({ help }) => sentence(printed(help.replace(/; null [^;]*/, '')));
+
+const wordsFile = (rows) => `// Made by tools/generate.mjs from the core's words: ./dev generate.
+export const words = {
+${rows.map(([id, text]) => `  ${JSON.stringify(id).replaceAll('"', "'")}: ${JSON.stringify(text)},`).join('\n')}
+} as const;
+`;
+
+const sentencesFile = (kind, prefix, write = (text) => sentence(printed(text))) =>
+  wordsFile(Object.entries(words[kind]).map(([code, text]) => [prefix + code, write(text)]));
+
+/** Beside whole sentences of the studio: without a full stop. */
+const phrase = (text) => sentence(printed(text)).replace(/\.$/, '');
+
+const hints = () => `// Made by tools/generate.mjs from the core's words: ./dev generate.
+export const coreHints = {
+${Object.entries(words.hints)
+  .map(([code, text]) => `  ${code}: ${JSON.stringify(sentence(text))},`)
+  .join('\n')}
 } as const;
 `;
 
@@ -212,6 +257,19 @@ const made = {
   'docs/pictures/rooms.svg': () => drawRooms(root),
   'wasm/sillon.d.ts': types,
   'web/src/model/setting-table.ts': settingTable,
+  'web/src/i18n/en/core/settings.ts': () =>
+    wordsFile(
+      settingsOfStudio.map(({ section, key }) => [`setting.${section}.${key}`, labels.get(`${section}.${key}`)]),
+    ),
+  'web/src/i18n/en/core/setting-help.ts': () =>
+    wordsFile(settingsOfStudio.map((setting) => [`help.${setting.section}.${setting.key}`, helpOf(setting)])),
+  'web/src/i18n/en/core/warnings.ts': () => sentencesFile('warnings', 'warning.'),
+  'web/src/i18n/en/core/import-notes.ts': () => sentencesFile('importNotes', 'note.'),
+  'web/src/i18n/en/core/findings.ts': () => sentencesFile('findings', 'finding.'),
+  'web/src/i18n/en/core/reasons.ts': () => sentencesFile('reasons', 'reason.'),
+  'web/src/i18n/en/core/faces.ts': () => sentencesFile('surfaces', 'rebrush.left.', phrase),
+  'web/src/i18n/en/core/hints.ts': () => sentencesFile('hints', 'hint.'),
+  'wasm/src/hints.ts': hints,
   'web/src/model/appearance.ts': appearance,
   'web/test/light.json': light,
 };

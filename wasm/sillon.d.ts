@@ -226,7 +226,7 @@ export interface Calibration {
   summary: GcodeSummary;
   /** Of the same file, read back. */
   check: GcodeCheck;
-  /** What to type back: names of settings, or words where it is none of ours. */
+  /** Value to enter: names of settings, or words where it is none of ours. */
   setting: string[];
   /** Of the values: 'mm', 's', 'mm/s', 'degrees Celsius', '%', 'degrees' or ''. */
   unit: string;
@@ -502,7 +502,7 @@ export interface ToolpathParams {
   spacing: number;
   /** Whether beads end at the border, follow it where the directions allow, or are enclosed by a number of perimeters. Default "count". */
   perimeterMode: 'none' | 'soft' | 'count';
-  /** Number of beads that follow the border in mode "count". 0..100, default 1. */
+  /** Number of beads along the border, where the border mode encloses the others. 0..100, default 1. */
   perimeters: number;
   /** Joins solids closer than this into one path; null uses one spacing. 0..100 mm, default null. */
   bridge: number | null;
@@ -516,13 +516,13 @@ export interface ToolpathParams {
   phaseTransport: 'midpoint' | 'neighbour';
   /** Smoothing sweeps on each level of the hierarchy; more sweeps take longer. 1..1000, default 8. */
   sweepsPerLevel: number;
-  /** Spacing may vary by a factor of up to e^this to save U-turns; 0 keeps it constant. 0..0.5, default 0.3. */
+  /** How much closer or wider than the spacing beads may lie to save U-turns, by a factor of up to e^this; 0 keeps them evenly spaced. 0..0.5, default 0.3. */
   spacingVariation: number;
   /** Beads may deviate from the directions by up to this angle to save U-turns; takes about twice as long. 0..30 °, default 0. */
   directionTolerance: number;
   /** Radius over which the cells’ waves are averaged: three standard deviations of a Gaussian; 0.5 in 2023. 0.45..1.5 τ, default 1. */
   kernelRadius: number;
-  /** In mode "soft", the weight of the border’s wave relative to a neighbour’s. 0..100, default 1. */
+  /** How strongly beads follow the border where the border mode leaves the choice to them, relative to a neighbour. 0..100, default 1. */
   borderWeight: number;
   /** Cost of misaligned length where two curves are joined. 0..10, default 1.1. */
   stitchAlignment: number;
@@ -555,9 +555,9 @@ export interface Printer extends PrinterValues {
 export interface PrinterValues {
   /** Printer name, written into the G-code. Default "Generic". */
   name: string;
-  /** Firmware dialect of the G-code; "prusa" is for Prusa’s Buddy boards; "bambu" needs your own start block. Default "marlin". */
+  /** Firmware dialect of the G-code; Prusa is for Prusa’s Buddy boards; Bambu needs your own start block. Default "marlin". */
   flavor: 'marlin' | 'klipper' | 'reprap' | 'prusa' | 'bambu';
-  /** Lower left corner of the bed: [0, 0] on most printers, negative where the origin is at the centre. -5000..5000 mm, default [0,0]. */
+  /** Lower left corner of the bed: 0, 0 on most printers, negative where the origin is at the centre. -5000..5000 mm, default [0,0]. */
   bedMin: [number, number];
   /** Upper right corner of the bed, at least 10 mm to the right of and above the lower left one. -5000..5000 mm, default [220,220]. */
   bedMax: [number, number];
@@ -587,11 +587,11 @@ export interface PrinterValues {
   maxBedTemperature: number;
   /** For experts: allows nozzle temperatures of 0 to 500 °C and bed temperatures of up to 200, whatever the limits are. Default false. */
   anyTemperature: boolean;
-  /** Nozzle temperature; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 215. */
+  /** Nozzle temperature, as on the filament’s label; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 215. */
   nozzleTemperature: number;
   /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 220. */
   firstLayerNozzleTemperature: number;
-  /** Bed temperature; at most the printer’s limit unless any temperature is allowed. 0..200 °C, default 60. */
+  /** Bed temperature, as on the filament’s label; at most the printer’s limit unless any temperature is allowed. 0..200 °C, default 60. */
   bedTemperature: number;
   /** Printing speed; slow and constant gives the cleanest reflection. 5..1000 mm/s, default 50. */
   speed: number;
@@ -669,7 +669,7 @@ export interface PrintParams {
   brim: number;
   /** Inset of the first base layer, to compensate for its being squeezed wider. 0..0.5 mm, default 0.1. */
   elephantFoot: number;
-  /** Prints oriented beads at speed × spacing / width, at most 1.5 times the speed, except on the first layer. Default false. */
+  /** Prints wide oriented beads slower and narrow ones faster (speed × spacing / width, at most 1.5 times the speed), so that the plastic flows evenly; not on the first layer. Default false. */
   constantFlow: boolean;
   /** Length before the end of a path that is travelled without extruding. 0..1 mm, default 0. */
   coast: number;
@@ -681,7 +681,7 @@ export interface PrintParams {
   copyGap: number;
   /** Layer height, at most 0.8 of the nozzle diameter. 0.05..1.6 mm, default 0.2. */
   layerHeight: number;
-  /** Prints on top of an object of this height that stands on the bed; at most the build height. 0..5000 mm, default 0. */
+  /** Prints on top of an object of this height that stands on the bed, which the printer must not touch as it homes; at most the build height. 0..5000 mm, default 0. */
   startHeight: number;
   /** First layer height, at least 0.05 mm and at most 0.8 of the nozzle diameter; 0 uses the layer height. 0..1.6 mm, default 0. */
   firstLayerHeight: number;
@@ -689,7 +689,7 @@ export interface PrintParams {
   flow: number;
   /** Extrusion multiplier of the base layers; 1 fills them. 0.01..2, default 1. */
   baseFlow: number;
-  /** Extrusion multiplier of an oriented layer printed on the bed. 0.01..2, default 1. */
+  /** Extrusion multiplier of an oriented layer printed on the bed; less than 1 leaves fine gaps there. 0.01..2, default 1. */
   bedFlow: number;
   /** Rotation of the plate on the bed, counter-clockwise. -360..360 °, default 0. */
   rotate: number;

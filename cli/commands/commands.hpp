@@ -16,5 +16,6 @@ extern const Command printersCommand;
 extern const Command filamentsCommand;
 extern const Command spoolsCommand;
 extern const Command settingsCommand;
+extern const Command wordsCommand;
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-#include "base/words.hpp"
+#include "sillon/base/words.hpp"
 
 #include <doctest/doctest.h>
 

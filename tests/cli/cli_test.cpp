@@ -24,6 +24,7 @@
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/report/warning.hpp"
 #include "support/about.hpp"
 #include "support/coupon_photo.hpp"
 #include "support/report_keys.hpp"
@@ -208,7 +209,7 @@ TEST_CASE("help of every command is short, complete on demand, and fits the line
       CHECK((lower || std::islower(static_cast<unsigned char>(row[at + 1])) == 0));
     }
   }
-  CHECK(commands >= 11);
+  CHECK(commands >= 12);
 }
 
 TEST_CASE("a word that is near a command or an option is answered with it") {
@@ -246,6 +247,24 @@ TEST_CASE("the table of settings is listed as text and as JSON") {
   const Json json = Json::parse(folder.run("settings --json").out, nullptr, false);
   REQUIRE(json.is_object());
   CHECK(json["settings"].size() > 80);
+}
+
+TEST_CASE("the sentences of warnings, notes, findings and refusals are listed by their codes") {
+  const Folder folder;
+  CHECK(has(folder.run("words").out, "\n  SkirtLeftOut: the skirt does not fit the bed"));
+  const Json kinds = Json::parse(folder.run("words --json").out, nullptr, false);
+  REQUIRE(kinds.size() == 7);
+  CHECK(kinds["warnings"].size() == static_cast<std::size_t>(sillon::WarningCode::WidthHeld) + 1);
+  CHECK(kinds["findings"]["too-hot"] == "hotter than {limit} degrees: {degrees}");
+  for (const auto& [kind, sentences] : kinds.items()) {
+    for (const auto& [code, text] : sentences.items()) {
+      CAPTURE(code);
+      const std::string sentence = text;
+      CHECK((!code.empty() && !sentence.empty() && sentence.back() != '.'));
+      const auto plain = [](char c) { return c >= ' ' && c <= '~'; };
+      CHECK(std::all_of(sentence.begin(), sentence.end(), plain));
+    }
+  }
 }
 
 TEST_CASE("spools are listed with what they show under lamps") {
@@ -942,7 +961,7 @@ TEST_CASE("what a start block leaves behind is told once, by its place in the bl
     "print": {"layers": 1, "base": 0}, "printer": {"startGcode": "G28\nM190 S60\nM109 S210\nM211 S0"}})");
   const Run run = folder.run("generate mine.json --gcode out.gcode");
   REQUIRE(run.code == 0);
-  CHECK(has(run.out, "line 4 of startGcode: M211 outlives the print"));
+  CHECK(has(run.out, "line 4 of the start G-code: M211 outlives the print"));
   CHECK(run.out.find("outlives") == run.out.rfind("outlives"));
 }
 
@@ -1236,7 +1255,7 @@ TEST_CASE("what a drawing shows is printed; what of it is cut off or not painted
   CHECK(has(folder.run("generate --shape none.svg" + coarse).out, "\nwarning    nothing in the drawing is painted"));
   folder.write("css.svg", head + R"_(<rect width="10" height="10" style="filter:grayscale()"/></svg>)_");
   CHECK(has(folder.run("generate --shape css.svg --report r.json" + coarse).out,
-            "\nwarning    not read of the drawing: <filter>; compare"));
+            "\nwarning    these parts of the drawing are not read: <filter>; compare"));
   CHECK(has(readAll(folder.at("r.json")), R"("code":"DrawingUnread","values":{"what":"<filter>"})"));
   CHECK(has(folder.run("generate --shape line.svg" + coarse).out, "\nnote       nothing in the drawing is filled"));
   CHECK_FALSE(has(folder.run("generate --shape line.svg --paint ignore" + coarse).out, "nothing in the drawing"));
@@ -1262,7 +1281,7 @@ TEST_CASE("what is narrower than a bead is said, with the size at which it would
     <rect x="14" y="4" width=".5" height="10"/></svg>)");
   const Run run = folder.run("generate --shape bar.svg --spacing 1 --nozzle 0.8 --report r.json");
   CHECK(has(run.out,
-            "mm2 are narrower than a bead and stay empty, in places: 1; 100 % of that would print at a page width"));
+            "mm2 are narrower than a bead and stay empty (places: 1); 100 % of that would print at a page width"));
   const std::string report = readAll(folder.at("r.json"));
   CHECK(has(report, R"("code":"DetailLost","values":{"area":)"));
   const std::size_t at = report.find(R"("lostPlaces": [[14.)");
@@ -1303,7 +1322,7 @@ TEST_CASE("solids that only a hairline joins are printed apart, and the place is
     <path d="M1 8h6v6h-6zM17 8h6v6h-6zM10 3h4v17h-4zM3.95 8V.95h16.1V8h-.1V1.05H4.05V8z"/></svg>)");
   const Run run = folder.run("generate --shape apart.svg --spacing 0.4 --nozzle 0.4 --report r.json");
   CHECK(has(run.out,
-            "warning    toolpaths that lie apart from the rest of their part: 1, round x 20, y 9 mm; what joins "
+            "warning    toolpaths that lie apart from the rest of their part: 1, around X 20, Y 9 mm; what joins "
             "them is too thin for a bead"));
   const Json report = Json::parse(readAll(folder.at("r.json")));
   CHECK(report["parts"] == 2);

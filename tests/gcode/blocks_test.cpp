@@ -95,7 +95,7 @@ TEST_CASE("a start block that purges where the plate will lie is pointed out") {
     job.printer.startGcode = "G28\nM190 S60\nM109 S[first_layer_temperature]\nM83\nG1 Z0.3 F600\n" + block;
     const Written written = job.write();
     REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
-    return contains(written.result.value().warnings, "of startGcode: lays a bead where the plate will lie");
+    return contains(written.result.value().warnings, "of the start G-code: lays a bead where the plate will lie");
   };
   // The plate lies about the middle of the bed, from 95 and 100 mm on.
   CHECK(warned("G1 X80 Y110 F3000\nG1 X140 E4 F900"));
@@ -115,17 +115,17 @@ TEST_CASE("an end block that comes down on the plate is refused, one that homes 
     return job.write().result;
   };
   const std::string top = "over the plate, which is 0.6 mm high; it must rise or go aside";
-  CHECK(end("G1 Z0.2 F600").error().message == "line 3 of endGcode: goes down to Z 0.2 " + top);
-  CHECK(end("G91\nG1 Z-20 F600").error().message.find("line 4 of endGcode: goes down to Z -") == 0);
+  CHECK(end("G1 Z0.2 F600").error().message == "line 3 of the end G-code: goes down to Z 0.2 " + top);
+  CHECK(end("G91\nG1 Z-20 F600").error().message.find("line 4 of the end G-code: goes down to Z -") == 0);
   CHECK(end("G1 X112 Y110 Z0.5 F600").error().message.find(top) != std::string::npos);
   CHECK(end("G1 X1 Y1 F3000\nG1 Z0.2 F600"));             // beside it
   CHECK_FALSE(end("G1 X94.5 Y110 F3000\nG1 Z0.2 F600"));  // its plate begins at 95, and a nozzle is wide
   CHECK(end("G1 Z0.6 F600\nG1 X1 F3000"));                // as high
-  const char* homes = "line 3 of endGcode: homes Z, for which most printers come down on the plate";
+  const char* homes = "line 3 of the end G-code: homes Z, for which most printers come down on the plate";
   for (const char* block : {"G28", "G28 Z", "g28 z0", "G28 W"}) CHECK(contains(end(block).value().warnings, homes));
   for (const char* block : {"G28 X", "G28 X0 Y0", "G28 XY"}) CHECK(!contains(end(block).value().warnings, homes));
   CHECK(end("G28\nG1 X110 Y110 F3000"));  // how high it stands is not told
-  const char* probes = "line 3 of endGcode: probes the bed, for which printers come down on the plate";
+  const char* probes = "line 3 of the end G-code: probes the bed, for which printers come down on the plate";
   for (const char* block : {"G29", "G30", "G34", "quad_gantry_level", "BED_MESH_CALIBRATE PROFILE=a"}) {
     CAPTURE(block);
     CHECK(contains(end(block).value().warnings, probes));
@@ -181,8 +181,8 @@ TEST_CASE("a start block that leaves the origin elsewhere is refused: beads woul
     return written.result ? "" : written.result.error().message;
   };
   const auto leaves = [](int line, const char* mm) {
-    return "line " + std::to_string(line) + " of startGcode: G92 leaves the origin of an axis " + mm +
-           " mm off; the print would be laid there";
+    return "line " + std::to_string(line) + " of the start G-code: G92 leaves the origin of an axis " + mm +
+           " mm off; the print would be shifted by that";
   };
   CHECK(refusal("G92 Z5\n") == leaves(4, "-5"));
   CHECK(refusal("G1 Z5 F600\nG92 Z0\n") == leaves(5, "5"));
@@ -211,7 +211,7 @@ TEST_CASE("what the start block heats beside the printing nozzle is switched off
   for (const GcodeFinding& finding : checkGcode(own.text, job.printer).findings) CHECK(finding.rule != "end");
   const auto warns = [&](const std::string& end) {
     job.printer.endGcode = end;
-    return contains(job.write().result.value().warnings, "hot");
+    return contains(job.write().result.value().warnings, "leaves a heater on");
   };
   CHECK(warns("M104 S0\nM140 S0\nM141 S0\n"));
   CHECK(warns("M104 S0\nM104 T2 S0\nM140 S0\n"));
@@ -298,10 +298,11 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
   message.printer.startGcode = "G28\nM190 S60\nM109 S220\nM117 a\\nb";
   CHECK(message.write().result);
   CHECK(refusal("M190 S60\nM109 S220") == "startGcode does not home; it must have G28 or a start macro");
-  CHECK(refusal("G28\nM190 S60\nM109 S220\nG1 X300 F3000").find("line 4 of startGcode: a move over the bed's edge") ==
+  CHECK(refusal("G28\nM190 S60\nM109 S220\nG1 X300 F3000")
+            .find("line 4 of the start G-code: a move over the bed's edge") == 0);
+  CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of the start G-code: moves before it homes") ==
         0);
-  CHECK(refusal("G1 X10 F3000\nG28\nM190 S60\nM109 S220").find("line 1 of startGcode: moves before it homes") == 0);
-  CHECK(refusal("G28\nG1 X10 E5 F600").find("line 2 of startGcode: extrudes before it has waited") == 0);
+  CHECK(refusal("G28\nG1 X10 E5 F600").find("line 2 of the start G-code: extrudes before it has waited") == 0);
   Job far = job;
   far.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 X300 F3000";
   CHECK(toldReason(far.write().result.error()).find("StartLine line=4 what=a move over the bed's edge") == 0);
@@ -312,19 +313,20 @@ TEST_CASE("the user's blocks replace ours, and modes and temperatures are restat
     CHECK(written.text.empty());
     return written.result ? "" : written.result.error().message;
   };
-  CHECK(endRefusal("M104 S0\nG1 X300 F3000").find("line 2 of endGcode: a move over the bed's edge at (300, ") == 0);
-  CHECK(endRefusal("G1 X1,5").find("line 1 of endGcode: no plain number: \"X1,5\"") == 0);
+  CHECK(endRefusal("M104 S0\nG1 X300 F3000").find("line 2 of the end G-code: a move over the bed's edge at (300, ") ==
+        0);
+  CHECK(endRefusal("G1 X1,5").find("line 1 of the end G-code: no plain number: \"X1,5\"") == 0);
   Job own = job;
   own.printer.endGcode = "G91\nG1 E-2 X5 Y-5 F3000\nG1 Z5\nG90\nG1 X0\nM500";
   const std::vector<Warning> warnings = own.write().result.value().warnings;
-  CHECK(contains(warnings, "line 6 of endGcode: M500 outlives the print"));
-  CHECK(contains(warnings, "endGcode leaves a nozzle, the bed or the chamber hot"));
+  CHECK(contains(warnings, "line 6 of the end G-code: M500 outlives the print"));
+  CHECK(contains(warnings, "the end G-code leaves a heater on"));
   CHECK(warnings.size() == 2);
   own.printer.endGcode = "PRINT_END";
   CHECK(own.write().result.value().warnings.empty());
   own.printer.startGcode = "G28\nM190 S60\nM109 S220\nG92 X10\nM500";
-  CHECK(contains(own.write().result.value().warnings, "line 4 of startGcode: G92 moves the origin"));
-  CHECK(contains(own.write().result.value().warnings, "line 5 of startGcode: M500 outlives the print"));
+  CHECK(contains(own.write().result.value().warnings, "line 4 of the start G-code: G92 moves the origin"));
+  CHECK(contains(own.write().result.value().warnings, "line 5 of the start G-code: M500 outlives the print"));
   Job wipe = job;
   wipe.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 Z5 F600\nG1 Y-3 F3000";
   CHECK_FALSE(contains(wipe.write().result.value().warnings, "line 5 of startGcode"));  // 10 mm are for makers
@@ -435,7 +437,7 @@ TEST_CASE("every start waits for heat above and aside, fills the nozzle off the 
       } else {
         CHECK(start.purged == 0);
       }
-      CHECK(contains(written.result.value().warnings, "startGcode sets the flow to 95 %") == (block == donor));
+      CHECK(contains(written.result.value().warnings, "the start G-code sets the flow to 95 %") == (block == donor));
     }
   }
 }

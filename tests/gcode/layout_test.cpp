@@ -159,7 +159,7 @@ TEST_CASE("copies are printed one after the other, and travels pass above those 
   CHECK(job.write().result.error().message.find("the plates of 252.0 x 20.0 mm reach over the edge of the bed") == 0);
   job.params.copies = {2, 1};
   job.params.base = 20;
-  CHECK(job.write().result.error().message.find("the plates are 4.2 mm high; several on one bed") == 0);
+  CHECK(job.write().result.error().message.find("these plates are 4.2 mm high; several on one bed") == 0);
   CHECK(toldReason(job.write().result.error()) == "CopiesTooHigh height=4.2 most=3");
   job.params.copies = {1.5, 1};
   CHECK(job.write().result.error().message.find("print.copies is [1.5, 1]; it must be two whole numbers") == 0);
@@ -181,7 +181,7 @@ TEST_CASE("a round bed holds what lies within its circle and nothing else") {
   const Error error = job.write().result.error();
   CHECK(error.code == ErrorCode::DoesNotFit);
   CHECK(error.message ==
-        "the plate of 30.0 x 40.0 mm reaches over the edge of the round bed by 0.303 mm; it fits when it "
+        "the plate lies 0.303 mm over the edge of the round bed; it fits when it "
         "is centred");
 
   CHECK(toldReason(error) == "OverRoundBed by=0.3032");

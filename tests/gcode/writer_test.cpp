@@ -238,8 +238,8 @@ TEST_CASE("acceleration is held at the machine's, with a warning") {
   job.printer.machineAcceleration = 4000;
   const Written written = job.write();
   checkFile(job, written);
-  CHECK(
-      contains(written.result.value().warnings, "acceleration is 9000 mm/s2; it is held at machineAcceleration, 4000"));
+  CHECK(contains(written.result.value().warnings,
+                 "acceleration is 9000 mm/s2; it is held at printer.machineAcceleration, 4000"));
   CHECK(written.text.find("M204 P9000") == std::string::npos);
   job.printer.acceleration = 4000;
   CHECK(job.write().text == written.text);
@@ -400,7 +400,7 @@ TEST_CASE("above a print all layers are ordinary ones, and nothing moves below i
   CHECK(valueOf(text, "; total layers count = ") == "3");
   CHECK(valueOf(text, "; start height = ") ==
         "5.05 mm, of a print on the bed that homing and probing (G28, G29) must not touch");
-  CHECK(contains(written.result.value().warnings, "a print of 5.05 mm stands on the bed while the start block homes"));
+  CHECK(contains(written.result.value().warnings, "a print of 5.05 mm stands on the bed while the printer homes"));
   CHECK(contains(written.result.value().warnings, "the nozzle is not primed"));
 
   // The same layers as on the bed, but for its height, and but for what only the bed has.
@@ -464,7 +464,7 @@ TEST_CASE("copies above a print: their own layers must be low, and travels pass 
   };
   CHECK(starts(readGcode(text)) == starts(readGcode(below.write().text)));
   job.params.base = 20;
-  CHECK(job.write().result.error().message.find("the plates are 4.2 mm high; several on one bed") == 0);
+  CHECK(job.write().result.error().message.find("these plates are 4.2 mm high; several on one bed") == 0);
 }
 
 // ---- the stack
@@ -577,7 +577,8 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"startHeight is -1 mm; it must be 0 to 5000", [](Job& j) { j.params.startHeight = -1; }},
       {"startHeight is 201 mm", [](Job& j) { j.params.startHeight = 201; }},
       {"startHeight is not a number", [](Job& j) { j.params.startHeight = kNan; }},
-      {"the job is 200.6 mm high with the lift", [](Job& j) { j.params.startHeight = 199.6; }, ErrorCode::DoesNotFit},
+      {"with the lift of the nozzle the print is 200.6 mm high", [](Job& j) { j.params.startHeight = 199.6; },
+       ErrorCode::DoesNotFit},
       {"startHeight is 5 mm; it must be 0 where showSide is not up",
        [](Job& j) {
          j.params.startHeight = 5;
@@ -601,7 +602,7 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"layers is 1001", [](Job& j) { j.params.layers = 1001; }},
       {"base is -1", [](Job& j) { j.params.base = -1; }},
       {"skirt is 21", [](Job& j) { j.params.skirt = 21; }},
-      {"high with the lift",
+      {"with the lift of the nozzle the print is",
        [](Job& j) {
          j.params.layers = 1000;
          j.printer.maxZ = 100;
@@ -618,7 +619,7 @@ TEST_CASE("bad input is refused by name before a byte is written") {
          j.printer.bedTemperature = 201;
        }},
       {"machineSpeed is 4 mm/s; it must be 5 to 1000, or 0", [](Job& j) { j.printer.machineSpeed = 4; }},
-      {"points of the path lie more than 0.1 mm outside the shape; strict refuses that",
+      {"; strict refuses that",
        [](Job& j) {
          j.params.strict = true;
          j.shape = rectangle(30, 15);
@@ -715,7 +716,7 @@ TEST_CASE("what is odd but printable is written with a warning") {
   };
   const Row rows[] = {
       {"filamentDiameter is 2.2 mm", [](Job& j) { j.printer.filamentDiameter = 2.2; }},
-      {"below 0.2 nozzle", [](Job& j) { j.params.layerHeight = 0.06; }},
+      {"layers thinner than 0.2 nozzle diameters", [](Job& j) { j.params.layerHeight = 0.06; }},
       {"flow is 0.7; 0.8 to 1.1 is usual", [](Job& j) { j.params.flow = 0.7; }},
       {"filamentFlow is 0.7; 0.8 to 1.1 is usual", [](Job& j) { j.printer.filamentFlow = 0.7; }},
       {"baseFlow is 1.2", [](Job& j) { j.params.baseFlow = 1.2; }},
@@ -725,15 +726,16 @@ TEST_CASE("what is odd but printable is written with a warning") {
          j.toolpath.cycles[0].widths[9] = 0.25f;
        }},
       {"% of the shape's area", [](Job& j) { j.shape = rectangle(30, 40); }},
-      {"points of the path lie more than 0.1 mm outside the shape", [](Job& j) { j.shape = rectangle(30, 15); }},
+      {"points of the path that lie more than 0.1 mm outside the shape: ", [](Job& j) { j.shape = rectangle(30, 15); }},
       {"maxFlow slows", [](Job& j) { j.printer.maxFlow = 2; }},
       {"maxSegmentsPerSecond slows", [](Job& j) { j.printer.maxSegmentsPerSecond = 2; }},
-      {"speed is 300 mm/s; it is held at machineSpeed, 40",
+      {"speed is 300 mm/s; it is held at printer.machineSpeed, 40",
        [](Job& j) {
          j.printer.machineSpeed = 40;
          j.printer.speed = 300;
        }},
-      {"travelSpeed is 120 mm/s; it is held at machineSpeed, 100", [](Job& j) { j.printer.machineSpeed = 100; }},
+      {"travelSpeed is 120 mm/s; it is held at printer.machineSpeed, 100",
+       [](Job& j) { j.printer.machineSpeed = 100; }},
       {"writing on it reads backwards", [](Job& j) { j.params.mirror = true; }},
       {"pressure advance is 0 after the print", [](Job& j) { j.printer.setPressureAdvance = true; }},
   };
@@ -772,7 +774,7 @@ TEST_CASE("more moves and bytes than hosts like are written, with a warning") {
   REQUIRE(result.ok());
   CHECK(bytes == result.value().bytes);
   CHECK(contains(result.value().warnings, "the file has 2"));
-  CHECK(contains(result.value().warnings, "hosts get slow above 2 million"));
+  CHECK(contains(result.value().warnings, "printers get slow above 2 million"));
 }
 
 TEST_CASE("a sink that refuses stops the writing") {
@@ -966,7 +968,7 @@ TEST_CASE("warnings are a code with values, and the sentence made of them") {
   const auto flow = std::find_if(warnings.begin(), warnings.end(),
                                  [](const Warning& w) { return w.code == WarningCode::UnusualFlow; });
   REQUIRE(flow != warnings.end());
-  CHECK(flow->value("field")->text == "flow");
+  CHECK(flow->value("field")->text == "print.flow");
   CHECK(flow->value("value")->number == 0.5);
 }
 

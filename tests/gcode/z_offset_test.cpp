@@ -121,7 +121,7 @@ TEST_CASE("blocks are given the offset, and the end block must stay above where 
   CHECK(text.find("\nG1 Z5.3 F600\n") != std::string::npos);
   CHECK(text.find("\nG1 Z1.9 F720\n") != std::string::npos);
   job.printer.endGcode = "G1 Z0.8 F720\nM104 S0\nM140 S0";  // below 0.6 + 0.3
-  CHECK(problem(job).find("line 1 of endGcode: goes down to Z 0.8 over the plate, which is 0.9 mm high") == 0);
+  CHECK(problem(job).find("line 1 of the end G-code: goes down to Z 0.8 over the plate, which is 0.9 mm high") == 0);
   job.printer.zOffset = 0.1;
   CHECK(problem(job) == "");
 }
@@ -143,7 +143,7 @@ TEST_CASE("with its offset a job must stay above the bed and below the printer's
   job = plate();
   job.printer.maxZ = 1.2;
   job.printer.zOffset = 0.3;
-  CHECK(problem(job) == "the job is 1 mm high with the lift; the printer's maxZ is 1.2 mm and its zOffset 0.3 mm");
+  CHECK(problem(job) == "with the lift of the nozzle the print is 1 mm high; this printer reaches 0.9 mm");
   job.printer.zOffset = 0.2;
   const Written written = job.write();
   REQUIRE(written.result.ok());

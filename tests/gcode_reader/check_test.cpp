@@ -164,7 +164,7 @@ TEST_CASE("noise is the amplitude of a zigzag; lines, circles and corners have n
     text += "G1 X" + std::to_string(10 + k * 0.2).substr(0, 6) + (k % 2 == 0 ? " Y50.02" : " Y49.98") + " E0.01\n";
   }
   CHECK(finding(checkGcode(text + kEnd), "noise").message ==
-        "the path zigzags by 20 um; above 5 printers brake for it");
+        "the path zigzags by 20 um; above 5 um printers slow down for it");
 }
 
 TEST_CASE("coverage is the share of the base that an oriented layer fills") {
@@ -282,7 +282,7 @@ TEST_CASE("each fault is found by its rule, in its line") {
       {"height", true, with("G1 Z0\nG1 X51 E0.03326 F600"), "a bead at or below the bed"},
       {"extrusion", true, with("G1 X50.1 E1 F600"), "more plastic per mm than 4 nozzle diameters squared"},
       {"extrusion", true, with("G1 E51"), "more than 50 mm of filament in one move"},
-      {"flow", true, with("G1 X60 E0.33260 F12000"), "more flow than maxFlow: 16 mm3/s"},
+      {"flow", true, with("G1 X60 E0.33260 F12000"), "more flow than printer.maxFlow: 16 mm3/s"},
       {"speed", true, with("G1 X51 F0"), "F is not above 0"},
       {"rate", false,
        with("G1 X50.01 E0.0003\nG1 X50.02 E0.0003\nG1 X50.03 E0.0003\nG1 X50.04 E0.0003\n"
@@ -299,17 +299,18 @@ TEST_CASE("each fault is found by its rule, in its line") {
       {"height", true, with("G28\nG1 X50 Y50 Z0.4"), "\"G28\" after the first layer: most printers come down on the"},
       {"height", true, with("G29"), "\"G29\" after the first layer"},
       {"commands", true, with("SET_GCODE_OFFSET Z_ADJUST=-0.3\nSET_GCODE_OFFSET Z_ADJUST=-0.3"),
-       "offsets move Z by -0.6 mm in all, beyond -0.5 to 10"},
-      {"commands", true, with("M206 X200"), "offsets move X by 200 mm in all, beyond -10 to 10"},
-      {"commands", true, with("M204 S0"), "M204 S 0 is beyond 0 to 200000"},
-      {"commands", true, with("M221 S1"), "M221 S 1 is beyond 20 to 200"},
-      {"commands", true, with("SET_PRESSURE_ADVANCE ADVANCE=10"), "SET_PRESSURE_ADVANCE ADVANCE 10 is beyond 2.5"},
+       "offsets move Z by -0.6 mm in all; it must be -0.5 to 10"},
+      {"commands", true, with("M206 X200"), "offsets move X by 200 mm in all; it must be -10 to 10"},
+      {"commands", true, with("M204 S0"), "M204 S is 0; it must be 1 to 200000"},
+      {"commands", true, with("M221 S1"), "M221 S is 1; it must be 20 to 200"},
+      {"commands", true, with("SET_PRESSURE_ADVANCE ADVANCE=10"),
+       "SET_PRESSURE_ADVANCE ADVANCE is 10; it must be -2.5 to 2.5"},
       {"extrusion", true, with("G1 E4\nG1 E4"), "pushes 8 mm of filament without moving"},
       {"grammar", true, with("G2 X70 Y70 I1 J1 E0.1"),
        "an arc without a centre, or whose circle does not reach its end"},
-      {"totals", false, with("; filament used [mm] = 5.00"), "it says it takes 5 mm of filament; its moves take 1.33"},
-      {"totals", false, with("; total layers count = 3"), "it says it has 3 layers; 1 are marked"},
-      {"extrusion", true, "G28\n", "there is no move in it"},
+      {"totals", false, with("; filament used [mm] = 5.00"), "the file states 5 mm of filament; its moves take 1.33"},
+      {"totals", false, with("; total layers count = 3"), "the file states 3 layers; 1 are marked"},
+      {"extrusion", true, "G28\n", "the file has no move"},
   };
   Printer printer;
   printer.flavor = GcodeFlavor::Klipper;
@@ -394,13 +395,13 @@ TEST_CASE("offsets count together, and as each firmware adds them up") {
   using enum GcodeFlavor;
   CHECK(told(Klipper, "SET_GCODE_OFFSET Z=-0.3\nSET_GCODE_OFFSET Z=-0.4\n").empty());
   CHECK(told(Klipper, "SET_GCODE_OFFSET Z=-0.3\nSET_GCODE_OFFSET Z_ADJUST=-0.3 MOVE=1\n") ==
-        "offsets move Z by -0.6 mm in all, beyond -0.5 to 10");
+        "offsets move Z by -0.6 mm in all; it must be -0.5 to 10");
   CHECK(told(Marlin, "M290 Z-0.45\nM290 Z0.2\nM290 Z-0.2\n").empty());
-  CHECK(told(Marlin, "M290 Z-0.45\nM206 Z-0.2\n") == "offsets move Z by -0.65 mm in all, beyond -0.5 to 10");
+  CHECK(told(Marlin, "M290 Z-0.45\nM206 Z-0.2\n") == "offsets move Z by -0.65 mm in all; it must be -0.5 to 10");
   CHECK(told(Marlin, "M206 Z-0.4\nM206 Z-0.4\n").empty());
   CHECK(told(RepRap, "M290 S-0.4\nM290 R0 S-0.4\n").empty());
-  CHECK(told(RepRap, "G10 L2 P1 Z-1.9\n") == "offsets move Z by -1.9 mm in all, beyond -0.5 to 10");
-  CHECK(told(RepRap, "G10 P0 X50 Y-4\n") == "offsets move X by 50 mm in all, beyond -10 to 10");
+  CHECK(told(RepRap, "G10 L2 P1 Z-1.9\n") == "offsets move Z by -1.9 mm in all; it must be -0.5 to 10");
+  CHECK(told(RepRap, "G10 P0 X50 Y-4\n") == "offsets move X by 50 mm in all; it must be -10 to 10");
   CHECK(told(Bambu, "M290 X40 Y40 Z2.6\n").empty());
 }
 
@@ -692,9 +693,9 @@ TEST_CASE("arcs by their radius are followed: their bulge has to be bed too") {
   const auto bounds = [](const std::string& arc) {
     return finding(checkGcode(kStart + kSquare + "G1 X50 Y10\n" + arc + " E1\n" + kEnd, Printer{}), "bounds").code;
   };
-  CHECK(bounds("G3 X70 Y10 R11").empty());        // 5 mm below its chord
-  CHECK(bounds("G3 X70 Y10 R-11") == "off-bed");  // the long way, below the bed
-  CHECK(bounds("G2 X70 Y10 R-11").empty());       // the long way, above
+  CHECK(bounds("G3 X70 Y10 R11").empty());            // 5 mm below its chord
+  CHECK(bounds("G3 X70 Y10 R-11") == "arc-off-bed");  // the long way, below the bed
+  CHECK(bounds("G2 X70 Y10 R-11").empty());           // the long way, above
   const GcodeCheck half = checkGcode(kStart + ";LAYER_CHANGE\nG1 X50 Y50 F6000\nG3 X70 Y50 R10 E1 F1800\n" + kEnd);
   CHECK(half.pathMm == Approx(10 * 3.14159265358979));
   CHECK(finding(checkGcode(kStart + kSquare + "G2 X60 Y50 R1 E1\n" + kEnd), "grammar").code == "unread-arc");

@@ -126,7 +126,7 @@ TEST_CASE("settings are split at the first equal sign") {
   REQUIRE(read.notRead.size() == 1);
   CHECK(read.notRead[0].code == "BedUnknown");
   CHECK(read.notRead[0].values == Values{{"width", "220"}, {"depth", "220"}});
-  CHECK(read.notRead[0].message == "the file does not tell the bed; 220 x 220 mm is taken");
+  CHECK(read.notRead[0].message == "the file does not give the bed's size; 220 x 220 mm is assumed");
 }
 
 TEST_CASE("only Klipper's commands are words, whatever a slicer calls its dialect") {
@@ -160,7 +160,7 @@ TEST_CASE("a Z offset is read wherever slicers tell it, and one that is out of r
   CHECK(imported(cura).printer.zOffset == 0.3);  // as its plugin of fieldOfView calls it
   const ImportedPrinter far = imported("nozzle_diameter = 0.4\nz_offset = 3\n");
   CHECK(far.printer.zOffset == 0);
-  CHECK(notes(far, "z_offset is \"3\"; taken are -2 to 2"));
+  CHECK(notes(far, "z_offset is \"3\"; it must be -2 to 2"));
   // Our own files tell it, too; the blocks of others are given it.
   const std::string asks = "; start_gcode = G28\\nM190 S65\\nM109 S225\\nG1 Z{z_offset + 1} F720\n";
   const std::string fits =
@@ -222,11 +222,11 @@ TEST_CASE("where a file does not tell the filament, it is the one with which its
       const ImportedPrinter thin = imported(curaSquare({perMm(width, height, 1.75), height, width}));
       CHECK(thin.printer.filamentDiameter == 1.75);
       // A nozzle of 0.4 mm, which is taken, lays no beads finer than 0.3 mm or wider than 0.8 mm.
-      CHECK(notes(thin, "with the 1.75 mm that is taken its beads would be") == (width < 0.3 || width > 0.8));
+      CHECK(notes(thin, "with the 1.75 mm that is assumed, its beads would be") == (width < 0.3 || width > 0.8));
       if (width < 0.3 || width > 0.8) continue;
       const ImportedPrinter wide = imported(curaSquare({perMm(width, height, 2.85), height, width}));
       CHECK(wide.printer.filamentDiameter == 2.85);
-      CHECK(notes(wide, "the file does not tell the filament's diameter; its beads fit 2.85 mm, which is taken"));
+      CHECK(notes(wide, "the file gives no filament diameter; its beads match 2.85 mm, which is assumed"));
       const GcodeCheck check = checkGcode(curaSquare({perMm(width, height, 2.85), height, width}));
       CHECK(check.mostFlow == doctest::Approx(20 * width * height).epsilon(0.01));
     }
@@ -237,7 +237,7 @@ TEST_CASE("where a file does not tell the filament, it is the one with which its
   };
   const ImportedPrinter other = imported(curaSquare({perMm(0.4, 0.2, 1.75), 0.2}, told("material_diameter = 2.85")));
   CHECK(other.printer.filamentDiameter == 2.85);
-  CHECK_FALSE(notes(other, "filament's diameter"));
+  CHECK_FALSE(notes(other, "no filament diameter"));
   // Beads are as wide as the nozzle that is told.
   const ImportedPrinter large = imported(curaSquare({perMm(0.8, 0.4, 2.85), 0.4}, told("machine_nozzle_size = 0.8")));
   CHECK(large.printer.filamentDiameter == 2.85);
@@ -245,7 +245,7 @@ TEST_CASE("where a file does not tell the filament, it is the one with which its
   // Neither fits.
   const ImportedPrinter odd = imported(curaSquare({perMm(0.1, 0.2, 1.75), 0.2}));
   CHECK(odd.printer.filamentDiameter == 1.75);
-  CHECK(notes(odd, "with the 1.75 mm that is taken its beads would be 0.1 mm wide, from a nozzle of 0.4 mm"));
+  CHECK(notes(odd, "with the 1.75 mm that is assumed, its beads would be 0.1 mm wide, from a nozzle of 0.4 mm"));
 }
 
 TEST_CASE("where beads of both filaments are possible, the file is refused and a line that tells it is asked for") {
@@ -253,10 +253,11 @@ TEST_CASE("where beads of both filaments are possible, the file is refused and a
   const auto refused = importPrinter(open);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == ErrorCode::InvalidFile);
-  CHECK(refused.error().message ==
-        "the file does not tell the filament's diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
-        "0.66 mm wide from filament of 2.85 mm; add a line \"; filament_diameter = 1.75\" or \"; filament_diameter = "
-        "2.85\" at its end");
+  CHECK(
+      refused.error().message ==
+      "the file does not tell the no filament diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
+      "0.66 mm wide from filament of 2.85 mm; add a line \"; filament_diameter = 1.75\" or \"; filament_diameter = "
+      "2.85\" at its end");
   CHECK(imported(open + "; filament_diameter = 1.75\n").printer.filamentDiameter == 1.75);
   CHECK(imported(open + "; filament_diameter = 2.85\n").printer.filamentDiameter == 2.85);
   // Beads of 1 mm that touch, or beads of 0.38 mm that do not.
@@ -282,7 +283,7 @@ TEST_CASE("a header that counts the plastic in mm3 tells the filament") {
     const ImportedPrinter read = imported(
         curaSquare({perMmOfBead, 0.1}, "", ";EXTRUDER_TRAIN.0.MATERIAL.VOLUME_USED:" + std::to_string(volume) + "\n"));
     CHECK(read.printer.filamentDiameter == diameter);
-    CHECK_FALSE(notes(read, "filament's diameter"));
+    CHECK_FALSE(notes(read, "no filament diameter"));
   }
 }
 
@@ -294,7 +295,7 @@ TEST_CASE("a donor that is hotter than its printer bears is noted, and its heat 
   CHECK(hot.printer.maxNozzleTemperature == 255);
   CHECK(hot.printer.nozzleTemperature == Printer().nozzleTemperature);
   CHECK(hot.printer.firstLayerNozzleTemperature <= 255);
-  CHECK(notes(hot, "temperature is \"265\"; taken are 170 to 255"));
+  CHECK(notes(hot, "temperature is \"265\"; it must be 170 to 255"));
   CHECK(notes(hot, "the start block heats for purposes of its own (M109 S270)"));
   const ImportedPrinter fine = imported(start + "250" + rest + "245\n");
   CHECK(fine.printer.nozzleTemperature == 245);
@@ -341,7 +342,8 @@ TEST_CASE("a jerk becomes the corner speed to put back, but not for firmwares th
 }
 
 TEST_CASE("each code of a note is there once, and a note's sentence names its values") {
-  std::vector<std::string> codes = importNoteCodes();
+  std::vector<std::string> codes;
+  for (const Sentence& sentence : importNoteSentences()) codes.emplace_back(sentence.code);
   std::sort(codes.begin(), codes.end());
   CHECK(std::adjacent_find(codes.begin(), codes.end()) == codes.end());
   const ImportedPrinter read = imported("temperature = 500\nmax_print_height = 200\n");
@@ -356,9 +358,9 @@ TEST_CASE("what cannot be read is listed with its value") {
       "nozzle_diameter = wide\nbed_shape = big\ntemperature = 500\ngcode_flavor = sailfish\nthumbnails = 8x8\n"
       "max_print_height = 200\nstart_gcode = G28\\nM109 S{if x}5{endif}\n");
   CHECK(read.printer.nozzle == 0.4);
-  CHECK(notes(read, "nozzle_diameter is \"wide\"; it must be a number"));
+  CHECK(notes(read, "nozzle_diameter is \"wide\", which is not a number"));
   CHECK(notes(read, "bed_shape is \"big\"; it must be corners"));
-  CHECK(notes(read, "temperature is \"500\"; taken are 170 to 300"));
+  CHECK(notes(read, "temperature is \"500\"; it must be 170 to 300"));
   CHECK(notes(read, "gcode_flavor is \"sailfish\"; known are"));
   CHECK(notes(read, "thumbnails is \"8x8\""));
   CHECK(notes(read, "the start block has \"{if x}\" in line 2"));
@@ -830,7 +832,7 @@ TEST_CASE("a place to present the print that lies off the bed is left out of the
 TEST_CASE("a share of speed or flow that the start block leaves is pointed out, and the flow stays") {
   std::string text = kDonor;
   text.replace(text.find("M486 S0\n"), 8, "M221 S95\nM220 S100\n");
-  CHECK(notes(imported(text), "M221 S95, a share of the flow, which holds for the whole of each print"));
+  CHECK(notes(imported(text), "M221 S95, which scales the flow of the whole of each print"));
   CHECK_FALSE(notes(imported(text), "M220"));
   CHECK(imported(text).printer.startGcode.find("\nM221 S95\n") != std::string::npos);
   CHECK(imported(text).printer.filamentFlow == 1);
@@ -855,9 +857,9 @@ TEST_CASE("the filament's flow as its owner has calibrated it is taken, in every
                      "filament_flow_ratio": ["0.97", "1"]})")
             .printer.filamentFlow == 0.97);
   CHECK(notes(imported(kDonor + "; extrusion_multiplier = 0.94\n"),
-              "the flow ratio of the file's filament is 0.94, which is taken: all that is laid is multiplied by it"));
+              "the flow ratio of the file's filament is 0.94; it is kept, and multiplies all that is extruded"));
   CHECK_FALSE(notes(imported(kDonor + "; extrusion_multiplier = 1\n"), "flow ratio"));
-  CHECK(notes(imported(kDonor + "; extrusion_multiplier = 9\n"), "extrusion_multiplier is \"9\"; taken are 0.1 to 2"));
+  CHECK(notes(imported(kDonor + "; extrusion_multiplier = 9\n"), "extrusion_multiplier is \"9\"; it must be 0.1 to 2"));
 }
 
 TEST_CASE("a donor's own pressure advance stays; a machine that is known gets its maker's where a donor sets none") {

@@ -250,8 +250,8 @@ TEST_CASE("where beads of both filaments are possible, the file is refused and a
   Variant thin;
   thin.flow = 0.5;  // half of what touches: a fine nozzle's, or those of wider filament
   const std::string text = Slices(kDialects[4], thin).text();
-  CHECK(why(text).find("the file does not tell the filament's diameter") != std::string::npos);
-  CHECK(why(text + "; filament_diameter = 1.75\n").find("the file does not tell") == std::string::npos);
+  CHECK(why(text).find("the file gives no filament diameter") != std::string::npos);
+  CHECK(why(text + "; filament_diameter = 1.75\n").find("the file gives no") == std::string::npos);
 }
 
 TEST_CASE("beads that end at the edge of the surface, and another flow, leave its region and its spacing") {

@@ -1,15 +1,13 @@
 // The one kind of error that leaves the package.
 import type * as api from '../sillon.js';
+import { coreHints } from './hints.js';
 import type { Call, Failure } from './protocol.js';
 
 /** What helps against most errors of a kind. */
 const hints: Record<api.ErrorCode, string> = {
   InvalidArgument: '',
   InvalidFile: '',
-  TooLarge: 'Use a larger spacing, a smaller shape or smaller pictures.',
-  EmptyShape: 'Check that the shape has filled areas that are wider than the spacing.',
-  DoesNotFit: 'Make the shape smaller, or check printer.bedMin, printer.bedMax and print.place.',
-  OutOfMemory: 'Use a larger spacing or a smaller shape, or close what else needs much memory.',
+  ...coreHints,
   LoadFailed:
     'Check that all files of sillon/dist/engine are served there (option assetBase), and that the content security ' +
     "policy allows 'wasm-unsafe-eval' and, in connect-src, their origin.",

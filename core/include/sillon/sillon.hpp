@@ -5,8 +5,10 @@
 // Values that all rooms share.
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
+#include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 
 // What a person may choose.
 #include "sillon/settings/presets.hpp"

@@ -1,33 +1,73 @@
-// Sentences of codes with values.
+// Sentences of codes, with their values.
 #pragma once
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "base/numbers.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/base/sentence.hpp"
 
 namespace sillon {
 
-/// A sentence with its values in the places of their {names}. \param valueOf  the text for a name
-template <class ValueOf>
-std::string filled(std::string_view sentence, const ValueOf& valueOf) {
-  std::string text;
-  for (std::size_t open = sentence.find('{'); open != std::string_view::npos; open = sentence.find('{')) {
-    const std::size_t close = std::min(sentence.find('}', open), sentence.size() - 1);
-    text += sentence.substr(0, open);
-    text += valueOf(sentence.substr(open + 1, close - open - 1));
-    sentence.remove_prefix(close + 1);
-  }
-  text += sentence;
-  return text;
+inline std::string_view nameOf(const NamedValue& value) { return value.name; }
+inline std::string textOf(const NamedValue& value) {
+  return value.text.empty() ? decimal(value.number, 3) : value.text;
 }
 
-/// For values that are pairs of a name and a text.
+template <class Name>
+std::string_view nameOf(const std::pair<Name, std::string>& value) {
+  return value.first;
+}
+template <class Name>
+std::string textOf(const std::pair<Name, std::string>& value) {
+  return value.second;
+}
+
+/// Whether a sentence gets each value that it says, and says each that it does not mark as unsaid.
+/// \param values  NamedValue, or pairs of a name and a text
 template <class Values>
-std::string filledFrom(std::string_view sentence, const Values& values) {
-  return filled(sentence, [&](std::string_view name) {
-    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& pair) { return pair.first == name; });
-    return value == values.end() ? std::string() : std::string(value->second);
+bool saysAll(const Sentence& sentence, const Values& values) {
+  std::string names = std::string(" ") + sentence.unsaid + " ";
+  std::string_view rest = sentence.text;
+  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    const std::string_view name = rest.substr(open + 1, rest.find('}') - open - 1);
+    if (std::none_of(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; })) return false;
+    names.append(name) += ' ';
+    rest.remove_prefix(rest.find('}') + 1);
+  }
+  return std::all_of(values.begin(), values.end(), [&](const auto& one) {
+    return names.find(" " + std::string(nameOf(one)) + " ") != std::string::npos;
   });
+}
+
+/// A sentence with its values in the places of their {names}. \param values  all that it says
+template <class Values>
+std::string filled(const Sentence& sentence, const Values& values) {
+  assert(saysAll(sentence, values));
+  std::string out;
+  std::string_view rest = sentence.text;
+  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    const std::size_t close = rest.find('}');
+    const std::string_view name = rest.substr(open + 1, close - open - 1);
+    out.append(rest.substr(0, open)) +=
+        textOf(*std::find_if(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; }));
+    rest.remove_prefix(close + 1);
+  }
+  return out.append(rest);
+}
+
+/// \param sentences  a list that has the code
+template <class Sentences>
+const Sentence& sentenceOf(const Sentences& sentences, std::string_view code) {
+  const auto row = std::find_if(std::begin(sentences), std::end(sentences),
+                                [&](const Sentence& sentence) { return sentence.code == code; });
+  assert(row != std::end(sentences));
+  return *row;
 }
 
 }  // namespace sillon

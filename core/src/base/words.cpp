@@ -1,4 +1,4 @@
-#include "base/words.hpp"
+#include "sillon/base/words.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -50,8 +50,7 @@ std::string inQuotes(std::string_view text) {
   return out + "\"";
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  constexpr std::size_t kNear = 3;
+std::vector<std::string> nearNames(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t kMost = 3;
   constexpr std::size_t kTelling = 4;  // letters: a shorter part is in too many names
   word = word.substr(0, 64);
@@ -63,11 +62,18 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
   for (const std::string& name : known) {
     if (part.size() >= kTelling && plain(name).find(part) != std::string::npos) add(name);
   }
-  for (std::size_t distance = 0; distance <= kNear; ++distance) {
+  // Another half of a word is another word.
+  const std::size_t farthest = std::min<std::size_t>(3, word.size() / 2);
+  for (std::size_t distance = 0; distance <= farthest; ++distance) {
     for (const std::string& name : known) {
       if (distance < name.size() && editDistance(word, name) == distance) add(name);
     }
   }
+  return near;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  const std::vector<std::string> near = nearNames(word, known);
   std::string out = near.empty() ? "known are " : "did you mean ";
   if (near.empty()) {
     for (std::size_t k = 0; k < known.size(); ++k) out += (k == 0 ? "" : ", ") + known[k];

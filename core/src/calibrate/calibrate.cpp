@@ -17,7 +17,7 @@ void addNotes(CalibrationPlate& plate) {
   notes.clear();
   notes.push_back(std::string("calibration: ") + rowOf(plate.kind).name);
   notes.push_back("look for: " + plate.advice);
-  notes.push_back("type back: " + plate.setting);
+  notes.push_back("value to enter: " + plate.setting);
   for (const CalibrationValue& value : plate.values) {
     const std::string unit = plate.unit.empty() ? "" : " " + plate.unit;
     notes.push_back("written " + value.label + ": " + decimal(value.value, 4) + unit + " at " + fixed(value.at.x, 1) +

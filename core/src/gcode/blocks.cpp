@@ -80,7 +80,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     job.warn(WarningCode::StartTemperature,
              {{"hot", check.nozzleTarget}, {"meant", printer.firstLayerNozzleTemperature}});
   }
-  warnLow(job, "startGcode", check, params.startHeight > 0 ? params.startHeight + printer.zOffset : 0);
+  warnLow(job, "printer.startGcode", check, params.startHeight > 0 ? params.startHeight + printer.zOffset : 0);
   for (const GcodeFinding& finding : check.findings) {
     if (finding.line == 0) continue;  // of whole files
     const Warning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
@@ -280,7 +280,7 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
   if (!printer.endGcode.empty()) {
     const double z = std::min(plate.height + printer.lift + kParkLift, printer.maxZ);
     if (auto error = checkLow(end.value(), last, z, plate, printer, job)) return error;
-    warnLow(job, "endGcode", checkGcode(end.value(), printer), plate.height);
+    warnLow(job, "printer.endGcode", checkGcode(end.value(), printer), plate.height);
     if (auto error = checkEnd(end.value(), last, z, printer, job)) return error;
   }
   job.startFlow = percentAfter(start.value(), 221);

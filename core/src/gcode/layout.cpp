@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 
 namespace sillon {
@@ -172,16 +173,11 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
   for (const PointUm copy : job.copies) {
     if (printer.roundBed) overhang = std::max(overhang, overhangOf(outline, shift + mm(copy), job, copy, bed));
     if (bed.hasZone() && overhang <= kSlack && touchesZone(outline, shift + mm(copy), job, copy, bed)) {
-      return Error{ErrorCode::DoesNotFit, plate + " touches the excluded part of the bed; place it elsewhere",
-                   reason::kOnExcludedZone};
+      return refused(ErrorCode::DoesNotFit, reason::kOnExcludedZone);
     }
   }
   if (overhang > kSlack) {
-    const double by = std::max(overhang, 0.001);
-    return Error{ErrorCode::DoesNotFit,
-                 plate + reach + " over the edge of the round bed by " + fixed(by, 3) + " mm",
-                 reason::kOverRoundBed,
-                 {{"by", by}}};
+    return refused(ErrorCode::DoesNotFit, reason::kOverRoundBed, {{"by", std::max(overhang, 0.001)}});
   }
   return std::nullopt;
 }

@@ -104,10 +104,10 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
     if (flow >= 0.8 && flow <= 1.1) return;
     job.warn(WarningCode::UnusualFlow, {{"field", field}, {"value", flow}});
   };
-  unusualFlow("filamentFlow", printer.filamentFlow);
-  unusualFlow("flow", params.flow);
-  unusualFlow("baseFlow", params.baseFlow);
-  if (params.showSide != ShowSide::Up) unusualFlow("bedFlow", params.bedFlow);
+  unusualFlow("printer.filamentFlow", printer.filamentFlow);
+  unusualFlow("print.flow", params.flow);
+  unusualFlow("print.baseFlow", params.baseFlow);
+  if (params.showSide != ShowSide::Up) unusualFlow("print.bedFlow", params.bedFlow);
   std::int64_t flat = 0;
   for (const BeadPath& path : job.cycles) {
     flat += std::count_if(path.widths.begin(), path.widths.end(), [&](double w) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "settings/json.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/settings/table.hpp"
@@ -88,21 +89,11 @@ std::optional<Error> checkPrint(const Printer& printer, const PrintParams& param
   }
   const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
   if (top > highest(printer)) {
-    const std::string offset = printer.zOffset == 0 ? "" : " and its zOffset " + decimal(printer.zOffset, 3) + " mm";
-    return Error{ErrorCode::DoesNotFit,
-                 "the job is " + decimal(top, 3) + " mm high with the lift; the printer's maxZ is " +
-                     decimal(printer.maxZ, 3) + " mm" + offset,
-                 reason::kTooHigh,
-                 {{"height", top}, {"most", highest(printer)}}};
+    return refused(ErrorCode::DoesNotFit, reason::kTooHigh, {{"height", top}, {"most", highest(printer)}});
   }
   const double stack = top - printer.lift - params.startHeight;
   if (params.copies.x * params.copies.y > 1 && stack > kTallestCopy) {
-    return Error{ErrorCode::InvalidArgument,
-                 "the plates are " + decimal(stack, 3) +
-                     " mm high; several on one bed, printed one after the other, must be at most " +
-                     decimal(kTallestCopy, 0) + ", or the print head would touch them",
-                 reason::kCopiesTooHigh,
-                 {{"height", stack}, {"most", kTallestCopy}}};
+    return refused(ErrorCode::InvalidArgument, reason::kCopiesTooHigh, {{"height", stack}, {"most", kTallestCopy}});
   }
   return std::nullopt;
 }

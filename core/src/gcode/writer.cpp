@@ -132,11 +132,11 @@ Result<GcodeSummary> write(const Prepare& prepare, const Printer& given, const P
   Result<GcodeJob> prepared = prepare(printer);
   if (!prepared) return prepared.error();
   GcodeJob& job = prepared.value();
-  hold("speed", printer.speed);
-  hold("showSpeed", job.showSpeed);
-  hold("baseSpeed", printer.baseSpeed);
-  hold("firstLayerSpeed", printer.firstLayerSpeed);
-  hold("travelSpeed", printer.travelSpeed);
+  hold("printer.speed", printer.speed);
+  hold("printer.showSpeed", job.showSpeed);
+  hold("printer.baseSpeed", printer.baseSpeed);
+  hold("printer.firstLayerSpeed", printer.firstLayerSpeed);
+  hold("printer.travelSpeed", printer.travelSpeed);
 
   Result<GcodeSummary> written = writeFile(job, printer, params, sink);
   if (!written) return written;

@@ -312,13 +312,14 @@ class Judge {
     if (degrees > limit) add("too-hot", true, {{"limit", decimal(limit, 0)}, {"degrees", decimal(degrees, 1)}});
   }
 
-  void beyond(const std::string& what, double value, std::string limits) {
-    add("out-of-range", true, {{"command", what + " " + decimal(value, 3)}, {"limits", std::move(limits)}});
+  void beyond(const std::string& what, double value, double low, double high) {
+    add("out-of-range", true,
+        {{"command", what}, {"value", decimal(value, 3)}, {"low", decimal(low, 3)}, {"high", decimal(high, 3)}});
   }
 
   // Magnitudes above `most` are errors.
   void range(const std::string& what, double value, double most) {
-    if (std::abs(value) > most) beyond(what, value, decimal(most, 3));
+    if (std::abs(value) > most) beyond(what, value, -most, most);
   }
 
   void byValue(const GcodeCommand& head, const std::string& shown) {
@@ -370,8 +371,8 @@ class Judge {
       case 201:
       case 204:
         for (const char letter : std::string_view("PRTS")) {
-          if (head.code == 204 && words.has(letter) && words.at(letter) <= 0) {
-            beyond(shown + " " + letter, words.at(letter), "0 to 200000");
+          if (head.code == 204 && words.has(letter) && words.at(letter) < 1) {
+            beyond(shown + " " + letter, words.at(letter), 1, 200'000);
           }
         }
         return all("XYZEPRTS", 200000);
@@ -394,8 +395,7 @@ class Judge {
         return all("Z", 5);
       case 220:
       case 221:
-        if (words.has('S') && (words.at('S') < 20 || words.at('S') > 200))
-          beyond(shown + " S", words.at('S'), "20 to 200");
+        if (words.has('S') && (words.at('S') < 20 || words.at('S') > 200)) beyond(shown + " S", words.at('S'), 20, 200);
         return;
       case 302:
         if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)

@@ -285,9 +285,9 @@ WeighedFilament weighFilament(std::string_view gcode, GcodeFlavor flavor, std::o
 
 std::string askForFilament(const WeighedFilament& weighed) {
   const auto told = [](double diameter) { return decimal(diameter, 2); };
-  return "the file does not tell the filament's diameter, and its beads may be " +
-         told(weighed.widthWith(kThinFilament)) + " mm wide from filament of " + told(kThinFilament) + " mm or " +
-         told(weighed.widthWith(kWideFilament)) + " mm wide from filament of " + told(kWideFilament) +
+  return "the file gives no filament diameter, and its beads may be " + told(weighed.widthWith(kThinFilament)) +
+         " mm wide from filament of " + told(kThinFilament) + " mm or " + told(weighed.widthWith(kWideFilament)) +
+         " mm wide from filament of " + told(kWideFilament) +
          " mm; add a line \"; filament_diameter = " + told(kThinFilament) +
          "\" or \"; filament_diameter = " + told(kWideFilament) + "\" at its end";
 }

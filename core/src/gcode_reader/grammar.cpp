@@ -68,12 +68,12 @@ bool isPlainCommand(std::string_view text) {
 
 const char* lineFault(std::string_view line) {
   if (!std::all_of(line.begin(), line.end(), [](char c) { return c >= ' ' && c <= '~'; })) {
-    return "has a character that is not printable ASCII";
+    return "no-ascii";
   }
   if (line.empty() || line[0] == ';') return nullptr;
   const std::string_view command = line.substr(0, line.find(" ;"));
-  if (command.size() > kLongestCommand) return "is longer than the 95 characters that Marlin reads";
-  return isPlainCommand(command) ? nullptr : "is not a plain command";
+  if (command.size() > kLongestCommand) return "long-line";
+  return isPlainCommand(command) ? nullptr : "no-plain-line";
 }
 
 }  // namespace sillon

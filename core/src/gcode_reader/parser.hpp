@@ -199,8 +199,8 @@ bool isPlainNumber(std::string_view text);
 /// ("G"|"M"|"T") number { " " LETTER [number] }, no letter twice; or NAME { " " NAME "=" (number | NAME) }.
 bool isPlainCommand(std::string_view text);
 
-/// What is wrong with a line without its end, or null: printable ASCII; empty, a comment, or a command of less than 96
-/// characters that a comment may follow.
+/// The code of the finding about a line without its end, or null: it must be printable ASCII; empty, a comment, or a
+/// command of less than 96 characters that a comment may follow.
 const char* lineFault(std::string_view line);
 
 }  // namespace sillon

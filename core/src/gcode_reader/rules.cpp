@@ -86,7 +86,7 @@ void Rules::found(GcodeFinding finding) {
     if (other.code != finding.code || other.error != finding.error) return false;
     if (finding.values.empty() || other.values.empty()) return true;
     const auto& [name, value] = finding.values.front();
-    return (name != "what" && name != "command") || other.values.front().second == value;
+    return name != "command" || other.values.front().second == value;
   };
   const auto before = std::find_if(check_.findings.begin(), check_.findings.end(), same);
   if (before != check_.findings.end()) {
@@ -111,7 +111,7 @@ void Rules::line(const GcodeLine& line) {
   if (line.end == "\r") found("cr", ours_);
   if (ours_ && !block()) {
     if (const char* fault = lineFault(line.text); fault != nullptr) {
-      found("no-plain-line", true, {{"text", shownText(line.text)}, {"fault", fault}});
+      found(fault, true, {{"text", shownText(line.text)}});
     }
   }
   const GcodeParts parts = partsOf(line.text);
@@ -199,7 +199,7 @@ void Rules::judgeOffsets(const Offsets::Axes& sum) {
     const double least = *axis == 'Z' ? -kMostLowered : -kMostOffset;
     if (mm >= least - 1e-9 && mm <= kMostOffset) continue;
     found("offset", true,
-          {{"axis", axis}, {"mm", decimal(mm, 3)}, {"limits", decimal(least, 1) + " to " + decimal(kMostOffset, 0)}});
+          {{"axis", axis}, {"mm", decimal(mm, 3)}, {"low", decimal(least, 1)}, {"high", decimal(kMostOffset, 0)}});
   }
 }
 
@@ -301,14 +301,14 @@ void Rules::judgeOrigin() {
   check_.findings.push_back(std::move(finding));
 }
 
-void Rules::checkPlace(Vec2 p, const char* what) {
+void Rules::checkPlace(Vec2 p, const char* offBed) {
   if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
   const double over = beyondBed(settings_, p).value_or(-1);
   if (over <= kRounding) return;
   constexpr double kBambusWiper = 60;  // [mm] that their machines reach beside the bed, to wipe and to cut
   const bool bambu = settings_.flavor == GcodeFlavor::Bambu;
   if (block() && over <= (bambu ? kBambusWiper : kBeyondBed)) return;
-  found("off-bed", true, {{"what", what}, {"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
+  found(offBed, true, {{"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
 }
 
 // Whether the nozzle goes through what has been printed.
@@ -356,7 +356,7 @@ void Rules::move(const MachineMove& move) {
   if (move.arc && !move.readable) found("unread-arc", true);
   if (move.arc && move.readable) {
     constexpr int kPieces = 32;
-    for (int k = 1; k < kPieces; ++k) checkPlace(onArc(move, static_cast<double>(k) / kPieces), "an arc");
+    for (int k = 1; k < kPieces; ++k) checkPlace(onArc(move, static_cast<double>(k) / kPieces), "arc-off-bed");
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
   const bool zTold = machine_.told(kAxisZ);
@@ -454,7 +454,7 @@ void Rules::bead(const MachineMove& move, double e) {
   if (settings_.printer && settings_.printer->machineSpeed > 0 && speed > settings_.printer->machineSpeed * 1.001) {
     found("too-fast", true, {{"speed", decimal(speed, 1)}});
   }
-  checkPlace(to, "a bead");
+  checkPlace(to, "bead-off-bed");
   if (!block()) checkRate(move.length / speed);
 }
 
@@ -525,7 +525,7 @@ void Rules::judgeLayers() {
 
 void Rules::travel(double length) {
   check_.travelMm += length;
-  checkPlace(machine_.at, "a move");
+  checkPlace(machine_.at, "move-off-bed");
   const bool tight = machine_.retracted > 0 || machine_.firmwareRetracted;
   if (inPath_ && !tight && coasted_ + length <= kCoast) {
     coasted_ += length;

@@ -62,7 +62,7 @@ class Rules {
   void travel(double length);
   void filament(double e, double retractedBefore);
   void endPath();
-  void checkPlace(Vec2 p, const char* what);
+  void checkPlace(Vec2 p, const char* offBed);
   void checkHeight(const MachineMove& move);
   void checkBeadHeight(double z);
   void checkRate(double seconds);

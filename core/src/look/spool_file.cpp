@@ -10,6 +10,7 @@
 #include "base/json.hpp"
 #include "base/numbers.hpp"
 #include "base/words.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/look/spools.hpp"
 
 namespace sillon {

@@ -6,6 +6,7 @@
 #include "base/free_memory.hpp"
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "field/fields.hpp"
 #include "field/hierarchy.hpp"
 #include "geometry/closed_curves.hpp"
@@ -25,13 +26,7 @@ constexpr double kPictureStitchAlignment = 4;
 /// Rounds in which lines give way to the beads and waves are aligned anew, where `directionTolerance` allows it.
 constexpr int kGivingRounds = 3;
 
-Error noBeadFits(double spacing) {
-  return Error{
-      ErrorCode::EmptyShape,
-      "no bead fits into this shape at spacing " + decimal(spacing, 3) + " mm; use a smaller spacing or a larger shape",
-      reason::kNoBeadFits,
-      {{"spacing", spacing}}};
-}
+Error noBeadFits(double spacing) { return refused(ErrorCode::EmptyShape, reason::kNoBeadFits, {{"spacing", spacing}}); }
 
 // Asks each cell for the line across the one it got. Those along the border stay: no bead can cross it.
 void askAcross(const LineField& lines, CellConstraints& cells) {
@@ -105,14 +100,7 @@ Result<ShapeFields> shapeStep(const Shape& shape, const Making& making) {
   Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, making.run);
   if (!sdf) return sdf.error();
   Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
-  if (parts.count == 0) {
-    return Error{ErrorCode::EmptyShape,
-                 "spacing is " + decimal(params.spacing, 3) + " mm, which is too wide for this shape of " +
-                     decimal(size.x, 3) + " x " + decimal(size.y, 3) +
-                     " mm; no place in it is wide enough for one bead",
-                 reason::kNoBeadFits,
-                 {{"spacing", params.spacing}}};
-  }
+  if (parts.count == 0) return noBeadFits(params.spacing);
   making.record(&Stages::outline, outline.value());
   making.record(&Stages::border, border.value());
   making.record(&Stages::sdf, sdf.value());

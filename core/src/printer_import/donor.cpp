@@ -572,7 +572,7 @@ std::optional<Error> Donor::read(std::string_view text) {
   if (!check.heatsNozzle) note("NoNozzleWait");
   if (!check.heatsBed) note("NoBedWait");
   for (const GcodeFinding& finding : check.findings) {
-    if (finding.rule == "bounds") note("BeyondBed", {{"detail", "the start block: " + finding.message}});
+    if (finding.rule == "bounds") note("BeyondBed", {{"detail", finding.message}});
   }
   templateFilament(check);
   return std::nullopt;

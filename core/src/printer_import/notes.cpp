@@ -1,68 +1,53 @@
 #include "printer_import/notes.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "base/sentence.hpp"
 
 namespace sillon {
 namespace {
 
-struct Sentence {
-  std::string_view code;
-  std::string_view text;  // {name} stands for a value
-};
-
 constexpr Sentence kSentences[] = {
     // Settings.
-    {"NotANumber", "{key} is {value}; it must be a number"},
-    {"OutOfRange", "{key} is {value}; taken are {low} to {high}"},
-    {"Thumbnails", "{key} is {value}; taken are at most 8 sizes as PNG or QOI"},
+    {"NotANumber", "{key} is {value}, which is not a number"},
+    {"OutOfRange", "{key} is {value}; it must be {low} to {high}"},
+    {"Thumbnails", "{key} is {value}; at most 8 sizes as PNG or QOI are taken"},
     {"BedShape", "{key} is {value}; it must be corners such as \"0x0,220x0,220x220,0x220\""},
-    {"BedUnknown", "the file does not tell the bed; {width} x {depth} mm is taken"},
-    {"BedCorners", "the bed has {count} corners; the box around them is taken"},
-    {"FilamentGuessed", "the file does not tell the filament's diameter; its beads fit {diameter} mm, which is taken"},
+    {"BedUnknown", "the file does not give the bed's size; {width} x {depth} mm is assumed"},
+    {"BedCorners", "the bed has {count} corners; the box around them is used"},
+    {"FilamentGuessed", "the file gives no filament diameter; its beads match {diameter} mm, which is assumed"},
     {"FilamentUnclear",
-     "the file does not tell the filament's diameter; with the {diameter} mm that is taken its beads would be {width} "
-     "mm wide, from a nozzle of {nozzle} mm; check both"},
-    {"FlowTaken",
-     "the flow ratio of the file's filament is {value}, which is taken: all that is laid is multiplied by it"},
-    {"ExcludedArea", "{key} is {value}; it must be one box of corners"},
-    {"Flavor", "{key} is {value}; known are Marlin, Klipper and RepRapFirmware; Marlin is taken"},
+     "the file gives no filament diameter; with the {diameter} mm that is assumed, its beads would be {width} mm wide, "
+     "from a nozzle of {nozzle} mm; check both"},
+    {"FlowTaken", "the flow ratio of the file's filament is {value}; it is kept, and multiplies all that is extruded"},
+    {"ExcludedArea", "{key} is {value}; only one box can be excluded"},
+    {"Flavor", "{key} is {value}; known are Marlin, Klipper and RepRapFirmware; Marlin is assumed"},
     {"BlockTooLong", "{key} is {value}; a block may have 65536 bytes"},
-    {"Placeholder", "{detail}"},
+    {"Placeholder", "a placeholder has no value here: {detail}"},
     // Bundles and presets.
-    {"SectionMissing", "{section} is inherited, but not in the file; its values are missing"},
+    {"SectionMissing", "{section} is inherited, but missing from the file"},
     {"InheritedTooDeep", "the file inherits in a circle, or from more than 1000 sections; the rest is missing"},
-    {"InheritedElsewhere", "the file inherits from {name}, which lies in another file; what it lacks is ours"},
+    {"InheritedElsewhere", "the file inherits from {name}, which is in another file; defaults fill the gaps"},
     // Start and end blocks of a file that was printed.
-    {"FixedArea", "the start block names a fixed area ({line}); check that it is where the plate lies"},
-    {"FixedTemperatures", "the start block heats for purposes of its own ({lines}); these do not follow the filament"},
-    {"Factor", "the start block has {line}, a share of the speed; files written here go back to 100 % after it"},
-    {"FlowFactor", "the start block has {line}, a share of the flow, which holds for the whole of each print"},
+    {"FixedArea", "the start block names a fixed area ({line}); check that the plate lies there"},
+    {"FixedTemperatures",
+     "the start block heats for purposes of its own ({lines}); these temperatures do not follow the filament"},
+    {"Factor", "the start block has {line}, which scales the speed; it is set back to 100 % after the block"},
+    {"FlowFactor", "the start block has {line}, which scales the flow of the whole of each print"},
     {"EndHeights", "heights in the end block were left out; the nozzle is lifted by 10 mm before it"},
     {"EndPlaces", "places more than 10 mm off the bed were left out of the end block"},
     {"NoHoming", "the start block does not home"},
     {"NoNozzleWait", "the start block does not wait for a hot nozzle (M109)"},
     {"NoBedWait", "the start block does not wait for a hot bed (M190)"},
-    {"BeyondBed", "{detail}"},
+    {"BeyondBed", "the start block moves beyond the bed: {detail}"},
 };
 
 }  // namespace
 
-std::vector<std::string> importNoteCodes() {
-  std::vector<std::string> codes;
-  for (const Sentence& sentence : kSentences) codes.emplace_back(sentence.code);
-  return codes;
-}
+std::span<const Sentence> importNoteSentences() { return kSentences; }
 
 ImportNote importNote(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values) {
-  ImportNote note{std::string(code), {values.begin(), values.end()}, {}};
-  const auto* row = std::find_if(std::begin(kSentences), std::end(kSentences),
-                                 [&](const Sentence& sentence) { return sentence.code == code; });
-  assert(row != std::end(kSentences));
-  note.message = filledFrom(row->text, note.values);
-  return note;
+  return {std::string(code), {values.begin(), values.end()}, filled(sentenceOf(kSentences, code), values)};
 }
 
 void addNote(std::vector<ImportNote>& notes, ImportNote note) {

@@ -11,7 +11,7 @@
 
 namespace sillon {
 
-/// A note with its sentence. \param code  one of importNoteCodes(). \param values  what the sentence names, in its
+/// A note with its sentence. \param code  one of importNoteSentences(). \param values  what the sentence names, in its
 /// order.
 ImportNote importNote(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {});
 

@@ -10,6 +10,7 @@
 #include "base/words.hpp"
 #include "project/files.hpp"
 #include "settings/json.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 

@@ -11,6 +11,7 @@
 #include "input/plate_size.hpp"
 #include "input/svg.hpp"
 #include "project/files.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/input/image_io.hpp"
 
 namespace sillon {

@@ -1,78 +1,42 @@
 #include "sillon/rebrush/rebrush.hpp"
 
+#include <iterator>
 #include <utility>
 
 #include "rebrush/blocks.hpp"
 
 namespace sillon {
 
-const char* surfaceReason(LeftBecause reason) {
-  switch (reason) {
-    case LeftBecause::None:
-      return "it can be replaced";
-    case LeftBecause::Narrow:
-      return "it is narrower than three beads";
-    case LeftBecause::Small:
-      return "it is smaller than ten squares of one bead width";
-    case LeftBecause::Covered:
-      return "the next layer lies on part of it";
-    case LeftBecause::Bridge:
-      return "it bridges air";
-    case LeftBecause::Ironed:
-      return "the slicer irons it afterwards; switch ironing off";
-    case LeftBecause::Interleaved:
-      return "the slicer goes to and fro between it and another surface";
-    case LeftBecause::Command:
-      return "a command inside it would be lost";
-    case LeftBecause::Object:
-      return "another object begins inside it";
-    case LeftBecause::Height:
-      return "its moves rise or fall";
-    case LeftBecause::Modes:
-      return "inches, relative coordinates, E in mm3 or arcs by their radius are not followed";
-    case LeftBecause::Flow:
-      return "its plastic is not that of one full layer";
-    case LeftBecause::Travel:
-      return "what follows needs the nozzle where the slicer's last bead ended";
-    case LeftBecause::Cut:
-      return "the file ends inside it";
-  }
-  return "";
-}
+namespace {
 
-const char* surfaceReasonName(LeftBecause reason) {
-  switch (reason) {
-    case LeftBecause::None:
-      return "";
-    case LeftBecause::Narrow:
-      return "Narrow";
-    case LeftBecause::Small:
-      return "Small";
-    case LeftBecause::Covered:
-      return "Covered";
-    case LeftBecause::Bridge:
-      return "Bridge";
-    case LeftBecause::Ironed:
-      return "Ironed";
-    case LeftBecause::Interleaved:
-      return "Interleaved";
-    case LeftBecause::Command:
-      return "Command";
-    case LeftBecause::Object:
-      return "Object";
-    case LeftBecause::Height:
-      return "Height";
-    case LeftBecause::Modes:
-      return "Modes";
-    case LeftBecause::Flow:
-      return "Flow";
-    case LeftBecause::Travel:
-      return "Travel";
-    case LeftBecause::Cut:
-      return "Cut";
-  }
-  return "";
-}
+// In the order of LeftBecause.
+constexpr Sentence kSentences[] = {
+    {"", "it can be replaced"},
+    {"Narrow", "narrower than three beads"},
+    {"Small", "smaller than ten squares of one bead width"},
+    {"Covered", "the next layer lies on part of it"},
+    {"Bridge", "bridges air"},
+    {"Ironed", "ironed afterwards; switch ironing off in the slicer"},
+    {"Interleaved", "the slicer goes back and forth between it and another face"},
+    {"Command", "a command inside it would be lost"},
+    {"Object", "another object begins inside it"},
+    {"Height", "its moves rise or fall"},
+    {"Modes", "inches, relative coordinates, E in mm3 or arcs by their radius are not followed"},
+    {"Flow", "its plastic is not that of one full layer"},
+    {"Travel", "the next move needs the nozzle where its last bead ended"},
+    {"Cut", "the file ends inside it"},
+};
+static_assert(std::size(kSentences) == static_cast<std::size_t>(LeftBecause::Cut) + 1);
+
+const Sentence& sentence(LeftBecause reason) { return kSentences[static_cast<std::size_t>(reason)]; }
+
+}  // namespace
+
+const char* surfaceReason(LeftBecause reason) { return sentence(reason).text; }
+
+const char* surfaceReasonName(LeftBecause reason) { return sentence(reason).code; }
+
+std::span<const Sentence> surfaceSentences() { return std::span(kSentences).subspan(1); }
 
 Result<SlicedFile> readSlicedFile(std::string_view gcode, const RunContext& run) {
   run.beginJob();

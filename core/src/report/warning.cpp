@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "base/json.hpp"
@@ -13,95 +14,82 @@
 namespace sillon {
 namespace {
 
-struct Row {
-  WarningCode code;
-  const char* name;
-  const char* sentence;  // {name} stands for a value
-};
-
-constexpr Row kRows[] = {
-    {WarningCode::AccelerationHeld, "AccelerationHeld",
-     "acceleration is {asked} mm/s2; it is held at machineAcceleration, {held}"},
-    {WarningCode::BaseTooThin, "BaseTooThin",
+// In the order of WarningCode, which is that of the alphabet.
+constexpr Sentence kSentences[] = {
+    {"AccelerationHeld", "printer.acceleration is {asked} mm/s2; it is held at printer.machineAcceleration, {held}"},
+    {"BaseTooThin",
      "a base layer covers only {percent} % of the shape; places too narrow for its lines have nothing below them"},
-    {WarningCode::BlockMovesLow, "BlockMovesLow", "{block} goes down to Z {z}; what stands there is {height} mm high"},
-    {WarningCode::DetailLost, "DetailLost",
-     "{area} mm2 are narrower than a bead and stay empty, in places: {n}; {share} % of that would print at a page "
-     "width "
+    {"BlockMovesLow", "{block} goes down to Z {z}; what stands there is {height} mm high"},
+    {"DetailLost",
+     "{area} mm2 are narrower than a bead and stay empty (places: {n}); {share} % of that would print at a page width "
      "of {size} mm"},
-    {WarningCode::DrawingFaint, "DrawingFaint",
-     "{area} mm2 of the drawing are painted at half opacity or less and printed like the rest; take a variant of one "
-     "tone to "
-     "see its lines"},
-    {WarningCode::DrawingOffPage, "DrawingOffPage",
-     "{area} mm2 of the drawing lie off its page and are cut off, as viewers do"},
-    {WarningCode::DrawingUnpainted, "DrawingUnpainted",
-     "nothing in the drawing is painted, so its outlines were taken as the shape"},
-    {WarningCode::DrawingUnread, "DrawingUnread",
-     "not read of the drawing: {what}; compare the plate with what viewers show, or convert the drawing to paths in "
-     "the program that made it"},
-    {WarningCode::EndHot, "EndHot",
-     "endGcode leaves a nozzle, the bed or the chamber hot; M104 S0, M140 S0 and M141 S0 turn them off"},
-    {WarningCode::EndLine, "EndLine", "line {line} of endGcode: {what}"},
-    {WarningCode::FillRatio, "FillRatio", "the plastic fills {percent} % of the shape's area; 97 to 105 print well"},
-    {WarningCode::FlatBeads, "FlatBeads", "{n} points have beads no wider than the layer is high ({height} mm)"},
-    {WarningCode::ManyBytes, "ManyBytes", "the file has {mb} MB; hosts get slow above 100"},
-    {WarningCode::ManyMoves, "ManyMoves", "the file has {n} moves; hosts get slow above 2 million"},
-    {WarningCode::MaxFlowSlows, "MaxFlowSlows", "maxFlow slows {percent} % of the path"},
-    {WarningCode::MirroredUp, "MirroredUp",
-     "the plate is mirrored but shown from above; writing on it reads backwards"},
-    {WarningCode::NoPressureAdvance, "NoPressureAdvance",
+    {"DrawingFaint",
+     "{area} mm2 of the drawing are painted at half opacity or less and printed like the rest; a variant of one tone "
+     "shows its lines"},
+    {"DrawingOffPage", "{area} mm2 of the drawing lie off its page and are cut off"},
+    {"DrawingUnpainted", "nothing in the drawing is painted, so its outlines are the shape"},
+    {"DrawingUnread",
+     "these parts of the drawing are not read: {what}; compare the plate with what viewers show, or convert the "
+     "drawing to paths in the program that made it"},
+    {"EndHot", "the end G-code leaves a heater on; M104 S0, M140 S0 and M141 S0 turn the heaters off"},
+    {"EndLine", "line {line} of the end G-code: {what}", "rule"},
+    {"FillRatio", "the plastic fills {percent} % of the shape's area; 97 to 105 % print well"},
+    {"FlatBeads", "at {n} points beads are no wider than the layer is high ({height} mm)"},
+    {"ManyBytes", "the file has {mb} MB; printers get slow above 100"},
+    {"ManyMoves", "the file has {n} moves; printers get slow above 2 million"},
+    {"MaxFlowSlows", "printer.maxFlow slows {percent} % of the path"},
+    {"MirroredUp", "the plate is mirrored but shown from above; writing on it reads backwards"},
+    {"NoPressureAdvance",
      "nothing sets pressure advance on this printer, so oriented layers run evenly at {speed} mm/s, {minutes} min "
-     "longer "
-     "than at {asked}; the project's printer.setPressureAdvance sets it, printer.showSpeed the speed"},
-    {WarningCode::NotPrimed, "NotPrimed", "the plate leaves no room for a purge line; the first beads may be thin"},
-    {WarningCode::NotPrimedAbovePrint, "NotPrimedAbovePrint",
-     "nothing is printed beside a print that stands on the bed; the nozzle is not primed"},
-    {WarningCode::OutsideShape, "OutsideShape", "{n} points of the path lie more than 0.1 mm outside the shape"},
-    {WarningCode::PictureLost, "PictureLost",
+     "longer than at {asked}; printer.setPressureAdvance sets it, printer.showSpeed the speed"},
+    {"NotPrimed",
+     "the plate leaves no room for a purge line, so the nozzle is not primed and the first beads may be thin"},
+    {"NotPrimedAbovePrint",
+     "nothing is printed beside a print that stands on the bed, so the nozzle is not primed; a base layer hides that"},
+    {"OutsideShape", "points of the path that lie more than 0.1 mm outside the shape: {n}"},
+    {"PictureLost",
      "picture {picture} is hard to recognise in the beads (r {r}; 0.7 is enough); a larger size or a smaller spacing "
      "shows more of it"},
-    {WarningCode::PictureOneTone, "PictureOneTone",
-     "picture {picture} has one tone on this plate, so nothing can be seen in it; give a picture with bright and dark "
+    {"PictureOneTone",
+     "picture {picture} has one tone on this plate, so nothing can be seen in it; use a picture with bright and dark "
      "parts wider than a bead"},
-    {WarningCode::PicturesCrowded, "PicturesCrowded",
+    {"PicturesCrowded",
      "{n} pictures are too many for one plate: picture {picture} is hard to recognise in its directions (r {r}; 0.7 is "
      "enough); use fewer pictures, or ones that differ less"},
-    {WarningCode::PressureAdvanceReset, "PressureAdvanceReset",
+    {"PressureAdvanceReset",
      "pressure advance is {value} after the print, until the printer restarts or another file sets it"},
-    {WarningCode::PrintOnBed, "PrintOnBed",
-     "a print of {height} mm stands on the bed while the start block homes; G28 and G29 must not come down on it on "
-     "this printer"},
-    {WarningCode::PrintedApart, "PrintedApart",
-     "toolpaths that lie apart from the rest of their part: {n}, round x {x}, y {y} mm; what joins them is too thin "
-     "for a bead, which a larger size, a smaller spacing or keepThin may mend"},
-    {WarningCode::SegmentsSlow, "SegmentsSlow", "maxSegmentsPerSecond slows {percent} % of the path"},
-    {WarningCode::SkirtLeftOut, "SkirtLeftOut", "the skirt does not fit the bed and was left out"},
-    {WarningCode::SpeedHeld, "SpeedHeld", "{field} is {asked} mm/s; it is held at machineSpeed, {held}"},
-    {WarningCode::StartFlow, "StartFlow",
-     "startGcode sets the flow to {percent} % (M221), which holds for the whole print, beside filamentFlow"},
-    {WarningCode::StartLine, "StartLine", "line {line} of startGcode: {what}"},
-    {WarningCode::StartScales, "StartScales",
-     "startGcode sets the speed to {percent} % (M220); it is put back to 100 before the first bead"},
-    {WarningCode::StartTemperature, "StartTemperature",
-     "startGcode leaves the nozzle at {hot} degrees; the first layer is meant for {meant}"},
-    {WarningCode::ThinLayers, "ThinLayers", "layerHeight is {value} mm; below 0.2 nozzle layers tear"},
-    {WarningCode::UnusualFilament, "UnusualFilament",
-     "filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
-    {WarningCode::UnusualFlow, "UnusualFlow", "{field} is {value}; 0.8 to 1.1 is usual"},
-    {WarningCode::WidthHeld, "WidthHeld",
-     "{percent} % of the path is printed with a width held at {low} or {high} mm (0.6 and 1.6 nozzle)"},
+    {"PrintOnBed",
+     "a print of {height} mm stands on the bed while the printer homes; homing (G28) and probing (G29) must not come "
+     "down on it"},
+    {"PrintedApart",
+     "toolpaths that lie apart from the rest of their part: {n}, around X {x}, Y {y} mm; what joins them is too thin "
+     "for a bead, which a larger size, a smaller spacing or shape.keepThin may mend"},
+    {"SegmentsSlow", "printer.maxSegmentsPerSecond slows {percent} % of the path"},
+    {"SkirtLeftOut", "the skirt does not fit the bed and was left out"},
+    {"SpeedHeld", "{field} is {asked} mm/s; it is held at printer.machineSpeed, {held}"},
+    {"StartFlow",
+     "the start G-code sets the flow to {percent} % (M221), which holds for the whole print, on top of "
+     "printer.filamentFlow"},
+    {"StartLine", "line {line} of the start G-code: {what}", "rule"},
+    {"StartScales",
+     "the start G-code sets the speed to {percent} % (M220); it is put back to 100 % before the first bead"},
+    {"StartTemperature", "the start G-code leaves the nozzle at {hot} degrees; the first layer is meant for {meant}"},
+    {"ThinLayers", "print.layerHeight is {value} mm; layers thinner than 0.2 nozzle diameters tear"},
+    {"UnusualFilament", "printer.filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
+    {"UnusualFlow", "{field} is {value}; 0.8 to 1.1 is usual"},
+    {"WidthHeld",
+     "{percent} % of the path is printed with a width held at {low} or {high} mm (0.6 and 1.6 nozzle diameters)"},
 };
 
-constexpr bool rowsStandInOrder() {
-  for (int k = 0; k < static_cast<int>(std::size(kRows)); ++k) {
-    if (static_cast<int>(kRows[k].code) != k) return false;
+constexpr bool standInOrder() {
+  for (std::size_t k = 1; k < std::size(kSentences); ++k) {
+    if (!(std::string_view(kSentences[k - 1].code) < kSentences[k].code)) return false;
   }
-  return true;
+  return std::size(kSentences) == static_cast<std::size_t>(WarningCode::WidthHeld) + 1;
 }
-static_assert(rowsStandInOrder(), "one row per code, in the order of WarningCode");
+static_assert(standInOrder(), "one sentence per code, in the order of WarningCode");
 
-const Row& row(WarningCode code) { return kRows[static_cast<std::size_t>(code)]; }
+const Sentence& sentence(WarningCode code) { return kSentences[static_cast<std::size_t>(code)]; }
 
 /// The warning about places narrower than a bead.
 std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
@@ -125,15 +113,6 @@ std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double sp
             {"size", size}}}};
 }
 
-std::string sentenceOf(WarningCode code, const std::vector<NamedValue>& values) {
-  return filled(row(code).sentence, [&](std::string_view name) {
-    for (const NamedValue& value : values) {
-      if (name == value.name) return value.text.empty() ? decimal(value.number, 3) : value.text;
-    }
-    return std::string();
-  });
-}
-
 std::vector<Warning> apartWarnings(const std::vector<Vec2>& apart) {
   if (apart.empty()) return {};
   return {{WarningCode::PrintedApart,
@@ -145,7 +124,7 @@ std::vector<Warning> apartWarnings(const std::vector<Vec2>& apart) {
 }  // namespace
 
 Warning::Warning(WarningCode of, std::vector<NamedValue> with)
-    : code(of), values(std::move(with)), message(sentenceOf(code, values)) {}
+    : code(of), values(std::move(with)), message(filled(sentence(code), values)) {}
 
 const NamedValue* Warning::value(const std::string& name) const {
   const auto found =
@@ -153,7 +132,9 @@ const NamedValue* Warning::value(const std::string& name) const {
   return found == values.end() ? nullptr : &*found;
 }
 
-const char* warningName(WarningCode code) { return row(code).name; }
+const char* warningName(WarningCode code) { return sentence(code).code; }
+
+std::span<const Sentence> warningSentences() { return kSentences; }
 
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing) {
   std::vector<Warning> warnings;

@@ -8,6 +8,7 @@
 
 #include "base/json.hpp"
 #include "base/words.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/settings/presets.hpp"
 
 namespace sillon {

@@ -6,6 +6,7 @@
 
 #include "base/json.hpp"
 #include "base/words.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {

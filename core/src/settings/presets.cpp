@@ -9,6 +9,7 @@
 #include "base/words.hpp"
 #include "settings/json.hpp"
 #include "settings/preset_data.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

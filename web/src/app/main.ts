@@ -1,7 +1,7 @@
 // Puts a page together: state, engine, directions, files, and what the elements may ask for. There are two: the studio, and
 // the studio as it is shown in a frame of another page.
 import { spoken } from '../i18n/languages.js';
-import { languageFor, setLanguage, t } from '../i18n/text.js';
+import { languageFor, say, setLanguage, t } from '../i18n/text.js';
 import directionsWorker from '../generators/directions.worker.ts?worker&url';
 import { createRasteriser } from '../generators/rasteriser.js';
 import { loadEngine } from '../engine/load.js';
@@ -79,7 +79,8 @@ const pipeline = new Pipeline(
 /** Of the studio itself at once; in a frame none until a host says so. */
 let autosave: Autosave | undefined;
 
-const rarely = async (): Promise<(typeof import('../i18n/rare.js'))['rare']> => (await import('../i18n/rare.js')).rare;
+/** The words about kept plates, which no first visit fetches. */
+const plateWords = async () => (await import('../i18n/en/plates.js')).words;
 
 async function keeper(host?: string): Promise<Autosave> {
   const { createAutosave } = await import('../files/autosave.js');
@@ -89,8 +90,8 @@ async function keeper(host?: string): Promise<Autosave> {
     },
     onTaken: () => {
       made.save(store.steps);
-      void rarely().then((rare) => {
-        studio.notify(rare('plates.taken'));
+      void plateWords().then((words) => {
+        studio.notify(say(words, 'plates.taken'));
       });
     },
     ...(host === undefined ? {} : { host }),
@@ -182,18 +183,22 @@ studio.services = {
   savedInPlace: async (project) => {
     const handle = autosave === undefined ? undefined : places.get(autosave.current());
     if (handle === undefined) return '';
-    const [{ writeBack }, rare] = await Promise.all([import('../files/in-place.js'), rarely()]);
-    return (await writeBack(handle, project)) ? rare('plates.savedTo', { name: handle.name }) : '';
+    const [{ writeBack }, words] = await Promise.all([import('../files/in-place.js'), plateWords()]);
+    return (await writeBack(handle, project)) ? say(words, 'plates.savedTo', { name: handle.name }) : '';
   },
   plates: kept,
   openPlate: async (id, take) => {
-    const [opened, rare, { showKept }] = await Promise.all([kept().open(id, take), rarely(), import('./restore.js')]);
+    const [opened, words, { showKept }] = await Promise.all([
+      kept().open(id, take),
+      plateWords(),
+      import('./restore.js'),
+    ]);
     if (opened === undefined) {
-      studio.notify(rare('plates.gone'));
+      studio.notify(say(words, 'plates.gone'));
       return;
     }
     goOnWith(showKept)(opened);
-    if (opened.state === 'copy') studio.notify(rare('plates.copied'));
+    if (opened.state === 'copy') studio.notify(say(words, 'plates.copied'));
   },
   reviewed: (text) => reviewed.has(text) || (!framed && recallText('reviewed') === text),
   setReviewed: (text) => {

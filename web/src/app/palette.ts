@@ -2,8 +2,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { languages } from '../i18n/languages.js';
-import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/help.js';
+import { say, t } from '../i18n/text.js';
 import { sections } from '../model/guest.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon, type IconName } from '../controls/icons.js';
@@ -157,7 +157,7 @@ function actionsOf(studio: Studio): Action[] {
     { group: '', label: t('verb.zoomOut'), icon: 'minus', keys: '-', run: () => studio.stage?.zoom(1 / 1.4) },
     {
       group: '',
-      label: rare('keys.compare'),
+      label: say(words, 'keys.compare'),
       icon: 'compare',
       keys: 'C',
       run: () => {
@@ -166,7 +166,7 @@ function actionsOf(studio: Studio): Action[] {
     },
     {
       group: '',
-      label: rare('keys.play'),
+      label: say(words, 'keys.play'),
       icon: 'play',
       keys: 'P',
       run: () => {
@@ -261,7 +261,7 @@ export class Palette extends DialogElement {
   @query('input') private input!: HTMLInputElement;
   readonly #actions: Action[] = [];
 
-  protected override heading = (): string => rare('palette.title');
+  protected override heading = (): string => say(words, 'palette.title');
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -291,8 +291,8 @@ export class Palette extends DialogElement {
         aria-expanded="true"
         aria-controls="found"
         aria-activedescendant=${found.length > 0 ? `action-${this.chosen}` : nothing}
-        aria-label=${rare('palette.title')}
-        placeholder=${rare('palette.what')}
+        aria-label=${say(words, 'palette.title')}
+        placeholder=${say(words, 'palette.what')}
         spellcheck="false"
         .value=${this.words}
         @input=${() => {
@@ -303,7 +303,7 @@ export class Palette extends DialogElement {
           this.#onKey(event, found);
         }}
       />
-      <div role="listbox" id="found" aria-label=${rare('palette.title')}>
+      <div role="listbox" id="found" aria-label=${say(words, 'palette.title')}>
         ${found.map(
           (action, k) =>
             html`<div
@@ -323,7 +323,7 @@ export class Palette extends DialogElement {
             </div>`,
         )}
       </div>
-      ${found.length === 0 ? html`<p class="note" role="status">${rare('palette.none')}</p>` : nothing}
+      ${found.length === 0 ? html`<p class="note" role="status">${say(words, 'palette.none')}</p>` : nothing}
     `;
   }
 

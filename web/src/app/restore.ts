@@ -1,8 +1,8 @@
 // Work of an earlier visit becomes the page's own again. A plate that stops the page before it is shown must not be restored by
 // itself at the next visit: a mark is set before it is restored, and taken away once it is shown. Fetched when there is work.
 import type { Kept, Opened } from '../files/autosave.js';
-import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/plates.js';
+import { say, t } from '../i18n/text.js';
 import type { NoticeAction } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { forget, recallText, remember } from './remember.js';
@@ -70,11 +70,11 @@ interface Restoring {
 export function restore(studio: Studio, found: Kept, { shows, framed, show }: Restoring): boolean {
   const plates = framed ? [] : [listPlates(studio)];
   if (found.state === 'elsewhere') {
-    if (shows) studio.notify(rare('plates.left'), listPlates(studio));
+    if (shows) studio.notify(say(words, 'plates.left'), listPlates(studio));
     return shows;
   }
   if (found.state === 'foreign') {
-    if (shows) studio.notify(rare('plates.foreignLeft'), ...plates);
+    if (shows) studio.notify(say(words, 'plates.foreignLeft'), ...plates);
     return false;
   }
   const open = (label: string): NoticeAction => ({
@@ -89,12 +89,16 @@ export function restore(studio: Studio, found: Kept, { shows, framed, show }: Re
   }
   // The last visit ended before its plate was shown: the plate may have stopped the page, and would again.
   if (found.state === 'own' && wasNeverShown(found.id)) {
-    studio.tell({ text: rare('plates.unshown'), actions: [open(rare('plates.openAnyway')), ...plates], stays: true });
+    studio.tell({
+      text: say(words, 'plates.unshown'),
+      actions: [open(say(words, 'plates.openAnyway')), ...plates],
+      stays: true,
+    });
     return false;
   }
   show(found);
   if (found.state === 'copy') {
-    studio.notify(rare('plates.copied'));
+    studio.notify(say(words, 'plates.copied'));
     return true;
   }
   studio.notify(t('restore.done'), {

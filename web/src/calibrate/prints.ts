@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
 import { wholeWords } from '../i18n/say-problem.js';
-import { warningText } from '../i18n/say-rare.js';
+import { warningText } from '../i18n/say-core.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
 import { kinds } from './model.js';
 import { viewLook } from '../model/filaments.js';

@@ -2,8 +2,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/looks.js';
+import { say, t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 
@@ -79,14 +79,14 @@ export class Divider extends StudioElement {
     const { wipe, over } = this.state;
     if (over === undefined) return nothing;
     const percent = Math.round(100 * wipe);
-    return html`<span class="line"></span> <span class="tag other">${rare(`looks.over.${over}`)}</span
+    return html`<span class="line"></span> <span class="tag other">${say(words, `looks.over.${over}`)}</span
       ><span class="tag">${t('view.yours')}</span>
       <input
         type="range"
         min="0"
         max="100"
         step="1"
-        aria-label=${rare(`looks.share.${over}`)}
+        aria-label=${say(words, `looks.share.${over}`)}
         aria-valuetext=${t('progress.percent', { percent })}
         .value=${live(String(percent))}
         @input=${(event: Event) => {

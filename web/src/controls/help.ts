@@ -1,8 +1,8 @@
 // What this is, and its keys.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/help.js';
+import { say, t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
 import { keysText, shortcuts } from './shortcut-list.js';
 
@@ -63,12 +63,12 @@ export class Help extends DialogElement {
 
   protected override body(): TemplateResult {
     return html`
-      <p>${rare('help.intro')}</p>
+      <p>${say(words, 'help.intro')}</p>
       <ol>
-        <li>${rare('help.step1')}</li>
-        <li>${rare('help.step2')}</li>
-        <li>${rare('help.step3')}</li>
-        <li>${rare('help.step4')}</li>
+        <li>${say(words, 'help.step1')}</li>
+        <li>${say(words, 'help.step2')}</li>
+        <li>${say(words, 'help.step3')}</li>
+        <li>${say(words, 'help.step4')}</li>
       </ol>
       ${matchMedia('(pointer: coarse)').matches ? [this.#mouse(), this.#keys()] : [this.#keys(), this.#mouse()]}
       <p class="note">${t('app.local')}</p>
@@ -76,12 +76,12 @@ export class Help extends DialogElement {
   }
 
   #keys(): TemplateResult {
-    return html`<h3>${rare('help.keys')}</h3>
+    return html`<h3>${say(words, 'help.keys')}</h3>
       <dl>
         ${shortcuts.map(
           ({ shown, text }) =>
             html`<div>
-              <dt>${rare(text)}</dt>
+              <dt>${say(words, text)}</dt>
               <dd>${shown.map((keys) => html`<kbd>${keysText(keys)}</kbd>`)}</dd>
             </div>`,
         )}
@@ -89,11 +89,11 @@ export class Help extends DialogElement {
   }
 
   #mouse(): TemplateResult {
-    return html`<h3>${rare('help.mouse')}</h3>
+    return html`<h3>${say(words, 'help.mouse')}</h3>
       <ul>
-        <li>${rare('help.mouse.pan')}</li>
-        <li>${rare('help.mouse.zoom')}</li>
-        <li>${rare('help.mouse.light')}</li>
+        <li>${say(words, 'help.mouse.pan')}</li>
+        <li>${say(words, 'help.mouse.zoom')}</li>
+        <li>${say(words, 'help.mouse.light')}</li>
       </ul>`;
   }
 }

@@ -1,10 +1,11 @@
 // The keys of shortcuts.ts, as people read them.
-import { rare, type RareTextId } from '../i18n/rare.js';
+import { words } from '../i18n/en/help.js';
+import { say } from '../i18n/text.js';
 
 interface Shortcut {
   /** As the help sheet shows them; several are alternatives. */
   shown: readonly string[];
-  text: RareTextId;
+  text: keyof typeof words;
 }
 
 export const shortcuts: readonly Shortcut[] = [
@@ -33,5 +34,5 @@ const keyNames = { Ctrl: 'key.ctrl', Shift: 'key.shift', Esc: 'key.escape' } as 
 export const keysText = (keys: string): string =>
   keys
     .split(' ')
-    .map((key) => (key in keyNames ? rare(keyNames[key as keyof typeof keyNames]) : key))
+    .map((key) => (key in keyNames ? say(words, keyNames[key as keyof typeof keyNames]) : key))
     .join(' ');

@@ -2,7 +2,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { directionsFor } from '../model/flat-colours.js';
-import { rare } from '../i18n/rare.js';
+import { words } from '../i18n/en/colours.js';
+import { say } from '../i18n/text.js';
 import type { FlatColour } from '../model/plate.js';
 import '../controls/dial.js';
 import { StudioElement } from '../controls/element.js';
@@ -49,19 +50,19 @@ export class ColoursPanel extends StudioElement {
     const { directions } = this.state.plate;
     if (directions.kind !== 'colours') return nothing;
     const { colours } = directions;
-    if (colours.length === 0) return html`<p class="note">${rare('colours.none')}</p>`;
+    if (colours.length === 0) return html`<p class="note">${say(words, 'colours.none')}</p>`;
     const names = colours.map(({ colour }) => colour);
     return html`
       <ul>
         ${colours.map((one, k) => this.#row(one, k))}
       </ul>
       <div class="buttons">
-        ${this.#action(rare('colours.tones'), rare('colours.tones.help'), () => directionsFor(names))}
-        ${this.#action(rare('colours.even'), rare('colours.even.help'), () =>
+        ${this.#action(say(words, 'colours.tones'), say(words, 'colours.tones.help'), () => directionsFor(names))}
+        ${this.#action(say(words, 'colours.even'), say(words, 'colours.even.help'), () =>
           colours.map(({ colour }, k) => ({ colour, angle: Math.round((180 * k) / colours.length) })),
         )}
       </div>
-      <p class="note">${rare('colours.note')}</p>
+      <p class="note">${say(words, 'colours.note')}</p>
     `;
   }
 
@@ -78,7 +79,7 @@ export class ColoursPanel extends StudioElement {
   }
 
   #row({ colour, angle }: FlatColour, k: number): TemplateResult {
-    const label = rare('colours.one', { n: k + 1, colour });
+    const label = say(words, 'colours.one', { n: k + 1, colour });
     const id = `colour-${k}`;
     const turn = (next: number): void => {
       const { directions } = this.state.plate;
@@ -93,7 +94,7 @@ export class ColoursPanel extends StudioElement {
     };
     return html`<li class="field">
       <span class="swatch" .style=${`--colour: ${colour}`}></span>
-      <label for=${id} title=${colour}>${rare('colours.nth', { n: k + 1 })}</label>
+      <label for=${id} title=${colour}>${say(words, 'colours.nth', { n: k + 1 })}</label>
       <sillon-dial
         .label=${label}
         .value=${angle}

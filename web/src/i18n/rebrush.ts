@@ -1,12 +1,7 @@
 // The words of the view that re-brushes sliced prints: no first visit has to fetch them in English.
-import { rebrushEn } from './rebrush-en.js';
-import { filled, translated, type Values } from './text.js';
+import { words as faces } from './en/core/faces.js';
+import { words } from './en/rebrush.js';
+import { sayer } from './text.js';
 
-type Unprefixed<Id> = Id extends `rebrush.${infer Rest}` ? Rest : never;
-export type RebrushTextId = Unprefixed<keyof typeof rebrushEn>;
-
-/** As `t`. */
-export function r(name: RebrushTextId, values: Values = {}): string {
-  const id = `rebrush.${name}` as const;
-  return filled(translated(id) ?? rebrushEn[id], values);
-}
+export const r = sayer('rebrush.', { ...words, ...faces });
+export type RebrushTextId = Parameters<typeof r>[0];

@@ -3,10 +3,10 @@
 import type { ErrorReason } from 'sillon';
 import type { Problem } from '../model/problem.js';
 import { settings } from '../model/settings.js';
-import { hasRare, rare } from './rare.js';
-import { warningText } from './say-rare.js';
+import { words } from './en/problems.js';
+import { reasonText } from './say-core.js';
 import { problemWords, settingLabel, unitText } from './say.js';
-import { formatNumber, language } from './text.js';
+import { formatNumber, language, say } from './text.js';
 
 export interface ExactWords {
   message: string;
@@ -25,13 +25,13 @@ function outOfRange({ setting, value, low, high }: Values): ExactWords {
   const unit = known === undefined || !('unit' in known) || known.unit === '' ? '' : `\u00a0${unitText(known.unit)}`;
   const measured = (number: number | string | undefined): string => shown(number) + unit;
   return {
-    message: rare('reason.SettingOutOfRange', {
+    message: say(words, 'reason.SettingOutOfRange', {
       label: known === undefined ? String(setting) : settingLabel(known),
       value: measured(value),
       low: shown(low),
       high: measured(high),
     }),
-    hint: rare('reason.SettingOutOfRange.hint'),
+    hint: say(words, 'reason.SettingOutOfRange.hint'),
   };
 }
 
@@ -39,20 +39,26 @@ function outOfRange({ setting, value, low, high }: Values): ExactWords {
 function overBedEdge(values: Values): ExactWords {
   const sides = (['left', 'right', 'front', 'back'] as const)
     .filter((side) => values[side] !== undefined)
-    .map((side) => rare(`reason.${side}`, { mm: shown(values[side]) }));
+    .map((side) => say(words, `reason.${side}`, { mm: shown(values[side]) }));
   const list = new Intl.ListFormat(language(), { type: 'conjunction' }).format(sides);
-  return { message: rare('reason.OverBedEdge', { sides: list }) };
+  return { message: say(words, 'reason.OverBedEdge', { sides: list }) };
 }
 
 function plateTooLarge({ spacing, leastSpacing, percent }: Values): ExactWords {
   const ways = [
-    ...(leastSpacing === undefined ? [] : [rare('reason.leastSpacing', { mm: shown(leastSpacing) })]),
-    ...(percent === undefined ? [] : [rare('reason.percent', { percent: shown(percent) })]),
+    ...(leastSpacing === undefined ? [] : [say(words, 'reason.leastSpacing', { mm: shown(leastSpacing) })]),
+    ...(percent === undefined ? [] : [say(words, 'reason.percent', { percent: shown(percent) })]),
   ];
   return {
-    message: rare('reason.PlateTooLarge', { mm: shown(spacing) }),
+    message: say(words, 'reason.PlateTooLarge', { mm: shown(spacing) }),
     ...(ways.length === 0 ? {} : { hint: ways.join(' ') }),
   };
+}
+
+function otherReason(reason: string, values: Values): ExactWords | undefined {
+  const message = reasonText(reason, values);
+  if (message === undefined) return undefined;
+  return { message, ...(reason === 'CopiesTooHigh' ? { hint: say(words, 'reason.CopiesTooHigh.hint') } : {}) };
 }
 
 function reasonWords(reason: ErrorReason, values: Values): ExactWords | undefined {
@@ -63,20 +69,10 @@ function reasonWords(reason: ErrorReason, values: Values): ExactWords | undefine
       return overBedEdge(values);
     case 'PlateTooLarge':
       return plateTooLarge(values);
-    case 'OverRoundBed':
-    case 'OnExcludedZone':
-    case 'TooHigh':
-    case 'NoBeadFits':
-      return { message: rare(`reason.${reason}`, rounded(values)) };
-    case 'CopiesTooHigh':
-      return { message: rare('reason.CopiesTooHigh', rounded(values)), hint: rare('reason.CopiesTooHigh.hint') };
     default:
-      return hasRare(`warning.${reason}`) ? { message: warningText({ code: reason, values, message: '' }) } : undefined;
+      return otherReason(reason, values);
   }
 }
-
-const rounded = (values: Values): Record<string, string> =>
-  Object.fromEntries(Object.entries(values).map(([name, value]) => [name, shown(value)]));
 
 /** undefined: the code has all that is known. */
 export function exactWords({ code, values }: Problem): ExactWords | undefined {
@@ -84,8 +80,8 @@ export function exactWords({ code, values }: Problem): ExactWords | undefined {
   if (reason !== undefined) return reasonWords(reason as ErrorReason, values);
   if (code !== 'UnknownFile' || format === undefined) return undefined;
   return format === 'empty'
-    ? { message: rare('problem.emptyFile', { name }), hint: rare('problem.emptyFile.hint') }
-    : { message: rare('problem.otherFile', { name, format }), hint: rare('problem.otherFile.hint') };
+    ? { message: say(words, 'problem.emptyFile', { name }), hint: say(words, 'problem.emptyFile.hint') }
+    : { message: say(words, 'problem.otherFile', { name, format }), hint: say(words, 'problem.otherFile.hint') };
 }
 
 /** All that is known, without a place for details: where the page has no words, the engine's own. */

@@ -1,28 +1,54 @@
 // The page's words. What a language lacks would be a type error.
-import type { calibrateEn } from './calibrate-en.js';
 import { en } from './en.js';
-import type { drawingEn } from './drawing-en.js';
-import type { helpEn } from './help-en.js';
+import type { words as blocks } from './en/blocks.js';
+import type { words as calibrate } from './en/calibrate.js';
+import type { words as colours } from './en/colours.js';
+import type { words as faces } from './en/core/faces.js';
+import type { words as findings } from './en/core/findings.js';
+import type { words as importNotes } from './en/core/import-notes.js';
+import type { words as reasons } from './en/core/reasons.js';
+import type { words as settingHelp } from './en/core/setting-help.js';
+import type { words as warnings } from './en/core/warnings.js';
+import type { words as doubts } from './en/doubts.js';
+import type { words as drawing } from './en/drawing.js';
+import type { words as exports } from './en/export.js';
+import type { words as files } from './en/files.js';
+import type { words as help } from './en/help.js';
+import type { words as links } from './en/links.js';
+import type { words as looks } from './en/looks.js';
+import type { words as plates } from './en/plates.js';
+import type { words as problems } from './en/problems.js';
+import type { words as rebrush } from './en/rebrush.js';
 import { languages, spoken } from './languages.js';
-import type { rareEn } from './rare-en.js';
-import type { rebrushEn } from './rebrush-en.js';
 
-export type TextId = keyof typeof en;
 /** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
 export type Text = string | { readonly one: string; readonly other: string };
+export type TextId = keyof typeof en;
 export type Dictionary = Readonly<Record<TextId, Text>>;
-/** Of a language but English, whose words of views that are rarely opened are in files of their own. */
-export type Translation = Dictionary &
-  Readonly<
-    Record<
-      | keyof typeof calibrateEn
-      | keyof typeof drawingEn
-      | keyof typeof helpEn
-      | keyof typeof rareEn
-      | keyof typeof rebrushEn,
-      Text
-    >
-  >;
+
+type Late =
+  | typeof blocks
+  | typeof calibrate
+  | typeof colours
+  | typeof doubts
+  | typeof drawing
+  | typeof exports
+  | typeof faces
+  | typeof files
+  | typeof findings
+  | typeof help
+  | typeof importNotes
+  | typeof links
+  | typeof looks
+  | typeof plates
+  | typeof problems
+  | typeof reasons
+  | typeof rebrush
+  | typeof settingHelp
+  | typeof warnings;
+type IdOf<Words> = Words extends unknown ? keyof Words : never;
+/** A language but English has all its words in one file. */
+export type Translation = Dictionary & Readonly<Record<IdOf<Late>, Text>>;
 export type Values = Readonly<Record<string, string | number>>;
 
 let current = 'en';
@@ -50,11 +76,20 @@ export function languageFor(wanted: readonly string[]): string {
 /** Numbers among the values are written as the language does, with at most two decimals. */
 export const t = (id: TextId, values: Values = {}): string => filled(dictionary[id], values);
 
-/** Of words that English has elsewhere; undefined: they are English. */
-export const translated = (id: string): Text | undefined => (dictionary as Readonly<Record<string, Text>>)[id];
+/** As `t`, for words that are loaded with what shows them. @param english  the words of one file of en/ */
+export const say = <Id extends string>(english: Readonly<Record<Id, Text>>, id: Id, values: Values = {}): string =>
+  filled((dictionary as Readonly<Record<string, Text>>)[id] ?? english[id], values);
+
+type Rest<Id, Prefix extends string> = Id extends `${Prefix}${infer Name}` ? Name : never;
+
+/** As `say`, for words whose ids all begin alike. */
+export const sayer =
+  <Prefix extends string, Id extends `${Prefix}${string}`>(prefix: Prefix, english: Readonly<Record<Id, Text>>) =>
+  (name: Rest<Id, Prefix>, values: Values = {}): string =>
+    say(english, `${prefix}${name}` as Id, values);
 
 /** A text with its values, in the form that their number asks for. */
-export function filled(text: Text, values: Values): string {
+function filled(text: Text, values: Values): string {
   const form = typeof text === 'string' ? text : plurals.select(Number(values['n'])) === 'one' ? text.one : text.other;
   return form.replace(/\{(\w+)\}/g, (whole, name: string) => {
     const value = values[name];

@@ -1,8 +1,8 @@
 // What the files that were opened last are for: the page's guess, to be changed.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { rare } from '../i18n/rare.js';
-import { formatBytes, t } from '../i18n/text.js';
+import { words } from '../i18n/en/files.js';
+import { formatBytes, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import type { Opened, Role } from '../model/file-role.js';
 
@@ -52,7 +52,7 @@ export class Files extends DialogElement {
 
   readonly #pictures = new Map<string, string>();
 
-  protected override heading = (): string => rare('files.what');
+  protected override heading = (): string => say(words, 'files.what');
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
@@ -63,7 +63,7 @@ export class Files extends DialogElement {
   protected override body(): TemplateResult {
     const { opened } = this.state;
     return html`
-      <p>${rare('files.guess')}</p>
+      <p>${say(words, 'files.guess')}</p>
       <ul class="files">
         ${opened?.files.map((file, k) => this.#row(file, k))}
       </ul>
@@ -97,7 +97,7 @@ export class Files extends DialogElement {
       >
         ${roles.map((name) => html`<option value=${name} ?selected=${name === role}>${t(`role.${name}`)}</option>`)}
       </select>
-      <p class="note" id="${id}-help">${rare(`role.${role}.help`)}</p>
+      <p class="note" id="${id}-help">${say(words, `role.${role}.help`)}</p>
     </li>`;
   }
 

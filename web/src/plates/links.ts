@@ -1,5 +1,5 @@
 // A plate as an address of the studio, with words for what an address cannot carry.
-import { missingText, untoldText } from '../i18n/rare.js';
+import { missingText, untoldText } from '../i18n/say-link.js';
 import type { Plate } from '../model/plate.js';
 import { readLink, writeLink, type Untold } from '../model/share.js';
 

@@ -4,8 +4,8 @@ import { customElement, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Listed } from '../files/autosave.js';
 import { plainName } from '../files/file-name.js';
-import { rare } from '../i18n/rare.js';
-import { language, t } from '../i18n/text.js';
+import { words } from '../i18n/en/plates.js';
+import { language, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { urlOf } from '../controls/thumbnail.js';
@@ -137,7 +137,7 @@ export class Plates extends DialogElement {
   @state() private foreign: Listed | undefined;
   @state() private deleted: { name: string; undo: () => Promise<void> } | undefined;
 
-  protected override heading = (): string => rare('plates.title');
+  protected override heading = (): string => say(words, 'plates.title');
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -158,13 +158,13 @@ export class Plates extends DialogElement {
 
   protected override body(): TemplateResult {
     return html`
-      <p>${rare('plates.what')}</p>
+      <p>${say(words, 'plates.what')}</p>
       <div role="status">${this.#told()}</div>
       ${
         this.plates === undefined
           ? nothing
           : this.plates.length === 0
-            ? html`<p class="note">${rare('plates.none')}</p>`
+            ? html`<p class="note">${say(words, 'plates.none')}</p>`
             : html`<ul class="plates">
                 ${repeat(
                   this.plates,
@@ -181,7 +181,7 @@ export class Plates extends DialogElement {
             this.studio.services.newPlate();
           }}
         >
-          ${icon('plus')} ${rare('plates.new')}
+          ${icon('plus')} ${say(words, 'plates.new')}
         </button>
       </div>
     `;
@@ -191,7 +191,7 @@ export class Plates extends DialogElement {
     const { asked, foreign, deleted } = this;
     if (foreign !== undefined) {
       return html`<div class="told">
-        <span>${rare('plates.foreignHelp', { name: this.#nameOf(foreign) })}</span>
+        <span>${say(words, 'plates.foreignHelp', { name: this.#nameOf(foreign) })}</span>
         <button type="button" class="main" @click=${() => void this.#download(foreign)}>
           ${icon('download', 16)} ${t('verb.download')}
         </button>
@@ -199,7 +199,7 @@ export class Plates extends DialogElement {
     }
     if (asked !== undefined) {
       return html`<div class="told">
-        <span>${rare('plates.asked', { name: this.#nameOf(asked) })} ${rare('plates.takeHelp')}</span>
+        <span>${say(words, 'plates.asked', { name: this.#nameOf(asked) })} ${say(words, 'plates.takeHelp')}</span>
         <button
           type="button"
           class="main"
@@ -207,7 +207,7 @@ export class Plates extends DialogElement {
             void this.#open(asked.id, true);
           }}
         >
-          ${rare('plates.take')}
+          ${say(words, 'plates.take')}
         </button>
         <button
           type="button"
@@ -215,13 +215,13 @@ export class Plates extends DialogElement {
             void this.#open(asked.id, false);
           }}
         >
-          ${rare('plates.copy')}
+          ${say(words, 'plates.copy')}
         </button>
       </div>`;
     }
     if (deleted === undefined) return nothing;
     return html`<div class="told">
-      <span>${rare('plates.deleted', { name: deleted.name })}</span>
+      <span>${say(words, 'plates.deleted', { name: deleted.name })}</span>
       <button
         type="button"
         @click=${() => {
@@ -235,19 +235,19 @@ export class Plates extends DialogElement {
     </div>`;
   }
 
-  #nameOf = ({ name }: Listed): string => name || rare('plates.untitled');
+  #nameOf = ({ name }: Listed): string => name || say(words, 'plates.untitled');
 
   #plate(plate: Listed): TemplateResult {
     const { id, width, height, changed, picture, here, elsewhere, foreign } = plate;
     const name = this.#nameOf(plate);
-    const size = rare('plates.size', { width: Math.round(width), height: Math.round(height) });
+    const size = say(words, 'plates.size', { width: Math.round(width), height: Math.round(height) });
     const badge = foreign ? 'plates.foreign' : here ? 'plates.here' : elsewhere ? 'plates.elsewhere' : undefined;
     const date = new Intl.DateTimeFormat(language(), { dateStyle: 'medium', timeStyle: 'short' }).format(changed);
     return html`<li class=${here ? 'here' : ''}>
       <button
         type="button"
         class="open"
-        aria-label=${rare('plates.open', { name })}
+        aria-label=${say(words, 'plates.open', { name })}
         aria-current=${here ? 'true' : nothing}
         @click=${() => {
           if (foreign) this.foreign = plate;
@@ -261,13 +261,13 @@ export class Plates extends DialogElement {
             ? html`<span class="blank">${icon('directions', 40)}</span>`
             : html`<img src=${urlOf(picture)} alt="" />`
         }
-        ${badge === undefined ? nothing : html`<span class="badge">${rare(badge)}</span>`}
+        ${badge === undefined ? nothing : html`<span class="badge">${say(words, badge)}</span>`}
       </button>
       <input
         class="name"
         type="text"
-        aria-label=${rare('plates.name', { name })}
-        placeholder=${rare('plates.untitled')}
+        aria-label=${say(words, 'plates.name', { name })}
+        placeholder=${say(words, 'plates.untitled')}
         maxlength="80"
         spellcheck="false"
         ?readonly=${elsewhere || foreign}
@@ -280,14 +280,14 @@ export class Plates extends DialogElement {
         <span class="note">${size}<br />${date}</span>
         ${
           foreign
-            ? this.#button('download', rare('plates.download', { name }), () => this.#download(plate))
-            : this.#button('copy', rare('plates.duplicate', { name }), () =>
+            ? this.#button('download', say(words, 'plates.download', { name }), () => this.#download(plate))
+            : this.#button('copy', say(words, 'plates.duplicate', { name }), () =>
                 this.#then(async () => {
-                  await this.studio.services.plates().duplicate(id, rare('plates.copyOf', { name }));
+                  await this.studio.services.plates().duplicate(id, say(words, 'plates.copyOf', { name }));
                 }),
               )
         }
-        ${this.#button('bin', rare('plates.delete', { name }), () => this.#remove(plate), elsewhere)}
+        ${this.#button('bin', say(words, 'plates.delete', { name }), () => this.#remove(plate), elsewhere)}
       </div>
     </li>`;
   }

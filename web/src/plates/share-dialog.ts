@@ -1,8 +1,8 @@
 // A link that carries the settings, and what it cannot carry.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
-import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/export.js';
+import { say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon } from '../controls/icons.js';
 import type { Shown } from '../studio/shown.js';
@@ -61,7 +61,7 @@ export class Share extends DialogElement {
 
   protected override body(): TemplateResult {
     return html`
-      <p>${rare('export.link.help')} ${this.told}</p>
+      <p>${say(words, 'export.link.help')} ${this.told}</p>
       <div class="link">
         <input type="text" readonly aria-label=${t('verb.share')} .value=${this.url} @focus=${this.#select} />
         <button type="button" class="main" ?disabled=${this.url === ''} @click=${this.#copy}>

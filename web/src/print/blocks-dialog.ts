@@ -3,9 +3,10 @@
 import type { GcodeFinding, PrinterValues } from 'sillon';
 import { css, html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
+import { words } from '../i18n/en/blocks.js';
 import { heatText, settingLabel, valueText } from '../i18n/say.js';
-import { findingText } from '../i18n/say-rare.js';
-import { t } from '../i18n/text.js';
+import { findingText } from '../i18n/say-core.js';
+import { say, t } from '../i18n/text.js';
 import { withoutBlocks } from '../model/brought.js';
 import { settings, type Setting, type SettingValue } from '../model/settings.js';
 import { DialogElement } from '../controls/dialog.js';
@@ -109,7 +110,8 @@ export class Blocks extends DialogElement {
   @state() private findings: Partial<Record<Block, readonly GcodeFinding[]>> = {};
   #examined: PrinterValues | undefined;
 
-  protected override heading = (): string => t(this.purpose === 'brought' ? 'brought.title' : 'blocks.title');
+  protected override heading = (): string =>
+    this.purpose === 'brought' ? t('brought.title') : say(words, 'blocks.title');
 
   #printer(): PrinterValues {
     const { brought, printer } = this.state.plate;
@@ -138,9 +140,9 @@ export class Blocks extends DialogElement {
   protected override body(): TemplateResult {
     const printer = this.#printer();
     return html`
-      <p>${t(this.purpose === 'brought' ? 'brought.help' : 'blocks.help')}</p>
+      <p>${say(words, this.purpose === 'brought' ? 'brought.help' : 'blocks.help')}</p>
       ${this.purpose === 'brought' ? this.#differences(printer) : nothing}
-      ${printer.anyTemperature ? html`<p>${icon('warn', 16)} ${t('blocks.anyTemperature')} ${heatText(printer)}</p>` : nothing}
+      ${printer.anyTemperature ? html`<p>${icon('warn', 16)} ${say(words, 'blocks.anyTemperature')} ${heatText(printer)}</p>` : nothing}
       ${this.#block(printer, 'startGcode')} ${this.#block(printer, 'endGcode')}
       <div class="end">${this.purpose === 'brought' ? this.#choice() : this.#download()}</div>
     `;
@@ -160,9 +162,9 @@ export class Blocks extends DialogElement {
     return html`<table>
       <thead>
         <tr>
-          <th scope="col">${t('brought.setting')}</th>
-          <th scope="col">${t('brought.mine')}</th>
-          <th scope="col">${t('brought.theirs')}</th>
+          <th scope="col">${say(words, 'brought.setting')}</th>
+          <th scope="col">${say(words, 'brought.mine')}</th>
+          <th scope="col">${say(words, 'brought.theirs')}</th>
         </tr>
       </thead>
       <tbody>
@@ -196,7 +198,7 @@ export class Blocks extends DialogElement {
       html`<span class="mark">${state === '' ? nothing : icon('warn', 14)}<span>${text}</span></span>`;
     return html`<li class=${state}>
       <span class="number">${number}</span><code dir="ltr">${visible(line)}</code>
-      ${findings === undefined && !line.startsWith(';') ? mark(t('blocks.unchecked')) : nothing}
+      ${findings === undefined && !line.startsWith(';') ? mark(say(words, 'blocks.unchecked')) : nothing}
       ${found.map((finding) => mark(findingText({ ...finding, line: 0 })))}
     </li>`;
   }
@@ -231,7 +233,7 @@ export class Blocks extends DialogElement {
           this.close();
         }}
       >
-        ${t('blocks.remove')}
+        ${say(words, 'blocks.remove')}
       </button>
       <button
         type="button"

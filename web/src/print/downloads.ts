@@ -1,8 +1,8 @@
 // What can be downloaded, and before it what speaks against it.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { rare, type RareTextId } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/export.js';
+import { say, t } from '../i18n/text.js';
 import '../quality/doubts-list.js';
 import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
@@ -40,12 +40,12 @@ export class Downloads extends StudioElement {
     return html`<sillon-doubts .studio=${this.studio}></sillon-doubts>
       ${products.map(([product, name]) => {
         const missing = product === 'body' && print.base === 0;
-        const help: RareTextId = missing ? 'export.body.none' : `export.${product}.help`;
+        const help: keyof typeof words = missing ? 'export.body.none' : `export.${product}.help`;
         const save = (): void => void this.studio.save(product);
-        return this.#item(name, t(`export.${product}`), rare(help), save, missing);
+        return this.#item(name, t(`export.${product}`), say(words, help), save, missing);
       })}
       <hr />
-      ${this.#item('share', t('verb.share'), rare('export.link.help'), () => {
+      ${this.#item('share', t('verb.share'), say(words, 'export.link.help'), () => {
         this.studio.show('share');
       })}`;
   }

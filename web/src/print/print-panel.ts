@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
-import { findingText, startLines, warningText } from '../i18n/say-rare.js';
+import { findingText, startLines, warningText } from '../i18n/say-core.js';
 import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
 import { loadSpools } from './own-spools.js';
 import { settings } from '../model/settings.js';

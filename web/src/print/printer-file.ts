@@ -1,7 +1,7 @@
 // A printer out of another program's file.
 import type { PrinterValues } from 'sillon';
 import type { StudioEngine } from '../engine/studio-engine.js';
-import { importNoteText } from '../i18n/say-rare.js';
+import { importNoteText } from '../i18n/say-core.js';
 import { t } from '../i18n/text.js';
 import { problemOf, StudioError } from '../model/problem.js';
 

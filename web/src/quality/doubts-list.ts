@@ -2,8 +2,8 @@
 import type { PictureReport } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { rare } from '../i18n/rare.js';
-import { formatNumber, t } from '../i18n/text.js';
+import { words as english } from '../i18n/en/doubts.js';
+import { formatNumber, say, t } from '../i18n/text.js';
 import { doubtsOf, hasPicture, legible, type Doubt, type Seen } from '../model/doubts.js';
 import { leastSeen } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
@@ -27,13 +27,13 @@ function words(
   switch (doubt) {
     case 'small': {
       const [height, need] = [seen?.letters ?? 0, legible * toolpath.spacing];
-      return rare('doubt.small', { height: formatNumber(height, 1), need: formatNumber(need, 1) });
+      return say(english, 'doubt.small', { height: formatNumber(height, 1), need: formatNumber(need, 1) });
     }
     case 'blank':
     case 'letters':
     case 'fine':
     case 'faint':
-      return rare(`doubt.${doubt}`);
+      return say(english, `doubt.${doubt}`);
     default:
       return t(`lamp.weak.${doubt}`, leastSeen(pictures));
   }

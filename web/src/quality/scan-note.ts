@@ -1,8 +1,8 @@
 // Under which lamp the QR code of the plate can be read, or that it cannot, and what helps.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { rare } from '../i18n/rare.js';
-import { language } from '../i18n/text.js';
+import { words } from '../i18n/en/doubts.js';
+import { language, say } from '../i18n/text.js';
 import { isOf } from '../model/result.js';
 import { stretches } from './stretches.js';
 import { StudioElement } from '../controls/element.js';
@@ -42,7 +42,9 @@ export class ScanNote extends StudioElement {
     const empty = plate.directions.kind === 'qr' && plate.directions.text === '';
     return html`<p class=${lamps.length > 0 ? 'good' : 'poor'} role="status">
       ${icon(lamps.length > 0 ? 'check' : 'warn', 16)}
-      <span>${lamps.length > 0 ? rare('scan.reads', { where }) : rare(empty ? 'scan.empty' : 'scan.none')}</span>
+      <span
+        >${lamps.length > 0 ? say(words, 'scan.reads', { where }) : say(words, empty ? 'scan.empty' : 'scan.none')}</span
+      >
     </p>`;
   }
 }

@@ -3,8 +3,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import { rare } from '../i18n/rare.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/looks.js';
+import { say, t } from '../i18n/text.js';
 import { pictureOf } from '../model/lamp.js';
 import type { LampPicture } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
@@ -136,18 +136,18 @@ export class LooksBar extends StudioElement {
       }
       ${this.#pick(
         'compare',
-        rare('looks.over'),
+        say(words, 'looks.over'),
         over ?? '',
-        overs.map((value) => ({ value, label: rare(`looks.over.${value || 'none'}`) })),
+        overs.map((value) => ({ value, label: say(words, `looks.over.${value || 'none'}`) })),
         (value) => {
           this.studio.store.set({ over: (value || undefined) as Over | undefined, compare: false });
         },
       )}
       ${this.#pick(
         'fit',
-        rare('looks.size'),
+        say(words, 'looks.size'),
         sizing,
-        sizings.map((value) => ({ value, label: rare(`looks.size.${value}`) })),
+        sizings.map((value) => ({ value, label: say(words, `looks.size.${value}`) })),
         (value) => {
           this.studio.store.set({ sizing: value as Sizing });
         },

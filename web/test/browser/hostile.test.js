@@ -75,7 +75,7 @@ test('a value that is too high, and a plate that does not fit, are told with nam
   await change('(plate) => ({ ...plate, printer: { ...plate.printer, nozzleTemperature: 215 } })');
   await visit.until(({ problem }) => problem === undefined);
   await change('(plate) => ({ ...plate, print: { ...plate.print, layers: 1000, layerHeight: 0.3 } })');
-  await notices.getByText('the job is 301 mm high').waitFor();
+  await notices.getByText('the print is 301 mm high').waitFor();
 });
 
 test('a broken link is told, and the page begins as usual', { skip }, async () => {

@@ -80,7 +80,7 @@ async function takenOver(one) {
   const dialog = await showPlates(two);
   await dialog.getByRole('button', { name: 'Open One again' }).click();
   const told = one.page.getByText('Another tab goes on with this plate').waitFor(); // for seven seconds
-  await dialog.getByRole('button', { name: 'Go on here' }).click();
+  await dialog.getByRole('button', { name: 'Continue here' }).click();
   await Promise.all([told, two.until((state) => state.plate.name === 'One again')]);
   return two;
 }

@@ -112,7 +112,7 @@ test('a packed print becomes a packed print, under a picture or as the plate', {
   await visit.drop([fileOf('part.gcode.gz', gzipSync(text))]);
   await until(async () => (await view(visit).getByRole('checkbox').count()) === 2);
   // As the plate: its waves lie on each face.
-  await view(visit).getByRole('radio', { name: 'As the plate' }).check();
+  await view(visit).getByRole('radio', { name: 'Same as the plate' }).check();
   const waves = await downloaded(visit);
   assert.equal(waves.name, 'part_brushed.gcode.gz');
   assert.equal(waves.bytes[0], 0x1f);
@@ -532,7 +532,7 @@ test('strokes are undone by keys, and Escape loses none: one goes on with them',
   await page.keyboard.press('Escape');
   await view(visit).waitFor({ state: 'detached' });
   await page.getByText('Your strokes on part.gcode are kept').waitFor();
-  await visit.button('Go on').click();
+  await visit.button('Continue').click();
   await until(() => saves(visit).isEnabled(), 'beads are laid again');
   assert.deepEqual(await strokes(), [4, 4]);
   assert.deepEqual(await view(visit).evaluate(({ wish }) => [wish.way, wish.angle, wish.chosen.size]), ['hand', 75, 1]);
@@ -566,7 +566,7 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement?.tagName), 'SILLON-APP');
 
-  for (const way of ['One angle', 'By hand', 'As the plate', 'Picture']) {
+  for (const way of ['One angle', 'By hand', 'Same as the plate', 'Picture']) {
     await view(visit).getByRole('radio', { name: way }).check();
     const found = await page.evaluate(`(async () => {
       ${axe}

@@ -69,7 +69,7 @@ test(
     await field.press('Tab');
     assert.equal(await field.inputValue(), 'SILLON');
     await field.fill('');
-    await visit.page.getByText('This code says nothing yet').waitFor();
+    await visit.page.getByText('The code is empty').waitFor();
     assert.equal(await visit.page.getByText('reads this code').count(), 0);
   },
 );

@@ -2,20 +2,16 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, test } from 'node:test';
-import type { Report, WarningCode } from 'sillon';
+import type { Report } from 'sillon';
 import { c } from '../../src/i18n/calibrate.js';
-import { calibrateEn } from '../../src/i18n/calibrate-en.js';
-import { drawingEn } from '../../src/i18n/drawing-en.js';
 import { en, frame as english } from '../../src/i18n/en.js';
+import { words as plateWords } from '../../src/i18n/en/plates.js';
+import { settingHelp } from '../../src/i18n/help.js';
 import { languages, spoken } from '../../src/i18n/languages.js';
 import { r, type RebrushTextId } from '../../src/i18n/rebrush.js';
-import { rare, untoldText } from '../../src/i18n/rare.js';
-import { settingHelp } from '../../src/i18n/help.js';
-import { helpEn } from '../../src/i18n/help-en.js';
-import { rareEn } from '../../src/i18n/rare-en.js';
+import { findingText, importNoteText, startLines, warningText } from '../../src/i18n/say-core.js';
+import { untoldText } from '../../src/i18n/say-link.js';
 import { exactWords } from '../../src/i18n/say-problem.js';
-import { findingText, startLines, warningText } from '../../src/i18n/say-rare.js';
-import { rebrushEn } from '../../src/i18n/rebrush-en.js';
 import {
   choiceLabel,
   nullLabel,
@@ -34,6 +30,7 @@ import {
   hasText,
   language,
   languageFor,
+  say,
   setLanguage,
   t,
   type Text,
@@ -50,12 +47,17 @@ const entries = (dictionary: object): [string, string[]][] =>
   Object.entries(dictionary as Record<string, Text>).map(([id, text]) => [id, forms(text)]);
 const placeholders = (text: string): string[] => [...new Set(text.match(/\{\w+\}/g) ?? [])].sort();
 
-/** English has words of rarely opened views in files of their own. */
+/** The files of English: each has the words of a subject; those in core/ are made from the core's. */
+const files = readdirSync('web/src/i18n/en', { recursive: true, encoding: 'utf8' })
+  .filter((name) => name.endsWith('.ts'))
+  .map((name) => name.replaceAll('\\', '/').replace('.ts', ''));
+const wordsIn = async (file: string): Promise<Record<string, Text>> =>
+  ((await import(`../../src/i18n/en/${file}.js`)) as { words: Record<string, Text> }).words;
+const inEnglish = entries(Object.assign({}, ...(await Promise.all(files.map(wordsIn)))) as object);
+
+/** Other languages have all in one file. */
 const wordsOf = async (tag: string): Promise<[string, string[]][]> =>
-  entries({
-    ...(tag === 'en' ? { ...rareEn, ...helpEn, ...rebrushEn, ...calibrateEn, ...drawingEn } : {}),
-    ...(await languages[tag]?.words()),
-  });
+  tag === 'en' ? inEnglish : entries((await languages[tag]?.words()) ?? {});
 
 test('every language has a line, a file, and words for where the studio is blocked', async () => {
   const files = readdirSync('web/src/i18n').filter((name) => /^..\.ts$/.test(name));
@@ -75,9 +77,8 @@ test('every language has a line, a file, and words for where the studio is block
 test('all languages have the same ids and placeholders, and no text is empty', async () => {
   for (const tag of spoken) {
     const own = new Map(await wordsOf(tag));
-    const english = entries({ ...en, ...rareEn, ...helpEn, ...rebrushEn, ...calibrateEn, ...drawingEn });
-    assert.deepEqual([...own.keys()].sort(), english.map(([id]) => id).sort());
-    for (const [id, texts] of english) {
+    assert.deepEqual([...own.keys()].sort(), inEnglish.map(([id]) => id).sort());
+    for (const [id, texts] of inEnglish) {
       const said = own.get(id) ?? [];
       assert.equal(said.length, texts.length, id);
       texts.forEach((text, k) => {
@@ -117,22 +118,17 @@ test('no language has a straight apostrophe or quote', async () => {
     for (const [id, texts] of await wordsOf(tag)) for (const text of texts) assert.doesNotMatch(text, /['"]/, id);
 });
 
-test('what is rarely shown speaks every language, and all its words are shown', async () => {
-  const source = readdirSync('web/src', { recursive: true, encoding: 'utf8' })
-    .filter((file) => file.endsWith('.ts') && !/i18n.(\w\w|rare-en)\.ts$/.test(file))
-    .map((file) => readFileSync(join('web/src', file), 'utf8'))
-    .join('\n');
-  const built = [...source.matchAll(/`([a-z]+\.(?:[\w.]|\$\{[^}`]*\})*)`/gi)].map(
-    ([, template = '']) => new RegExp(`^${template.replace(/\$\{[^}]*\}/g, '.+')}$`),
-  );
-  for (const id of Object.keys(rareEn)) {
-    const name = id.replace('rare.', '');
-    assert.ok(source.includes(`'${name}'`) || built.some((names) => names.test(name)), `nothing shows ${id}`);
-  }
+/** Sources of the page without its words. */
+const source = readdirSync('web/src', { recursive: true, encoding: 'utf8' })
+  .filter((file) => file.endsWith('.ts') && !/i18n.(\w\w|en[\\/].*)\.ts$/.test(file))
+  .map((file) => readFileSync(join('web/src', file), 'utf8'))
+  .join('\n');
+
+test('words that are loaded late speak every language', async () => {
   const said = new Set<string>();
   for (const tag of spoken) {
     await setLanguage(tag);
-    said.add(rare('plates.title'));
+    said.add(say(plateWords, 'plates.title'));
   }
   assert.equal(said.size, spoken.length);
 });
@@ -142,29 +138,26 @@ const lacks: string[] = ['nothing', 'noPicture'] satisfies RebrushTextId[];
 
 // What templates are made of, the compiler checks.
 test('texts that the sources name are there, and all texts are for something', () => {
-  const files = readdirSync('web/src', { recursive: true, encoding: 'utf8' }).filter(
-    (file) => file.endsWith('.ts') && !/i18n.(\w\w)\.ts$/.test(file),
-  );
-  const source = files.map((file) => readFileSync(join('web/src', file), 'utf8')).join('\n');
   const named = [...source.matchAll(/\bt\(\s*'([^']+)'/g)].map(([, id = '']) => id);
   assert.ok(named.length > 20);
   for (const id of named) assert.ok(hasText(id), id);
   const built = [...source.matchAll(/`([a-z]+\.(?:[\w.]|\$\{[^}`]*\})*)`/gi)].map(
     ([, template = '']) => new RegExp(`^${template.replace(/\$\{[^}]*\}/g, '.+')}$`),
   );
-  for (const id of Object.keys(en)) {
+  for (const [id] of inEnglish) {
+    if (/^(calibrate|drawing|rebrush)\./.test(id)) continue; // said without their prefix
     assert.ok(source.includes(`'${id}'`) || built.some((ids) => ids.test(id)), `nothing shows ${id}`);
   }
 });
 
 test('the view that re-brushes prints speaks every language, and shows all its words', async () => {
-  const source = ['view', 'foot', 'bench', 'tilted', 'faces', 'directions']
+  const view = ['view', 'foot', 'bench', 'tilted', 'faces', 'directions']
     .map((part) => readFileSync(`web/src/rebrush/${part}.ts`, 'utf8'))
     .join('\n');
-  const built = ['left', 'fit', 'way', 'side'].map((what) => `rebrush.${what}.`);
-  for (const id of Object.keys(rebrushEn)) {
+  const built = ['fit', 'way', 'side'].map((what) => `rebrush.${what}.`);
+  for (const id of Object.keys(await wordsIn('rebrush'))) {
     const name = id.replace('rebrush.', '');
-    assert.ok(source.includes(`'${name}'`) || built.some((start) => id.startsWith(start)) || lacks.includes(name), id);
+    assert.ok(view.includes(`'${name}'`) || built.some((start) => id.startsWith(start)) || lacks.includes(name), id);
   }
   const said = new Set<string>();
   for (const tag of spoken) {
@@ -177,15 +170,15 @@ test('the view that re-brushes prints speaks every language, and shows all its w
 
 test('the calibration page and the first print speak every language, and show all their words', async () => {
   const others = ['print/spool-list.ts', 'print/print-panel.ts', 'app/first-print.ts'];
-  const source = [...readdirSync('web/src/calibrate').map((name) => `calibrate/${name}`), ...others]
+  const page = [...readdirSync('web/src/calibrate').map((name) => `calibrate/${name}`), ...others]
     .map((name) => readFileSync(join('web/src', name), 'utf8'))
     .join('\n');
-  const built = [...source.matchAll(/c\(`([\w.]+\.|[\w.]*)\$\{[^}`]*\}(\w*)`/g)].map(
+  const built = [...page.matchAll(/c\(`([\w.]+\.|[\w.]*)\$\{[^}`]*\}(\w*)`/g)].map(
     ([, start = '', end = '']) => new RegExp(`^${start.replaceAll('.', '\\.')}[\\w-]+${end}$`),
   );
-  for (const id of Object.keys(calibrateEn)) {
+  for (const id of Object.keys(await wordsIn('calibrate'))) {
     const name = id.replace('calibrate.', '');
-    assert.ok(source.includes(`'${name}'`) || built.some((names) => names.test(name)), `nothing shows ${id}`);
+    assert.ok(page.includes(`'${name}'`) || built.some((names) => names.test(name)), `nothing shows ${id}`);
   }
   const said = new Set<string>();
   for (const tag of spoken) {
@@ -311,31 +304,60 @@ test('every stage of the engine has words', () => {
   for (const stage of stages) assert.ok(hasText(`stage.${stage}`), stage);
 });
 
-test('every warning of the engine has words in every language, with its values', async () => {
-  // Code, name and sentence of each, as the engine has them.
-  const source = readFileSync('core/src/report/warning.cpp', 'utf8');
-  const rows = [...source.matchAll(/\{WarningCode::(\w+),\s*"(\w+)",((?:\s*"[^"]*")+)\}/g)];
-  assert.ok(rows.length > 20);
-  for (const tag of spoken) {
-    await setLanguage(tag);
-    for (const [, code = '', name = '', sentence = ''] of rows) {
-      assert.equal(name, code);
-      const names = [...sentence.matchAll(/\{(\w+)\}/g)].map(([, value = '']) => value);
-      const values = Object.fromEntries(
-        names.map((value, k) => [
-          value,
-          value === 'block' ? 'startGcode' : /^(field|what)$/.test(value) ? 'flow' : 12345 + k,
-        ]),
-      );
-      assert.ok(`rare.warning.${code}` in rareEn, `${tag} has no words for ${code}`);
-      const text = warningText({ code: code as WarningCode, values, message: '' });
-      assert.doesNotMatch(text, /\{|NaN|undefined/, code);
+test('every sentence of the core has words of its own in every language, with its values', async () => {
+  const core = files.filter((file) => file.startsWith('core/') && file !== 'core/settings');
+  assert.ok(core.length >= 7);
+  for (const file of core) {
+    const rows = entries(await wordsIn(file));
+    for (const tag of spoken.filter((tag) => tag !== 'en')) {
+      const own = new Map(await wordsOf(tag));
+      for (const [id, texts] of rows) {
+        assert.notDeepEqual(own.get(id), texts, `${tag}: ${id}`);
+        assert.deepEqual(own.get(id)?.map(placeholders), texts.map(placeholders), `${tag}: ${id}`);
+      }
     }
   }
-  await setLanguage('fr');
-  const low = warningText({ code: 'BlockMovesLow', values: { block: 'endGcode', z: 5.5, height: 5.6 }, message: '' });
-  assert.ok(low.startsWith(t('setting.printer.endGcode')), low);
-  assert.ok(low.includes('5,6'), low);
+});
+
+test('what the engine says is told with its values, as the language writes them, and settings by their labels', async () => {
+  const reset = { code: 'PressureAdvanceReset', values: { value: 0.035 }, message: '' } as const;
+  const held = { code: 'SpeedHeld', values: { field: 'printer.speed', asked: 300, held: 200 }, message: '' } as const;
+  const low = {
+    code: 'BlockMovesLow',
+    values: { block: 'printer.endGcode', z: 5.5, height: 5.6 },
+    message: '',
+  } as const;
+  assert.match(warningText(reset), /^Pressure advance is 0\.035 after/);
+  assert.match(warningText(held), /^Speed is 300 mm\/s; .* “Machine speed limit”, 200\.$/);
+  for (const tag of spoken) {
+    await setLanguage(tag);
+    assert.ok(warningText(reset).includes(formatNumber(0.035, 3)), tag);
+    assert.ok(warningText(low).startsWith(t('setting.printer.endGcode')), tag);
+    const note = { code: 'BedUnknown', values: { width: '220.5', depth: '200' }, message: '' };
+    assert.ok(importNoteText(note).includes(formatNumber(220.5)), tag);
+  }
+  assert.equal(importNoteText({ code: 'taste', values: {}, message: 'too sweet' }), 'too sweet');
+});
+
+test('settings that a sentence names bear the labels of that language', async () => {
+  const labels = await wordsIn('core/settings');
+  const inQuotes = (text = ''): string[] => [...text.matchAll(/[“„«]\s*(.*?)\s*[”“»]/g)].map(([, label = '']) => label);
+  const named = inEnglish
+    .filter(([id]) => /^(warning|finding)\./.test(id))
+    .map(([id, [text]]) => [id, inQuotes(text)] as const);
+  assert.ok(named.flatMap(([, list]) => list).length > 8);
+  for (const tag of spoken) {
+    const own = new Map(await wordsOf(tag));
+    for (const [id, list] of named) {
+      const wanted = list.flatMap((label) => Object.keys(labels).filter((key) => labels[key] === label));
+      const said = inQuotes(own.get(id)?.[0]);
+      for (const key of wanted)
+        assert.ok(
+          own.get(key)?.some((label) => said.includes(label)),
+          `${tag}: ${id}, ${key}`,
+        );
+    }
+  }
 });
 
 test('the chip says why there is one thread', () => {
@@ -472,23 +494,17 @@ test('a plate that was not measured is not judged', () => {
 });
 
 test('findings of the file are told in every language, with their line', async () => {
-  const header = readFileSync('core/include/sillon/gcode_reader/finding.hpp', 'utf8');
-  const [, list = ''] = /std::string rule;[^:]*:([^;]*?)\n\s*bool error/.exec(header) ?? [];
-  const rules = [...list.matchAll(/\b[a-z]+\b/g)].map(([word]) => word).filter((word) => word !== 'std');
-  assert.ok(rules.length > 15, rules.join(' '));
+  const finding = { code: 'too-hot', line: 0, count: 1, values: { limit: '300', degrees: '480.5' }, message: '' };
   for (const tag of spoken) {
     await setLanguage(tag);
-    for (const rule of rules) {
-      const finding = { rule, error: true, line: 0, count: 1, message: 'as the engine says it' };
-      assert.notEqual(findingText(finding), finding.message, rule);
-      assert.match(findingText({ ...finding, line: 12 }), /12/);
-      assert.match(findingText({ ...finding, line: 12, count: 2 }), /12.*1/);
-      assert.match(findingText({ ...finding, line: 12, count: 5 }), /12.*4/);
-    }
+    assert.ok(findingText(finding).includes(formatNumber(480.5)), tag);
+    assert.match(findingText({ ...finding, line: 12 }), /12/);
+    assert.match(findingText({ ...finding, line: 12, count: 2 }), /12.*1/);
+    assert.match(findingText({ ...finding, line: 12, count: 5 }), /12.*4/);
   }
   await setLanguage('en');
-  const unknown = { rule: 'taste', error: false, line: 0, count: 1, message: 'too sweet' };
-  assert.equal(findingText(unknown), 'too sweet');
+  assert.equal(findingText({ ...finding, line: 7 }), 'Line 7: Hotter than 300 °C: 480.5.');
+  assert.equal(findingText({ ...finding, code: 'taste', message: 'too sweet' }), 'too sweet');
 });
 
 test('why the engine refuses a plate has words in every language', async () => {

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cassert>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "sillon/base/sentence.hpp"
 
 namespace sillon {
 
@@ -101,3 +104,14 @@ inline constexpr char kNoBeadFits[] = "NoBeadFits";
 inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
 
 }  // namespace sillon::reason
+
+namespace sillon {
+
+/// The sentences of reasons whose errors say nothing else.
+std::span<const Sentence> reasonSentences();
+
+/// Hints against most errors of a code, by its name.
+/// Codes whose messages say it themselves have none.
+std::span<const Sentence> errorHints();
+
+}  // namespace sillon

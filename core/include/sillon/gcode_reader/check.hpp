@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -18,7 +20,7 @@ namespace sillon {
 
 /// One rule that was broken, however often.
 struct GcodeFinding {
-  /// One per sentence, such as too-hot; the list with rules and sentences: findings.cpp
+  /// One of findingSentences(), such as too-hot
   std::string code;
   /// What it belongs to: commands, grammar, homing, heating, modes, bounds, height, extrusion,
   /// flow, speed, rate, retraction, cycle, coverage, noise, settings, totals, layers, end
@@ -30,6 +32,9 @@ struct GcodeFinding {
   std::vector<std::pair<std::string, std::string>> values;
   std::string message;  ///< about the first
 };
+
+/// The sentence of each code.
+std::span<const Sentence> findingSentences();
 
 // Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer
 // but the grammar.

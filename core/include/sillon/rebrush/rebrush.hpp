@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
+#include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/plate_input.hpp"
@@ -54,6 +56,9 @@ const char* surfaceReason(LeftBecause reason);
 
 /// The name of the reason as it stands above; empty for None.
 const char* surfaceReasonName(LeftBecause reason);
+
+/// The sentence of each reason but None.
+std::span<const Sentence> surfaceSentences();
 
 /// One connected surface of one layer. Lengths mm, places on the bed.
 struct SlicedSurface {

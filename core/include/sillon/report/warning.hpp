@@ -3,17 +3,20 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/sentence.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/quality/metrics.hpp"
 
 namespace sillon {
 
-/// The values that each code carries stand in `report/warning.cpp`, in the braces of its sentence.
+/// In the order of the alphabet. The values that each code carries stand in its sentence
+/// (warningSentences).
 enum class WarningCode {
   AccelerationHeld,
   BaseTooThin,
@@ -67,6 +70,9 @@ struct Warning {
 
 /// "SkirtLeftOut", as reports, the npm package and the studio call it.
 const char* warningName(WarningCode code);
+
+/// The sentence of each code, in their order.
+std::span<const Sentence> warningSentences();
 
 /// Warnings about a drawing, whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);

@@ -1,7 +1,6 @@
-// The English words of the view that re-brushes sliced prints, loaded with it; other languages have them in their own file.
-import type { Text } from './text.js';
+// Re-brushing sliced prints.
 
-export const rebrushEn = {
+export const words = {
   'rebrush.title': 'Re-brush {name}',
   'rebrush.back': 'Back to the plate',
   'rebrush.bench': 'The print from above. Click a face to choose it or leave it; drag and scroll to look around',
@@ -38,7 +37,7 @@ export const rebrushEn = {
   'rebrush.directions': 'Direction of the beads',
   'rebrush.way.angle': 'One angle',
   'rebrush.way.hand': 'By hand',
-  'rebrush.way.plate': 'As the plate',
+  'rebrush.way.plate': 'Same as the plate',
   'rebrush.way.picture': 'Picture',
   'rebrush.angle': 'Angle',
   'rebrush.hand.help': 'Comb the faces: beads follow your strokes, and lie at the angle elsewhere.',
@@ -72,9 +71,9 @@ export const rebrushEn = {
   'rebrush.shorter': 'less',
   'rebrush.untried': 'Not tried on a printer yet. Watch the new beads as they are printed.',
   'rebrush.download': 'Download {name}',
-  'rebrush.saved': '{name} was handed to your downloads.',
+  'rebrush.saved': '{name} is in your downloads.',
   'rebrush.kept': 'Your strokes on {name} are kept until you close this page.',
-  'rebrush.goOn': 'Go on',
+  'rebrush.goOn': 'Continue',
 
   'rebrush.unreadable': '{name} cannot be re-brushed.',
   'rebrush.unreadableHelp':
@@ -84,18 +83,4 @@ export const rebrushEn = {
   'rebrush.failed': 'The new beads could not be laid.',
   'rebrush.tooLarge':
     '{name} has {mb} MB; at most {most} MB are read here. The command line takes more: sillon rebrush.',
-
-  'rebrush.left.Narrow': 'Narrower than three beads',
-  'rebrush.left.Small': 'Smaller than ten squares of one bead width',
-  'rebrush.left.Covered': 'The next layer lies on part of it',
-  'rebrush.left.Bridge': 'Bridges air',
-  'rebrush.left.Ironed': 'Ironed afterwards; switch ironing off in the slicer',
-  'rebrush.left.Interleaved': 'The slicer goes to and fro between it and another face',
-  'rebrush.left.Command': 'A command inside it would be lost',
-  'rebrush.left.Object': 'Another object begins inside it',
-  'rebrush.left.Height': 'Its moves rise or fall',
-  'rebrush.left.Modes': 'Inches, relative coordinates or arcs by their radius',
-  'rebrush.left.Flow': 'Its plastic is not that of one full layer',
-  'rebrush.left.Travel': 'What follows needs the nozzle where the last bead ended',
-  'rebrush.left.Cut': 'The file ends inside it',
-} as const satisfies Record<`rebrush.${string}`, Text>;
+} as const;

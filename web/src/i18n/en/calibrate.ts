@@ -1,7 +1,6 @@
-// The English words of the calibration page, loaded with it; other languages have them in their own file.
-import type { Text } from './text.js';
+// The calibration page, own spools and the first print.
 
-export const calibrateEn = {
+export const words = {
   'calibrate.title': 'Calibrate',
   'calibrate.tabs': 'Calibration',
   'calibrate.tab.prints': 'Prints',
@@ -18,7 +17,7 @@ export const calibrateEn = {
   'calibrate.rendered': 'Rendered, not printed',
   'calibrate.picture': '{name}, as it would look in your filament',
   'calibrate.look': 'What you should see',
-  'calibrate.best': 'What to type back',
+  'calibrate.best': 'Value to enter',
   'calibrate.best.value': 'Best value',
   'calibrate.best.constant': 'The right half looked better (constant flow)',
   'calibrate.best.lowest': 'Narrowest even width',
@@ -131,4 +130,4 @@ export const calibrateEn = {
   'calibrate.first.after1': 'Watch the first layer: its lines must lie side by side and stick.',
   'calibrate.first.after2': 'Turn the print under a low lamp, in a dark room: bands of light must move over it.',
   'calibrate.first.after3': 'Dark gaps: more flow. Rough ridges: less. Dull: slower or hotter. “Calibrate” finds each.',
-} as const satisfies Record<`calibrate.${string}`, Text>;
+} as const;

@@ -1,7 +1,6 @@
-// The English words for how a drawing is read, loaded with its fields; other languages have them in their own file.
-import type { Text } from './text.js';
+// How a drawing is read.
 
-export const drawingEn = {
+export const words = {
   'drawing.unitless': 'Lengths without a unit are',
   'drawing.unitless.px': 'pixels (1/96 inch)',
   'drawing.unitless.mm': 'millimetres',
@@ -12,4 +11,4 @@ export const drawingEn = {
   'drawing.keepThin': 'Keep thin places',
   'drawing.keepThin.help':
     'What is at least half a bead wide is widened to one bead. Otherwise it stays empty; the Check view marks it.',
-} as const satisfies Record<`drawing.${string}`, Text>;
+} as const;

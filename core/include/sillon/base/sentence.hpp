@@ -1,0 +1,16 @@
+// What the core says, by codes: English is made from these sentences, and other languages translate
+// them by their codes.
+#pragma once
+
+namespace sillon {
+
+struct Sentence {
+  const char* code;
+  /// English in ASCII, without a full stop. {name} stands for a value; a setting is named in full,
+  /// as printer.maxFlow.
+  const char* text;
+  const char* unsaid =
+      "";  ///< names of values that come along and are not said, with spaces between
+};
+
+}  // namespace sillon

@@ -1,0 +1,41 @@
+#include "base/refused.hpp"
+
+#include <utility>
+
+#include "base/sentence.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr Sentence kReasons[] = {
+    {reason::kOverRoundBed, "the plate lies {by} mm over the edge of the round bed"},
+    {reason::kOnExcludedZone, "the plate touches the excluded part of the bed; place it elsewhere"},
+    {reason::kTooHigh, "with the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm"},
+    {reason::kCopiesTooHigh,
+     "these plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or "
+     "the print head would touch them"},
+    {reason::kNoBeadFits,
+     "no bead fits into this shape at a spacing of {spacing} mm; use a smaller spacing or a larger shape"},
+};
+
+constexpr Sentence kHints[] = {
+    {"TooLarge", "use a larger spacing, a smaller size or smaller pictures"},
+    {"EmptyShape",
+     "the shape needs filled areas wider than a bead; convert text and lines to paths, or make small shapes larger"},
+    {"DoesNotFit",
+     "make the print smaller, rotate or centre it, print fewer copies or layers, or choose another printer"},
+    {"OutOfMemory", "use a larger spacing or a smaller size, or close what else needs memory"},
+};
+
+}  // namespace
+
+std::span<const Sentence> reasonSentences() { return kReasons; }
+
+std::span<const Sentence> errorHints() { return kHints; }
+
+Error refused(ErrorCode code, const char* reason, std::vector<NamedValue> values) {
+  std::string message = filled(sentenceOf(kReasons, reason), values);
+  return {code, std::move(message), reason, std::move(values)};
+}
+
+}  // namespace sillon

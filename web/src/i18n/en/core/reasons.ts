@@ -1,0 +1,8 @@
+// Made by tools/generate.mjs from the core's words: ./dev generate.
+export const words = {
+  'reason.OverRoundBed': "The plate lies {by} mm over the edge of the round bed.",
+  'reason.OnExcludedZone': "The plate touches the excluded part of the bed; place it elsewhere.",
+  'reason.TooHigh': "With the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm.",
+  'reason.CopiesTooHigh': "These plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or the print head would touch them.",
+  'reason.NoBeadFits': "No bead fits into this shape at a spacing of {spacing} mm; use a smaller spacing or a larger shape.",
+} as const;

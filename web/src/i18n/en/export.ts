@@ -1,0 +1,12 @@
+// What can be downloaded.
+
+export const words = {
+  'export.gcode.help': 'For the printer.',
+  'export.body.help': 'The base layers as a solid, to print elsewhere.',
+  'export.body.none': 'This plate has no base layers.',
+  'export.svg.help': 'The beads as vector strokes.',
+  'export.png.help': 'The appearance under the current light.',
+  'export.view.help': 'A small file that <sillon-view> shows under moving light.',
+  'export.project.help': 'Opens here and with the command line.',
+  'export.link.help': 'Opens this page with the same settings.',
+} as const;

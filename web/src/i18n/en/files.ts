@@ -1,0 +1,25 @@
+// What becomes of files that were opened.
+
+export const words = {
+  'files.address': 'Nothing is fetched from {host}. Save the picture first, then drop its file here.',
+  'files.what': 'What is each file for?',
+  'files.guess': 'This is a guess. Change it if it is wrong.',
+  'files.opened': '{name}: {role}.',
+  'files.sized': 'It says no unit, so it is as large as the plate was: {width} × {height} mm.',
+  'files.change': 'Change',
+  'files.instead': 'Use it instead',
+  'role.shape.help': 'Its outline is what gets filled.',
+  'role.mask.help': 'Bright, opaque pixels are inside.',
+  'role.lamp.help': 'The plate shows the picture while the lamp stands where it is on the screen.',
+  'role.more.help': 'Turn the lamp, or the plate, and one picture becomes the other.',
+  'role.tone.help': 'Dark and bright areas run in different directions, so they catch the light differently.',
+  'role.edges.help': 'Beads follow the edges in the picture.',
+  'role.levels.help': 'Dark areas run one way, bright areas the other.',
+  'role.angle.help': 'Grey value = angle: black is −90°, white is 90°.',
+  'role.rotation.help': 'Grey value = angle: black is 0°, white is 180°.',
+  'role.tangent.help': 'Red and green = direction, as in a normal map.',
+  'role.modes.help': 'Four greys: parallel, orthogonal, smoothest, constrained.',
+  'role.project.help': 'Everything that makes a plate, with its files.',
+  'role.none.help': 'The file is not used.',
+  'role.colours.help': 'Each flat colour runs its own way; the outline of a drawing is filled, too.',
+} as const;

@@ -1,0 +1,73 @@
+// Words for what the engine says, by codes: warnings, findings, notes, reasons.
+import type { GcodeFinding, GcodeWarning, ImportNote } from 'sillon';
+import type { Problem } from '../model/problem.js';
+import { settings } from '../model/settings.js';
+import { words as findings } from './en/core/findings.js';
+import { words as importNotes } from './en/core/import-notes.js';
+import { words as reasons } from './en/core/reasons.js';
+import { words as warnings } from './en/core/warnings.js';
+import { words as problems } from './en/problems.js';
+import { settingLabel } from './say.js';
+import { formatNumber, say, type Text, type Values } from './text.js';
+
+/** Numbers as the language writes them, with three decimals, and settings by their labels. */
+const shown = (values: Values): Values =>
+  Object.fromEntries(
+    Object.entries(values).map(([name, value]) => {
+      if (/^-?\d+(\.\d+)?$/.test(String(value))) return [name, formatNumber(Number(value), 3)];
+      const setting = settings.find(({ id }) => id === value);
+      return [name, setting === undefined ? value : settingLabel(setting)];
+    }),
+  );
+
+/** undefined: there is no sentence of this id. */
+const sentence = (english: Readonly<Record<string, Text>>, id: string, values: Values): string | undefined =>
+  Object.hasOwn(english, id) ? say(english, id, shown(values)) : undefined;
+
+/** A note of importPrinter in the page's language; one of an unknown code as the engine says it. */
+export const importNoteText = ({ code, values, message }: ImportNote): string =>
+  sentence(importNotes, `note.${code}`, values) ?? message;
+
+/** A warning of GcodeSummary in the page's language. */
+export const warningText = ({ code, values, message }: GcodeWarning): string =>
+  sentence(warnings, `warning.${code}`, values) ?? message;
+
+/** A reason why a plate is refused, which may be a warning's; undefined: its sentence is made elsewhere. */
+export const reasonText = (reason: string, values: Values): string | undefined =>
+  sentence(reasons, `reason.${reason}`, values) ?? sentence(warnings, `warning.${reason}`, values);
+
+/** A finding of GcodeCheck in the page's language, with its line; one of an unknown code as the engine says it. */
+export function findingText({
+  code,
+  line,
+  count,
+  values,
+  message,
+}: Pick<GcodeFinding, 'code' | 'line' | 'count' | 'values' | 'message'>): string {
+  const what = sentence(findings, `finding.${code}`, values) ?? message;
+  if (line === 0) return what;
+  return say(problems, count > 1 ? 'check.places' : 'check.place', { what, line, n: count - 1 });
+}
+
+export interface StartLine {
+  line: number;
+  /** As it stands in the start block. */
+  code: string;
+  /** In the engine's words. */
+  what: string;
+}
+
+/** The lines of the start block that a problem and warnings name. */
+export function startLines(
+  warnings: readonly GcodeWarning[],
+  problem: Problem | undefined,
+  startGcode: string,
+): StartLine[] {
+  const lines = startGcode.split('\n');
+  const refused = problem?.values.reason === 'StartLine' ? [problem.values] : [];
+  const warned = warnings.flatMap(({ code, values }) => (code === 'StartLine' ? [values] : []));
+  return [...refused, ...warned].flatMap(({ line, what }) => {
+    const code = lines[Number(line) - 1];
+    return code === undefined ? [] : [{ line: Number(line), code: code.trim(), what: String(what) }];
+  });
+}
