@@ -65,7 +65,7 @@ test('a print is chosen, saved as the native program writes it, and its value is
   await page.getByText('Rendered, not printed').waitFor();
   const costs = page.locator('sillon-calibrate-prints .kinds .cost');
   await until(async () => (await costs.allInnerTexts()).every((text) => /min · [\d.]+ g$/.test(text)), 'all figures');
-  assert.equal(await costs.count(), 10);
+  assert.equal(await costs.count(), 7);
 
   await page.getByLabel('Printer', { exact: true }).selectOption({ label: 'Prusa MK4S' });
   await kind(visit, 'flow');
