@@ -9,7 +9,6 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
-#include "base/words.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/look/spools.hpp"
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/json.hpp"
-#include "base/words.hpp"
 #include "project/files.hpp"
 #include "settings/json.hpp"
 #include "sillon/base/words.hpp"

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/words.hpp"
 #include "geometry/parts.hpp"
 #include "input/map_defect.hpp"
 #include "input/plate_size.hpp"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/json.hpp"
-#include "base/words.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/settings/presets.hpp"
 

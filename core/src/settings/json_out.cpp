@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "base/json.hpp"
-#include "base/words.hpp"
 #include "sillon/base/words.hpp"
 
 namespace sillon {

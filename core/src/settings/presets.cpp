@@ -6,7 +6,6 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
-#include "base/words.hpp"
 #include "settings/json.hpp"
 #include "settings/preset_data.hpp"
 #include "sillon/base/words.hpp"

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/words.hpp"
 #include "settings/json.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/settings/project.hpp"
