@@ -19,7 +19,7 @@ using namespace sillon;
 
 namespace {
 
-constexpr Rgb kBackground{38, 36, 34};
+constexpr Rgb kBehind{38, 36, 34};
 
 Rgb pixel(const RgbImage& image, int x, int y) {
   const std::size_t at =
@@ -157,13 +157,13 @@ TEST_CASE("a dark furrow parts neighbouring beads") {
 TEST_CASE("where no bead lies the background stays as it is") {
   const RgbImage image = rendered(pairOfBeads(0, 2), {20, 20}, 280);
   REQUIRE(image.width == 560);
-  for (int x = 0; x < 560; ++x) CHECK(pixel(image, x, 0) == kBackground);
+  for (int x = 0; x < 560; ++x) CHECK(pixel(image, x, 0) == kBehind);
   for (int x = 0; x < 280; ++x) {
-    CHECK(pixel(image, x, 60) == kBackground);  // within the page
-    CHECK(pixel(image, x, 200) == kBackground);
+    CHECK(pixel(image, x, 60) == kBehind);  // within the page
+    CHECK(pixel(image, x, 200) == kBehind);
   }
-  CHECK(pixel(image, 280 + 20 + 2, 22) == kBackground);       // a corner of the look, far from the shadow
-  CHECK(pixel(image, 280 + 140, 153).red < kBackground.red);  // right under the plate, away from the light
+  CHECK(pixel(image, 280 + 20 + 2, 22) == kBehind);       // a corner of the look, far from the shadow
+  CHECK(pixel(image, 280 + 140, 153).red < kBehind.red);  // right under the plate, away from the light
 }
 
 TEST_CASE("an empty toolpath is an empty page") {
@@ -214,7 +214,7 @@ TEST_CASE("long slanted beads and beads that leave the page are cut, not lost") 
   const RgbImage image = rendered({{cycle}, 1}, {20, 20}, 280);
   const Rgb diagonal = directionColourAt(64);
   for (int k = 10; k < 230; ++k) CHECK(pixel(image, 20 + k, 259 - k) == diagonal);
-  CHECK(pixel(image, 10, 269) == kBackground);  // the margin stays free
+  CHECK(pixel(image, 10, 269) == kBehind);  // the margin stays free
 }
 
 TEST_CASE("parameters, pages and toolpaths out of range are errors that name the value's range") {
@@ -434,7 +434,7 @@ TEST_CASE("pictures of the same proportions are means of the largest") {
   REQUIRE(uneven);
   const std::vector<std::uint8_t> corner = decodeQoi(uneven.value()[0].bytes, 32, 32);
   CHECK(std::vector<std::uint8_t>(corner.begin(), corner.begin() + 3) ==
-        std::vector<std::uint8_t>{kBackground.red, kBackground.green, kBackground.blue});
+        std::vector<std::uint8_t>{kBehind.red, kBehind.green, kBehind.blue});
 }
 
 TEST_CASE("pictures come in the sizes and formats a printer asks for") {
