@@ -651,6 +651,7 @@ export const de: Translation = {
   'measure.alignment': 'Ausrichtung',
   'measure.uTurns': 'Kehren',
   'measure.kinks': 'Knicke',
+  'measure.order': 'Reihenfolge',
   'measure.widths': 'Bahnbreiten',
   'measure.fill': 'Kunststoff',
   'measure.lost': 'Verlorene Details',
@@ -667,6 +668,10 @@ export const de: Translation = {
     '{percent} % der Form sind gedeckt; in kleinen Lücken kann die Schicht darunter zu sehen sein.',
   'verdict.coverage.poor':
     'Nur {percent} % der Form sind gedeckt. Ein kleinerer Abstand oder breitere Bahnen würden die Lücken schließen.',
+  'verdict.order.good':
+    'Bahnen folgen bald auf ihre Nachbarn: {percent} % liegen über zwei Minuten auseinander. Die einfache Oberseite eines Slicers hat {usual} %.',
+  'verdict.order.fair':
+    '{percent} % der Bahnen liegen zeitlich über zwei Minuten von einer Nachbarbahn entfernt und können anders glänzen. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.overlap.good': 'Die Bahnen überlappen kaum: {percent} % der Form.',
   'verdict.overlap.fair': 'Die Bahnen überlappen auf {percent} % der Form; dort kann die Oberfläche rau sein.',
   'verdict.overlap.poor':

@@ -1,6 +1,6 @@
 // What a report means to somebody who is about to print. Limits are by eye, from rendered examples; the sentences are
 // in the dictionary: `verdict.TEXT`.
-import type { Report } from 'sillon';
+import type { NeighbourDelay, Report } from 'sillon';
 
 export type Measure =
   | 'path'
@@ -13,12 +13,13 @@ export type Measure =
   | 'fill'
   | 'lost'
   | 'crossings'
+  | 'order'
   | 'picture';
 export type Level = 'good' | 'fair' | 'poor';
 
 export type VerdictText =
   | `${'coverage' | 'overlap' | 'uTurns' | 'widths' | 'lost' | 'alignment' | 'picture'}.${Level}`
-  | `${'kinks' | 'fill'}.${'good' | 'fair'}`
+  | `${'kinks' | 'fill' | 'order'}.${'good' | 'fair'}`
   | 'alignment.free'
   | 'uTurns.needed'
   | 'path.one'
@@ -121,3 +122,12 @@ export function verdictsOf(report: Report): Verdict[] {
   );
   return verdicts;
 }
+
+const plainTop = 0.03; // of the length, that PrusaSlicer's monotonic top of a disc of 60 mm lays over two minutes apart
+
+/** Whether beads are laid soon after the beads beside them. */
+export const orderVerdict = ({ over120 }: NeighbourDelay): Verdict =>
+  judged('order', over120 <= plainTop ? 'good' : 'fair', {
+    percent: round(100 * over120, 1),
+    usual: round(100 * plainTop, 0),
+  });

@@ -3,7 +3,7 @@ import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { threadsWords, verdictText } from '../i18n/say.js';
 import { formatNumber, t } from '../i18n/text.js';
-import { verdictsOf, type Verdict } from '../model/verdicts.js';
+import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';
 import type { Mark } from '../model/view.js';
 import './doubts-list.js';
@@ -25,7 +25,7 @@ const placesOf: Partial<Record<Verdict['measure'], readonly Mark['kind'][]>> = {
 
 @customElement('sillon-quality-panel')
 export class QualityPanel extends StudioElement {
-  static override reads = ['result', 'progress', 'marks', 'mark', 'engine'] as const;
+  static override reads = ['result', 'check', 'progress', 'marks', 'mark', 'engine'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -108,8 +108,10 @@ export class QualityPanel extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { result, engine } = this.state;
+    const { result, check, engine } = this.state;
     const verdicts = result === undefined || !result.measured ? [] : verdictsOf(result.report);
+    const delay = check?.neighbourDelay ?? undefined; // once the file is written
+    if (verdicts.length > 0 && delay !== undefined) verdicts.push(orderVerdict(delay));
     return html`
       <section aria-labelledby="quality-title">
         <h2 id="quality-title">${t('section.quality')}</h2>

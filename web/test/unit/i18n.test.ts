@@ -38,7 +38,7 @@ import {
 import { printers } from '../../src/model/printers.js';
 import { problemOf, StudioError } from '../../src/model/problem.js';
 import { settingOf, settings } from '../../src/model/settings.js';
-import { verdictsOf } from '../../src/model/verdicts.js';
+import { orderVerdict, verdictsOf } from '../../src/model/verdicts.js';
 
 afterEach(() => setLanguage('en'));
 
@@ -441,6 +441,18 @@ test('a good plate is called good, in plain sentences', () => {
   assert.equal(texts[3], 'Beads follow the directions: 98% on a scale where 0 is random and 100 is perfect.');
   assert.equal(texts[4], '300 U-turns, 3.1 per cm².');
   assert.equal(texts[6], 'Beads are 0.32 to 0.5 mm wide, typically 0.4 mm.');
+});
+
+test('the order of beads is judged by what a slicer leaves, in every language', async () => {
+  for (const tag of spoken) {
+    await setLanguage(tag);
+    const delay = { over30: 0.3, over120: 0.276, most: 250 };
+    assert.equal(orderVerdict(delay).level, 'fair');
+    assert.match(verdictText(orderVerdict(delay)), /27[.,]6.*3/);
+    assert.equal(orderVerdict({ ...delay, over120: 0.004 }).level, 'good');
+    assert.match(verdictText(orderVerdict({ ...delay, over120: 0.004 })), /0[.,]4.*3/);
+  }
+  await setLanguage('en');
 });
 
 test('each measure is judged by itself, in every language', async () => {

@@ -401,6 +401,7 @@ export const words = {
   'measure.alignment': 'Alignment',
   'measure.uTurns': 'U-turns',
   'measure.kinks': 'Kinks',
+  'measure.order': 'Order',
   'measure.widths': 'Bead widths',
   'measure.fill': 'Plastic',
   'measure.lost': 'Lost features',
@@ -416,6 +417,10 @@ export const words = {
   'verdict.coverage.fair': '{percent}% of the shape is covered; small gaps may show the layer below.',
   'verdict.coverage.poor':
     'Only {percent}% of the shape is covered. A smaller spacing or wider beads would close the gaps.',
+  'verdict.order.good':
+    'Beads follow their neighbours soon: {percent}% are laid over two minutes apart. A slicer’s plain top has {usual}%.',
+  'verdict.order.fair':
+    '{percent}% of the beads are laid over two minutes after or before a neighbour, and may shine differently. A slicer’s plain top has {usual}%.',
   'verdict.overlap.good': 'Beads hardly overlap: {percent}% of the shape.',
   'verdict.overlap.fair': 'Beads overlap on {percent}% of the shape; the surface may be rough there.',
   'verdict.overlap.poor':
