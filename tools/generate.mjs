@@ -134,17 +134,17 @@ function studioRow(setting) {
   if (unit !== undefined) facts.unit = unit === 'spacings' ? 'spacing' : unitOf(setting);
   if (low !== undefined) Object.assign(facts, { low, high: mostOf(setting) });
   if (nullable) facts.nullable = nullable;
+  if (setting.maxBytes !== undefined) facts.maxBytes = setting.maxBytes;
   const text = Object.entries(facts).map(([name, value]) => `${name}: ${JSON.stringify(value).replaceAll('"', "'")}`);
   return `${key}: { ${text.join(', ')} },`;
 }
 
-/** Of the pictures, what the studio has fields for. */
-const isOfStudio = ({ section, type, key }) =>
-  section === 'pictures' ? ['lampSize', 'smoothness', 'localContrast'].includes(key) : type !== 'name';
+/** Files and names are no values of their own. */
+const isValue = ({ type }) => type !== 'name' && type !== 'pictures';
 
 const studioRows = (section, indent) =>
   of(section)
-    .filter(isOfStudio)
+    .filter(isValue)
     .map((setting) => indent + studioRow(setting))
     .join('\n');
 
@@ -152,11 +152,7 @@ const studioSection = (section) => `  ${section}: {\n${studioRows(section, '    
 
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
-${['toolpath', 'print', 'printer'].map(studioSection).join('\n')}
-} as const;
-
-export const pictureTable = {
-${studioRows('pictures', '  ')}
+${['pictures', 'toolpath', 'print', 'printer'].map(studioSection).join('\n')}
 } as const;
 `;
 

@@ -15,7 +15,7 @@ import { Cost, cellsOf } from '../../src/engine/coarse.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
 import { TimeLeft } from '../../src/model/time-left.js';
-import { newGenerator, newPlate } from '../../src/model/defaults.js';
+import { newFileShape, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
 import type { PlateResult, Progress } from '../../src/model/state.js';
@@ -255,7 +255,8 @@ test('changes of printer, print and name make nothing again', async () => {
   bench.studio.update(plate, raster);
   await bench.finishAll();
   const { length } = bench.calls;
-  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, filament: 'bluePla' }, raster);
+  const pictures = { ...plate.pictures, spool: 'bluePla' as const };
+  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, pictures }, raster);
   await turn();
   assert.equal(bench.calls.length, length);
 });
@@ -413,7 +414,8 @@ test('cancel ends exports, whether they wait or write', async () => {
 
 test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {
   const { input, params } = engineInput({ plate: newPlate(), raster });
-  assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70] });
+  const read = { radius: 6, unitless: 'px', paint: 'shown', keepThin: false };
+  assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70], ...read });
   assert.deepEqual(input.directions, {
     file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
     encoding: 'angle',
@@ -426,7 +428,7 @@ test('without a picture the one direction is told in words', () => {
   const plate: Plate = {
     ...newPlate(),
     directions: { ...newGenerator('angle'), angle: 30 },
-    modes: { base: 'smoothest' },
+    modes: { mode: 'smoothest' },
   };
   const { input } = engineInput({ plate, raster: undefined });
   assert.deepEqual(input.directions, { angle: 30 });
@@ -441,7 +443,7 @@ test('a preview has wider spacing, a thinner picture, and joins no parts that th
     angle: Uint16Array.from({ length: size * size }, (_, k) => k % size),
     mode: new Uint8Array(size * size).fill(3),
   };
-  const { input, params } = engineInput({ plate: plateOf(40), raster: large }, 2);
+  const { input, params } = engineInput({ plate: plateOf(40), raster: large }, { factor: 2 });
   assert.equal(params.spacing, 0.8);
   assert.equal(params.bridge, 0.4);
   const file = (input.directions as { file: { width: number; height: number; samples: Uint16Array } }).file;
@@ -460,22 +462,10 @@ test('a file is handed over with the width of its page', () => {
   const bytes = new Blob(['<svg/>']);
   const plate: Plate = {
     ...newPlate(),
-    shape: { kind: 'file', file: { id: 'a', name: 'a.svg', bytes }, unitless: 'mm' },
+    shape: newFileShape({ id: 'a', name: 'a.svg', bytes }, 'mm'),
   };
-  assert.deepEqual(engineInput({ plate, raster }).input.shape, {
-    file: bytes,
-    pageWidth: 70,
-    unitless: 'mm',
-    paint: 'ignore',
-  });
-  const read = (shape: object): unknown =>
-    engineInput({ plate: { ...plate, shape: { ...plate.shape, ...shape } }, raster }).input.shape;
-  assert.deepEqual(read({ paint: 'shown', keepThin: true }), {
-    file: bytes,
-    pageWidth: 70,
-    unitless: 'mm',
-    keepThin: true,
-  });
+  const read = { radius: 6, unitless: 'mm', paint: 'ignore', keepThin: false };
+  assert.deepEqual(engineInput({ plate, raster }).input.shape, { file: bytes, pageWidth: 70, ...read });
 });
 
 test('what makes another toolpath, and what does not', () => {
@@ -485,13 +475,13 @@ test('what makes another toolpath, and what does not', () => {
   assert.ok(same({}));
   assert.ok(same({ print: { ...plate.print } }));
   assert.ok(!same({ width: 71 }));
-  assert.ok(!same({ shape: { kind: 'disc' } }));
+  assert.ok(!same({ shape: newShape('disc') }));
   assert.ok(!same({ toolpath: { ...plate.toolpath } }));
   assert.ok(!same({}, { ...raster }));
   assert.ok(
     !sameToolpath(
       { plate, raster: undefined },
-      { plate: { ...plate, modes: { base: 'parallel' } }, raster: undefined },
+      { plate: { ...plate, modes: { mode: 'parallel' } }, raster: undefined },
     ),
   );
 });

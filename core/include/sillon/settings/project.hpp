@@ -1,4 +1,4 @@
-// All that a person chooses, as one struct. Every field is a row of the table of settings.
+// All that a person chooses, as one struct. Every field but the studio's is a row of the table of settings.
 #pragma once
 
 #include <string>
@@ -33,6 +33,7 @@ struct Project {
   std::string printerProfile;   ///< whose values `printer` began with; empty: none
   std::string filamentProfile;  ///< laid over them; empty: none
   Printer printer;
+  std::string studio;  ///< what the studio keeps of its own in a project, a JSON object; empty: nothing
 };
 
 }  // namespace sillon
