@@ -246,8 +246,12 @@ export class StudioEngine {
   async #make(engine: Engine, { kind, quick, factor, input }: Job, signal: AbortSignal): Promise<PlateResult> {
     const begin = this.host.now();
     const timeLeft = new TimeLeft(begin);
-    const job = kind === 'measured' ? 'measuring' : 'making';
     const measure = kind === 'measured';
+    // The same beads as before: views that compare `cycles` need not upload them again.
+    const made = this.#done;
+    const same = measure && made?.level === 'full' && sameToolpath(made.input, input);
+    const before = same ? made.result?.toolpath : undefined;
+    const job = before === undefined ? 'making' : 'measuring';
     if (!quick) this.#tellProgress(job, '', 0, undefined);
     const { input: plateInput, params } = engineInput(input, kind === 'coarse' ? { factor } : undefined);
     const { toolpath, report, conflict } = await engine.generateToolpath(plateInput, params, {
@@ -259,10 +263,6 @@ export class StudioEngine {
       },
     });
     if (!measure) this.#cost.learn(input.plate, factor, this.host.now() - begin);
-    // The same beads as before: views that compare `cycles` need not upload them again.
-    const done = this.#done;
-    const same = measure && done?.level === 'full' && sameToolpath(done.input, input);
-    const before = same ? done.result?.toolpath : undefined;
     return {
       plate: input.plate,
       toolpath: before === undefined ? toolpath : { ...toolpath, cycles: before.cycles, shape: before.shape },

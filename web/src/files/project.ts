@@ -138,8 +138,10 @@ export type ProjectEngine = Pick<Engine, 'readProject' | 'readShape'>;
 /** A file by its path as it stands in a project. */
 type FileAt = (path: string, name: string) => Promise<SourceFile>;
 
+const megabytes = (bytes: number): number => Math.round(bytes / 1e5) / 10;
+
 function checkSize(size: number, most: number, what: string): void {
-  if (size > most) throw new ZipError(`${what} has ${Math.round(size / 1e5) / 10} MB; at most ${most / 1e6} MB`);
+  if (size > most) throw new ZipError(`${what} has ${megabytes(size)} MB; at most ${megabytes(most)} MB`);
 }
 
 async function textOf(entry: Entry, most: number): Promise<string> {

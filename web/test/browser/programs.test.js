@@ -45,38 +45,48 @@ function firstDifference(a, b) {
   return [k, left[k]?.slice(0, 200), right[k]?.slice(0, 200)];
 }
 
+/** Opens pictures of examples/inputs, each for its use. */
+async function show(visit, roles) {
+  for (const [name, role] of Object.entries(roles)) {
+    const { data } = fileAt(join(inputs, name));
+    await visit.page.evaluate(
+      ([name, role, data]) => {
+        const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+        return document.querySelector('sillon-app').studio.open([new File([bytes], name)], role);
+      },
+      [name, role, data],
+    );
+  }
+  const count = Object.keys(roles).length;
+  await visit.until(`({ plate }) => plate.directions.pictures?.length === ${count}`);
+}
+
+const stroke = { tool: 'comb', points: [0.2, 0.4, 0.5, 0.6, 0.8, 0.4], radius: 0.15, softness: 0.5 };
 const text = { kind: 'text', text: 'Ab', font: 'serif', bold: true, size: 0.6, letters: 90, ground: 0 };
 const code = { kind: 'qr', text: 'SILLON', dark: 0, light: 90, margin: 2 };
-const square = { kind: 'rectangle' };
-const tools = {
-  photograph: async (visit) => {
-    await visit.drop([fileAt(join(inputs, 'moon.png'))]);
-    await visit.until(({ plate }) => plate.directions.kind === 'lamp' && plate.directions.pictures.length === 1);
-  },
-  'two photographs': async (visit) => {
-    await visit.drop([fileAt(join(inputs, 'moon.png')), fileAt(join(inputs, 'sun.png'))]);
-    await visit.until(({ plate }) => plate.directions.pictures?.length === 2);
-  },
-  text: undefined,
-  'QR code': undefined,
-  'comb stroke': async (visit) => {
-    await visit.page.evaluate(() => {
-      const stroke = { tool: 'comb', points: [0.2, 0.4, 0.5, 0.6, 0.8, 0.4], radius: 0.15, softness: 0.5 };
-      document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, strokes: [stroke] }));
-    });
-    await visit.until(({ plate }) => plate.strokes.length === 1);
-  },
-};
-const links = { text: { directions: text }, 'QR code': { shape: square, directions: code } };
 
-for (const [what, make] of Object.entries(tools)) {
+/** What a link tells of a plate, and what is done with it then. */
+const plates = {
+  photograph: [{}, (visit) => show(visit, { 'photo.png': 'lamp' })],
+  'two photographs': [{}, (visit) => show(visit, { 'photo.png': 'lamp', 'relief.png': 'more' })],
+  text: [{ directions: text }],
+  'QR code': [{ shape: { kind: 'rectangle' }, directions: code }],
+  'comb stroke': [
+    { directions: { kind: 'angle', angle: 20 } },
+    (visit) =>
+      visit.page.evaluate((stroke) => {
+        document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, strokes: [stroke] }));
+      }, stroke),
+  ],
+};
+
+for (const [what, [link, make]] of Object.entries(plates)) {
   test(`studio, npm package and command line write one G-code: ${what}`, { skip }, async () => {
     // Between the nozzles whose gloss was measured, so that slopes are computed everywhere.
     const settings = { 'printer.nozzle': 0.5, 'toolpath.spacing': 0.5, 'pictures.spool': 'bluePla' };
-    const visit = await bench.open({ path: `/${linkOf({ ...links[what], settings })}` });
+    const visit = await bench.open({ path: `/${linkOf({ ...link, settings })}` });
     await visit.until(({ plate }) => plate.width === 24);
     await make?.(visit);
-    await visit.page.keyboard.press('Escape');
     await visit.idle();
     const gcode = (await visit.download('G-code')).bytes.toString('utf8');
     const { bytes: zip } = await visit.download('Project with its files');

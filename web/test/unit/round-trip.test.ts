@@ -150,7 +150,8 @@ async function there(name: string, sections: Sections, settings: readonly Row[])
   assert.equal(back['studio']?.['name'], name); // the command line has left the studio's section as it was
 
   const isOff = ({ section, key, default: usual }: Row): boolean =>
-    asked[section]?.[key] !== undefined && JSON.stringify(before[section]?.[key]) !== JSON.stringify(usual);
+    asked[section]?.[key] !== undefined &&
+    (usual === undefined || JSON.stringify(before[section]?.[key]) !== JSON.stringify(usual)); // a preset is but its values
   return settings.filter(isOff).map(({ section, key }) => `${section}.${key}`);
 }
 

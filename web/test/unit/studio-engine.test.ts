@@ -15,10 +15,11 @@ import { Cost, cellsOf } from '../../src/engine/coarse.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
 import { TimeLeft } from '../../src/model/time-left.js';
-import { newFileShape, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
+import { newFileShape, newGenerator, newLampDirections, newPlate, newShape } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
 import type { PlateResult, Progress } from '../../src/model/state.js';
+import { fileOf } from './support/pictures.js';
 
 const turn = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
 
@@ -195,6 +196,36 @@ test('while a hand moves there are previews, the whole plate comes when it rests
   assert.equal(bench.call.params.spacing, 0.4);
   await bench.finishAll();
   assert.equal(bench.results.at(-1)?.measured, true);
+});
+
+/** A plate of one picture, which is corrected. */
+const litOf = (width: number): Plate => ({
+  ...plateOf(width),
+  directions: newLampDirections([{ file: fileOf('moon.png'), lamp: [60, 45] }]),
+});
+
+test('a picture is solved once while a hand moves, and with all corrections when it rests', async () => {
+  const asked = (): (number | undefined)[] => bench.calls.map(({ input }) => input.pictures?.corrections);
+  bench.studio.update(litOf(20), raster, { live: true });
+  await turn();
+  await bench.call.finish();
+  assert.deepEqual([asked(), bench.results.at(-1)?.coarse], [[0], true]);
+  mock.timers.tick(250);
+  await turn();
+  await bench.finishAll();
+  assert.deepEqual(asked(), [0, 3]); // the plates of its corrections are made only once, with the measures
+  assert.deepEqual([bench.results.at(-1)?.coarse, bench.results.at(-1)?.measured], [false, true]);
+  assert.equal(bench.call.options.measure, true);
+
+  // At rest from the start: something is seen after the first of the four plates.
+  bench.studio.update(litOf(30), raster);
+  await bench.finishAll();
+  assert.deepEqual(asked(), [0, 3, 0, 3]);
+  // Without corrections it is made as any other.
+  const { pictures } = newPlate();
+  bench.studio.update({ ...litOf(30), pictures: { ...pictures, corrections: 0 } }, raster);
+  await bench.finishAll();
+  assert.deepEqual(asked().slice(4), [0, 0]);
 });
 
 test('of updates under a running preview only the newest is made, and none is starved', async () => {
